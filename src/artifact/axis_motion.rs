@@ -1,0 +1,23 @@
+//! Motion of the machine's axes over time.
+
+/// Axes in the order of the arrays of [`AxisMotion`].
+pub const AXES: [&str; 5] = ["X", "Y", "Z", "A", "B"];
+
+/// One row per cutter location. Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct AxisMotion {
+    /// Time at each cutter location, s.
+    pub t_s: Vec<f64>,
+    /// Axis positions.
+    pub position: Vec<[f64; 5]>,
+    /// Axis velocities.
+    pub velocity: Vec<[f64; 5]>,
+    /// Axis accelerations.
+    pub acceleration: Vec<[f64; 5]>,
+    /// Axis jerks (difference quotients of the accelerations; reported, not limited).
+    pub jerk: Vec<[f64; 5]>,
+    /// Feed of the ball centre towards each location, mm/s.
+    pub feed: Vec<f64>,
+    /// Whole time, s.
+    pub time_s: f64,
+}

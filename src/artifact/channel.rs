@@ -1,0 +1,56 @@
+//! The S–θ channel: at each cutter location the angles that the whole tool may take.
+
+/// What limits an end of an interval of θ.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case", tag = "by")]
+pub enum Binding {
+    /// A part of the tool would touch a face of the part.
+    Part {
+        /// Which part of the tool: `ball-side`, `taper`, `shank`, `holder 1` …
+        tool: String,
+        /// Face or group of the part.
+        face: u32,
+        /// Triangle of the part's mesh.
+        triangle: u32,
+    },
+    /// The permitted range of contact angle on the ball.
+    ContactAngle,
+    /// Nothing does: the whole circle is free, the interval was cut open opposite to the surface normal.
+    Free,
+}
+
+/// The interval of the chosen chain at one cutter location; radians, unwrapped over the whole path.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct ChannelRow {
+    /// Least θ.
+    pub theta_min: f64,
+    /// Greatest θ.
+    pub theta_max: f64,
+    /// Monotone hull, lower wall: running greatest `theta_min`.
+    pub hull_min: f64,
+    /// Monotone hull, upper wall: running least `theta_max` from the end.
+    pub hull_max: f64,
+    /// The paper's limits from tangents of the path, for comparison.
+    pub tangent_min: f64,
+    /// The paper's limits from tangents of the path, for comparison.
+    pub tangent_max: f64,
+    /// What limits `theta_min`.
+    pub binds_min: Binding,
+    /// What limits `theta_max`.
+    pub binds_max: Binding,
+}
+
+/// The channel over the whole path, one row per cutter location.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Channel {
+    /// Angle of the tool axis over the plane perpendicular to the blade axis, towards the tip, rad.
+    pub b_rad: f64,
+    /// Tolerance of the ends, rad.
+    pub tolerance_rad: f64,
+    /// One row per cutter location.
+    pub rows: Vec<ChannelRow>,
+    /// Index of the row where the monotone channel is narrowest.
+    pub narrowest_row: usize,
+    /// How many separate chains could be followed round the whole path.
+    pub chains: usize,
+}

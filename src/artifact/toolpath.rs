@@ -1,0 +1,49 @@
+//! Cutter locations of one continuous helix.
+use crate::geometry::{Point, Vector};
+
+/// One cutter location.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct CutterLocation {
+    /// Number of the turn, from 0.
+    pub turn: u32,
+    /// Arc length from the turn's base point along the path of ball centres, mm.
+    pub turn_s_mm: f64,
+    /// Arc length from the start of the path, mm.
+    pub s_mm: f64,
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// Contact point on the part, mm.
+    pub contact: Point,
+    /// Outward unit normal at the contact: from contact to centre.
+    pub normal: Vector,
+}
+
+/// A turn: locations `first .. first + count`; its last location is the next turn's base point less one step.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Turn {
+    /// Index of the base point's location.
+    pub first: usize,
+    /// Number of locations.
+    pub count: usize,
+    /// Arc length from this base point to the next, mm (for the last turn: to the end of the path).
+    pub length_mm: f64,
+}
+
+/// The helix. Locations run so that the angle about the blade axis increases (counter-clockwise seen from the tip).
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Toolpath {
+    /// Ball radius, mm.
+    pub radius_mm: f64,
+    /// Scallop asked for, mm.
+    pub scallop_mm: f64,
+    /// Chord tolerance between locations, mm.
+    pub chord_mm: f64,
+    /// Region machined, along the blade axis, mm: heights of the first and last ball centres.
+    pub region_x_mm: [f64; 2],
+    /// Greatest scallop that the planner foresees between neighbouring turns, mm.
+    pub planned_scallop_mm: f64,
+    /// Turns in order.
+    pub turns: Vec<Turn>,
+    /// Locations in order.
+    pub locations: Vec<CutterLocation>,
+}

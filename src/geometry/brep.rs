@@ -1,0 +1,85 @@
+//! Boundary representation: NURBS faces trimmed by loops of shared edges.
+
+use super::nurbs::{NurbsCurve, NurbsSurface};
+use super::Rigid;
+
+/// The kind of surface that a face lay on in the file, before it was written as NURBS (all kinds are exact as NURBS).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SurfaceKind {
+    /// Free-form.
+    BSpline,
+    /// Plane.
+    Plane,
+    /// Cylinder.
+    Cylinder,
+    /// Cone.
+    Cone,
+    /// Sphere.
+    Sphere,
+    /// Torus.
+    Torus,
+    /// Surface of revolution.
+    Revolution,
+    /// Surface of linear extrusion.
+    Extrusion,
+    /// Anything else that could be written as NURBS.
+    Other,
+}
+
+/// An edge: a curve in space, walked from `t[0]` to `t[1]` (`t[0] < t[1]`). A closed edge has one vertex.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// The curve.
+    pub curve: NurbsCurve,
+    /// Parameter range.
+    pub t: [f64; 2],
+}
+
+/// An edge as a loop uses it. A seam is used twice by one face, once in each sense.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coedge {
+    /// Index into [`Brep::edges`].
+    pub edge: usize,
+    /// The loop walks the edge from `t[1]` to `t[0]`.
+    pub reversed: bool,
+}
+
+/// A trimmed face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// Name or number in the file, for messages (`#123`).
+    pub name: String,
+    /// What it was in the file.
+    pub kind: SurfaceKind,
+    /// Its surface.
+    pub surface: NurbsSurface,
+    /// The outward normal of the part is `-(S_u × S_v)` rather than `S_u × S_v`.
+    pub reversed: bool,
+    /// Closed loops of edges around the face, in any order and sense; none: the whole parameter rectangle.
+    pub loops: Vec<Vec<Coedge>>,
+}
+
+/// Trimmed faces that share their edges.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Brep {
+    /// The faces.
+    pub faces: Vec<Face>,
+    /// The edges.
+    pub edges: Vec<Edge>,
+}
+
+impl Brep {
+    /// Moves everything: exact, since NURBS are invariant under rigid motion of their control points.
+    #[must_use]
+    pub fn moved(mut self, to_from: &Rigid) -> Self {
+        let m = to_from.to_homogeneous();
+        for p in self.faces.iter_mut().flat_map(|f| f.surface.points.iter_mut()) {
+            *p = m * *p;
+        }
+        for p in self.edges.iter_mut().flat_map(|e| e.curve.points.iter_mut()) {
+            *p = m * *p;
+        }
+        self
+    }
+}

@@ -1,0 +1,1 @@
+//! NURBS: basis.

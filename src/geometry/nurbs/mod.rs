@@ -1,0 +1,8 @@
+//! NURBS curves and surfaces: evaluation with first and second derivatives, fitting.
+//! The notation is that of Piegl and Tiller, *The NURBS Book* (1997).
+pub mod basis;
+pub mod curve;
+pub mod fit;
+pub mod surface;
+pub use curve::NurbsCurve;
+pub use surface::{NurbsSurface, SurfaceDerivatives};

@@ -1,0 +1,1 @@
+//! Trimmed NURBS faces to one watertight triangle mesh.

@@ -1,0 +1,4 @@
+//! The command `bladewright`; everything is in the library.
+fn main() -> std::process::ExitCode {
+    bladewright::cli::run()
+}

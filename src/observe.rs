@@ -1,0 +1,32 @@
+//! Progress, warnings and cancellation: how a stage speaks while it works.
+
+use crate::error::{Error, Result, Stage};
+
+/// A structured warning: the run goes on, the reader should know.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Warning {
+    /// Where it arose.
+    pub stage: Stage,
+    /// One sentence: what, where, what it means for the result.
+    pub message: String,
+}
+
+/// What a stage tells while it works. All methods may be called from any thread.
+pub trait Observer: Sync {
+    /// `done` of `total` units of the stage's work are done (a unit is whatever the stage counts).
+    fn progress(&self, _stage: Stage, _done: usize, _total: usize) {}
+    /// Something the user should know.
+    fn warn(&self, _warning: Warning) {}
+    /// True when the user has asked to stop.
+    fn cancelled(&self) -> bool {
+        false
+    }
+    /// `Err` of kind `Cancelled` when the user has asked to stop.
+    fn check(&self, stage: Stage) -> Result<()> {
+        if self.cancelled() { Err(Error::cancelled(stage)) } else { Ok(()) }
+    }
+}
+
+/// Says nothing, never cancels.
+pub struct Silent;
+impl Observer for Silent {}
