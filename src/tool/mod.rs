@@ -90,7 +90,9 @@ impl Tool {
             }
         };
         push("taper", z0, cone_end, r0, r0 + (cone_end - z0) * tau.tan());
-        push("shank", cone_end, self.stickout_mm, self.shank_radius_mm, self.shank_radius_mm);
+        // Without taper the cutter's own cylinder goes on: there is no cone that could reach the shank's radius.
+        let shank = if tau > 0.0 { self.shank_radius_mm } else { r0 };
+        push("shank", cone_end, self.stickout_mm, shank, shank);
         let mut z = self.stickout_mm;
         for (i, h) in self.holder.iter().enumerate() {
             push(&format!("holder {}", i + 1), z, z + h.length_mm, h.radius_mm, h.radius_mm);
