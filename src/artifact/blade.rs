@@ -1,10 +1,12 @@
 //! A blade as read: the whole part in the blade frame, and what was recognised on it.
 
-use crate::geometry::part::Part;
 use crate::geometry::Rigid;
+use crate::geometry::part::Part;
 
 /// Length unit of a model file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Unit {
     /// Millimetre.

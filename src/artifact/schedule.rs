@@ -1,7 +1,9 @@
 //! A schedule θ(S): the tool axis' angle about the blade axis along the path.
 
 /// How a schedule was made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum ScheduleKind {
     /// Fixed lead and tilt to the surface normal, as CAM systems give.

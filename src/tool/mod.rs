@@ -72,7 +72,12 @@ impl Tool {
         }
         for (i, h) in self.holder.iter().enumerate() {
             if !(h.radius_mm > 0.0 && h.length_mm > 0.0 && h.radius_mm.is_finite() && h.length_mm.is_finite()) {
-                return bad(format!("tool.holder stage {} has radius {} and length {}, both must be greater than 0", i + 1, h.radius_mm, h.length_mm));
+                return bad(format!(
+                    "tool.holder stage {} has radius {} and length {}, both must be greater than 0",
+                    i + 1,
+                    h.radius_mm,
+                    h.length_mm
+                ));
             }
         }
         Ok(())
@@ -82,7 +87,8 @@ impl Tool {
     pub fn segments(&self) -> Vec<Segment> {
         let tau = self.taper_deg.to_radians();
         let (z0, r0) = (self.radius_mm * tau.sin(), self.radius_mm * tau.cos());
-        let cone_end = if tau > 0.0 { (z0 + (self.shank_radius_mm - r0) / tau.tan()).min(self.stickout_mm) } else { z0 };
+        let cone_end =
+            if tau > 0.0 { (z0 + (self.shank_radius_mm - r0) / tau.tan()).min(self.stickout_mm) } else { z0 };
         let mut out = Vec::new();
         let mut push = |name: &str, z0: f64, z1: f64, r0: f64, r1: f64| {
             if z1 > z0 {
