@@ -40,6 +40,16 @@ pub struct CheckReport {
     pub scallop_p50_mm: f64,
     /// 5th percentile, mm.
     pub scallop_p05_mm: f64,
+    /// Number of surface points in the machined band that the scallop was measured at.
+    pub scallop_samples: usize,
+    /// Heights of the ridges between neighbouring turns, mm: greatest, 99th, 50th, 5th percentile.
+    pub ridge_max_mm: f64,
+    /// 99th percentile, mm.
+    pub ridge_p99_mm: f64,
+    /// Median, mm.
+    pub ridge_p50_mm: f64,
+    /// 5th percentile, mm.
+    pub ridge_p05_mm: f64,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance between tool (without ball) and part, mm.

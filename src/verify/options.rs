@@ -1,0 +1,38 @@
+//! Limits of the checks and how finely they look.
+
+/// Limits and sampling of [`super::check`]. Lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VerifyOptions {
+    /// Deepest gouge allowed, mm. Default 0.003: the chord tolerance of 0.001 between locations and as much again for
+    /// the location itself and the measurement.
+    pub gouge_mm: f64,
+    /// Scallop asked for, mm.
+    pub scallop_mm: f64,
+    /// The 99th percentile of the scallop may be this many times `scallop_mm`. Default 1.05.
+    pub scallop_ratio: f64,
+    /// Clearance asked for between the part and taper or shank, mm: reported against, the limit is no interference.
+    pub clearance_mm: f64,
+    /// Clearance asked for between the part and the holder, mm: likewise.
+    pub holder_clearance_mm: f64,
+    /// Bound on what a check along the motion may miss between two of its samples, mm. Default 0.0005.
+    pub resolution_mm: f64,
+    /// How far θ may leave the channel or turn back, degrees: rounding only. Default 1e-6.
+    pub angle_tolerance_deg: f64,
+    /// Number of surface samples over the machined band, about. Default 120 000.
+    pub surface_samples: usize,
+}
+
+impl Default for VerifyOptions {
+    fn default() -> Self {
+        VerifyOptions {
+            gouge_mm: 0.003,
+            scallop_mm: 0.01,
+            scallop_ratio: 1.05,
+            clearance_mm: 0.5,
+            holder_clearance_mm: 1.0,
+            resolution_mm: 0.0005,
+            angle_tolerance_deg: 1e-6,
+            surface_samples: 120_000,
+        }
+    }
+}

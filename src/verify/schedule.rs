@@ -1,0 +1,67 @@
+//! The schedule: θ never turns back and stays inside the channel at every cutter location.
+
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Plan};
+
+use super::VerifyOptions;
+
+/// A check whose worst value, an angle in degrees, was found at `row`.
+fn angle(
+    name: &str,
+    quantity: &str,
+    worst: (f64, usize),
+    plan: &Plan,
+    blade: &Blade,
+    limit: f64,
+    note: String,
+) -> Check {
+    let location = &plan.toolpath.locations[worst.1];
+    let point = blade.model_from_blade * location.centre;
+    Check {
+        name: name.into(),
+        quantity: quantity.into(),
+        worst: worst.0,
+        limit,
+        unit: "deg".into(),
+        passed: worst.0 <= limit,
+        row: Some(worst.1),
+        turn: Some(location.turn),
+        point_mm: Some([point.x, point.y, point.z]),
+        note,
+    }
+}
+
+/// Greatest value and its index; the first one of equals. (0, 0) when all values are below 0.
+fn greatest(values: impl Iterator<Item = f64>) -> (f64, usize) {
+    values.enumerate().fold((0.0, 0), |best, (i, v)| if v > best.0 { (v, i) } else { best })
+}
+
+/// The checks `theta-reversal` and `theta-channel`.
+pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<Check> {
+    let theta = &plan.schedule.theta;
+    let forward = if theta[theta.len() - 1] >= theta[0] { 1.0 } else { -1.0 };
+    let back = |i: usize| (-(theta[i + 1] - theta[i]) * forward).to_degrees();
+    let limit = options.angle_tolerance_deg;
+    let (worst, before) = greatest((0..theta.len() - 1).map(back));
+    let count = (0..theta.len() - 1).filter(|&i| back(i) > limit).count();
+    let reversal = angle(
+        "theta-reversal",
+        "greatest step of θ against the direction of travel, degrees",
+        (worst, before + 1),
+        plan,
+        blade,
+        limit,
+        format!("{count} reversals"),
+    );
+    let outside = |i: usize| {
+        let row = &plan.channel.rows[i];
+        (row.theta_min - theta[i]).max(theta[i] - row.theta_max).to_degrees()
+    };
+    let (worst, row) = greatest((0..theta.len()).map(outside));
+    let binds = &plan.channel.rows[row];
+    let note =
+        if worst > limit { format!("between {:?} and {:?}", binds.binds_min, binds.binds_max) } else { String::new() };
+    let channel =
+        angle("theta-channel", "how far θ lies outside the channel, degrees", (worst, row), plan, blade, limit, note);
+    vec![reversal, channel]
+}
