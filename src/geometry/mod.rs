@@ -6,6 +6,7 @@ pub mod bvh;
 pub mod mesh;
 pub mod nurbs;
 pub mod part;
+pub mod slice;
 pub mod tessellate;
 
 /// A point, mm.
