@@ -1,16 +1,31 @@
-//! A bounding-volume tree over the triangles of a mesh, on parry3d's `Bvh`.
+//! A bounding-volume tree over the triangles of a mesh, on parry3d's `Bvh`, with exact queries of our own.
+//!
+//! All queries are deterministic and free of interior state, so they may run from any thread.
 
 use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
-use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
+use super::Point;
 use super::mesh::Mesh;
+use super::triangle::closest_on_triangle;
 
 /// The tree; leaf data are triangle indices.
 #[derive(Clone)]
 pub struct MeshBvh {
     /// parry's tree, open for stages that traverse it their own way.
     pub tree: Bvh,
+}
+
+/// A triangle near a query point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// Index of the triangle.
+    pub triangle: u32,
+    /// Its closest point to the query point.
+    pub foot: Point,
+    /// Distance from the query point to `foot`, mm.
+    pub distance_mm: f64,
 }
 
 impl MeshBvh {
@@ -23,4 +38,54 @@ impl MeshBvh {
         });
         MeshBvh { tree: Bvh::from_iter(BvhBuildStrategy::Binned, boxes) }
     }
+
+    /// The closest point of the mesh to `q` that is no farther than `cap_mm` (which may be infinite); `mesh` must be the
+    /// mesh that the tree was built from.
+    pub fn closest(&self, mesh: &Mesh, q: &Point, cap_mm: f64) -> Option<Near> {
+        // The search keeps what is strictly below its limit: one ulp or so more keeps a point at the cap itself.
+        let cap2 = cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON);
+        let found = self.tree.find_best(
+            cap2,
+            |node, _| box_distance2(node, q),
+            |t, _| {
+                let foot = closest_on_triangle(&mesh.corners(t as usize), q);
+                Some(((q - foot).norm_squared(), foot))
+            },
+        );
+        found.map(|(triangle, (d2, foot))| Near { triangle, foot, distance_mm: d2.sqrt() })
+    }
+
+    /// All triangles no farther than `radius_mm` from `q`, each with its closest point, in order of the tree.
+    pub fn triangles_within(&self, mesh: &Mesh, q: &Point, radius_mm: f64) -> Vec<Near> {
+        let mut found = Vec::new();
+        self.for_each_within(mesh, q, radius_mm, |near| found.push(near));
+        found
+    }
+
+    /// As [`Self::triangles_within`], handing each triangle to `visit` instead of collecting.
+    pub fn for_each_within(&self, mesh: &Mesh, q: &Point, radius_mm: f64, mut visit: impl FnMut(Near)) {
+        let radius2 = radius_mm * radius_mm;
+        self.tree.traverse(|node| {
+            if box_distance2(node, q) > radius2 {
+                return TraversalAction::Prune;
+            }
+            if let Some(triangle) = node.leaf_data() {
+                let foot = closest_on_triangle(&mesh.corners(triangle as usize), q);
+                let d2 = (q - foot).norm_squared();
+                if d2 <= radius2 {
+                    visit(Near { triangle, foot, distance_mm: d2.sqrt() });
+                }
+            }
+            TraversalAction::Continue
+        });
+    }
+}
+
+/// Squared distance from `q` to the box of a node, mm².
+fn box_distance2(node: &BvhNode, q: &Point) -> f64 {
+    let (lo, hi) = (node.mins(), node.maxs());
+    let x = (lo.x - q.x).max(q.x - hi.x).max(0.0);
+    let y = (lo.y - q.y).max(q.y - hi.y).max(0.0);
+    let z = (lo.z - q.z).max(q.z - hi.z).max(0.0);
+    x * x + y * y + z * z
 }

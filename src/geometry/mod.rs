@@ -8,6 +8,7 @@ pub mod nurbs;
 pub mod part;
 pub mod slice;
 pub mod tessellate;
+pub mod triangle;
 
 /// A point, mm.
 pub type Point = nalgebra::Point3<f64>;

@@ -3,6 +3,7 @@
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::mesh::Mesh;
+use super::triangle::angle_at;
 use super::{Point, Vector};
 
 /// The whole part in one frame.
@@ -25,7 +26,8 @@ pub struct Closest {
     pub point: Point,
     /// Unsigned distance, mm.
     pub distance_mm: f64,
-    /// Outward unit normal of the part there (on an edge or vertex: of one of its faces).
+    /// Outward unit normal of the part there (on an edge or vertex: of one of its faces; the direction of the
+    /// distance is then `q - point`, not this).
     pub normal: Vector,
     /// Face or group.
     pub face: u32,
@@ -38,5 +40,99 @@ impl Part {
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
         Part { mesh, bvh, brep: None, deflection_mm: 0.0 }
+    }
+
+    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite).
+    pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
+        self.closest_on_mesh(q, cap_mm)
+    }
+
+    /// As [`Self::closest`], to the triangles alone.
+    pub fn closest_on_mesh(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
+        let near = self.bvh.closest(&self.mesh, q, cap_mm)?;
+        Some(Closest {
+            point: near.foot,
+            distance_mm: near.distance_mm,
+            normal: self.mesh.normal(near.triangle as usize),
+            face: self.mesh.face(near.triangle as usize),
+            triangle: near.triangle,
+        })
+    }
+
+    /// Whether `q` lies inside the part's mesh; meaningful for a closed mesh with outward triangles.
+    ///
+    /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and Aanæs, *Signed distance
+    /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.
+    /// A point on the mesh counts as outside.
+    pub fn inside(&self, q: &Point) -> bool {
+        let Some(near) = self.bvh.closest(&self.mesh, q, f64::INFINITY) else { return false };
+        let direction = q - near.foot;
+        // Triangles that meet at the foot are found by distance, so vertices need not be shared by index.
+        let scale = near.foot.coords.amax().max(near.distance_mm).max(1.0);
+        let tolerance_mm = 1e-10 * scale;
+        let mut pseudonormal = Vector::zeros();
+        self.bvh.for_each_within(&self.mesh, &near.foot, tolerance_mm, |t| {
+            let corners = self.mesh.corners(t.triangle as usize);
+            pseudonormal += self.mesh.normal(t.triangle as usize) * angle_at(&corners, &near.foot, tolerance_mm);
+        });
+        direction.dot(&pseudonormal) < 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The unit cube [0, 1]³ as twelve triangles.
+    fn cube() -> Part {
+        let points = (0..8).map(|i| Point::new((i & 1) as f64, ((i >> 1) & 1) as f64, ((i >> 2) & 1) as f64)).collect();
+        let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
+        Part::from_mesh(Mesh { points, triangles, ..Mesh::default() })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+        #[test]
+        fn cube_against_closed_form(x in -1.0..2.0f64, y in -1.0..2.0f64, z in -1.0..2.0f64) {
+            let part = cube();
+            prop_assert!((part.mesh.volume_mm3() - 1.0).abs() < 1e-12);
+            let q = Point::new(x, y, z);
+            let c = part.closest(&q, f64::INFINITY).unwrap();
+            let inside = [x, y, z].iter().all(|v| (0.0..1.0).contains(v));
+            let outside = Vector::from_fn(|i, _| (-q[i]).max(q[i] - 1.0).max(0.0)).norm();
+            let inner = [x, y, z].iter().map(|v| v.min(1.0 - v)).fold(f64::MAX, f64::min);
+            let expected = if inside { inner } else { outside };
+            prop_assert!((c.distance_mm - expected).abs() < 1e-12);
+            prop_assert!(((q - c.point).norm() - c.distance_mm).abs() < 1e-15);
+            prop_assert_eq!(part.inside(&q), inside);
+            prop_assert!(part.closest(&q, expected * 0.999).is_none());
+            prop_assert!(part.closest(&q, expected * 1.001 + 1e-12).is_some());
+        }
+    }
+
+    #[test]
+    fn triangles_within_radius_are_those_of_brute_force() {
+        let part = cube();
+        let q = Point::new(0.4, 0.7, 1.3);
+        let found: std::collections::BTreeSet<u32> =
+            part.bvh.triangles_within(&part.mesh, &q, 0.8).iter().map(|n| n.triangle).collect();
+        let expected: std::collections::BTreeSet<u32> = (0..12u32)
+            .filter(|t| {
+                (super::super::triangle::closest_on_triangle(&part.mesh.corners(*t as usize), &q) - q).norm() <= 0.8
+            })
+            .collect();
+        assert!(found.len() > 2 && found.len() < 12);
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn nothing_to_find() {
+        let empty = Part::from_mesh(Mesh::default());
+        assert!(empty.closest(&Point::origin(), 1.0).is_none());
+        assert!(!empty.inside(&Point::origin()));
+        assert!(cube().closest(&Point::new(f64::NAN, 0.0, 0.0), f64::INFINITY).is_none());
     }
 }
