@@ -1,1 +1,32 @@
-//! job
+//! The job: what the user typed, merged with `--set`, settled into a complete job that is saved with the run.
+//!
+//! ```text
+//! job file -> JobFile -> (--set) -> JobFile -> resolve -> Draft -> (the blade is read) -> complete -> Job
+//! ```
+//! Relative paths are relative to the job file. Lengths in mm, angles in degrees, units in the names of the keys; an
+//! unknown key is an error. Tolerances are options with a default and its reason, see the fields of [`Job`]'s sections.
+//! The JSON schema of the file is [`schema`], saved in `models/job.schema.json`.
+
+mod axis;
+mod defaults;
+mod load;
+mod resolved;
+#[cfg(test)]
+mod tests;
+mod typed;
+
+pub use axis::AxisChoice;
+pub use defaults::{Draft, resolve};
+pub use load::{load, parse};
+pub use resolved::{
+    ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
+};
+pub use typed::{
+    ChannelKeys, FeedKeys, JobFile, MachineKeys, ModelKeys, PathKeys, PathKind, PostKeys, RegionKeys, RegionReference,
+    ScheduleKeys, SectionKeys, ToolKeys, VerifyKeys,
+};
+
+/// JSON schema of the job file.
+pub fn schema() -> schemars::Schema {
+    schemars::schema_for!(JobFile)
+}

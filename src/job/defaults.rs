@@ -1,0 +1,252 @@
+//! From the job as typed to the resolved job, and the defaults that depend on the blade.
+
+use std::path::{Path, PathBuf};
+
+use super::resolved::{
+    ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, TINY,
+    VerifyJob, check_ranges,
+};
+use super::typed::{JobFile, RegionReference, ToolKeys};
+use crate::artifact::Blade;
+use crate::artifact::program::Control;
+use crate::artifact::schedule::ScheduleKind;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::slice::slice;
+use crate::tool::{HolderStage, Tool};
+
+/// Ball radii that cutters are sold with, mm.
+const STANDARD_RADII_MM: [f64; 15] = [0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
+
+/// A job that is settled as far as it can be without the blade: enough to read the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draft {
+    typed: JobFile,
+    model: ModelJob,
+    machine_file: Option<PathBuf>,
+}
+
+/// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder of the job file, or
+/// the working folder.
+///
+/// # Errors
+/// `Usage` when the model is missing or a value that the reading of the model needs lies outside its limits.
+pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
+    let keys = typed.model.clone().unwrap_or_default();
+    let Some(file) = keys.file.filter(|f| !f.is_empty()) else {
+        return Err(Error::usage(Stage::Job, "model.file is missing: which blade is to be machined?")
+            .advise("name a STEP, OBJ or STL file"));
+    };
+    let absolute = |file: &str| std::path::absolute(base_dir.join(file)).unwrap_or_else(|_| base_dir.join(file));
+    let model = ModelJob {
+        file: absolute(&file),
+        unit: keys.unit,
+        axis: keys.axis.unwrap_or_default(),
+        deflection_mm: keys.deflection_mm.unwrap_or(0.01),
+    };
+    check_ranges(&[("model.deflection_mm", model.deflection_mm, TINY, 10.0)])?;
+    early_checks(&typed)?;
+    let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
+    Ok(Draft { typed, model, machine_file })
+}
+
+/// Values that are wrong on any blade are refused before the model is read.
+fn early_checks(typed: &JobFile) -> Result<()> {
+    let tool = typed.tool.clone().unwrap_or_default();
+    let path = typed.path.clone().unwrap_or_default();
+    check_ranges(&[
+        ("tool.radius_mm", tool.radius_mm.unwrap_or(1.0), TINY, 1000.0),
+        ("tool.shank_radius_mm", tool.shank_radius_mm.unwrap_or(1.0), TINY, 1000.0),
+        ("tool.stickout_mm", tool.stickout_mm.unwrap_or(1.0), TINY, 10_000.0),
+        ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), TINY, 10.0),
+        ("path.chord_mm", path.chord_mm.unwrap_or(0.001), 1e-5, 1.0),
+    ])
+}
+
+impl Draft {
+    /// How to read the model.
+    pub fn model(&self) -> &ModelJob {
+        &self.model
+    }
+    /// The machine file, absolute; `None`: the built-in demo machine.
+    pub fn machine_file(&self) -> Option<&Path> {
+        self.machine_file.as_deref()
+    }
+
+    /// Settles the rest from the blade.
+    ///
+    /// # Errors
+    /// `Usage` naming the key when a value lies outside its limits; `Infeasible` when no tool fits by itself.
+    pub fn complete(&self, blade: &Blade) -> Result<Job> {
+        let t = self.typed.clone();
+        let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
+        let (schedule, verify) = (t.schedule.unwrap_or_default(), t.verify.unwrap_or_default());
+        let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
+        let radius = tool.radius_mm;
+        let chord_mm = path.chord_mm.unwrap_or(0.001);
+        let job = Job {
+            model: ModelJob { unit: Some(blade.unit), ..self.model.clone() },
+            region: complete_region(&t.region.unwrap_or_default(), blade, radius)?,
+            path: PathJob {
+                kind: path.kind.unwrap_or_default(),
+                scallop_mm: path.scallop_mm.unwrap_or(0.01),
+                chord_mm,
+                max_step_mm: path.max_step_mm.unwrap_or((0.25 * radius).min(1.0)),
+                max_lean_deg: path.max_lean_deg.unwrap_or(60.0),
+            },
+            channel: ChannelJob {
+                clearance_mm: channel.clearance_mm.unwrap_or(0.1),
+                holder_clearance_mm: channel.holder_clearance_mm.unwrap_or(1.0),
+                contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(0.0),
+                contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(90.0),
+                tolerance_deg: channel.tolerance_deg.unwrap_or(0.01),
+            },
+            machine: MachineJob {
+                file: self.machine_file.clone(),
+                b_deg: t.machine.and_then(|m| m.b_deg).unwrap_or(5.0),
+            },
+            schedule: ScheduleJob {
+                kind: schedule.kind.unwrap_or(ScheduleKind::Piecewise),
+                margin_deg: schedule.margin_deg.unwrap_or(0.5),
+                lead_deg: schedule.lead_deg.unwrap_or(15.0),
+            },
+            feed: FeedJob { feed_mm_min: t.feed.and_then(|f| f.feed_mm_min).unwrap_or(2000.0) },
+            post: PostJob {
+                control: t.post.and_then(|p| p.control).unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
+            },
+            verify: VerifyJob {
+                gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(0.003)),
+                scallop_ratio: verify.scallop_ratio.unwrap_or(1.05),
+                resolution_mm: verify.resolution_mm.unwrap_or(0.0005),
+                surface_samples: verify.surface_samples.unwrap_or(120_000),
+            },
+            section: SectionJob { count: t.section.and_then(|s| s.count).unwrap_or(12) },
+            tool,
+        };
+        job.validate()?;
+        Ok(job)
+    }
+}
+
+/// The tool: what was typed, else
+/// * ball radius: the largest standard one not above 7 % of the chord near the platform (about half the thickness of
+///   usual profiles: larger balls no longer follow the edges' neighbourhood and the platform's fillet) that fits
+///   into the concave side there with a tenth to spare;
+/// * taper 4°: slim enough for the concave side, three times as stiff as a straight neck of the ball's size;
+/// * shank 1.5 ball radii, holder of twice the shank's radius, five shank diameters long: usual proportions of shrink-fit
+///   holders;
+/// * stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform
+///   whatever the angle of the tool.
+fn complete_tool(keys: &ToolKeys, blade: &Blade) -> Result<Tool> {
+    let radius_mm = match keys.radius_mm {
+        Some(r) => r,
+        None => default_radius(blade)?,
+    };
+    let taper_deg = keys.taper_deg.unwrap_or(4.0);
+    let straight = taper_deg <= 0.0;
+    let shank_radius_mm = keys.shank_radius_mm.unwrap_or(if straight { radius_mm } else { 1.5 * radius_mm });
+    let reach = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
+    let stickout_mm = keys.stickout_mm.unwrap_or_else(|| up_to_five(1.1 * reach + 2.0 * radius_mm));
+    let holder = keys
+        .holder
+        .clone()
+        .unwrap_or_else(|| vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm: 10.0 * shank_radius_mm }]);
+    let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
+    tool.validate()?;
+    Ok(tool)
+}
+
+/// Rounded up to a multiple of 5 mm (of 0.5 mm below 5 mm): tools are set by such steps.
+fn up_to_five(x: f64) -> f64 {
+    let unit = if x < 5.0 { 0.5 } else { 5.0 };
+    (x / unit).ceil() * unit
+}
+
+/// Where the root region begins and ends by itself, see [`RegionJob`].
+fn complete_region(keys: &super::typed::RegionKeys, blade: &Blade, radius_mm: f64) -> Result<RegionJob> {
+    let zero = match keys.reference.unwrap_or_default() {
+        RegionReference::Blade => 0.0,
+        RegionReference::Platform => blade.regions.platform_x_mm.ok_or_else(|| {
+            Error::usage(Stage::Job, "region.reference is platform, but no platform was found on the part")
+                .advise("give heights in the blade frame: region.reference = \"blade\"")
+        })?,
+    };
+    let typed = |key: &str, x: Option<f64>| match x {
+        None => Ok(None),
+        Some(x) => {
+            let (x, [lo, hi]) = (x + zero, blade.regions.part_x_mm);
+            if (lo..=hi).contains(&x) { Ok(Some(x)) } else { Err(outside(key, x, lo, hi)) }
+        }
+    };
+    let start = typed("region.start_mm", keys.start_mm)?;
+    let end_mm = typed("region.end_mm", keys.end_mm)?;
+    Ok(RegionJob { start_mm: start.unwrap_or_else(|| default_start(blade, radius_mm)), end_mm })
+}
+
+fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
+    let span = format!("which spans {lo:.3} to {hi:.3} mm along the blade axis");
+    Error::usage(Stage::Job, format!("{key} is at {x} mm in the blade frame, outside the part, {span}"))
+        .advise("choose heights inside the part; `inspect` prints where the airfoil and the platform are")
+}
+
+fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
+    let [a, b] = blade.regions.airfoil_x_mm;
+    a + (0.3 * (b - a)).max(3.0 * radius_mm).min(40.0).min(0.9 * (b - a))
+}
+
+/// See [`complete_tool`].
+fn default_radius(blade: &Blade) -> Result<f64> {
+    let [a, b] = blade.regions.airfoil_x_mm;
+    let chord = chord_mm(blade, a + 0.15 * (b - a));
+    let fitting = STANDARD_RADII_MM.iter().rev().filter(|r| **r <= 0.07 * chord);
+    fitting.copied().find(|&r| fits(blade, r / 0.9)).ok_or_else(|| {
+        Error::infeasible(
+            Stage::Job,
+            format!(
+                "no standard ball radius ({} mm and up) fits an airfoil of chord {chord:.3} mm",
+                STANDARD_RADII_MM[0]
+            ),
+        )
+        .advise("give tool.radius_mm, or check the unit of the model (model.unit)")
+    })
+}
+
+/// Greatest distance between two points of the largest loop at height `x_mm`, mm; 0 where there is none.
+fn chord_mm(blade: &Blade, x_mm: f64) -> f64 {
+    let loops = slice(&blade.part.mesh, &blade.part.bvh, x_mm);
+    let longest = loops.into_iter().max_by(|a, b| a.length_mm().total_cmp(&b.length_mm()));
+    let points = longest.map(|l| l.points).unwrap_or_default();
+    // Extents over 90 directions are within 0.02 % of the diameter and cost linear time.
+    let extent = |k: usize| {
+        let (s, c) = (k as f64 * std::f64::consts::PI / 90.0).sin_cos();
+        let along = points.iter().map(|p| c * p[0] + s * p[1]);
+        let (lo, hi) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
+        if hi >= lo { hi - lo } else { 0.0 }
+    };
+    (0..90).map(extent).fold(0.0, f64::max)
+}
+
+/// A ball of radius `radius_mm` touches nearly all of the airfoil near the platform without cutting elsewhere: at
+/// 99 % of the triangles there, the ball put on the triangle's middle is no nearer than its radius to the whole part.
+fn fits(blade: &Blade, radius_mm: f64) -> bool {
+    let [a, b] = blade.regions.airfoil_x_mm;
+    let (lo, hi) = (a + radius_mm.min(0.3 * (b - a)), default_start(blade, radius_mm).max(a + 0.35 * (b - a)));
+    let mesh = &blade.part.mesh;
+    let all: Vec<usize> = (0..mesh.triangles.len())
+        .filter(|&t| {
+            let [p, q, r] = mesh.corners(t);
+            let x = (p.x + q.x + r.x) / 3.0;
+            lo <= x && x <= hi && mesh.normal(t).x.abs() < 0.5
+        })
+        .collect();
+    let every = (all.len() / 2000).max(1);
+    let (mut tried, mut clear) = (0usize, 0usize);
+    for &t in all.iter().step_by(every) {
+        let [p, q, r] = mesh.corners(t);
+        let centre = p + ((q - p) + (r - p)) / 3.0 + mesh.normal(t) * radius_mm;
+        let near = blade.part.closest_on_mesh(&centre, radius_mm);
+        tried += 1;
+        // Facets of a coarse mesh bend by a few hundredths of the radius without being a pocket.
+        clear += usize::from(near.is_none_or(|c| c.distance_mm > 0.97 * radius_mm));
+    }
+    tried > 0 && clear as f64 >= 0.99 * tried as f64
+}

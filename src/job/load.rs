@@ -1,0 +1,102 @@
+//! Reading a job file, and changing single keys (`--set`).
+
+use std::path::Path;
+
+use super::typed::{JobFile, ModelKeys};
+use crate::error::{Error, Result, Stage};
+
+/// Greatest size of a job file, bytes: a CAD file given by mistake is refused before it is read as text.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// Reads a job file.
+///
+/// # Errors
+/// `InputOutput` when the file cannot be read; `Usage` with file, line and key when it is not a job file.
+pub fn load(path: &Path) -> Result<JobFile> {
+    let io = |e: std::io::Error| {
+        Error::io(Stage::Job, format!("the job file {} cannot be read: {e}", path.display())).caused_by(e)
+    };
+    let size = std::fs::metadata(path).map_err(io)?.len();
+    if size > MAX_BYTES {
+        return Err(Error::usage(Stage::Job, format!("{} has {size} bytes, too many for a job file", path.display()))
+            .advise("a job file is a short TOML text; name the CAD file in it as model.file"));
+    }
+    let bytes = std::fs::read(path).map_err(io)?;
+    let text = String::from_utf8(bytes)
+        .map_err(|e| Error::usage(Stage::Job, format!("{} is not a text in UTF-8: {e}", path.display())))?;
+    parse(&text, &path.display().to_string())
+}
+
+/// Parses the text of a job file; `name` is used in messages.
+///
+/// # Errors
+/// `Usage` with name, line and what is allowed.
+pub fn parse(text: &str, name: &str) -> Result<JobFile> {
+    toml::from_str(text).map_err(|e| {
+        let line = e.span().map(|span| {
+            let before = text.get(..span.start).unwrap_or(text);
+            before.matches('\n').count() + 1
+        });
+        let place = line.map(|l| format!("{name}, line {l}")).unwrap_or_else(|| name.to_string());
+        let shown = line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
+        let shown = shown.map(|l| format!(" at `{l}`")).unwrap_or_default();
+        Error::usage(Stage::Job, format!("{place}{shown}: {}", e.message().trim().replace('\n', " ")))
+            .advise("models/job.schema.json lists every key; job.resolved.toml of any run is a complete example")
+    })
+}
+
+impl JobFile {
+    /// A job for one model, defaults for the rest.
+    pub fn from_model(path: &Path) -> Self {
+        let model = ModelKeys { file: Some(path.to_string_lossy().into_owned()), ..Default::default() };
+        JobFile { model: Some(model), ..Default::default() }
+    }
+
+    /// Sets one key, as `path.scallop_mm=0.02`. The value is TOML; what is not TOML is taken as a text, so that names
+    /// need no quotes. Entries of a list are named by number: `tool.holder.0.radius_mm=20`.
+    ///
+    /// # Errors
+    /// `Usage` naming the key and what is allowed; the job is then unchanged.
+    pub fn set(&mut self, assignment: &str) -> Result<()> {
+        let bad = |m: String| Error::usage(Stage::Job, format!("--set {assignment}: {m}"));
+        let (key, value) =
+            assignment.split_once('=').ok_or_else(|| bad("a key and a value are needed, as key=value".into()))?;
+        let keys: Vec<&str> = key.trim().split('.').map(str::trim).collect();
+        if keys.len() < 2 || keys.iter().any(|k| k.is_empty()) {
+            return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
+        }
+        let mut root = toml::Value::try_from(&*self).map_err(|e| bad(e.to_string()))?;
+        insert(&mut root, &keys, read_value(value.trim())).map_err(bad)?;
+        *self = root.try_into().map_err(|e: toml::de::Error| bad(e.message().trim().replace('\n', " ")))?;
+        Ok(())
+    }
+}
+
+/// The text as a TOML value, or as a plain text where it is none.
+fn read_value(text: &str) -> toml::Value {
+    let table = toml::from_str::<toml::Table>(&format!("v = {text}"));
+    match table.ok().and_then(|mut t| if t.len() == 1 { t.remove("v") } else { None }) {
+        Some(value) => value,
+        None => toml::Value::String(text.to_string()),
+    }
+}
+
+/// Puts `value` at the path `keys`, making tables on the way.
+fn insert(at: &mut toml::Value, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
+    let Some((first, rest)) = keys.split_first() else {
+        *at = value;
+        return Ok(());
+    };
+    match at {
+        toml::Value::Table(table) => {
+            let entry = table.entry(first.to_string()).or_insert_with(|| toml::Value::Table(Default::default()));
+            insert(entry, rest, value)
+        }
+        toml::Value::Array(list) => {
+            let n = list.len();
+            let entry = first.parse::<usize>().ok().and_then(|i| list.get_mut(i));
+            insert(entry.ok_or_else(|| format!("the list has {n} entries, `{first}` is none of them"))?, rest, value)
+        }
+        _ => Err(format!("`{first}` cannot be set, what is above it is a single value")),
+    }
+}

@@ -1,0 +1,237 @@
+//! The resolved job: every value settled, ready to be saved with the run and run again as it is.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use super::axis::AxisChoice;
+use super::typed::PathKind;
+use crate::artifact::blade::Unit;
+use crate::artifact::program::Control;
+use crate::artifact::schedule::ScheduleKind;
+use crate::error::{Error, Result, Stage};
+use crate::tool::Tool;
+
+/// A complete job. Its TOML is a job file again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Job {
+    /// The CAD file and how to read it.
+    pub model: ModelJob,
+    /// Where to machine.
+    pub region: RegionJob,
+    /// The helix.
+    pub path: PathJob,
+    /// What the tool axis may do.
+    pub channel: ChannelJob,
+    /// The machine.
+    pub machine: MachineJob,
+    /// What the tool axis does.
+    pub schedule: ScheduleJob,
+    /// How fast.
+    pub feed: FeedJob,
+    /// Programs to write.
+    pub post: PostJob,
+    /// Limits of the checks.
+    pub verify: VerifyJob,
+    /// Sections to report.
+    pub section: SectionJob,
+    /// The tool.
+    pub tool: Tool,
+}
+
+/// `[model]`, known before the blade is read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ModelJob {
+    /// The CAD file; absolute, so that the saved job runs from anywhere.
+    pub file: PathBuf,
+    /// Length unit. Default: what the file declares, else found from the size of the part; filled in once it is read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<Unit>,
+    /// Blade axis in the model frame. Default `auto`: found from the part.
+    pub axis: AxisChoice,
+    /// Greatest distance between a NURBS part and its triangles, mm. Default 0.01: triangles only guide the search,
+    /// distances are then taken to the NURBS themselves, so finer triangles cost time and gain nothing.
+    pub deflection_mm: f64,
+}
+
+/// `[region]`, heights of ball centres in the blade frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RegionJob {
+    /// First ball centre, mm. Default: over the lowest 30 % of the airfoil, at least 3 ball radii and at most 40 mm:
+    /// what the platform keeps other operations from.
+    pub start_mm: f64,
+    /// Last ball centre, mm. Default, left out: as far down as the wall leans less than `path.max_lean_deg` and the
+    /// ball touches the airfoil's side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_mm: Option<f64>,
+}
+
+/// `[path]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PathJob {
+    /// Kind of path. Default `helix`.
+    pub kind: PathKind,
+    /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
+    pub scallop_mm: f64,
+    /// Chord tolerance, mm. Default 0.001: a tenth of the scallop, so that straight moves do not show.
+    pub chord_mm: f64,
+    /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel is sampled densely.
+    pub max_step_mm: f64,
+    /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform.
+    pub max_lean_deg: f64,
+}
+
+/// `[channel]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ChannelJob {
+    /// Clearance of taper and shank, mm. Default 0.1: the cone leaves the ball tangentially, more would forbid contact
+    /// near the ball's equator.
+    pub clearance_mm: f64,
+    /// Clearance of the holder, mm. Default 1: holders are less well known than cutters.
+    pub holder_clearance_mm: f64,
+    /// Least contact angle, degrees. Default 0: with B leaning, the tip does not touch walls along the blade axis.
+    pub contact_angle_min_deg: f64,
+    /// Greatest contact angle, degrees. Default 90: beyond it the upper half of the ball would cut.
+    pub contact_angle_max_deg: f64,
+    /// Tolerance of the channel's ends, degrees. Default 0.01: well below what a rotary table repeats.
+    pub tolerance_deg: f64,
+}
+
+/// `[machine]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MachineJob {
+    /// Machine file, absolute. Default, left out: the built-in demo machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// Angle of B, degrees. Default 5: enough to lift the holder off the platform, as in the S–θ paper.
+    pub b_deg: f64,
+}
+
+/// `[schedule]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ScheduleJob {
+    /// How θ(S) is made. Default `piecewise`.
+    pub kind: ScheduleKind,
+    /// Room to the channel's walls, degrees. Default 0.5: servo lag and set-up errors of a table stay far below it.
+    pub margin_deg: f64,
+    /// Lead of kind `fixed`, degrees. Default 15: what CAM users choose to keep the tip off the surface.
+    pub lead_deg: f64,
+}
+
+/// `[feed]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FeedJob {
+    /// Greatest feed, mm/min. Default 2000: finishing of blade steel with a ball cutter.
+    pub feed_mm_min: f64,
+}
+
+/// `[post]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PostJob {
+    /// Controls. Default: all there are.
+    pub control: Vec<Control>,
+}
+
+/// `[verify]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct VerifyJob {
+    /// Deepest gouge, mm. Default 0.003, or three chord tolerances where that is more.
+    pub gouge_mm: f64,
+    /// Scallop's 99th percentile over `path.scallop_mm`. Default 1.05.
+    pub scallop_ratio: f64,
+    /// What a check along the motion may miss, mm. Default 0.0005: half the chord tolerance.
+    pub resolution_mm: f64,
+    /// Surface samples. Default 120 000: percentiles are then good to 1 %.
+    pub surface_samples: u32,
+}
+
+/// `[section]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SectionJob {
+    /// Number of sections. Default 12.
+    pub count: u32,
+}
+
+/// One number and where it may lie.
+type Range<'a> = (&'a str, f64, f64, f64);
+
+/// The first value outside its range, as an error.
+pub(super) fn check_ranges(ranges: &[Range<'_>]) -> Result<()> {
+    match ranges.iter().find(|(_, v, lo, hi)| !(*v >= *lo && *v <= *hi)) {
+        None => Ok(()),
+        Some((key, v, lo, hi)) => {
+            let lo = if *lo == TINY { "greater than 0".to_string() } else { format!("at least {lo}") };
+            Err(Error::usage(Stage::Job, format!("{key} is {v}, it must be {lo} and at most {hi}")))
+        }
+    }
+}
+/// Stands for "greater than 0" in ranges, mm or degrees: nothing smaller can be meant.
+pub(super) const TINY: f64 = 1e-9;
+
+impl Job {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// `Usage` naming key, value and limits.
+    pub fn validate(&self) -> Result<()> {
+        let (p, c, v) = (&self.path, &self.channel, &self.verify);
+        check_ranges(&[
+            ("model.deflection_mm", self.model.deflection_mm, TINY, 10.0),
+            ("region.start_mm", self.region.start_mm, -1e6, 1e6),
+            ("region.end_mm", self.region.end_mm.unwrap_or(0.0), -1e6, 1e6),
+            ("tool.radius_mm", self.tool.radius_mm, TINY, 1000.0),
+            ("path.scallop_mm", p.scallop_mm, TINY, 0.5 * self.tool.radius_mm),
+            ("path.chord_mm", p.chord_mm, 1e-5, 1.0),
+            ("path.max_step_mm", p.max_step_mm, 1e-3, 100.0),
+            ("path.max_lean_deg", p.max_lean_deg, 1.0, 85.0),
+            ("channel.clearance_mm", c.clearance_mm, 0.0, 100.0),
+            ("channel.holder_clearance_mm", c.holder_clearance_mm, 0.0, 100.0),
+            ("channel.contact_angle_min_deg", c.contact_angle_min_deg, 0.0, 90.0),
+            ("channel.contact_angle_max_deg", c.contact_angle_max_deg, c.contact_angle_min_deg, 180.0),
+            ("channel.tolerance_deg", c.tolerance_deg, 1e-4, 5.0),
+            ("machine.b_deg", self.machine.b_deg, -85.0, 85.0),
+            ("schedule.margin_deg", self.schedule.margin_deg, 0.0, 45.0),
+            ("schedule.lead_deg", self.schedule.lead_deg, -85.0, 85.0),
+            ("feed.feed_mm_min", self.feed.feed_mm_min, 0.01, 1e6),
+            ("verify.gouge_mm", v.gouge_mm, TINY, 10.0),
+            ("verify.scallop_ratio", v.scallop_ratio, 0.01, 1000.0),
+            ("verify.resolution_mm", v.resolution_mm, 1e-5, 1.0),
+            ("verify.surface_samples", f64::from(v.surface_samples), 1000.0, 1e7),
+            ("section.count", f64::from(self.section.count), 1.0, 1000.0),
+        ])?;
+        self.tool.validate()?;
+        if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {
+            let (a, b) = (self.region.start_mm, self.region.end_mm.unwrap_or_default());
+            return Err(Error::usage(
+                Stage::Job,
+                format!(
+                    "region.end_mm ({b}) must be less than region.start_mm ({a}): the helix runs down to the platform"
+                ),
+            ));
+        }
+        if self.post.control.is_empty() {
+            return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
+        }
+        Ok(())
+    }
+
+    /// The job as the text of a job file.
+    ///
+    /// # Errors
+    /// `InputOutput` if a path is not Unicode.
+    pub fn to_toml(&self) -> Result<String> {
+        toml::to_string(self)
+            .map_err(|e| Error::io(Stage::Job, format!("the resolved job cannot be written as TOML: {e}")))
+    }
+}

@@ -1,0 +1,193 @@
+#![allow(clippy::unwrap_used)]
+use super::*;
+use crate::error::ErrorKind;
+use std::path::Path;
+
+fn usage(text: &str) -> String {
+    let e = parse(text, "blade.toml").unwrap_err();
+    assert_eq!(e.kind, ErrorKind::Usage);
+    e.message
+}
+
+#[test]
+fn messages_name_line_key_and_what_is_allowed() {
+    let m = usage("[model]\nfile = \"a.stl\"\n\n[path]\nscalop_mm = 0.01\n");
+    assert!(m.contains("blade.toml, line 5") && m.contains("scalop_mm") && m.contains("scallop_mm"), "{m}");
+    let m = usage("[tool]\nradius_mm = \"eight\"\n");
+    assert!(m.contains("line 2") && m.contains("radius_mm") && m.contains("expected f64"), "{m}");
+    let m = usage("[[tool.holder]]\nradius_mm = 8\nlenght_mm = 3\n");
+    assert!(m.contains("line 3") && m.contains("lenght_mm") && m.contains("length_mm"), "{m}");
+    let m = usage("[model]\naxis = \"w\"\n");
+    assert!(m.contains("line 2") && m.contains("\"-x\""), "{m}");
+    let m = usage("[nonsense]\n");
+    assert!(m.contains("line 1") && m.contains("nonsense") && m.contains("region"), "{m}");
+    let m = usage("[path\n");
+    assert!(m.contains("line 1"), "{m}");
+}
+
+#[test]
+fn set_changes_one_key_and_leaves_the_job_alone_on_errors() {
+    let mut job = JobFile::from_model(Path::new("blade.step"));
+    job.set("path.scallop_mm=0.02").unwrap();
+    job.set("model.axis = -z").unwrap();
+    job.set("tool.radius_mm=8").unwrap();
+    job.set("tool.holder=[{radius_mm=20, length_mm=50}]").unwrap();
+    job.set("tool.holder.0.length_mm=60.5").unwrap();
+    job.set("post.control=[\"linuxcnc\"]").unwrap();
+    assert_eq!(job.path.as_ref().unwrap().scallop_mm, Some(0.02));
+    assert_eq!(job.model.as_ref().unwrap().axis, Some(AxisChoice::Direction([0.0, 0.0, -1.0])));
+    assert_eq!(job.tool.as_ref().unwrap().radius_mm, Some(8.0));
+    assert_eq!(job.tool.as_ref().unwrap().holder.as_ref().unwrap()[0].length_mm, 60.5);
+    let before = job.clone();
+    for bad in [
+        "path.scalop_mm=1",
+        "path.scallop_mm=big",
+        "path.scallop_mm",
+        "scallop_mm=1",
+        "tool.holder.3.radius_mm=1",
+        "path.scallop_mm.x=1",
+        ".=1",
+        "path.kind=spiral",
+        "=",
+        "path.scallop_mm=",
+    ] {
+        let e = job.set(bad).unwrap_err();
+        assert_eq!(e.kind, ErrorKind::Usage);
+        assert!(e.message.contains(bad), "{e}");
+        assert_eq!(job, before);
+    }
+    let e = job.set("path.scalop_mm=1").unwrap_err();
+    assert!(e.message.contains("scallop_mm"), "{e}");
+}
+
+#[test]
+fn missing_model_and_impossible_values_are_refused_before_the_model_is_read() {
+    let here = Path::new("/base");
+    let kind = |text: &str| resolve(parse(text, "t").unwrap(), here).unwrap_err();
+    assert!(kind("").message.contains("model.file"));
+    for (text, key) in [
+        ("[tool]\nradius_mm = 0", "tool.radius_mm"),
+        ("[tool]\nradius_mm = nan", "tool.radius_mm"),
+        ("[path]\nscallop_mm = 0", "path.scallop_mm"),
+        ("[path]\nscallop_mm = -0.01", "path.scallop_mm"),
+        ("[path]\nchord_mm = inf", "path.chord_mm"),
+    ] {
+        let e = kind(&format!("model.file = \"a.stl\"\n{text}"));
+        assert_eq!(e.kind, ErrorKind::Usage);
+        assert!(e.message.contains(key), "{e}");
+    }
+    let draft = resolve(parse("model.file = \"a.stl\"", "t").unwrap(), here).unwrap();
+    assert_eq!(draft.model().file, Path::new("/base/a.stl"));
+    assert_eq!(draft.model().axis, AxisChoice::Auto);
+}
+
+#[test]
+fn schema_in_git_is_the_schema_of_the_program() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/job.schema.json");
+    let now = format!("{}\n", serde_json::to_string_pretty(&schema()).unwrap());
+    if std::env::var_os("BLADEWRIGHT_REGENERATE").is_some() {
+        std::fs::write(&path, &now).unwrap();
+    }
+    let saved = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        saved == now,
+        "models/job.schema.json differs: run the tests once with BLADEWRIGHT_REGENERATE=1 and look at the change"
+    );
+}
+
+mod with_blade {
+    use super::*;
+    use crate::artifact::Blade;
+    use crate::artifact::blade::{Diagnosis, Regions, Unit};
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+    use crate::geometry::{Point, Rigid};
+
+    /// A lens-shaped column along x: chord `c`, two circular arcs of radius `r`, height 100 mm.
+    fn lens(c: f64, r: f64) -> Blade {
+        let half = (c / 2.0 / r).asin();
+        let arc = |k: i32, n: i32, up: f64| {
+            let a = -half + 2.0 * half * f64::from(k) / f64::from(n);
+            (r * a.sin() * up, up * (r * a.cos() - r * half.cos()))
+        };
+        let n = 60;
+        let ring: Vec<(f64, f64)> = (0..n).map(|k| arc(k, n, -1.0)).chain((0..n).map(|k| arc(k, n, 1.0))).collect();
+        let ring: Vec<_> = ring.into_iter().rev().collect();
+        let m = ring.len() as u32;
+        let layers = 40u32;
+        let mut mesh = Mesh::default();
+        for l in 0..=layers {
+            mesh.points.extend(ring.iter().map(|(y, z)| Point::new(100.0 * f64::from(l) / f64::from(layers), *y, *z)));
+        }
+        for l in 0..layers {
+            for k in 0..m {
+                let (a, b) = (l * m + k, l * m + (k + 1) % m);
+                mesh.triangles.push([a, b, b + m]);
+                mesh.triangles.push([a, b + m, a + m]);
+            }
+        }
+        Blade {
+            name: "lens".into(),
+            unit: Unit::Mm,
+            part: Part::from_mesh(mesh),
+            model_from_blade: Rigid::identity(),
+            regions: Regions {
+                part_x_mm: [0.0, 100.0],
+                airfoil_x_mm: [0.0, 100.0],
+                platform_x_mm: None,
+                reasons: vec![],
+            },
+            diagnosis: Diagnosis::default(),
+        }
+    }
+    fn complete(text: &str, blade: &Blade) -> crate::error::Result<Job> {
+        resolve(parse(&format!("model.file = \"a.stl\"\n{text}"), "t").unwrap(), Path::new("/b"))
+            .unwrap()
+            .complete(blade)
+    }
+
+    #[test]
+    fn the_resolved_job_runs_again_as_it_is() {
+        let blade = lens(60.0, 80.0);
+        let typed =
+            "model.axis = [1, 2, 2]\n[region]\nstart_mm = 30\nend_mm = 7.3\n[tool]\nradius_mm = 2.7\nholder = []";
+        for text in ["", typed] {
+            let job = complete(text, &blade).unwrap();
+            let again = parse(&job.to_toml().unwrap(), "resolved").unwrap();
+            let back = resolve(again, Path::new("/elsewhere")).unwrap().complete(&blade).unwrap();
+            assert_eq!(job, back);
+            assert_eq!(job.to_toml().unwrap(), back.to_toml().unwrap());
+        }
+    }
+
+    #[test]
+    fn default_radius_follows_chord_and_scale() {
+        let a = complete("", &lens(60.0, 80.0)).unwrap();
+        assert_eq!(a.tool.radius_mm, 4.0); // 7 % of 60 mm is 4.2 mm
+        let b = complete("", &lens(20.0, 27.0)).unwrap();
+        assert_eq!(b.tool.radius_mm, 1.0); // 7 % of 20 mm is 1.4 mm
+        assert!(a.tool.stickout_mm > 30.0 && a.region.start_mm == 30.0);
+    }
+
+    #[test]
+    fn values_outside_the_part_or_their_limits_are_named() {
+        let blade = lens(60.0, 80.0);
+        for (text, key) in [
+            ("[region]\nstart_mm = 300", "region.start_mm"),
+            ("[region]\nstart_mm = 10\nend_mm = 20", "region.end_mm"),
+            ("[region]\nreference = \"platform\"", "region.reference"),
+            ("[tool]\ntaper_deg = 50", "tool.taper_deg"),
+            ("[tool]\nholder = [{radius_mm = -1, length_mm = 4}]", "holder"),
+            ("[channel]\ncontact_angle_min_deg = 80\ncontact_angle_max_deg = 70", "contact_angle_max_deg"),
+            ("[machine]\nb_deg = 88", "machine.b_deg"),
+            ("[feed]\nfeed_mm_min = 0", "feed.feed_mm_min"),
+            ("[post]\ncontrol = []", "post.control"),
+            ("[section]\ncount = 0", "section.count"),
+            ("[schedule]\nmargin_deg = nan", "schedule.margin_deg"),
+        ] {
+            let e = complete(text, &blade).unwrap_err();
+            assert_eq!(e.kind, ErrorKind::Usage, "{e}");
+            assert!(e.message.contains(key), "{e}");
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The job file as typed: every key optional, unknown keys refused, units in the names.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::axis::AxisChoice;
+use crate::artifact::blade::Unit;
+use crate::artifact::program::Control;
+use crate::artifact::schedule::ScheduleKind;
+use crate::tool::HolderStage;
+
+/// The job file. A key that is left out takes its default (see [`super::Job`]); a section that is left out, all of its.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobFile {
+    /// The CAD file and how to read it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<ModelKeys>,
+    /// Where to machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub region: Option<RegionKeys>,
+    /// The tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool: Option<ToolKeys>,
+    /// The helix.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathKeys>,
+    /// What the tool axis may do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<ChannelKeys>,
+    /// The machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub machine: Option<MachineKeys>,
+    /// What the tool axis does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub schedule: Option<ScheduleKeys>,
+    /// How fast.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed: Option<FeedKeys>,
+    /// Programs to write.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub post: Option<PostKeys>,
+    /// Limits of the checks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub verify: Option<VerifyKeys>,
+    /// Sections to report.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub section: Option<SectionKeys>,
+}
+
+/// Declares the keys of one section: all optional, left out again when written.
+macro_rules! keys {
+    ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub struct $name {
+            $($(#[$field_doc])* #[serde(skip_serializing_if = "Option::is_none")] pub $field: Option<$type>,)*
+        }
+    };
+}
+
+keys! {
+    /// `[model]`
+    ModelKeys {
+        /// The CAD file; relative to the job file.
+        file: String,
+        /// Length unit of the file; default: what the file declares, else found from its size.
+        unit: Unit,
+        /// Direction of the blade axis, root to tip, in the model frame; default: found.
+        axis: AxisChoice,
+        /// Greatest distance between a NURBS part and its triangles, mm.
+        deflection_mm: f64,
+    }
+}
+
+/// What heights of the region are measured from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RegionReference {
+    /// The origin of the blade frame.
+    #[default]
+    Blade,
+    /// The top of the platform.
+    Platform,
+}
+
+keys! {
+    /// `[region]`: heights of the ball centre along the blade axis. The helix runs from `start_mm` down to `end_mm`.
+    RegionKeys {
+        /// Height of the first ball centre, mm.
+        start_mm: f64,
+        /// Height of the last ball centre, mm; less than `start_mm`.
+        end_mm: f64,
+        /// What both are measured from.
+        reference: RegionReference,
+    }
+}
+keys! {
+    /// `[tool]`
+    ToolKeys {
+        /// Ball radius, mm.
+        radius_mm: f64,
+        /// Half angle of the cone behind the ball, degrees.
+        taper_deg: f64,
+        /// Radius of the shank, mm.
+        shank_radius_mm: f64,
+        /// From the ball centre to the first holder stage, mm.
+        stickout_mm: f64,
+        /// Holder stages from the cutter towards the spindle; an empty list: no holder.
+        holder: Vec<HolderStage>,
+    }
+}
+
+/// Kind of path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PathKind {
+    /// One continuous helix round the airfoil.
+    #[default]
+    Helix,
+}
+
+keys! {
+    /// `[path]`
+    PathKeys {
+        /// Kind of path.
+        kind: PathKind,
+        /// Greatest scallop between neighbouring turns, mm.
+        scallop_mm: f64,
+        /// Greatest distance of the straight moves from the exact path of ball centres, mm.
+        chord_mm: f64,
+        /// Greatest distance between two cutter locations, mm.
+        max_step_mm: f64,
+        /// The helix ends where the wall leans more than this from the blade axis, degrees.
+        max_lean_deg: f64,
+    }
+}
+keys! {
+    /// `[channel]`
+    ChannelKeys {
+        /// Room that taper and shank keep from the part, mm.
+        clearance_mm: f64,
+        /// Room that the holder keeps from the part, mm.
+        holder_clearance_mm: f64,
+        /// Least angle between tool axis and surface normal, degrees.
+        contact_angle_min_deg: f64,
+        /// Greatest angle between tool axis and surface normal, degrees.
+        contact_angle_max_deg: f64,
+        /// Tolerance of the channel's ends, degrees.
+        tolerance_deg: f64,
+    }
+}
+keys! {
+    /// `[machine]`
+    MachineKeys {
+        /// Machine file, relative to the job file; default: the built-in demo machine.
+        file: String,
+        /// Angle of the pivoting head B, degrees; positive leans the spindle away from the platform.
+        b_deg: f64,
+    }
+}
+keys! {
+    /// `[schedule]`
+    ScheduleKeys {
+        /// How θ(S) is made.
+        kind: ScheduleKind,
+        /// Room that the schedule keeps from the channel's walls where there is room, degrees.
+        margin_deg: f64,
+        /// Lead of kind `fixed`: angle of the tool axis ahead of the surface normal, degrees.
+        lead_deg: f64,
+    }
+}
+keys! {
+    /// `[feed]`
+    FeedKeys {
+        /// Greatest feed of the ball centre over the part, mm/min.
+        feed_mm_min: f64,
+    }
+}
+keys! {
+    /// `[post]`
+    PostKeys {
+        /// Controls to write programs for.
+        control: Vec<Control>,
+    }
+}
+keys! {
+    /// `[verify]`
+    VerifyKeys {
+        /// Deepest gouge allowed, mm.
+        gouge_mm: f64,
+        /// The 99th percentile of the scallop may be this many times `path.scallop_mm`.
+        scallop_ratio: f64,
+        /// Greatest error that a check along the motion may make between its samples, mm.
+        resolution_mm: f64,
+        /// Number of surface samples in the machined band, about.
+        surface_samples: u32,
+    }
+}
+keys! {
+    /// `[section]`
+    SectionKeys {
+        /// Number of plane sections to write, spread over the airfoil.
+        count: u32,
+    }
+}
