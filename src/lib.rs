@@ -37,6 +37,7 @@ pub mod make;
 pub mod model;
 pub mod numerics;
 pub mod observe;
+pub mod output;
 pub mod path;
 pub mod pipeline;
 pub mod post;

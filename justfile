@@ -1,0 +1,20 @@
+# The commands of the house; `just ci` is what CI runs.
+
+default:
+    @just --list
+
+# The tests that run on every change
+test:
+    cargo nextest run --release
+
+# Everything that CI runs
+ci:
+    bash .ci/run
+
+# Real blades in the folder BLADEWRIGHT_BLADES (not part of the repository)
+corpus:
+    cargo nextest run --release --run-ignored all corpus
+
+# The example program
+plan:
+    cargo run --release -- plan models/steam_root.step -o out/steam_root

@@ -1,0 +1,157 @@
+//! The command line as typed.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+use crate::artifact::blade::Unit;
+use crate::artifact::program::Control;
+use crate::error::Stage;
+
+/// Machine programs for turbine and compressor blades, straight from their CAD.
+#[derive(Debug, Parser)]
+#[command(
+    name = "bladewright",
+    version,
+    about,
+    after_help = "Examples:\n  bladewright inspect blade.step\n  bladewright plan blade.step -o out/blade\n  bladewright plan blade.stl --unit m --set tool.radius_mm=2 -o out/blade\n  bladewright plan job.toml -o out/blade --until path\n  bladewright post out/blade --control linuxcnc\n\nExit codes: 0 good, 1 findings, 2 usage or job file, 3 no feasible plan, 4 input or output, 130 cancelled."
+)]
+pub struct Args {
+    /// Threads to use; default: all cores. The result does not depend on it.
+    #[arg(long, global = true, value_name = "N")]
+    pub threads: Option<usize>,
+    /// No progress, only warnings and results.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Tell what is in a model: bodies, faces, unit, box, closed or not, blade axis and regions.
+    Inspect(Inspect),
+    /// Make a blade from parameters: STEP and OBJ.
+    Make(Make),
+    /// Plan a blade-root program from a model or a job file, check it and write everything.
+    Plan(Plan),
+    /// Check a finished run again, from its files.
+    Verify(Again),
+    /// Write the NC program of a finished run for a control.
+    Post(Post),
+    /// Write preview.glb and report.html of a finished run again.
+    Preview(Again),
+}
+
+/// Options that say how a model file is to be read.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Reading {
+    /// Length unit of the file, where it states none or the wrong one.
+    #[arg(long, value_enum)]
+    pub unit: Option<Unit>,
+    /// Blade axis from root to tip, in the model's frame.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_axis)]
+    pub axis: Option<Axis>,
+}
+
+/// Three numbers.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis(pub [f64; 3]);
+
+fn parse_axis(text: &str) -> Result<Axis, String> {
+    let named = match text.to_lowercase().as_str() {
+        "x" | "+x" => Some([1.0, 0.0, 0.0]),
+        "y" | "+y" => Some([0.0, 1.0, 0.0]),
+        "z" | "+z" => Some([0.0, 0.0, 1.0]),
+        "-x" => Some([-1.0, 0.0, 0.0]),
+        "-y" => Some([0.0, -1.0, 0.0]),
+        "-z" => Some([0.0, 0.0, -1.0]),
+        _ => None,
+    };
+    if let Some(axis) = named {
+        return Ok(Axis(axis));
+    }
+    let numbers: Vec<f64> = text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    match numbers[..] {
+        [x, y, z] if text.split(',').count() == 3 && x.hypot(y).hypot(z) > 0.0 => Ok(Axis([x, y, z])),
+        _ => Err("give three numbers, not all 0, as in 0,0,1, or one of x, y, z, -x, -y, -z".into()),
+    }
+}
+
+/// `inspect`.
+#[derive(Debug, clap::Args)]
+pub struct Inspect {
+    /// The model: STEP, OBJ or STL.
+    pub model: PathBuf,
+    /// How to read it.
+    #[command(flatten)]
+    pub reading: Reading,
+}
+
+/// `make`.
+#[derive(Debug, clap::Args)]
+pub struct Make {
+    /// A preset's name, or a design file (TOML).
+    pub design: String,
+    /// Folder to write NAME.step, NAME.obj and NAME.toml to.
+    #[arg(short, long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// `plan`.
+#[derive(Debug, clap::Args)]
+pub struct Plan {
+    /// The model (STEP, OBJ or STL; every option has a default), or a job file (TOML).
+    pub input: PathBuf,
+    /// Folder for the results.
+    #[arg(short, long, value_name = "OUT")]
+    pub out: PathBuf,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Change a key of the job, as in --set tool.radius_mm=4; may be given more than once.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// Stop after this stage: section, path, channel, schedule, feed or verify.
+    #[arg(long, value_name = "STAGE", value_parser = parse_stage)]
+    pub until: Option<Stage>,
+    /// Write programs even if the checks failed; their headers say so.
+    #[arg(long)]
+    pub force: bool,
+}
+
+fn parse_stage(text: &str) -> Result<Stage, String> {
+    let stages = [
+        ("section", Stage::Section),
+        ("path", Stage::Path),
+        ("channel", Stage::Channel),
+        ("schedule", Stage::Schedule),
+        ("feed", Stage::Feed),
+        ("verify", Stage::Verify),
+    ];
+    stages.iter().find(|(name, _)| *name == text).map(|(_, stage)| *stage).ok_or_else(|| {
+        format!("there is no stage {text}; stages: {}", stages.map(|(name, _)| name).join(", "))
+    })
+}
+
+/// `verify` and `preview`.
+#[derive(Debug, clap::Args)]
+pub struct Again {
+    /// The folder of a finished run.
+    pub out: PathBuf,
+}
+
+/// `post`.
+#[derive(Debug, clap::Args)]
+pub struct Post {
+    /// The folder of a finished run.
+    pub out: PathBuf,
+    /// The control to write for.
+    #[arg(long, value_enum)]
+    pub control: Control,
+    /// Write the program even if the checks fail; its header says so.
+    #[arg(long)]
+    pub force: bool,
+}

@@ -1,0 +1,72 @@
+//! How the command speaks while it works: one progress bar a stage on a terminal, plain lines elsewhere.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::error::Stage;
+use crate::observe::{Observer, Warning};
+
+/// Shows progress and collects warnings; Ctrl-C asks the stages to stop.
+pub struct Terminal {
+    bar: ProgressBar,
+    shown: AtomicUsize,
+    warnings: Mutex<Vec<Warning>>,
+    stop: Arc<AtomicBool>,
+    quiet: bool,
+}
+
+impl Terminal {
+    /// A terminal observer; `quiet` shows no progress (warnings are still printed).
+    pub fn new(quiet: bool) -> Self {
+        let bar = ProgressBar::new(1);
+        if quiet || !std::io::stderr().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        }
+        if let Ok(style) = ProgressStyle::with_template("{msg:>9} {bar:40} {percent:>3} %  {elapsed} (left {eta})") {
+            bar.set_style(style);
+        }
+        let stop = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&stop);
+        // A second handler in one process (tests) is refused; the first goes on working.
+        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::SeqCst));
+        Terminal { bar, shown: AtomicUsize::new(usize::MAX), warnings: Mutex::new(Vec::new()), stop, quiet }
+    }
+
+    /// Ends the bar and gives the warnings, in the order of the stages, each once.
+    pub fn finish(&self) -> Vec<Warning> {
+        self.bar.finish_and_clear();
+        let mut all = self.warnings.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        all.sort_by(|a, b| (a.stage as usize, &a.message).cmp(&(b.stage as usize, &b.message)));
+        all.dedup();
+        all
+    }
+}
+
+impl Observer for Terminal {
+    fn progress(&self, stage: Stage, done: usize, total: usize) {
+        if self.shown.swap(stage as usize, Ordering::Relaxed) != stage as usize {
+            self.bar.set_message(stage.to_string());
+            self.bar.reset();
+            if self.bar.is_hidden() && !self.quiet {
+                eprintln!("{stage} …");
+            }
+        }
+        self.bar.set_length(total as u64);
+        self.bar.set_position(done as u64);
+    }
+
+    fn warn(&self, warning: Warning) {
+        let mut all = self.warnings.lock().unwrap_or_else(PoisonError::into_inner);
+        if !all.contains(&warning) {
+            self.bar.suspend(|| eprintln!("warning: {}: {}", warning.stage, warning.message));
+            all.push(warning);
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}

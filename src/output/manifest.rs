@@ -1,0 +1,93 @@
+//! `manifest.json`: what went in, what was done, how long it took.
+
+use std::path::Path;
+use std::time::Instant;
+
+use crate::error::{Error, Result, Stage};
+use crate::observe::Warning;
+
+/// Version of the files of a run; raised when a column or key changes its meaning.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// One stage of a run.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct StageRecord {
+    /// Which.
+    pub stage: Stage,
+    /// Seconds of wall clock.
+    pub seconds: f64,
+    /// Peak memory of the process up to its end, MiB; absent where the system does not tell.
+    pub peak_memory_mib: Option<f64>,
+}
+
+/// An input file.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Input {
+    /// Path as given.
+    pub path: String,
+    /// Size, bytes.
+    pub bytes: u64,
+    /// BLAKE3 hash of its content.
+    pub blake3: String,
+}
+
+/// The manifest.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Manifest<J: serde::Serialize> {
+    /// See [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// Program and version.
+    pub program: String,
+    /// Inputs with their hashes.
+    pub inputs: Vec<Input>,
+    /// The resolved job.
+    pub job: J,
+    /// Stages in order.
+    pub stages: Vec<StageRecord>,
+    /// Warnings in order of stage.
+    pub warnings: Vec<Warning>,
+    /// `good`, `findings` or the stage up to which the run went.
+    pub status: String,
+}
+
+/// Reads an input's size and hash.
+///
+/// # Errors
+/// Kind `InputOutput` where it cannot be read.
+pub fn input(path: &Path) -> Result<Input> {
+    let bytes = std::fs::read(path)
+        .map_err(|e| Error::io(Stage::Model, format!("cannot read {}: {e}", path.display())).caused_by(e))?;
+    Ok(Input {
+        path: path.display().to_string(),
+        bytes: bytes.len() as u64,
+        blake3: blake3::hash(&bytes).to_hex().to_string(),
+    })
+}
+
+/// Times stages.
+#[derive(Default)]
+pub struct Clock {
+    /// Stages so far.
+    pub records: Vec<StageRecord>,
+}
+
+impl Clock {
+    /// Runs a stage and records it.
+    pub fn time<T>(&mut self, stage: Stage, work: impl FnOnce() -> Result<T>) -> Result<T> {
+        let start = Instant::now();
+        let out = work()?;
+        self.records.push(StageRecord {
+            stage,
+            seconds: start.elapsed().as_secs_f64(),
+            peak_memory_mib: peak_memory_mib(),
+        });
+        Ok(out)
+    }
+}
+
+/// Peak resident memory of this process, MiB, where the system tells (Linux).
+pub fn peak_memory_mib() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    line.split_whitespace().nth(1)?.parse::<f64>().ok().map(|kib| kib / 1024.0)
+}

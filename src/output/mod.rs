@@ -1,0 +1,102 @@
+//! The files of a run: written whole or not at all.
+//!
+//! A [`RunFolder`] collects every file in a temporary folder beside the target and moves them in at the end, so an
+//! error, an interruption or a full disk leaves nothing half-written behind.
+
+pub mod manifest;
+pub mod summary;
+pub mod tables;
+
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result, Stage};
+
+/// A folder of results in the making.
+pub struct RunFolder {
+    target: PathBuf,
+    staging: tempfile::TempDir,
+    files: Vec<String>,
+}
+
+fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
+    Error::io(Stage::Output, format!("{what} {}: {e}", path.display()))
+        .advise("check that the folder is writable and the disk has room")
+        .caused_by(e)
+}
+
+impl RunFolder {
+    /// Begins a run folder; fails at once where the target could not be written in the end.
+    ///
+    /// # Errors
+    /// Kind `InputOutput` where no folder can be made beside the target or the target is a file.
+    pub fn begin(target: &Path) -> Result<Self> {
+        if target.exists() && !target.is_dir() {
+            return Err(Error::io(Stage::Output, format!("{} is a file, not a folder", target.display()))
+                .advise("give a folder with -o"));
+        }
+        let parent = match target.parent() {
+            Some(p) if !p.as_os_str().is_empty() => p.to_path_buf(),
+            _ => PathBuf::from("."),
+        };
+        std::fs::create_dir_all(&parent).map_err(|e| trouble("cannot make the folder", &parent, e))?;
+        // Inside an existing target, so that an unwritable target is found before hours of work, and renames stay on one disk.
+        let home = if target.is_dir() { target.to_path_buf() } else { parent };
+        let staging = tempfile::Builder::new()
+            .prefix(".bladewright-")
+            .tempdir_in(&home)
+            .map_err(|e| trouble("cannot write in", &home, e))?;
+        Ok(RunFolder { target: target.to_path_buf(), staging, files: Vec::new() })
+    }
+
+    /// Adds a file.
+    ///
+    /// # Errors
+    /// Kind `InputOutput`.
+    pub fn add(&mut self, name: &str, content: impl AsRef<[u8]>) -> Result<()> {
+        use std::io::Write;
+        let path = self.staging.path().join(name);
+        let write = || -> std::io::Result<()> {
+            let mut f = std::fs::File::create(&path)?;
+            f.write_all(content.as_ref())?;
+            f.sync_all()
+        };
+        write().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
+        if !self.files.iter().any(|f| f == name) {
+            self.files.push(name.to_owned());
+        }
+        Ok(())
+    }
+
+    /// Adds a value as indented JSON.
+    ///
+    /// # Errors
+    /// Kind `InputOutput`; a value that JSON cannot carry (NaN, ∞ become `null` in serde and are refused before).
+    pub fn add_json(&mut self, name: &str, value: &impl serde::Serialize) -> Result<()> {
+        self.add(name, json(value)?)
+    }
+
+    /// Moves all files into the target folder and names them.
+    ///
+    /// # Errors
+    /// Kind `InputOutput`.
+    pub fn finish(self) -> Result<Vec<PathBuf>> {
+        std::fs::create_dir_all(&self.target).map_err(|e| trouble("cannot make the folder", &self.target, e))?;
+        let mut done = Vec::with_capacity(self.files.len());
+        for name in &self.files {
+            let to = self.target.join(name);
+            std::fs::rename(self.staging.path().join(name), &to).map_err(|e| trouble("cannot write", &to, e))?;
+            done.push(to);
+        }
+        Ok(done)
+    }
+}
+
+/// A value as indented JSON with a final newline.
+///
+/// # Errors
+/// Kind `InputOutput` where it cannot be written.
+pub fn json(value: &impl serde::Serialize) -> Result<String> {
+    serde_json::to_string_pretty(value)
+        .map(|s| s + "\n")
+        .map_err(|e| Error::io(Stage::Output, format!("a result cannot be written as JSON: {e}")).caused_by(e))
+}

@@ -1,0 +1,150 @@
+//! `summary.json`: the figures of a run.
+
+use crate::artifact::axis_motion::{AXES, AxisMotion};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{CheckReport, Plan, Schedule};
+
+/// Greatest velocity, acceleration and jerk of one axis over the path.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct AxisPeak {
+    /// Axis.
+    pub axis: String,
+    /// mm or degrees per second.
+    pub velocity: f64,
+    /// Per second squared.
+    pub acceleration: f64,
+    /// Per second cubed.
+    pub jerk: f64,
+}
+
+/// A schedule's figures.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct ScheduleFigures {
+    /// Which.
+    pub kind: ScheduleKind,
+    /// Places where θ turns back.
+    pub reversals: usize,
+    /// Locations at which it leaves the true channel: there the tool would collide.
+    pub outside_channel: usize,
+    /// Greatest |dθ/ds|, degrees per mm.
+    pub theta_rate_peak_deg_per_mm: f64,
+    /// Greatest |d²θ/ds²|, degrees per mm².
+    pub theta_acceleration_peak_deg_per_mm2: f64,
+    /// Machining time under the machine's limits, s.
+    pub machining_time_s: f64,
+    /// Peaks of each axis with its own feed.
+    pub axes: Vec<AxisPeak>,
+    /// Greatest rotary velocity at the programmed feed held constant, degrees per second.
+    pub a_velocity_at_constant_feed_deg_s: f64,
+    /// Greatest rotary acceleration at the programmed feed held constant, degrees per second squared.
+    pub a_acceleration_at_constant_feed_deg_s2: f64,
+}
+
+/// The summary.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Summary {
+    /// Blade.
+    pub name: String,
+    /// Turns.
+    pub turns: usize,
+    /// Cutter locations.
+    pub cutter_locations: usize,
+    /// Length of the path of ball centres, mm.
+    pub path_length_mm: f64,
+    /// Heights of the first and last ball centre along the blade axis, mm.
+    pub region_x_mm: [f64; 2],
+    /// Machining time along the path, s.
+    pub machining_time_s: f64,
+    /// Scallop asked for, mm.
+    pub scallop_asked_mm: f64,
+    /// Greatest scallop that the planner foresaw, mm.
+    pub scallop_planned_mm: f64,
+    /// Scallop measured by the checks, mm.
+    pub scallop_max_mm: f64,
+    /// 99th percentile, mm.
+    pub scallop_p99_mm: f64,
+    /// 95th percentile, mm.
+    pub scallop_p95_mm: f64,
+    /// Median, mm.
+    pub scallop_p50_mm: f64,
+    /// 5th percentile, mm.
+    pub scallop_p05_mm: f64,
+    /// Deepest gouge, mm.
+    pub gouge_mm: f64,
+    /// Least clearance of taper, shank and holder, mm.
+    pub clearance_mm: f64,
+    /// Narrowest width of the channel's monotone hull, degrees, and its cutter location.
+    pub channel_width_min_deg: f64,
+    /// Row of the narrowest place.
+    pub channel_narrowest_row: usize,
+    /// The schedule used first, then the baselines.
+    pub schedules: Vec<ScheduleFigures>,
+    /// All checks passed.
+    pub passed: bool,
+}
+
+/// Peaks of every axis; rotary axes in degrees.
+pub fn axis_peaks(motion: &AxisMotion) -> Vec<AxisPeak> {
+    let greatest = |rows: &[[f64; 5]], i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
+    AXES.iter()
+        .enumerate()
+        .map(|(i, axis)| {
+            let unit = |v: f64| if i < 3 { v } else { v.to_degrees() };
+            AxisPeak {
+                axis: (*axis).into(),
+                velocity: unit(greatest(&motion.velocity, i)),
+                acceleration: unit(greatest(&motion.acceleration, i)),
+                jerk: unit(greatest(&motion.jerk, i)),
+            }
+        })
+        .collect()
+}
+
+/// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and acceleration, rad, at the
+/// programmed feed held constant.
+pub fn schedule_figures(plan: &Plan, schedule: &Schedule, motion: &AxisMotion, constant_feed: [f64; 2]) -> ScheduleFigures {
+    let outside = schedule
+        .theta
+        .iter()
+        .zip(&plan.channel.rows)
+        .filter(|(t, r)| **t < r.theta_min - 1e-9 || **t > r.theta_max + 1e-9)
+        .count();
+    ScheduleFigures {
+        kind: schedule.kind,
+        reversals: schedule.reversals,
+        outside_channel: outside,
+        theta_rate_peak_deg_per_mm: schedule.peak_rate.to_degrees(),
+        theta_acceleration_peak_deg_per_mm2: schedule.peak_acceleration.to_degrees(),
+        machining_time_s: motion.time_s,
+        axes: axis_peaks(motion),
+        a_velocity_at_constant_feed_deg_s: constant_feed[0].to_degrees(),
+        a_acceleration_at_constant_feed_deg_s2: constant_feed[1].to_degrees(),
+    }
+}
+
+/// The summary of a checked plan.
+pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<ScheduleFigures>) -> Summary {
+    let path = &plan.toolpath;
+    let narrow = plan.channel.rows.get(plan.channel.narrowest_row);
+    Summary {
+        name: name.into(),
+        turns: path.turns.len(),
+        cutter_locations: path.locations.len(),
+        path_length_mm: path.locations.last().map_or(0.0, |l| l.s_mm),
+        region_x_mm: path.region_x_mm,
+        machining_time_s: plan.motion.time_s,
+        scallop_asked_mm: path.scallop_mm,
+        scallop_planned_mm: path.planned_scallop_mm,
+        scallop_max_mm: report.scallop_max_mm,
+        scallop_p99_mm: report.scallop_p99_mm,
+        scallop_p95_mm: report.scallop_p95_mm,
+        scallop_p50_mm: report.scallop_p50_mm,
+        scallop_p05_mm: report.scallop_p05_mm,
+        gouge_mm: report.gouge_mm,
+        clearance_mm: report.clearance_mm,
+        channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
+        channel_narrowest_row: plan.channel.narrowest_row,
+        schedules,
+        passed: report.passed(),
+    }
+}

@@ -1,0 +1,57 @@
+//! The tables of a run as CSV: cutter locations and axis motion.
+
+use std::fmt::Write;
+
+use crate::artifact::axis_motion::AXES;
+use crate::artifact::{Blade, Plan};
+use crate::tool;
+
+/// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back exactly.
+pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
+    let mut out = String::with_capacity(260 * plan.toolpath.locations.len() + 400);
+    out.push_str("# bladewright cutter locations; model frame, mm; angles in degrees about the blade axis\n");
+    out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");
+    let to_model = &blade.model_from_blade;
+    let b = plan.channel.b_rad;
+    for (k, l) in plan.toolpath.locations.iter().enumerate() {
+        let (c, p) = (to_model * l.centre, to_model * l.contact);
+        let (n, i) = (to_model * l.normal, to_model * tool::axis(b, plan.schedule.theta[k]));
+        let row = &plan.channel.rows[k];
+        let _ = write!(out, "{},{},{}", l.turn, l.turn_s_mm, l.s_mm);
+        for v in [c.coords, p.coords, n, i] {
+            let _ = write!(out, ",{},{},{}", v.x, v.y, v.z);
+        }
+        let _ = writeln!(
+            out,
+            ",{},{},{},{}",
+            plan.schedule.theta[k].to_degrees(),
+            row.theta_min.to_degrees(),
+            row.theta_max.to_degrees(),
+            plan.motion.feed[k] * 60.0
+        );
+    }
+    out
+}
+
+/// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second.
+pub fn axes(plan: &Plan) -> String {
+    let m = &plan.motion;
+    let mut out = String::with_capacity(400 * m.t_s.len() + 200);
+    out.push_str("t_s");
+    for prefix in ["", "v", "a", "j"] {
+        for axis in AXES {
+            let _ = write!(out, ",{prefix}{axis}");
+        }
+    }
+    out.push('\n');
+    for k in 0..m.t_s.len() {
+        let _ = write!(out, "{}", m.t_s[k]);
+        for row in [&m.position[k], &m.velocity[k], &m.acceleration[k], &m.jerk[k]] {
+            for (i, value) in row.iter().enumerate() {
+                let _ = write!(out, ",{}", if i < 3 { *value } else { value.to_degrees() });
+            }
+        }
+        out.push('\n');
+    }
+    out
+}

@@ -1,0 +1,183 @@
+//! The helix through the rings: locations by chord tolerance, each on the level set.
+
+use rayon::prelude::*;
+
+use super::level::{LevelSet, Touch};
+use super::options::PathOptions;
+use super::ring::Ring;
+use super::stepover::ridge_height;
+use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::observe::Observer;
+
+/// Halvings of the first spacing before a corner is taken as it is.
+const MOST_HALVINGS: u32 = 10;
+
+/// One turn, from ring `a` to ring `b`.
+struct Blend<'a> {
+    level: &'a LevelSet<'a>,
+    a: &'a Ring,
+    b: &'a Ring,
+    options: &'a PathOptions,
+}
+
+impl Blend<'_> {
+    /// The touch at the fraction `u` of the turn.
+    fn at(&self, u: f64) -> Result<Touch> {
+        let (p, q) = (self.a.at(u), self.b.at(u));
+        let mut guess = p + (q - p) * u;
+        guess.x = self.a.x_mm + (self.b.x_mm - self.a.x_mm) * u;
+        let reach = (q - p).norm() + 0.25 * self.level.radius_mm;
+        self.level.touch_in_plane(&guess, reach).ok_or_else(|| {
+            Error::infeasible(
+                Stage::Path,
+                format!(
+                    "between the turns at {:.3} and {:.3} mm a ball of radius {} mm loses the airfoil near (x {:.3}, y {:.3}, z {:.3}) of the blade frame",
+                    self.a.x_mm, self.b.x_mm, self.level.radius_mm, guess.x, guess.y, guess.z
+                ),
+            )
+            .advise("take a smaller ball or end the region higher")
+        })
+    }
+
+    /// Touches of the turn from `u = 0` up to, not including, `u = 1`.
+    fn touches(&self) -> Result<Vec<Touch>> {
+        let n = (self.a.length_mm.max(self.b.length_mm) / self.options.max_step_mm).ceil().max(8.0) as usize;
+        let mut out = Vec::with_capacity(2 * n);
+        let mut left = self.at(0.0)?;
+        for i in 0..n {
+            let (u0, u1) = (i as f64 / n as f64, (i + 1) as f64 / n as f64);
+            let right = self.at(u1)?;
+            out.push(left);
+            self.refine((u0, &left), (u1, &right), 0, &mut out)?;
+            left = right;
+        }
+        Ok(out)
+    }
+
+    /// Adds touches strictly between two, as many as the chord tolerance asks for.
+    fn refine(&self, l: (f64, &Touch), r: (f64, &Touch), depth: u32, out: &mut Vec<Touch>) -> Result<()> {
+        if depth >= MOST_HALVINGS {
+            return Ok(());
+        }
+        let u = 0.5 * (l.0 + r.0);
+        let mid = self.at(u)?;
+        if distance_to_segment(&mid.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm {
+            self.refine(l, (u, &mid), depth + 1, out)?;
+            out.push(mid);
+            self.refine((u, &mid), r, depth + 1, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// Distance of a point to a segment, mm.
+fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
+    let d = b - a;
+    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+    (q - (a + d * f)).norm()
+}
+
+/// Makes the helix through at least two rings.
+pub fn blend(level: &LevelSet, rings: &[Ring], options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let pairs = rings.len() - 1;
+    let turns: Vec<Vec<Touch>> = (0..pairs)
+        .into_par_iter()
+        .map(|k| {
+            observer.check(Stage::Path)?;
+            let touches = Blend { level, a: &rings[k], b: &rings[k + 1], options }.touches()?;
+            let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+            observer.progress(Stage::Path, 1000 + 1000 * n / pairs, 2000);
+            Ok(touches)
+        })
+        .collect::<Result<_>>()?;
+    let end = Blend { level, a: &rings[pairs - 1], b: &rings[pairs], options }.at(1.0)?;
+    let planned_scallop_mm = worst_scallop(level, &turns);
+    let (turns, locations) = number(&turns, end);
+    Ok(Toolpath {
+        radius_mm: options.radius_mm,
+        scallop_mm: options.scallop_mm,
+        chord_mm: options.chord_mm,
+        region_x_mm: [rings[0].x_mm, rings[pairs].x_mm],
+        planned_scallop_mm,
+        turns,
+        locations,
+    })
+}
+
+/// Arc lengths and turn numbers; the path's last touch closes the last turn.
+fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<CutterLocation>) {
+    let mut locations: Vec<CutterLocation> = Vec::with_capacity(turns.iter().map(Vec::len).sum::<usize>() + 1);
+    let mut heads = Vec::with_capacity(turns.len());
+    let mut s = 0.0;
+    for (k, touches) in turns.iter().enumerate() {
+        let first = locations.len();
+        let mut base = 0.0;
+        let closing = (k + 1 == turns.len()).then_some(&end);
+        for (i, t) in touches.iter().chain(closing).enumerate() {
+            if let Some(last) = locations.last() {
+                s += (t.centre - last.centre).norm();
+            }
+            if i == 0 {
+                base = s;
+            }
+            locations.push(CutterLocation {
+                turn: k as u32,
+                turn_s_mm: s - base,
+                s_mm: s,
+                centre: t.centre,
+                contact: t.contact,
+                normal: t.normal,
+            });
+        }
+        heads.push(Turn { first, count: locations.len() - first, length_mm: 0.0 });
+    }
+    for k in 0..heads.len() {
+        let from = locations[heads[k].first].s_mm;
+        let to = heads.get(k + 1).map_or(s, |n| locations[n.first].s_mm);
+        heads[k].length_mm = to - from;
+    }
+    (heads, locations)
+}
+
+/// Greatest scallop between each turn and the next, measured at each location, mm.
+fn worst_scallop(level: &LevelSet, turns: &[Vec<Touch>]) -> f64 {
+    (1..turns.len())
+        .into_par_iter()
+        .map(|k| {
+            let (upper, lower) = (&turns[k - 1], &turns[k]);
+            let mut at = 0usize;
+            let mut worst = 0.0f64;
+            for t in upper {
+                let Some(near) = nearest_forward(lower, &t.centre, &mut at) else { continue };
+                if let Some(h) = ridge_height(level.part, &t.centre, &near, level.radius_mm) {
+                    worst = worst.max(h);
+                }
+            }
+            worst
+        })
+        .reduce(|| 0.0, f64::max)
+}
+
+/// The nearest point of an open polyline of centres, sought near the last answer: both turns run alongside. `None`
+/// where it is an end of the polyline: the path goes on there, its nearest place is on another turn.
+fn nearest_forward(turn: &[Touch], q: &Point, at: &mut usize) -> Option<Point> {
+    let n = turn.len();
+    let window = 40 + n / 20;
+    let (lo, hi) = (at.saturating_sub(window), (*at + window).min(n - 1));
+    let mut best = (f64::INFINITY, turn.first()?.centre, lo, true);
+    for i in lo..hi {
+        let a = turn[i].centre;
+        let d = turn[i + 1].centre - a;
+        let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+        let p = a + d * f;
+        let dist = (q - p).norm_squared();
+        if dist < best.0 {
+            best = (dist, p, i, (i == 0 && f <= 0.0) || (i + 2 == n && f >= 1.0));
+        }
+    }
+    *at = best.2;
+    (!best.3).then_some(best.1)
+}

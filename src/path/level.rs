@@ -1,0 +1,76 @@
+//! Points of the `R` level set of the distance to the whole part, sought in planes across the blade axis.
+
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+
+/// A ball that touches the part.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch {
+    /// Ball centre, blade frame, mm.
+    pub centre: Point,
+    /// Contact point, mm.
+    pub contact: Point,
+    /// Unit vector from contact to centre.
+    pub normal: Vector,
+}
+
+impl Touch {
+    /// Cosine of the angle between the normal and the section plane (1: wall along the blade axis).
+    pub fn cos_lean(&self) -> f64 {
+        self.normal.y.hypot(self.normal.z)
+    }
+    /// Direction of the path in the section plane, counter-clockwise seen from the tip; unit.
+    pub fn tangent(&self) -> Vector {
+        Vector::new(0.0, -self.normal.z, self.normal.y) / self.cos_lean().max(1e-12)
+    }
+    /// Angle of the normal about the blade axis, rad.
+    pub fn azimuth(&self) -> f64 {
+        self.normal.z.atan2(self.normal.y)
+    }
+}
+
+/// The level set of one part and one radius.
+#[derive(Clone, Copy)]
+pub struct LevelSet<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Level, mm: the ball's radius.
+    pub radius_mm: f64,
+}
+
+/// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance in use.
+const ON_LEVEL_MM: f64 = 1e-6;
+/// Newton steps before giving up; smooth places need 3, concave creases converge linearly.
+const MAX_STEPS: usize = 60;
+
+impl LevelSet<'_> {
+    /// Moves a guess within its plane `x = const` onto the level set by Newton steps along the in-plane gradient
+    /// of the distance, `∇d = (q − foot)/|q − foot|`. In a concave crease, where two feet compete, the steps
+    /// alternate between them and converge to the place where neither is nearer than `R`.
+    ///
+    /// `None` where the guess would have to move by more than `reach_mm` or where the wall leans over so much that
+    /// the plane runs along it.
+    pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
+        let mut q = *guess;
+        for _ in 0..MAX_STEPS {
+            let c = self.part.closest(&q, self.radius_mm + 2.0 * reach_mm + 1.0)?;
+            let away = q - c.point;
+            let normal = if c.distance_mm > 1e-9 * self.radius_mm { away / c.distance_mm } else { c.normal };
+            let residual = self.radius_mm - c.distance_mm;
+            if residual.abs() <= ON_LEVEL_MM {
+                return Some(Touch { centre: q, contact: c.point, normal });
+            }
+            let slope = normal.y.hypot(normal.z);
+            if slope < 0.05 {
+                return None;
+            }
+            // A step is exact on a plane; a ball's curvature asks for repetition. Limiting it keeps far feet from throwing q.
+            let step = (residual / slope).clamp(-0.5 * self.radius_mm, 0.5 * self.radius_mm);
+            q += Vector::new(0.0, normal.y, normal.z) * (step / slope);
+            if (q - guess).norm() > reach_mm {
+                return None;
+            }
+        }
+        None
+    }
+}

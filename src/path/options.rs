@@ -1,0 +1,35 @@
+//! Options of the path stage.
+
+/// What the helix should be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathOptions {
+    /// Ball radius, mm.
+    pub radius_mm: f64,
+    /// Greatest scallop between neighbouring turns, mm.
+    pub scallop_mm: f64,
+    /// Greatest distance of the straight move between two locations from the exact path of ball centres, mm.
+    pub chord_mm: f64,
+    /// Greatest distance between two locations, mm.
+    pub max_step_mm: f64,
+    /// Height of the ball centre at the start and at the end of the path along the blade axis (blade frame), mm;
+    /// `None`: found from the part, see [`super::plan`].
+    pub region_x_mm: [Option<f64>; 2],
+    /// Greatest angle between the surface normal at the contact and the section plane, rad: where a wall leans
+    /// more (deep in a fillet, on a platform) turns at constant height make no sense and the helix ends.
+    pub max_lean_rad: f64,
+}
+
+impl PathOptions {
+    /// Defaults for a ball radius and a scallop: chord 1 µm (well under the finest scallop asked for in practice),
+    /// steps of at most a quarter of the ball radius and 1 mm, lean up to 60°.
+    pub fn new(radius_mm: f64, scallop_mm: f64) -> Self {
+        PathOptions {
+            radius_mm,
+            scallop_mm,
+            chord_mm: 0.001,
+            max_step_mm: (0.25 * radius_mm).min(1.0),
+            region_x_mm: [None, None],
+            max_lean_rad: 60f64.to_radians(),
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! The stack of rings that guides the helix: from the start height down, each pitch as large as the scallop allows.
+
+use rayon::prelude::*;
+
+use super::level::{LevelSet, Touch};
+use super::options::PathOptions;
+use super::ring::{self, Broken, Ring, Tracing};
+use super::stepover::{flat_stepover_mm, ridge_height};
+use super::{place, seed};
+use crate::artifact::Blade;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::observe::{Observer, Warning};
+
+/// A concave stretch counts when the normal turns back by this much, rad: well over what facets and slivers do.
+const CONCAVE_TURN_RAD: f64 = 0.035;
+/// More rings than this is a mistake in the options.
+const MOST_RINGS: usize = 20_000;
+
+/// Lays the rings: at least two.
+pub fn lay(
+    blade: &Blade,
+    level: &LevelSet,
+    options: &PathOptions,
+    start_x: f64,
+    target_mm: f64,
+    observer: &dyn Observer,
+) -> Result<Vec<Ring>> {
+    let how = Tracing {
+        max_step_mm: options.max_step_mm,
+        max_turn_rad: 0.12,
+        min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
+        min_cos_lean: options.max_lean_rad.cos(),
+    };
+    let mut rings = vec![first_ring(blade, level, start_x, &how)?];
+    let lowest = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
+    let flat = flat_stepover_mm(options.radius_mm, target_mm);
+    let mut pitch = flat;
+    let height = (start_x - lowest.max(blade.regions.airfoil_x_mm[0])).max(flat);
+    let end = loop {
+        observer.check(Stage::Path)?;
+        let last = &rings[rings.len() - 1];
+        observer.progress(Stage::Path, (1000.0 * ((start_x - last.x_mm) / height).min(1.0)) as usize, 2000);
+        if last.x_mm - lowest <= 1e-9 {
+            break None;
+        }
+        match next_ring(level, last, pitch, target_mm, lowest, &how) {
+            Ok((ring, used)) => {
+                // Pitch may grow again where the wall stands up, but not from a last, shortened turn.
+                pitch = used.max(0.02 * flat);
+                rings.push(ring);
+            }
+            Err(broken) => break Some(broken),
+        }
+        if rings.len() > MOST_RINGS {
+            return Err(Error::infeasible(Stage::Path, format!("more than {MOST_RINGS} turns would be needed"))
+                .advise("allow a larger scallop or a smaller region"));
+        }
+    };
+    finish(blade, options, rings, end, observer)
+}
+
+/// Says why the stack ended and refuses one that is too short.
+fn finish(
+    blade: &Blade,
+    options: &PathOptions,
+    rings: Vec<Ring>,
+    end: Option<Broken>,
+    observer: &dyn Observer,
+) -> Result<Vec<Ring>> {
+    let Some(broken) = end else { return Ok(rings) };
+    let why = describe(blade, &broken, options);
+    if rings.len() < 2 {
+        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"))
+            .advise("start higher with region.start_mm, or take a smaller ball"));
+    }
+    if let Some(end_mm) = options.region_x_mm[1] {
+        let x = rings[rings.len() - 1].x_mm;
+        observer.warn(Warning {
+            stage: Stage::Path,
+            message: format!("the helix ends at height {x:.3} mm instead of region.end_mm = {end_mm} mm: {why}"),
+        });
+    }
+    Ok(rings)
+}
+
+fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
+    match broken {
+        Broken::Leans(p) => format!(
+            "the wall leans over more than {:.0}° from the blade axis at {}",
+            options.max_lean_rad.to_degrees(),
+            place(blade, p)
+        ),
+        Broken::Lost(p) => {
+            format!("a ball of radius {} mm cannot follow the airfoil at {}", options.radius_mm, place(blade, p))
+        }
+        Broken::Open(p) => format!("the path round the airfoil does not close at {}", place(blade, p)),
+    }
+}
+
+/// The ring at the start height, beginning at its base point.
+fn first_ring(blade: &Blade, level: &LevelSet, x_mm: f64, how: &Tracing) -> Result<Ring> {
+    let (airfoil, others) = seed::airfoil_loop(blade, x_mm)?;
+    let too_tight = |why: String| {
+        Error::infeasible(Stage::Path, format!("no ball of radius {} mm goes round the airfoil at height {x_mm:.3} mm: {why}", level.radius_mm))
+            .advise("take a smaller ball, or another region.start_mm")
+    };
+    let touch = seed::first_touch(level, &airfoil, x_mm)
+        .ok_or_else(|| too_tight("other parts of the blade are in the way all round".into()))?;
+    let ring = ring::trace(level, touch, how).map_err(|b| {
+        too_tight(match b {
+            Broken::Leans(p) => format!("the wall leans over too much at {}", place(blade, &p)),
+            Broken::Lost(p) | Broken::Open(p) => format!("its path is blocked at {}", place(blade, &p)),
+        })
+    })?;
+    if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
+        return Err(too_tight(format!("it touches another body at {}", place(blade, &p))));
+    }
+    let base = base_point(&ring);
+    Ok(ring.starting_at(base))
+}
+
+/// The altered point before the greatest concave stretch, else the touch furthest along y.
+fn base_point(ring: &Ring) -> usize {
+    let furthest = || {
+        (0..ring.touches.len())
+            .max_by(|a, b| ring.touches[*a].centre.y.total_cmp(&ring.touches[*b].centre.y))
+            .unwrap_or(0)
+    };
+    ring.concave_entries(CONCAVE_TURN_RAD)
+        .into_iter()
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or_else(furthest, |(index, _)| index)
+}
+
+/// The ring below `last` whose scallop against it is just under the target, and the pitch before it was cut to the region.
+fn next_ring(
+    level: &LevelSet,
+    last: &Ring,
+    guess_mm: f64,
+    target_mm: f64,
+    lowest: f64,
+    how: &Tracing,
+) -> std::result::Result<(Ring, f64), Broken> {
+    let least = 0.02 * flat_stepover_mm(level.radius_mm, target_mm);
+    let mut pitch = guess_mm;
+    let mut best: Option<(Ring, f64)> = None;
+    let mut trouble = None;
+    for attempt in 0..12 {
+        let x = (last.x_mm - pitch).max(lowest);
+        match ring_below(level, last, x, how) {
+            Ok(ring) => {
+                let h = worst_ridge(level, last, &ring);
+                let factor = (target_mm / h.max(1e-3 * target_mm)).sqrt();
+                if h <= target_mm {
+                    let good = attempt >= 3 || h >= 0.94 * target_mm || x <= lowest || trouble.is_some();
+                    best = Some((ring, pitch));
+                    if good {
+                        break;
+                    }
+                } else if best.is_some() {
+                    break;
+                }
+                pitch *= (0.985 * factor).clamp(0.3, 1.4);
+            }
+            Err(broken) => {
+                if best.is_some() {
+                    break;
+                }
+                trouble = Some(broken);
+                pitch *= 0.5;
+            }
+        }
+        if pitch < least {
+            break;
+        }
+    }
+    best.ok_or_else(|| trouble.unwrap_or(Broken::Leans(last.touches[0].contact)))
+}
+
+/// The ring at height `x` that begins next to the base point of `last`.
+fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::result::Result<Ring, Broken> {
+    let base = last.touches[0].centre;
+    let guess = Point::new(x, base.y, base.z);
+    let reach = 4.0 * (last.x_mm - x) + 0.05 * level.radius_mm;
+    let start: Touch = level.touch_in_plane(&guess, reach).ok_or(Broken::Lost(guess))?;
+    let ring = ring::trace(level, start, how)?;
+    // Two neighbouring curves of the level set are of nearly equal length; a jump means another body was joined.
+    if ring.length_mm > 1.25 * last.length_mm || ring.length_mm < 0.8 * last.length_mm {
+        return Err(Broken::Lost(start.centre));
+    }
+    Ok(ring)
+}
+
+/// Greatest scallop between two rings, mm.
+fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
+    a.touches
+        .par_iter()
+        .filter_map(|t| ridge_height(level.part, &t.centre, &b.nearest(&t.centre), level.radius_mm))
+        .reduce(|| 0.0, f64::max)
+}

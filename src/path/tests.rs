@@ -1,0 +1,169 @@
+//! The path against closed forms: round bars of known radius on a platform.
+#![allow(clippy::unwrap_used)]
+
+use super::*;
+use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
+use crate::geometry::Rigid;
+use crate::observe::Silent;
+
+const BAR_RADIUS: f64 = 10.0;
+const PLATFORM: f64 = 40.0;
+
+/// A bar `y = R cos φ, z = stretch · R sin φ` from x = 0 to 60 on a disc of radius 40 below it; `bend` moves every
+/// section's middle so that the bar leans.
+fn bar(n: usize, radius_at: impl Fn(f64) -> f64) -> Blade {
+    let heights: Vec<f64> = (0..=30).map(|i| 2.0 * i as f64).collect();
+    let mut rows: Vec<(f64, f64)> = vec![(-8.0, PLATFORM), (0.0, PLATFORM)];
+    rows.extend(heights.iter().map(|x| (*x, radius_at(*x))));
+    let mut points = Vec::new();
+    for (x, r) in &rows {
+        for k in 0..n {
+            let (s, c) = (k as f64 * std::f64::consts::TAU / n as f64).sin_cos();
+            points.push(Point::new(*x, r * c, r * s));
+        }
+    }
+    let mut triangles = Vec::new();
+    for i in 0..rows.len() - 1 {
+        for k in 0..n {
+            let (a, b) = ((i * n + k) as u32, (i * n + (k + 1) % n) as u32);
+            let (c, d) = (a + n as u32, b + n as u32);
+            triangles.push([a, b, d]);
+            triangles.push([a, d, c]);
+        }
+    }
+    for (row, up) in [(0, false), (rows.len() - 1, true)] {
+        let centre = points.len() as u32;
+        points.push(Point::new(rows[row].0, 0.0, 0.0));
+        for k in 0..n {
+            let (a, b) = ((row * n + k) as u32, (row * n + (k + 1) % n) as u32);
+            triangles.push(if up { [centre, a, b] } else { [centre, b, a] });
+        }
+    }
+    let mesh = Mesh { points, triangles, ..Mesh::default() };
+    assert!(mesh.volume_mm3() > 0.0);
+    Blade {
+        name: "bar".into(),
+        unit: Unit::Mm,
+        part: Part::from_mesh(mesh),
+        model_from_blade: Rigid::identity(),
+        regions: Regions {
+            part_x_mm: [-8.0, 60.0],
+            airfoil_x_mm: [0.0, 60.0],
+            platform_x_mm: Some(0.0),
+            reasons: vec![],
+        },
+        diagnosis: Diagnosis::default(),
+    }
+}
+
+fn options() -> PathOptions {
+    PathOptions { region_x_mm: [Some(20.0), None], ..PathOptions::new(4.0, 0.01) }
+}
+
+#[test]
+fn round_bar_has_the_flat_stepover_and_ends_where_the_ball_meets_the_platform() {
+    let blade = bar(1500, |_| BAR_RADIUS);
+    let path = plan(&blade, &options(), &Silent).unwrap();
+    // Across the turns the wall is straight: the flat stepover is exact.
+    let d = flat_stepover_mm(4.0, 0.01);
+    for turn in &path.turns[..path.turns.len() - 3] {
+        let fall = path.locations[turn.first].centre.x - path.locations[turn.first + turn.count].centre.x;
+        assert!(fall <= d && fall > 0.95 * d, "pitch {fall}, flat stepover {d}");
+    }
+    assert!(path.planned_scallop_mm <= 0.01 && path.planned_scallop_mm > 0.0085, "{}", path.planned_scallop_mm);
+    assert!((path.region_x_mm[0] - 20.0).abs() < 1e-12);
+    assert!((path.region_x_mm[1] - 4.0).abs() < 0.03 * d + 1e-3, "ends at {}", path.region_x_mm[1]);
+    for l in &path.locations {
+        let rho = l.centre.y.hypot(l.centre.z);
+        // 1500 facets stay within 22 nm of the circle.
+        assert!((rho - 14.0).abs() < 3e-5, "ball centre at {rho}");
+        assert!((l.normal.x).abs() < 1e-6);
+        assert!(((l.centre - l.contact).norm() - 4.0).abs() < 2e-6);
+    }
+    let turn = std::f64::consts::TAU * 14.0;
+    assert!((path.turns[2].length_mm - turn.hypot(d)).abs() < 1e-2, "{}", path.turns[2].length_mm);
+}
+
+#[test]
+fn cone_leans_and_its_pitch_shrinks_with_the_cosine() {
+    let slope = 15f64.to_radians();
+    let blade = bar(1500, |x| 20.0 - x * slope.tan());
+    let path = plan(&blade, &options(), &Silent).unwrap();
+    let d = flat_stepover_mm(4.0, 0.01) * slope.cos();
+    let turn = &path.turns[2];
+    let fall = path.locations[turn.first].centre.x - path.locations[turn.first + turn.count].centre.x;
+    assert!(fall <= 1.002 * d && fall > 0.95 * d, "pitch {fall}, closed form {d}");
+    assert!(path.locations.iter().filter(|l| l.centre.x > 5.0).all(|l| (l.normal.x - slope.sin()).abs() < 1e-4));
+}
+
+#[test]
+fn locations_run_round_without_gaps() {
+    let blade = bar(300, |_| BAR_RADIUS);
+    let path = plan(&blade, &options(), &Silent).unwrap();
+    let mut last = 0.0;
+    for w in path.locations.windows(2) {
+        let step = (w[1].centre - w[0].centre).norm();
+        assert!(step > 0.0 && step <= 1.0 + 1e-9 && (w[1].s_mm - w[0].s_mm - step).abs() < 1e-9);
+        assert!(ring::wrap(w[1].normal.z.atan2(w[1].normal.y) - w[0].normal.z.atan2(w[0].normal.y)) > 0.0);
+        last = w[1].s_mm;
+    }
+    let lengths: f64 = path.turns.iter().map(|t| t.length_mm).sum();
+    assert!((lengths - last).abs() < 1e-9 * last);
+    assert_eq!(path.turns.iter().map(|t| t.count).sum::<usize>(), path.locations.len());
+}
+
+#[test]
+fn same_path_on_one_and_two_threads() {
+    let blade = bar(200, |_| BAR_RADIUS);
+    let run = |threads| {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap()
+            .install(|| plan(&blade, &options(), &Silent).unwrap())
+    };
+    assert_eq!(run(1), run(2));
+}
+
+#[test]
+fn bad_options_are_named() {
+    let blade = bar(60, |_| BAR_RADIUS);
+    for (o, word) in [
+        (PathOptions { scallop_mm: 0.0, ..options() }, "path.scallop_mm"),
+        (PathOptions { scallop_mm: f64::NAN, ..options() }, "path.scallop_mm"),
+        (PathOptions { radius_mm: -1.0, ..options() }, "tool.radius_mm"),
+        (PathOptions { chord_mm: 0.0, ..options() }, "path.chord_mm"),
+        (PathOptions { region_x_mm: [Some(500.0), None], ..options() }, "region.start_mm"),
+        (PathOptions { region_x_mm: [Some(5.0), Some(9.0)], ..options() }, "region.end_mm"),
+        (PathOptions { scallop_mm: 3.0, ..options() }, "path.scallop_mm"),
+        (PathOptions { radius_mm: 200.0, scallop_mm: 0.01, ..options() }, "smaller than the tool"),
+    ] {
+        let e = plan(&blade, &o, &Silent).unwrap_err();
+        assert!(e.message.contains(word), "{e}");
+    }
+}
+
+#[test]
+fn concave_entry_is_found_on_a_kidney() {
+    use super::level::Touch;
+    use super::ring::Ring;
+    use crate::geometry::Vector;
+    // Azimuth rises, falls by 0.5 rad around the dent, rises again: the entry is the touch before the fall.
+    let azimuths = [0.0, 1.0, 2.0, 2.5, 2.8, 2.6, 2.3, 2.6, 3.5, 4.5, 5.5];
+    let touches = azimuths
+        .iter()
+        .enumerate()
+        .map(|(i, a): (usize, &f64)| Touch {
+            centre: Point::new(0.0, i as f64, 0.0),
+            contact: Point::origin(),
+            normal: Vector::new(0.0, a.cos(), a.sin()),
+        })
+        .collect();
+    let ring = Ring::new(touches);
+    let entries = ring.concave_entries(0.035);
+    assert_eq!(entries.len(), 1);
+    assert_eq!(entries[0].0, 4);
+    assert!((entries[0].1 - 0.5).abs() < 1e-9);
+}
