@@ -152,9 +152,10 @@ fn worst_scallop(level: &LevelSet, turns: &[Vec<Touch>]) -> f64 {
             let mut worst = 0.0f64;
             for t in upper {
                 let Some(near) = nearest_forward(lower, &t.centre, &mut at) else { continue };
-                if let Some(h) = ridge_height(level.part, &t.centre, &near, level.radius_mm) {
-                    worst = worst.max(h);
-                }
+                // Off the chord and onto the level set, as for the rings.
+                let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm);
+                let ridge = on_level.and_then(|n| ridge_height(level.part, &t.centre, &n.centre, level.radius_mm));
+                worst = worst.max(ridge.unwrap_or(0.0));
             }
             worst
         })

@@ -196,6 +196,10 @@ fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::resu
 fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
     a.touches
         .par_iter()
-        .filter_map(|t| ridge_height(level.part, &t.centre, &b.nearest(&t.centre), level.radius_mm))
+        .filter_map(|t| {
+            // The chord between two touches of the ring lies off the level set, which would tilt a close pair of balls.
+            let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
+            ridge_height(level.part, &t.centre, &near.centre, level.radius_mm)
+        })
         .reduce(|| 0.0, f64::max)
 }
