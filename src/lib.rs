@@ -42,6 +42,8 @@ pub mod path;
 pub mod pipeline;
 pub mod post;
 pub mod preview;
+#[cfg(test)]
+pub(crate) mod sample;
 pub mod schedule;
 pub mod section;
 pub mod tool;

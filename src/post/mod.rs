@@ -1,1 +1,265 @@
-//! post
+//! NC programs from checked plans.
+//!
+//! **In**: a [`Verified`] plan, the blade, the tool, the machine. **Out**: a [`Program`], plain ASCII text.
+//!
+//! * [`Control::Siemens`]: tool tip positions in the blade frame under `TRAORI`, rotary axes as axis positions
+//!   (`ORIAXES`). With `B` fixed, the tool axis lies on a cone; great-circle interpolation of vectors would leave the
+//!   cone and move `B` between every two locations, so vectors are not posted.
+//! * [`Control::Linuxcnc`]: positions of the machine's axes (LinuxCNC has no tool-centre-point code; with trivial
+//!   kinematics it is programmed with axis positions, machine zero as work zero, no length offset active).
+//!
+//! ## Feed
+//! Every cutting line carries inverse time `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so that the
+//! control needs no notion of what a feed means for a line that turns and moves at once. A line whose words would all
+//! repeat the one before is left out and its time goes to the next, so the whole time is kept.
+//!
+//! ## Approach and retract
+//! Straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
+//! whole tool from a sphere around the part centred on the axis of `A`: there `A` may turn freely. The way is clear
+//! wherever the tool is clear at its end, because the tool nowhere narrows towards the spindle (where a holder does,
+//! the header says so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
+//! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most `R (1 − cos τ)`
+//! wider than the tool itself, which is less than any sensible clearance.
+//!
+//! Limits: one tool, one helix, no tool radius compensation. The programs are read back by tests word for word.
+
+mod cut;
+mod linuxcnc;
+mod siemens;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use crate::artifact::program::Control;
+use crate::artifact::{Blade, CheckReport, Plan, Program};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Vector};
+use crate::machine::Machine;
+use crate::tool::{self, Tool};
+use crate::verify::Verified;
+
+/// How many turns of `A` are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RotaryWords {
+    /// Position from the first line on, growing over all turns. Right where `A` is a linear axis to the control.
+    Accumulate,
+    /// Steps from line to line, `A=IC(…)`. Right on a modulo axis and on a linear one: absolute words beyond 360° mean
+    /// different things on modulo axes, depending on machine data. Steps are of rounded positions: nothing adds up.
+    Incremental,
+}
+
+/// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PostOptions {
+    /// Name of the program, for its header.
+    pub program_name: String,
+    /// File of the part, for the header.
+    pub part_file: String,
+    /// Hash of that file, for the header.
+    pub part_hash: String,
+    /// The job, for the header: its file or what else names it.
+    pub job: String,
+    /// Tool number, `T`.
+    pub tool_number: u32,
+    /// Spindle speed, 1/min.
+    pub spindle_rpm: f64,
+    /// Digits after the point of lengths, 3 to 6. Default 5.
+    pub length_decimals: usize,
+    /// Digits after the point of angles in degrees, 3 to 6. Default 5.
+    pub angle_decimals: usize,
+    /// Words of `A` for Siemens; LinuxCNC always accumulates (it has no words of mixed kind on a line). Default
+    /// `Incremental`.
+    pub rotary: RotaryWords,
+    /// Feed between the safe position and the feed height, mm/min. Default 5000.
+    pub approach_feed_mm_min: f64,
+    /// Feed from the feed height to the part and back, mm/min. Default 300.
+    pub plunge_feed_mm_min: f64,
+    /// Feed height over the first and last location, along the tool axis, mm. Default 5.
+    pub feed_height_mm: f64,
+    /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default 20.
+    pub safe_clearance_mm: f64,
+    /// Tolerance the control may smooth positions by, mm; `None`: the chord tolerance of the path.
+    pub smoothing_mm: Option<f64>,
+    /// Tolerance the control may smooth the tool axis by, degrees. Default 0.05.
+    pub smoothing_axis_deg: f64,
+}
+
+impl Default for PostOptions {
+    fn default() -> Self {
+        PostOptions {
+            program_name: "BLADE".into(),
+            part_file: String::new(),
+            part_hash: String::new(),
+            job: String::new(),
+            tool_number: 1,
+            spindle_rpm: 6000.0,
+            length_decimals: 5,
+            angle_decimals: 5,
+            rotary: RotaryWords::Incremental,
+            approach_feed_mm_min: 5000.0,
+            plunge_feed_mm_min: 300.0,
+            feed_height_mm: 5.0,
+            safe_clearance_mm: 20.0,
+            smoothing_mm: None,
+            smoothing_axis_deg: 0.05,
+        }
+    }
+}
+
+impl PostOptions {
+    fn validate(&self) -> Result<()> {
+        let bad = |m: String| Err(Error::usage(Stage::Post, m));
+        for (name, value) in [
+            ("spindle_rpm", self.spindle_rpm),
+            ("approach_feed_mm_min", self.approach_feed_mm_min),
+            ("plunge_feed_mm_min", self.plunge_feed_mm_min),
+            ("feed_height_mm", self.feed_height_mm),
+            ("safe_clearance_mm", self.safe_clearance_mm),
+            ("smoothing_mm", self.smoothing_mm.unwrap_or(1.0)),
+            ("smoothing_axis_deg", self.smoothing_axis_deg),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return bad(format!("post.{name} is {value}, it must be greater than 0"));
+            }
+        }
+        for (name, digits) in [("length_decimals", self.length_decimals), ("angle_decimals", self.angle_decimals)] {
+            if !(3..=6).contains(&digits) {
+                return bad(format!("post.{name} is {digits}, it must be 3 to 6"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Writes a checked plan for a control.
+///
+/// # Errors
+/// `Usage` where an option is out of range or the plan is none (no locations, rows that do not match, numbers that are
+/// not finite, times that do not grow); `Infeasible` where the contact at an end of the path lies above the ball's
+/// equator, so that the tool cannot leave along its axis.
+pub fn post(
+    control: Control,
+    plan: &Verified<Plan>,
+    blade: &Blade,
+    tool: &Tool,
+    machine: &Machine,
+    options: &PostOptions,
+) -> Result<Program> {
+    options.validate()?;
+    tool.validate()?;
+    let run = Run {
+        plan: plan.value(),
+        report: plan.report(),
+        forced: plan.forced(),
+        blade,
+        tool,
+        machine,
+        options,
+        ends: ends(plan.value(), blade, tool, machine, options)?,
+    };
+    let text = match control {
+        Control::Siemens => siemens::write(&run)?,
+        Control::Linuxcnc => linuxcnc::write(&run)?,
+    };
+    Ok(Program { control, text })
+}
+
+/// Everything a dialect needs.
+struct Run<'a> {
+    plan: &'a Plan,
+    report: &'a CheckReport,
+    forced: bool,
+    blade: &'a Blade,
+    tool: &'a Tool,
+    machine: &'a Machine,
+    options: &'a PostOptions,
+    ends: [End; 2],
+}
+
+/// How the tool comes to the first or leaves the last location.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    /// Ball centre there, blade frame.
+    centre: Point,
+    /// Tool axis there, blade frame.
+    axis: Vector,
+    theta: f64,
+    /// Distance of the safe position along the tool axis, mm.
+    safe_mm: f64,
+    /// At the safe position the part may turn freely; false where the machine's travel ends before.
+    clear: bool,
+}
+
+impl Run<'_> {
+    fn b_rad(&self) -> f64 {
+        self.plan.channel.b_rad
+    }
+    /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
+    fn axes_at(&self, end: &End, lift_mm: f64) -> [f64; 5] {
+        let centre = end.centre + end.axis * lift_mm;
+        self.machine.inverse(&centre, end.theta, self.b_rad(), self.tool.length_mm())
+    }
+    /// The tool tip `lift_mm` along the tool axis over an end of the path, blade frame.
+    fn tip_at(&self, end: &End, lift_mm: f64) -> Point {
+        tool::tip(&(end.centre + end.axis * lift_mm), &end.axis, self.tool.radius_mm)
+    }
+    /// Height of the feed height, never over the safe position.
+    fn feed_height(&self, end: &End) -> f64 {
+        self.options.feed_height_mm.min(end.safe_mm)
+    }
+}
+
+/// First and last location, with their safe positions.
+fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
+    cut::well_formed(plan)?;
+    let sphere = sphere_on_axis(blade);
+    let b = plan.channel.b_rad;
+    let end = |row: usize, name: &str| -> Result<End> {
+        let (Some(at), Some(&theta)) = (plan.toolpath.locations.get(row), plan.schedule.theta.get(row)) else {
+            return Err(Error::usage(Stage::Post, format!("the plan has no location {row}")));
+        };
+        let axis = tool::axis(b, theta);
+        let up = at.normal.dot(&axis);
+        if up < -1e-6 {
+            return Err(Error::infeasible(
+                Stage::Post,
+                format!(
+                    "at the {name} location the contact lies {:.3} deg above the ball's equator, so the tool cannot \
+                     leave along its axis",
+                    up.clamp(-1.0, 1.0).asin().abs().to_degrees()
+                ),
+            )
+            .advise("lower channel.contact_angle_max_deg to at most 90"));
+        }
+        let over = (sphere.0 - at.centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
+        let wanted = over.max(options.safe_clearance_mm);
+        let gauge = tool.length_mm();
+        let reach = travel_along(machine, &at.centre, &axis, theta, b, gauge);
+        Ok(End { centre: at.centre, axis, theta, safe_mm: wanted.min(reach), clear: wanted <= reach })
+    };
+    let last = plan.toolpath.locations.len().saturating_sub(1);
+    Ok([end(0, "first")?, end(last, "last")?])
+}
+
+/// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto itself.
+fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
+    let points = &blade.part.mesh.points;
+    let (lo, hi) = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.x), hi.max(p.x)));
+    let centre = Point::new(if points.is_empty() { 0.0 } else { 0.5 * (lo + hi) }, 0.0, 0.0);
+    (centre, points.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max))
+}
+
+/// How far the tool can go along its axis from a location before a linear axis meets the end of its travel, mm.
+fn travel_along(machine: &Machine, centre: &Point, axis: &Vector, theta: f64, b: f64, gauge: f64) -> f64 {
+    let from = machine.inverse(centre, theta, b, gauge);
+    let to = machine.inverse(&(centre + axis), theta, b, gauge);
+    let mut reach = f64::INFINITY;
+    for (i, limits) in machine.limits().iter().enumerate().take(3) {
+        let (Some([lo, hi]), rate) = (limits.travel, to[i] - from[i]) else { continue };
+        if rate.abs() > 1e-9 {
+            let room = if rate > 0.0 { hi - from[i] } else { lo - from[i] };
+            reach = reach.min((room / rate).max(0.0));
+        }
+    }
+    reach
+}

@@ -1,0 +1,169 @@
+//! Programs read back word for word and compared with the plan, and kept as snapshots.
+#![allow(clippy::unwrap_used)]
+
+mod read_back;
+
+use read_back::{Move, read};
+
+use super::*;
+use crate::error::ErrorKind;
+use crate::sample;
+
+fn options() -> PostOptions {
+    PostOptions {
+        program_name: "CYL_ROOT".into(),
+        part_file: "cylinder.obj".into(),
+        part_hash: "0123abcd".into(),
+        job: "made up for a test".into(),
+        ..PostOptions::default()
+    }
+}
+
+fn program(control: Control, plan: Plan, forced: bool, options: &PostOptions) -> Result<Program> {
+    let plan = Verified::for_tests(plan, sample::report(), forced);
+    post(control, &plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap(), options)
+}
+
+/// The G93 moves of a program: the cutting.
+fn cutting(program: &Program) -> Vec<Move> {
+    read(&program.text).unwrap().into_iter().filter(|m| m.inverse_time).collect()
+}
+
+fn total_s(moves: &[Move]) -> f64 {
+    moves.iter().map(|m| 60.0 / m.feed).sum()
+}
+
+#[test]
+fn siemens_positions_are_the_plans_tool_tips() {
+    for rotary in [RotaryWords::Incremental, RotaryWords::Accumulate] {
+        let plan = sample::plan(3, 120);
+        let p = program(Control::Siemens, plan.clone(), false, &PostOptions { rotary, ..options() }).unwrap();
+        let moves = cutting(&p);
+        assert_eq!(moves.len(), 360);
+        for (i, m) in moves.iter().enumerate() {
+            let (l, theta) = (&plan.toolpath.locations[i + 1], plan.schedule.theta[i + 1]);
+            let tip = tool::tip(&l.centre, &tool::axis(plan.channel.b_rad, theta), 5.0);
+            for (k, want) in [tip.x, tip.y, tip.z].into_iter().enumerate() {
+                assert!((m.at[k] - want).abs() <= 0.500_001e-5, "line {}", m.line);
+            }
+            let a = plan.motion.position[i + 1][3].to_degrees();
+            let whole_turns = (m.at[3] - a) / 360.0;
+            assert!((whole_turns - whole_turns.round()).abs() * 360.0 <= 1.01e-5, "line {}", m.line);
+            assert!((m.at[4] - 5.0).abs() < 1e-9);
+            assert!(m.traori);
+        }
+        // Steps add up: A ends exactly as many turns later as the plan says.
+        let turned = moves[359].at[3] - moves[0].at[3];
+        assert!((turned - 359.0 * 3.0).abs() <= 1.01e-5);
+        assert!((total_s(&moves) / plan.motion.time_s - 1.0).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn linuxcnc_positions_are_the_plans_axes() {
+    let plan = sample::plan(2, 90);
+    let p = program(Control::Linuxcnc, plan.clone(), false, &options()).unwrap();
+    let moves = cutting(&p);
+    assert_eq!(moves.len(), 180);
+    for (m, q) in moves.iter().zip(&plan.motion.position[1..]) {
+        let want = [q[0], q[1], q[2], q[3].to_degrees(), q[4].to_degrees()];
+        for k in 0..5 {
+            assert!((m.at[k] - want[k]).abs() <= 0.500_001e-5, "line {}", m.line);
+        }
+    }
+    assert!((total_s(&moves) / plan.motion.time_s - 1.0).abs() < 1e-6);
+    assert!(p.text.lines().all(|l| l.len() < 256 && l.is_ascii()));
+}
+
+#[test]
+fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part() {
+    let plan = sample::plan(2, 90);
+    let (machine, tool) = (Machine::demo().unwrap(), sample::tool());
+    for control in [Control::Siemens, Control::Linuxcnc] {
+        let p = program(control, plan.clone(), false, &options()).unwrap();
+        let moves = read(&p.text).unwrap();
+        let first = moves.iter().position(|m| m.inverse_time).unwrap();
+        let last = moves.iter().rposition(|m| m.inverse_time).unwrap();
+        let centre = |m: &Move| {
+            let q = [m.at[0], m.at[1], m.at[2], m.at[3].to_radians(), m.at[4].to_radians()];
+            if control == Control::Linuxcnc {
+                return machine.forward(&q, tool.length_mm()).centre;
+            }
+            let axis = tool::axis(q[4], machine.theta_of_a(q[3]));
+            Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
+        };
+        for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {
+            let axis = tool::axis(plan.channel.b_rad, plan.schedule.theta[row]);
+            let (from, to) = (centre(&moves[touch]), centre(&moves[away]));
+            assert!((from - plan.toolpath.locations[row].centre).norm() < 1e-4, "{control:?} row {row}");
+            let way = to - from;
+            assert!(way.cross(&axis).norm() < 1e-4 && way.dot(&axis) > 0.0);
+            // The plane under the ball has the whole sphere around the part on its other side.
+            let (c, radius) = sphere_on_axis(&sample::blade());
+            assert!((to - c).dot(&axis) - tool.radius_mm > radius + 19.99);
+        }
+        assert!(p.text.contains("Unwind of A"));
+    }
+}
+
+#[test]
+fn a_short_travel_shortens_the_retract_and_says_so() {
+    let mut machine = Machine::demo().unwrap();
+    machine.axes.z.max_mm = 180.0;
+    let plan = Verified::for_tests(sample::plan(1, 30), sample::report(), false);
+    let text = |m| post(Control::Linuxcnc, &plan, &sample::blade(), &sample::tool(), m, &options()).unwrap().text;
+    let short = text(&machine);
+    assert!(short.contains("the travel of the machine ends") && !short.contains("Unwind"));
+    assert!(read(&short).unwrap().iter().all(|m| m.at[2] <= 180.0 + 1e-9));
+}
+
+#[test]
+fn a_forced_program_says_that_it_is_not_verified() {
+    for control in [Control::Siemens, Control::Linuxcnc] {
+        let p = program(control, sample::plan(1, 12), true, &options()).unwrap();
+        assert!(p.text.contains("NOT VERIFIED"));
+        let q = program(control, sample::plan(1, 12), false, &options()).unwrap();
+        assert!(!q.text.contains("NOT VERIFIED") && q.text.contains("ok     gouge"));
+    }
+}
+
+#[test]
+fn what_cannot_be_posted_is_an_error() {
+    let fail = |change: &dyn Fn(&mut Plan)| {
+        let mut plan = sample::plan(1, 12);
+        change(&mut plan);
+        program(Control::Siemens, plan, false, &options()).unwrap_err()
+    };
+    assert!(fail(&|p| p.toolpath.locations.clear()).message.contains("at least 2"));
+    assert!(fail(&|p| p.motion.position[3][1] = f64::NAN).message.contains("location 3"));
+    assert!(fail(&|p| p.toolpath.locations[4].centre.x = f64::INFINITY).message.contains("location 4"));
+    assert!(fail(&|p| p.motion.t_s[5] = 0.0).message.contains("time goes back"));
+    assert!(fail(&|p| p.motion.t_s.truncate(12)).message.contains("12 times"));
+    assert!(fail(&|p| p.channel.b_rad = f64::NAN).message.contains("angle B"));
+    let e = fail(&|p| p.toolpath.locations[0].normal *= -1.0);
+    assert_eq!(e.kind, ErrorKind::Infeasible);
+    let bad = PostOptions { spindle_rpm: 0.0, ..options() };
+    assert_eq!(program(Control::Siemens, sample::plan(1, 12), false, &bad).unwrap_err().kind, ErrorKind::Usage);
+}
+
+#[test]
+fn names_from_outside_cannot_leave_their_comment() {
+    let odd = PostOptions { part_file: "blade\nG0 X0 \u{fc}\r.step".into(), ..options() };
+    let p = program(Control::Linuxcnc, sample::plan(1, 12), false, &odd).unwrap();
+    assert!(p.text.is_ascii() && !p.text.contains('\r'));
+    assert!(p.text.contains("blade?G0 X0 ??.step"));
+}
+
+#[test]
+fn programs_are_as_kept_in_snapshots() {
+    for control in [Control::Siemens, Control::Linuxcnc] {
+        let p = program(control, sample::plan(1, 12), false, &options()).unwrap();
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots").join(control.file_name());
+        if std::env::var_os("BLADEWRIGHT_BLESS").is_some() {
+            std::fs::write(&file, &p.text).unwrap();
+        }
+        let kept = std::fs::read_to_string(&file).unwrap();
+        let first = kept.lines().zip(p.text.lines()).find(|(a, b)| a != b);
+        assert!(kept == p.text, "{control:?} differs from {}, first at {first:?}", file.display());
+    }
+}

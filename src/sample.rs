@@ -1,0 +1,248 @@
+//! A small made-up plan for the unit tests of the writers: a closed cylinder about the blade axis, milled by a helix.
+//!
+//! Everything has a closed form: the ball centre runs on a cylinder of radius `PART_RADIUS + R`, the tool axis leads
+//! the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
+#![allow(clippy::unwrap_used)]
+
+use crate::artifact::axis_motion::AxisMotion;
+use crate::artifact::blade::{Blade, Diagnosis, Regions, Unit};
+use crate::artifact::channel::{Binding, Channel, ChannelRow};
+use crate::artifact::plan::Plan;
+use crate::artifact::report::{Check, CheckReport};
+use crate::artifact::schedule::{Schedule, ScheduleKind};
+use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
+use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Rigid, Vector};
+use crate::machine::Machine;
+use crate::tool::{HolderStage, Tool};
+
+/// Radius of the part, mm.
+pub const PART_RADIUS: f64 = 20.0;
+/// Length of the part, mm.
+pub const PART_LENGTH: f64 = 60.0;
+/// θ less the angle of the surface normal, rad.
+pub const LEAD_RAD: f64 = 0.3;
+/// Half width of the channel, rad.
+pub const WIDTH_RAD: f64 = 0.8;
+/// The head's angle, rad.
+pub const B_RAD: f64 = 0.087_266_462_599_716_47;
+
+/// A ball-end tool of radius 5 mm.
+pub fn tool() -> Tool {
+    Tool {
+        radius_mm: 5.0,
+        taper_deg: 3.0,
+        shank_radius_mm: 8.0,
+        stickout_mm: 70.0,
+        holder: vec![
+            HolderStage { radius_mm: 20.0, length_mm: 40.0 },
+            HolderStage { radius_mm: 30.0, length_mm: 25.0 },
+        ],
+    }
+}
+
+/// The cylinder, closed by fans at both ends; faces: 0 side, 1 root end, 2 tip end.
+pub fn blade() -> Blade {
+    let n = 48u32;
+    let mut mesh = Mesh::default();
+    for x in [0.0, PART_LENGTH] {
+        for i in 0..n {
+            let (s, c) = (f64::from(i) * std::f64::consts::TAU / f64::from(n)).sin_cos();
+            mesh.points.push(Point::new(x, PART_RADIUS * c, PART_RADIUS * s));
+        }
+    }
+    mesh.points.push(Point::origin());
+    mesh.points.push(Point::new(PART_LENGTH, 0.0, 0.0));
+    let mut add = |t: [u32; 3], face| {
+        mesh.triangles.push(t);
+        mesh.face_of.push(face);
+    };
+    for i in 0..n {
+        let j = (i + 1) % n;
+        add([i, j, n + j], 0);
+        add([i, n + j, n + i], 0);
+        add([2 * n, j, i], 1);
+        add([2 * n + 1, n + i, n + j], 2);
+    }
+    Blade {
+        name: "cylinder".into(),
+        unit: Unit::Mm,
+        part: Part::from_mesh(mesh),
+        model_from_blade: Rigid::translation(1.0, 2.0, 3.0)
+            * Rigid::rotation(Vector::new(0.0, -std::f64::consts::FRAC_PI_2, 0.0)),
+        regions: Regions {
+            part_x_mm: [0.0, PART_LENGTH],
+            airfoil_x_mm: [0.0, PART_LENGTH],
+            platform_x_mm: None,
+            reasons: vec!["a cylinder".into()],
+        },
+        diagnosis: Diagnosis::default(),
+    }
+}
+
+/// A plan of `turns` turns with `per_turn` locations each.
+pub fn plan(turns: usize, per_turn: usize) -> Plan {
+    let (radius, pitch, x0) = (tool().radius_mm, 0.5, 20.0);
+    let step = std::f64::consts::TAU / per_turn as f64;
+    let slope = pitch / std::f64::consts::TAU;
+    let ds = step * (PART_RADIUS + radius).hypot(slope);
+    let location = |i: usize| {
+        let phi = i as f64 * step;
+        let normal = Vector::new(0.0, phi.cos(), phi.sin());
+        let contact = Point::new(x0 + slope * phi, 0.0, 0.0) + normal * PART_RADIUS;
+        CutterLocation {
+            turn: (i / per_turn).min(turns - 1) as u32,
+            turn_s_mm: (i - (i / per_turn).min(turns - 1) * per_turn) as f64 * ds,
+            s_mm: i as f64 * ds,
+            centre: contact + normal * radius,
+            contact,
+            normal,
+        }
+    };
+    let count = turns * per_turn + 1;
+    let locations: Vec<_> = (0..count).map(location).collect();
+    let theta: Vec<f64> = (0..count).map(|i| i as f64 * step + LEAD_RAD).collect();
+    let toolpath = Toolpath {
+        radius_mm: radius,
+        scallop_mm: 0.01,
+        chord_mm: 0.002,
+        region_x_mm: [x0, x0 + pitch * turns as f64],
+        planned_scallop_mm: 0.0099,
+        turns: (0..turns)
+            .map(|t| Turn {
+                first: t * per_turn,
+                count: if t + 1 == turns { per_turn + 1 } else { per_turn },
+                length_mm: ds * per_turn as f64,
+            })
+            .collect(),
+        locations,
+    };
+    let (channel, schedule) = (channel(&theta), schedule(&theta, ds));
+    let motion = motion(&toolpath, &theta);
+    Plan { toolpath, channel, schedule, motion }
+}
+
+fn channel(theta: &[f64]) -> Channel {
+    let row = |t: &f64| {
+        // A ripple of the walls, so that the channel and its monotone hull differ.
+        let ripple = 0.3 * (7.0 * t).sin();
+        ChannelRow {
+            theta_min: t - WIDTH_RAD + ripple,
+            theta_max: t + WIDTH_RAD + ripple,
+            hull_min: t - WIDTH_RAD + 0.3,
+            hull_max: t + WIDTH_RAD - 0.3,
+            tangent_min: t - 1.2,
+            tangent_max: t + 1.2,
+            binds_min: Binding::Part { tool: "taper".into(), face: 0, triangle: 3 },
+            binds_max: Binding::ContactAngle,
+        }
+    };
+    Channel {
+        b_rad: B_RAD,
+        tolerance_rad: 1e-5,
+        rows: theta.iter().map(row).collect(),
+        narrowest_row: theta.len() / 3,
+        chains: 1,
+    }
+}
+
+fn schedule(theta: &[f64], ds: f64) -> Schedule {
+    let last = theta.len() - 1;
+    Schedule {
+        kind: ScheduleKind::Piecewise,
+        theta: theta.to_vec(),
+        pieces: Vec::new(),
+        key_points: vec![[0.0, theta[0]], [last as f64 * ds, theta[last]]],
+        reversals: 0,
+        peak_rate: (theta[1] - theta[0]) / ds,
+        peak_acceleration: 0.0,
+    }
+}
+
+/// Axis positions on the demo machine at a feed of 20 mm/s.
+fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
+    let (feed, machine, gauge) = (20.0, Machine::demo().unwrap(), tool().length_mm());
+    let position: Vec<[f64; 5]> =
+        path.locations.iter().zip(theta).map(|(l, t)| machine.inverse(&l.centre, *t, B_RAD, gauge)).collect();
+    let t_s: Vec<f64> = path.locations.iter().map(|l| l.s_mm / feed).collect();
+    let velocity = differences(&position, &t_s);
+    let acceleration = differences(&velocity, &t_s);
+    let jerk = differences(&acceleration, &t_s);
+    let time_s = *t_s.last().unwrap();
+    AxisMotion { feed: vec![feed; t_s.len()], position, velocity, acceleration, jerk, time_s, t_s }
+}
+
+fn differences(rows: &[[f64; 5]], t: &[f64]) -> Vec<[f64; 5]> {
+    (0..rows.len())
+        .map(|i| {
+            let (lo, hi) = (i.saturating_sub(1), (i + 1).min(rows.len() - 1));
+            std::array::from_fn(|k| (rows[hi][k] - rows[lo][k]) / (t[hi] - t[lo]))
+        })
+        .collect()
+}
+
+/// A report of two passed checks.
+pub fn report() -> CheckReport {
+    let check = |name: &str, worst, limit: f64| Check {
+        name: name.into(),
+        quantity: format!("worst {name}"),
+        worst,
+        limit,
+        unit: "mm".into(),
+        passed: worst <= limit,
+        row: Some(7),
+        turn: Some(0),
+        point_mm: Some([1.0, 2.0, 3.0]),
+        note: "made up".into(),
+    };
+    CheckReport {
+        checks: vec![check("gouge", 0.0005, 0.003), check("scallop", 0.0101, 0.0105)],
+        scallop_max_mm: 0.0101,
+        scallop_p99_mm: 0.0100,
+        scallop_p95_mm: 0.0099,
+        scallop_p50_mm: 0.0095,
+        scallop_p05_mm: 0.0090,
+        scallop_samples: 1000,
+        ridge_max_mm: 0.0101,
+        ridge_p99_mm: 0.0100,
+        ridge_p50_mm: 0.0098,
+        ridge_p05_mm: 0.0095,
+        gouge_mm: 0.0005,
+        clearance_mm: 2.0,
+    }
+}
+
+/// Elliptic sections, 40 × 16 mm, with made-up altered points.
+pub fn sections() -> Vec<Section> {
+    let n = 90;
+    let one = |x_mm: f64| {
+        let points_mm: Vec<[f64; 2]> = (0..n)
+            .map(|i| {
+                let (s, c) = (f64::from(i) * std::f64::consts::TAU / f64::from(n)).sin_cos();
+                [20.0 * c, 8.0 * s]
+            })
+            .collect();
+        let mut s_mm = vec![0.0];
+        for w in points_mm.windows(2) {
+            s_mm.push(s_mm.last().unwrap() + (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]));
+        }
+        let length_mm = s_mm.last().unwrap() + 0.6;
+        SectionLoop {
+            curvature_per_mm: vec![0.05; points_mm.len()],
+            length_mm,
+            area_mm2: 502.0,
+            altered_points: vec![AlteredPoint { s_mm: s_mm[12], point_mm: points_mm[12], into_concave: true }],
+            leading_edge_s_mm: 0.0,
+            trailing_edge_s_mm: 0.5 * length_mm,
+            side_after_leading_edge: Side::Suction,
+            chord_mm: 40.0,
+            thickness_mm: 16.0,
+            fit_error_mm: 0.001,
+            points_mm,
+            s_mm,
+        }
+    };
+    [20.0, 30.0, 40.0].map(|x_mm| Section { x_mm, loops: vec![one(x_mm)] }).into()
+}
