@@ -49,9 +49,8 @@ pub fn angle_at(corners: &[Point; 3], foot: &Point, tolerance_mm: f64) -> f64 {
             return angle_between(&(l - p), &(r - p));
         }
     }
-    let on_side = [(a, b), (b, c), (c, a)]
-        .iter()
-        .any(|(s, e)| (closest_on_segment(s, e, foot) - foot).norm() <= tolerance_mm);
+    let on_side =
+        [(a, b), (b, c), (c, a)].iter().any(|(s, e)| (closest_on_segment(s, e, foot) - foot).norm() <= tolerance_mm);
     if on_side { std::f64::consts::PI } else { std::f64::consts::TAU }
 }
 

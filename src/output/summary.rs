@@ -102,7 +102,12 @@ pub fn axis_peaks(motion: &AxisMotion) -> Vec<AxisPeak> {
 
 /// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and acceleration, rad, at the
 /// programmed feed held constant.
-pub fn schedule_figures(plan: &Plan, schedule: &Schedule, motion: &AxisMotion, constant_feed: [f64; 2]) -> ScheduleFigures {
+pub fn schedule_figures(
+    plan: &Plan,
+    schedule: &Schedule,
+    motion: &AxisMotion,
+    constant_feed: [f64; 2],
+) -> ScheduleFigures {
     let outside = schedule
         .theta
         .iter()

@@ -93,7 +93,10 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
     if o.scallop_mm >= 0.5 * o.radius_mm {
         return Err(Error::usage(
             Stage::Path,
-            format!("path.scallop_mm is {}, it must be less than half the ball radius ({} mm)", o.scallop_mm, o.radius_mm),
+            format!(
+                "path.scallop_mm is {}, it must be less than half the ball radius ({} mm)",
+                o.scallop_mm, o.radius_mm
+            ),
         ));
     }
     let [lo, hi] = blade.regions.part_x_mm;
@@ -110,7 +113,9 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
         if b >= a {
             return Err(Error::usage(
                 Stage::Path,
-                format!("region.end_mm ({b} mm) must be below region.start_mm ({a} mm): the helix runs from the airfoil towards the platform"),
+                format!(
+                    "region.end_mm ({b} mm) must be below region.start_mm ({a} mm): the helix runs from the airfoil towards the platform"
+                ),
             ));
         }
     }

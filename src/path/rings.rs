@@ -102,8 +102,11 @@ fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
 fn first_ring(blade: &Blade, level: &LevelSet, x_mm: f64, how: &Tracing) -> Result<Ring> {
     let (airfoil, others) = seed::airfoil_loop(blade, x_mm)?;
     let too_tight = |why: String| {
-        Error::infeasible(Stage::Path, format!("no ball of radius {} mm goes round the airfoil at height {x_mm:.3} mm: {why}", level.radius_mm))
-            .advise("take a smaller ball, or another region.start_mm")
+        Error::infeasible(
+            Stage::Path,
+            format!("no ball of radius {} mm goes round the airfoil at height {x_mm:.3} mm: {why}", level.radius_mm),
+        )
+        .advise("take a smaller ball, or another region.start_mm")
     };
     let touch = seed::first_touch(level, &airfoil, x_mm)
         .ok_or_else(|| too_tight("other parts of the blade are in the way all round".into()))?;

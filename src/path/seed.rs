@@ -4,8 +4,8 @@ use super::level::{LevelSet, Touch};
 use super::ring::Ring;
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::slice::{slice, Loop};
 use crate::geometry::Point;
+use crate::geometry::slice::{Loop, slice};
 
 /// The section loop that is the airfoil: the closed loop round the blade axis, else the nearest to it.
 pub fn airfoil_loop(blade: &Blade, x_mm: f64) -> Result<(Loop, Vec<Loop>)> {
@@ -75,12 +75,9 @@ pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch>
 
 /// The first contact of the ring that lies nearer to another loop of the section than to the airfoil's.
 pub fn touches_another_body(ring: &Ring, airfoil: &Loop, others: &[Loop]) -> Option<Point> {
-    ring.touches
-        .iter()
-        .map(|t| t.contact)
-        .find(|p| {
-            let q = [p.y, p.z];
-            let own = distance_to_loop(q, airfoil);
-            others.iter().any(|l| distance_to_loop(q, l) < own)
-        })
+    ring.touches.iter().map(|t| t.contact).find(|p| {
+        let q = [p.y, p.z];
+        let own = distance_to_loop(q, airfoil);
+        others.iter().any(|l| distance_to_loop(q, l) < own)
+    })
 }

@@ -6,8 +6,8 @@
 //! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ` of the two-ball construction; measured on the part it needs no
 //! curvature, so it holds on meshes, creases and saddles alike.
 
-use crate::geometry::part::Part;
 use crate::geometry::Point;
+use crate::geometry::part::Part;
 
 /// Height of the ridge between two balls over the part, mm; `None` where the balls do not meet or the part is out of reach.
 pub fn ridge_height(part: &Part, a: &Point, b: &Point, radius_mm: f64) -> Option<f64> {

@@ -3,9 +3,9 @@
 
 use super::*;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::geometry::Rigid;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
-use crate::geometry::Rigid;
 use crate::observe::Silent;
 
 const BAR_RADIUS: f64 = 10.0;
