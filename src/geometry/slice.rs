@@ -230,7 +230,7 @@ mod tests {
             mesh.points.push(Point::new(x, 0.0, 0.0));
             for k in 0..n {
                 let (a, b) = (row * n + k, row * n + (k + 1) % n);
-                mesh.triangles.push(if up { [c, a, b] } else { [c, b, a] });
+                mesh.triangles.push(if up { [c, b, a] } else { [c, a, b] });
             }
         }
         // The winding above is inward or outward by construction; make it outward.

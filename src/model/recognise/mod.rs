@@ -1,0 +1,232 @@
+//! Finds the blade axis and the regions of a part from its mesh.
+//!
+//! In: a closed mesh in the model frame, mm; perhaps the axis, if the user gave it. Out: the blade frame and the
+//! [`Regions`]. Method: every candidate direction (coordinate axes; principal axes of the surface; the direction least
+//! present in the normals, which on a blade is nearly its axis since an airfoil is nearly a generalised cylinder) is cut
+//! at [`run::HEIGHTS`] heights. Along the chain of loops that looks most like an airfoil for longest the normals give a
+//! better direction, which is tried in turn. The best direction wins, but a coordinate axis near it wins over it, as
+//! blades are drawn and mounted along datum directions. The root is the side with more of the part beyond the airfoil.
+//!
+//! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the sampling of heights,
+//! and up to the preference for coordinate axes). Limits: one airfoil; several blades on a disc are not told apart.
+
+pub mod regions;
+pub mod run;
+pub mod shape;
+
+use nalgebra::Matrix3;
+use rayon::prelude::*;
+
+use crate::artifact::blade::Regions;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::bvh::MeshBvh;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::{Point, Rigid, Vector};
+use run::Run;
+
+/// A coordinate axis within this angle of the best direction is taken without further ado, degrees …
+const SNAP_DEG: f64 = 3.0;
+/// … and within this angle where it scores at least [`DATUM_SCORE`] of the best.
+const DATUM_DEG: f64 = 15.0;
+/// See [`DATUM_DEG`].
+const DATUM_SCORE: f64 = 0.65;
+/// Below this mean likeness the sections are steady but not airfoils …
+const DOUBTFUL: f64 = 0.25;
+/// … and below this one they carry something besides an airfoil.
+const PARTLY: f64 = 0.6;
+
+/// What was recognised.
+pub struct Recognised {
+    /// Blade frame to model frame.
+    pub model_from_blade: Rigid,
+    /// The part's mesh in the blade frame.
+    pub mesh: Mesh,
+    /// Regions, with reasons (the axis first).
+    pub regions: Regions,
+    /// What the user should know.
+    pub doubts: Vec<String>,
+}
+
+/// Finds axis and regions.
+///
+/// # Errors
+/// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
+pub fn recognise(mesh: &Mesh, axis: Option<[f64; 3]>) -> Result<Recognised> {
+    let (mut run, reason) = match axis {
+        Some(a) => given(mesh, a)?,
+        None => search(mesh)?,
+    };
+    let mut doubts = Vec::new();
+    if run.likeness < DOUBTFUL {
+        doubts.push(format!(
+            "no section looks like an airfoil (likeness {:.2}): the longest steady run of sections was taken; \
+             give the axis if it is wrong",
+            run.likeness
+        ));
+    } else if run.likeness < PARTLY {
+        doubts.push(format!(
+            "sections look only partly like an airfoil (likeness {:.2}): something seems to be attached to the blade, \
+             such as a back plate, a web or another blade",
+            run.likeness
+        ));
+    }
+    let (model_from_blade, origin) = frame(&run);
+    for link in &mut run.links {
+        link.shape = link.shape.seen_from(origin);
+    }
+    let blade_mesh = mesh.clone().moved(&model_from_blade.inverse());
+    let bvh = MeshBvh::new(&blade_mesh);
+    let mut regions = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
+    regions.reasons.insert(0, reason);
+    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts })
+}
+
+fn no_blade() -> Error {
+    Error::io(Stage::Model, "no airfoil was found in the part: sections in no direction tried continue as one loop")
+        .advise("give the blade axis from root to tip")
+}
+
+/// The run along the axis that the user gave.
+fn given(mesh: &Mesh, axis: [f64; 3]) -> Result<(Run, String)> {
+    let v = Vector::from(axis);
+    let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
+        Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
+    })?;
+    let run = run::along(mesh, &direction);
+    if run.links.is_empty() {
+        return Err(no_blade());
+    }
+    Ok((run, format!("axis: {}, as given", words(&direction))))
+}
+
+/// The best run of all candidates, its sense from root to tip, and why.
+fn search(mesh: &Mesh) -> Result<(Run, String)> {
+    let mut runs: Vec<Run> = candidates(mesh).par_iter().map(|d| run::along(mesh, d)).collect();
+    // Each good run proposes a better direction; twice, since a better run proposes better.
+    let mut from = 0;
+    for _ in 0..3 {
+        let best = runs.iter().map(|r| r.score).fold(0.0, f64::max);
+        let next: Vec<Vector> =
+            runs[from..].iter().filter(|r| r.score > 0.4 * best && best > 0.0).map(|r| r.least_normal).collect();
+        from = runs.len();
+        runs.extend(next.par_iter().map(|d| run::along(mesh, d)).collect::<Vec<_>>());
+    }
+    let top = (0..runs.len())
+        .filter(|&i| !runs[i].links.is_empty())
+        .max_by(|&i, &j| runs[i].score.total_cmp(&runs[j].score).then(j.cmp(&i)))
+        .filter(|&i| runs[i].score > 0.0)
+        .ok_or_else(no_blade)?;
+    let (direction, score) = (runs[top].direction, runs[top].score);
+    // The coordinate axes are the first three candidates.
+    let axis = (0..3).max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()).then(j.cmp(&i))).unwrap_or(0);
+    let off_deg = direction[axis].abs().clamp(0.0, 1.0).acos().to_degrees();
+    let close = off_deg < SNAP_DEG || (off_deg < DATUM_DEG && runs[axis].score > DATUM_SCORE * score);
+    let (chosen, why) = if close && !runs[axis].links.is_empty() {
+        (
+            axis,
+            format!("the coordinate axis {off_deg:.1}° from the direction in which sections look most like an airfoil"),
+        )
+    } else {
+        (
+            top,
+            format!(
+                "the direction in which sections look most like an airfoil, {off_deg:.1}° from the nearest coordinate axis"
+            ),
+        )
+    };
+    let (flip, sense) = root_is_high(mesh, &runs[chosen]);
+    let run = runs.swap_remove(chosen);
+    let direction = if flip { -run.direction } else { run.direction };
+    let run = if flip { run::along(mesh, &direction) } else { run };
+    Ok((run, format!("axis: {}, {why}; {sense}", words(&direction))))
+}
+
+/// Directions to try: coordinate axes, principal axes of the surface, eigenvectors of its normals' covariance.
+fn candidates(mesh: &Mesh) -> Vec<Vector> {
+    let mut out = vec![Vector::x(), Vector::y(), Vector::z()];
+    let (mut area, mut centre) = (0.0, Vector::zeros());
+    for t in 0..mesh.triangles.len() {
+        let [a, b, c] = mesh.corners(t);
+        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        area += w;
+        centre += w * (a.coords + b.coords + c.coords) / 3.0;
+    }
+    if area <= 0.0 {
+        return out;
+    }
+    centre /= area;
+    let (mut spread, mut normals) = (Matrix3::zeros(), Matrix3::zeros());
+    for t in 0..mesh.triangles.len() {
+        let [a, b, c] = mesh.corners(t);
+        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        let r = (a.coords + b.coords + c.coords) / 3.0 - centre;
+        let n = mesh.normal(t);
+        spread += w * r * r.transpose();
+        normals += w * n * n.transpose();
+    }
+    for m in [spread, normals] {
+        let eigen = m.symmetric_eigen();
+        out.extend(eigen.eigenvectors.column_iter().map(|c| c.into_owned()));
+    }
+    out
+}
+
+/// Whether the root lies at the high end of the run, and why.
+fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
+    let (Some(low), Some(high)) = (run.links.first(), run.links.last()) else { return (false, String::new()) };
+    let (mut below, mut above) = (0.0, 0.0);
+    for t in 0..mesh.triangles.len() {
+        let [a, b, c] = mesh.corners(t);
+        let h = (a.coords + b.coords + c.coords).dot(&run.direction) / 3.0;
+        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        if h < low.height_mm {
+            below += w;
+        } else if h > high.height_mm {
+            above += w;
+        }
+    }
+    let total = mesh.area_mm2();
+    if (below - above).abs() > 0.05 * total {
+        let (big, small) = (below.max(above), below.min(above));
+        let share = |x: f64| 100.0 * x / total;
+        return (
+            above > below,
+            format!(
+                "root where {:.0} % of the surface lies beyond the airfoil ({:.0} % at the tip)",
+                share(big),
+                share(small)
+            ),
+        );
+    }
+    let (a, b) = (low.shape.area_mm2, high.shape.area_mm2);
+    if a.max(b) > 1.02 * a.min(b) {
+        return (b > a, format!("tip where sections are smaller ({:.1} against {:.1} mm²)", a.min(b), a.max(b)));
+    }
+    // Nothing tells the ends apart: the tip is taken where the coordinate grows.
+    let main = run.direction.iamax();
+    (run.direction[main] < 0.0, "both ends are alike, so root to tip was taken along the growing coordinate".into())
+}
+
+/// Blade frame: x along the run's direction with x = direction · model point, origin on the mean centroid of the airfoil,
+/// which is returned too (in the run's own frame).
+fn frame(run: &Run) -> (Rigid, [f64; 2]) {
+    let rotation = run::frame_along(&run.direction).rotation;
+    let n = run.links.len().max(1) as f64;
+    let (y, z) =
+        run.links.iter().fold((0.0, 0.0), |(y, z), l| (y + l.shape.centroid[0] / n, z + l.shape.centroid[1] / n));
+    // Round to a micrometre: the origin is a choice, and a short number reads better in headers.
+    let round = |x: f64| (x * 1e3).round() / 1e3;
+    let (y, z) = (round(y), round(z));
+    let origin = rotation * Point::new(0.0, y, z);
+    (Rigid::from_parts(origin.into(), rotation), [y, z])
+}
+
+/// A direction in words.
+fn words(d: &Vector) -> String {
+    for (k, name) in ["X", "Y", "Z"].iter().enumerate() {
+        if d[k].abs() > 1.0 - 1e-12 {
+            return format!("{}{name} of the model", if d[k] < 0.0 { "-" } else { "+" });
+        }
+    }
+    format!("({:.4}, {:.4}, {:.4}) in the model", d.x, d.y, d.z)
+}

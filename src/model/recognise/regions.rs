@@ -1,0 +1,152 @@
+//! Where along the blade axis what lies: airfoil, platform, whole part. Works in the blade frame.
+
+use super::run::{HEIGHTS, LOOSENESS, Run};
+use super::shape::Shape;
+use crate::artifact::blade::Regions;
+use crate::geometry::bvh::MeshBvh;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::slice::slice;
+
+/// A fillet may widen the airfoil's loop by up to this much (area) …
+const FILLET_AREA: f64 = 2.2;
+/// … and this much (length) before it counts as something else.
+const FILLET_LENGTH: f64 = 1.3;
+/// A loop at the airfoil's place that is larger by this factor, in area or length, is a platform or hub.
+const PLATFORM: f64 = 1.2;
+
+/// What bounds the airfoil at one end.
+struct End {
+    /// Last height with the airfoil alone, mm.
+    x_mm: f64,
+    /// Largest loop at the airfoil's place just beyond; `None`: the part (or body) ends.
+    beyond: Option<Shape>,
+    /// The airfoil's loop at `x_mm`.
+    shape: Shape,
+}
+
+/// Finds the regions; `run` was found along the blade axis (its heights are blade x).
+pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<Regions> {
+    let (first, last) = (run.links.first()?, run.links.last()?);
+    let step = (run.part_mm[1] - run.part_mm[0]) / HEIGHTS as f64;
+    let root = end(mesh, bvh, first.height_mm, &first.shape, -step, run.part_mm);
+    let tip = end(mesh, bvh, last.height_mm, &last.shape, step, run.part_mm);
+    let has_platform = root.beyond.is_some_and(|b| {
+        b.area_mm2 > PLATFORM * root.shape.area_mm2 || b.perimeter_mm > PLATFORM * root.shape.perimeter_mm
+    });
+    let platform_x_mm = has_platform.then(|| platform_top(mesh, root.x_mm, step));
+    let airfoil_x_mm = [platform_x_mm.map_or(root.x_mm, |p| p.max(root.x_mm)), tip.x_mm];
+    let [lo, hi] = run.part_mm;
+    let mut reasons = vec![format!("part: x = {lo:.3} to {hi:.3} mm")];
+    reasons.push(format!(
+        "airfoil: x = {:.3} to {:.3} mm, where sections are one slender loop that changes steadily \
+         ({:.1} mm² at x = {:.3}, {:.1} mm² at x = {:.3})",
+        airfoil_x_mm[0], airfoil_x_mm[1], first.shape.area_mm2, first.height_mm, last.shape.area_mm2, last.height_mm
+    ));
+    let change = |e: &End, b: &Shape| {
+        format!(
+            "x = {:.3} mm, where the section changes from {:.1} mm² ({:.1} mm around) to {:.1} mm² ({:.1} mm around)",
+            e.x_mm, e.shape.area_mm2, e.shape.perimeter_mm, b.area_mm2, b.perimeter_mm
+        )
+    };
+    reasons.push(match (platform_x_mm, &root.beyond) {
+        (Some(x), Some(b)) => format!("platform: top at x = {x:.3} mm; the airfoil meets it at {}", change(&root, b)),
+        (None, Some(b)) => format!("no platform, but the airfoil ends at {}", change(&root, b)),
+        _ => format!("no platform: at x = {:.3} mm the body ends", root.x_mm),
+    });
+    reasons.push(match &tip.beyond {
+        Some(b) => format!("tip: at {} (shroud, tenon or the like)", change(&tip, b)),
+        None => format!("tip: free, at x = {:.3} mm", tip.x_mm),
+    });
+    Some(Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, reasons })
+}
+
+/// Follows the airfoil's loop beyond the run in quarter steps and halves the last one.
+fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, part_mm: [f64; 2]) -> End {
+    let (mut good, mut shape) = (from_mm, *reference);
+    let mut bad = None;
+    let mut part_ends = false;
+    // A fillet and what remains of the part lie within; the bound only guards against endless walks.
+    for _ in 0..4 * HEIGHTS {
+        let x = good + 0.25 * step;
+        if x <= part_mm[0] || x >= part_mm[1] {
+            bad = Some(x.clamp(part_mm[0], part_mm[1]));
+            part_ends = true;
+            break;
+        }
+        match follow(mesh, bvh, x, &shape, reference) {
+            Some(next) => (good, shape) = (x, next),
+            None => {
+                bad = Some(x);
+                break;
+            }
+        }
+    }
+    let mut bad = bad.unwrap_or(good);
+    let outside = bad;
+    for _ in 0..20 {
+        let x = 0.5 * (good + bad);
+        match follow(mesh, bvh, x, &shape, reference) {
+            Some(next) => (good, shape) = (x, next),
+            None => bad = x,
+        }
+    }
+    // What lies beyond shows within one step: a rounded platform does not come at once.
+    let beyond = if part_ends {
+        None
+    } else {
+        (0..=4)
+            .map(|k| (outside + 0.25 * f64::from(k) * step).clamp(part_mm[0], part_mm[1]))
+            .filter_map(|x| surrounding(mesh, bvh, x, &shape))
+            .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
+    };
+    // The part's own end is known exactly.
+    if part_ends && (good - outside).abs() < 1e-3 * step.abs() {
+        good = outside;
+    }
+    End { x_mm: good, beyond, shape }
+}
+
+/// The loop at x that continues `before` and has not outgrown `reference`.
+fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Shape) -> Option<Shape> {
+    slice(mesh, bvh, x_mm)
+        .iter()
+        .filter_map(Shape::new)
+        .filter(|s| s.continues(before, LOOSENESS))
+        .filter(|s| s.area_mm2 < FILLET_AREA * reference.area_mm2)
+        .find(|s| s.perimeter_mm < FILLET_LENGTH * reference.perimeter_mm)
+}
+
+/// The largest loop whose box meets the box of the airfoil's loop.
+fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &Shape) -> Option<Shape> {
+    let b = airfoil.bounds;
+    slice(mesh, bvh, x_mm)
+        .iter()
+        .filter_map(Shape::new)
+        .filter(|s| s.bounds[0] < b[2] && s.bounds[2] > b[0] && s.bounds[1] < b[3] && s.bounds[3] > b[1])
+        .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
+}
+
+/// Top of the platform: the height at which most surface near `x_mm` faces the tip, or `x_mm` where none does.
+///
+/// A fillet hides the platform from sections until its very foot; the platform's own triangles tell it exactly.
+fn platform_top(mesh: &Mesh, x_mm: f64, step: f64) -> f64 {
+    let (lo, hi) = (x_mm - 0.5 * step, x_mm + 1e-6 * step);
+    let mut facing: Vec<(f64, f64)> = (0..mesh.triangles.len())
+        .filter_map(|t| {
+            let [a, b, c] = mesh.corners(t);
+            let x = (a.x + b.x + c.x) / 3.0;
+            let n = (b - a).cross(&(c - a));
+            (x > lo && x < hi && n.x > 0.999 * n.norm()).then_some((x, 0.5 * n.x))
+        })
+        .collect();
+    facing.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = facing.iter().map(|f| f.1).sum();
+    let mut sum = 0.0;
+    facing
+        .iter()
+        .find(|f| {
+            sum += f.1;
+            sum > 0.5 * total
+        })
+        .map_or(x_mm, |f| f.0)
+}

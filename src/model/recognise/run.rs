@@ -1,0 +1,188 @@
+//! The airfoil along a direction: the chain of section loops, one per height, that looks most like an airfoil for longest.
+
+use nalgebra::{Matrix3, UnitQuaternion};
+
+use super::shape::Shape;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::slice::{Loop, slice_triangles};
+use crate::geometry::{Rigid, Vector};
+
+/// Heights at which a direction is tried.
+pub const HEIGHTS: usize = 72;
+/// Neighbouring sections of one airfoil differ by less than this share.
+pub const LOOSENESS: f64 = 0.2;
+/// Likeness that any steady loop has: keeps plain prisms recognisable when nothing better is there.
+const FLOOR: f64 = 0.01;
+
+/// A chain that reaches one of so many sections at an end of the part ends freely, as a blade does at its tip …
+const NEAR_END: usize = 4;
+/// … and is preferred by this factor.
+const FREE_END: f64 = 1.5;
+
+/// One section of the chain.
+pub struct Link {
+    /// Height along the direction, mm.
+    pub height_mm: f64,
+    /// Measures of its loop.
+    pub shape: Shape,
+}
+
+/// The best chain along a direction.
+pub struct Run {
+    /// Unit direction, frame of the mesh.
+    pub direction: Vector,
+    /// Heights of the whole part along it, mm.
+    pub part_mm: [f64; 2],
+    /// Sections from low to high; empty where nothing continues.
+    pub links: Vec<Link>,
+    /// Airfoil-like surface that the chain sweeps, as a share of the whole surface, less for normals along the direction.
+    pub score: f64,
+    /// Mean likeness of the chain's sections.
+    pub likeness: f64,
+    /// Mean square of the normals' component along the direction on the chain.
+    pub along: f64,
+    /// Direction least present in the normals of the chain, same hemisphere as `direction`.
+    pub least_normal: Vector,
+}
+
+/// A rotation whose x axis is the direction; the third axis is chosen deterministically.
+pub fn frame_along(direction: &Vector) -> Rigid {
+    let (x, y, z) = axes_of(direction);
+    let rotation = nalgebra::Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, y, z]));
+    Rigid::from_parts(nalgebra::Translation3::identity(), UnitQuaternion::from_rotation_matrix(&rotation))
+}
+
+/// Right-handed axes: x along the direction, y along the model axis least aligned with it (the first of equals).
+fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
+    let x = direction.normalize();
+    let mut least = 0;
+    for k in 1..3 {
+        // Equal within rounding counts as equal, so that a quarter turn of the model keeps the choice stable.
+        if x[k].abs() < x[least].abs() - 1e-9 {
+            least = k;
+        }
+    }
+    let mut e = Vector::zeros();
+    e[least] = 1.0;
+    let y = (e - x * x.dot(&e)).normalize();
+    (x, y, x.cross(&y))
+}
+
+/// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain.
+pub fn along(mesh: &Mesh, direction: &Vector) -> Run {
+    let frame = frame_along(direction);
+    let turned = Mesh { points: mesh.points.clone(), triangles: mesh.triangles.clone(), ..Mesh::default() }
+        .moved(&frame.inverse());
+    let part_mm = turned.aabb().map_or([0.0, 0.0], |b| [b.min.x, b.max.x]);
+    let step = (part_mm[1] - part_mm[0]) / HEIGHTS as f64;
+    let sections = sections(&turned, part_mm, step);
+    let chain = best_chain(&sections, step);
+    summarise(mesh, direction, part_mm, step, &sections, &chain)
+}
+
+type Sections = Vec<(f64, Vec<(Loop, Shape)>)>;
+
+fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64) -> Sections {
+    let mut buckets: Vec<Vec<u32>> = vec![Vec::new(); HEIGHTS];
+    for (t, corners) in turned.triangles.iter().enumerate() {
+        let xs = corners.map(|i| turned.points[i as usize].x);
+        let lo = xs[0].min(xs[1]).min(xs[2]);
+        let hi = xs[0].max(xs[1]).max(xs[2]);
+        // One plane more on either side, so that rounding loses none.
+        let from = ((lo - part_mm[0]) / step - 0.5).floor().max(0.0) as usize;
+        let to = ((hi - part_mm[0]) / step - 0.5).ceil().max(0.0) as usize;
+        for bucket in buckets.iter_mut().take(to + 1).skip(from) {
+            bucket.push(t as u32);
+        }
+    }
+    buckets
+        .iter()
+        .enumerate()
+        .map(|(i, triangles)| {
+            let height = part_mm[0] + (i as f64 + 0.5) * step;
+            let loops = slice_triangles(turned, triangles, height);
+            (height, loops.into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect())
+        })
+        .collect()
+}
+
+/// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j of section i.
+fn best_chain(sections: &Sections, step: f64) -> Vec<(usize, usize)> {
+    let mut best: Vec<Vec<(f64, Option<usize>)>> = Vec::with_capacity(sections.len());
+    let mut end: Option<(usize, usize, f64)> = None;
+    for (i, (_, loops)) in sections.iter().enumerate() {
+        let mut row = Vec::with_capacity(loops.len());
+        for (j, (_, shape)) in loops.iter().enumerate() {
+            let own = (FLOOR + (1.0 - FLOOR) * shape.likeness) * shape.perimeter_mm * step;
+            let mut from = (0.0, None);
+            if i > 0 {
+                for (k, (_, before)) in sections[i - 1].1.iter().enumerate() {
+                    let reached = best[i - 1][k].0;
+                    if reached > from.0 && shape.continues(before, LOOSENESS) {
+                        from = (reached, Some(k));
+                    }
+                }
+            }
+            let total = own + from.0;
+            row.push((total, from.1));
+            if end.is_none_or(|(_, _, t)| total > t) {
+                end = Some((i, j, total));
+            }
+        }
+        best.push(row);
+    }
+    let mut chain = Vec::new();
+    if let Some((mut i, mut j, _)) = end {
+        chain.push((i, j));
+        while let Some(k) = best[i][j].1 {
+            i -= 1;
+            j = k;
+            chain.push((i, j));
+        }
+    }
+    chain.reverse();
+    chain
+}
+
+fn summarise(
+    mesh: &Mesh,
+    direction: &Vector,
+    part_mm: [f64; 2],
+    step: f64,
+    sections: &Sections,
+    chain: &[(usize, usize)],
+) -> Run {
+    let mut covariance = Matrix3::zeros();
+    let (mut length, mut swept, mut likeness) = (0.0, 0.0, 0.0);
+    let inner = chain.len() / 8..chain.len() - chain.len() / 8;
+    for (position, &(i, j)) in chain.iter().enumerate() {
+        let (l, shape) = &sections[i].1[j];
+        swept += (FLOOR + (1.0 - FLOOR) * shape.likeness) * shape.perimeter_mm * step;
+        likeness += shape.likeness / chain.len() as f64;
+        if !inner.contains(&position) {
+            continue;
+        }
+        for (k, p) in l.points.iter().enumerate() {
+            let q = l.points[(k + 1) % l.points.len()];
+            let d = (q[0] - p[0]).hypot(q[1] - p[1]);
+            let n = mesh.normal(l.triangles[k] as usize);
+            covariance += d * n * n.transpose();
+            length += d;
+        }
+    }
+    if length > 0.0 {
+        covariance /= length;
+    }
+    let along = (direction.transpose() * covariance * direction).x;
+    let eigen = covariance.symmetric_eigen();
+    let least = eigen.eigenvalues.imin();
+    let mut least_normal: Vector = eigen.eigenvectors.column(least).into_owned();
+    if least_normal.dot(direction) < 0.0 {
+        least_normal = -least_normal;
+    }
+    let free = chain.first().is_some_and(|c| c.0 < NEAR_END) || chain.last().is_some_and(|c| c.0 + NEAR_END >= HEIGHTS);
+    let score = if free { FREE_END } else { 1.0 } * swept / mesh.area_mm2().max(f64::MIN_POSITIVE)
+        * (1.0 - 4.0 * along).max(0.0);
+    let links = chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
+    Run { direction: *direction, part_mm, links, score, likeness, along, least_normal }
+}
