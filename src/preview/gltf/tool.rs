@@ -1,0 +1,104 @@
+//! The tool as a surface of revolution: origin at the ball centre, +Z towards the spindle.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use gltf_json as json;
+use json::Index;
+use json::mesh::{Mode, Primitive, Semantic};
+use json::scene::Node;
+use serde_json::json;
+
+use super::glb::Glb;
+use super::{mesh_node, single};
+use crate::error::Result;
+use crate::tool::Tool;
+
+/// Facets around.
+const AROUND: u32 = 48;
+/// Facets from the tip to where the cone leaves the ball.
+const BALL: u32 = 16;
+
+/// A ring of the profile: height, radius, and the profile's outward normal (along radius, along height).
+type Ring = [f64; 4];
+
+/// The node.
+pub(super) fn node(glb: &mut Glb, tool: &Tool) -> Result<Index<Node>> {
+    let mut parts: Vec<(String, Vec<Ring>)> = vec![("ball".into(), ball(tool))];
+    let mut before = tool.radius_mm * tool.taper_deg.to_radians().cos();
+    for s in tool.segments() {
+        let slope = (s.r1 - s.r0).atan2(s.z1 - s.z0);
+        let (nz, nr) = (-slope.sin(), slope.cos());
+        // A step of the radius is a ring across the axis, facing the side that is open.
+        let face = if s.r0 > before { -1.0 } else { 1.0 };
+        let mut rings = Vec::new();
+        if (s.r0 - before).abs() > 1e-9 {
+            rings.extend([[s.z0, before, 0.0, face], [s.z0, s.r0, 0.0, face]]);
+        }
+        rings.extend([[s.z0, s.r0, nr, nz], [s.z1, s.r1, nr, nz]]);
+        before = s.r1;
+        parts.push((s.name, rings));
+    }
+    if let Some((_, rings)) = parts.last_mut() {
+        let top = rings.last().map_or(0.0, |r| r[0]);
+        rings.extend([[top, before, 0.0, 1.0], [top, 0.0, 0.0, 1.0]]);
+    }
+    let mut primitives = Vec::new();
+    for (name, rings) in &parts {
+        primitives.push(revolved(glb, name, rings)?);
+    }
+    let note = json!({
+        "origin": "ball centre", "z": "towards the spindle", "ball_radius_mm": tool.radius_mm,
+        "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
+    });
+    Ok(mesh_node(glb, "tool", primitives, note))
+}
+
+fn ball(tool: &Tool) -> Vec<Ring> {
+    let end = tool.taper_deg.to_radians();
+    (0..=BALL)
+        .map(|i| {
+            let angle = -FRAC_PI_2 + (end + FRAC_PI_2) * f64::from(i) / f64::from(BALL);
+            let (s, c) = angle.sin_cos();
+            [tool.radius_mm * s, tool.radius_mm * c.max(0.0), c.max(0.0), s]
+        })
+        .collect()
+}
+
+fn look(name: &str) -> [f32; 3] {
+    match name {
+        "ball" => [0.80, 0.25, 0.02],
+        "taper" | "shank" => [0.70, 0.45, 0.05],
+        _ => [0.10, 0.25, 0.42],
+    }
+}
+
+/// Bands between consecutive rings; two rings at one place start a new band with its own normals.
+fn revolved(glb: &mut Glb, name: &str, rings: &[Ring]) -> Result<Primitive> {
+    let (mut points, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
+    for [z, r, nr, nz] in rings {
+        for k in 0..=AROUND {
+            let (s, c) = (TAU * f64::from(k) / f64::from(AROUND)).sin_cos();
+            points.push([single(r * c)?, single(r * s)?, single(*z)?]);
+            normals.push([single(nr * c)?, single(nr * s)?, single(*nz)?]);
+        }
+    }
+    for (i, w) in (0u32..).zip(rings.windows(2)) {
+        // No band between two rings at one place.
+        if (w[0][0] - w[1][0]).abs().max((w[0][1] - w[1][1]).abs()) < 1e-12 {
+            continue;
+        }
+        for k in 0..AROUND {
+            let (a, b) = (i * (AROUND + 1) + k, (i + 1) * (AROUND + 1) + k);
+            // Where a ring is a point on the axis, one of the two triangles has no area.
+            if w[0][1] > 1e-12 {
+                indices.extend([a, a + 1, b + 1]);
+            }
+            if w[1][1] > 1e-12 {
+                indices.extend([a, b + 1, b]);
+            }
+        }
+    }
+    let attributes = [(Semantic::Positions, glb.positions(&points)), (Semantic::Normals, glb.normals(&normals))];
+    let (indices, material) = (glb.indices(&indices), glb.material(name, look(name), true));
+    Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))
+}
