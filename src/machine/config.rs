@@ -309,7 +309,7 @@ mod tests {
             ("max_deg = 87.0", "", "only one of"),
             ("max_mm = 330.0", "max_mm = -400.0", "axes.y"),
             ("offset_mm = [1400.0", "offset_mm = [nan", "offset_mm"),
-            ("limits = \"assumed\"", "limits = \"guessed\"", "guessed"),
+            ("limits = \"assumed\"\n\n[axes.y]", "limits = \"guessed\"\n\n[axes.y]", "guessed"),
         ];
         for (from, to, names) in cases {
             let text = DEMO_TOML.replacen(from, to, 1);

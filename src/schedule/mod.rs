@@ -1,1 +1,98 @@
-//! schedule
+//! The schedule θ(S): where the tool axis points, along the path.
+//!
+//! In: [`Toolpath`], [`Channel`] (its monotone hull), [`ScheduleOptions`]. Out: [`Schedule`].
+//!
+//! ## Kinds
+//! * `fixed`: the baseline. θ is the azimuth of the surface normal about the blade axis plus a constant lead in the
+//!   feed direction, as CAM systems give within the four-axis constraint. It knows nothing of the channel and may
+//!   leave it or turn back: that is counted and reported, never an error.
+//! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
+//!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
+//!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
+//!   3. *Decoupling*: at every base point θ stands still for a short stretch, at the forward limit of the hull less an
+//!      inset, the greatest angle at which the level stretch stays in the channel. The first turn is free at its
+//!      start, the last at its end.
+//!   4. *Linear schedule*: per turn the taut string (`taut` module) between its ends inside walls moved inwards once
+//!      more; then key points whose removal blunts the corners are dropped where their neighbours can be joined.
+//!   5. *Corners*: two cubic Béziers with doubled inner control points (`bezier` module). Their height ε is limited
+//!      by the distance of the two half segments from the wall on the curve's side and by half the length of either
+//!      segment (the whole length next to a base point, where no other corner needs it). S is divided by the length
+//!      of the turn and θ by 100 full turns, since angles depend on the scales: the bisector is then the mean slope.
+//!   6. *Choice*: the insets of 3 and 4 and the length of the level stretch are taken from a short fixed list so that
+//!      the greatest |d²θ/ds²| is least.
+//!
+//! ## Guarantees of `piecewise`
+//! θ never falls; it is inside the hull walls everywhere (also between cutter locations, for walls taken as straight
+//! there); the curve is G2: slope and curvature are continuous, with zero curvature at all joints. The result is
+//! re-checked at all locations and between them before it is handed out.
+//!
+//! ## Failure
+//! Kind `Infeasible` where no monotone schedule exists (turn, S, what binds on either side) or where the channel
+//! closes to a point in which the schedule would have to bend. Warnings: where the margin had to give way, where a
+//! level stretch had to be shortened, and where two turns had to be scheduled as one because no level stretch fits.
+
+mod bezier;
+mod check;
+mod corridor;
+mod fixed;
+mod keys;
+mod options;
+mod piecewise;
+mod taut;
+mod turn;
+
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::observe::Observer;
+
+pub use options::ScheduleOptions;
+
+/// Makes a schedule of the kind asked for; see the module's page.
+///
+/// # Errors
+/// Kind `Usage` for bad options or inputs that do not belong together; `Infeasible` (only `piecewise`) where no
+/// monotone schedule exists; `Cancelled`.
+pub fn plan(
+    kind: ScheduleKind,
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    options.validate()?;
+    let bad = |m: String| Err(Error::usage(Stage::Schedule, m));
+    let n = path.locations.len();
+    if n != channel.rows.len() {
+        return bad(format!("the path has {n} locations but the channel has {} rows", channel.rows.len()));
+    }
+    if n < 2 {
+        return bad(format!("the path has {n} locations, at least 2 are needed"));
+    }
+    if let Some(i) = path.locations.windows(2).position(|w| !(w[1].s_mm - w[0].s_mm > 0.0)) {
+        return bad(format!("arc length does not rise from location {i} to the next"));
+    }
+    match kind {
+        ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
+        ScheduleKind::Piecewise => piecewise::plan(path, channel, options, observer),
+    }
+}
+
+/// Number of places where a sequence turns back, with differences below `tolerance` taken as standing still.
+fn reversals(theta: &[f64], tolerance: f64) -> usize {
+    let mut count = 0;
+    let mut sense = 0.0;
+    for w in theta.windows(2) {
+        let d = w[1] - w[0];
+        if d.abs() > tolerance {
+            if sense * d < 0.0 {
+                count += 1;
+            }
+            sense = d.signum();
+        }
+    }
+    count
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,63 @@
+//! Fixed lead to the surface normal: the baseline.
+
+use std::f64::consts::TAU;
+
+use super::{ScheduleOptions, reversals};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::error::{Result, Stage};
+use crate::observe::{Observer, Warning};
+
+/// Normals closer to the blade axis than this have no azimuth worth following (sine of the angle to the axis).
+const ALONG_AXIS: f64 = 1e-6;
+
+/// See the module's page. Rates are differences at the locations.
+pub(super) fn plan(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    observer.check(Stage::Schedule)?;
+    let lead = options.lead_deg.to_radians();
+    let near = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
+    let mut last = if near.is_finite() { near } else { 0.0 };
+    let mut theta = Vec::with_capacity(path.locations.len());
+    for l in &path.locations {
+        let n = l.normal;
+        if n.y.hypot(n.z) > ALONG_AXIS {
+            let raw = n.z.atan2(n.y) + lead;
+            last = raw + TAU * ((last - raw) / TAU).round();
+        }
+        theta.push(last);
+    }
+    let outside = theta
+        .iter()
+        .zip(&channel.rows)
+        .filter(|(t, r)| !(**t >= r.theta_min - channel.tolerance_rad && **t <= r.theta_max + channel.tolerance_rad))
+        .count();
+    let turns_back = reversals(&theta, 1e-9);
+    if outside > 0 || turns_back > 0 {
+        observer.warn(Warning {
+            stage: Stage::Schedule,
+            message: format!(
+                "the fixed schedule (lead {} deg) is outside the channel at {outside} of {} locations and turns back \
+                 {turns_back} times; it is a baseline to compare with, not to be machined",
+                options.lead_deg,
+                theta.len()
+            ),
+        });
+    }
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let rates: Vec<f64> = theta.windows(2).zip(s.windows(2)).map(|(t, s)| (t[1] - t[0]) / (s[1] - s[0])).collect();
+    let second = rates.windows(2).zip(s.windows(3)).map(|(r, s)| ((r[1] - r[0]) / (0.5 * (s[2] - s[0]))).abs());
+    Ok(Schedule {
+        kind: ScheduleKind::Fixed,
+        peak_rate: rates.iter().fold(0.0, |m, r| r.abs().max(m)),
+        peak_acceleration: second.fold(0.0, f64::max),
+        pieces: Vec::new(),
+        key_points: Vec::new(),
+        reversals: turns_back,
+        theta,
+    })
+}

@@ -1,0 +1,51 @@
+//! Options of the schedule stage.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result, Stage};
+
+/// Options of [`super::plan`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ScheduleOptions {
+    /// Distance that a `piecewise` schedule keeps from the walls of the channel, degrees. Between cutter locations
+    /// the walls are known by linear interpolation only; this is what covers it. Where the channel is narrower than
+    /// four margins, a quarter of its width is kept instead, with a warning.
+    pub margin_deg: f64,
+    /// Angle by which a `fixed` schedule leads the surface normal in the feed direction, degrees. 10 is in the
+    /// middle of what CAM systems offer for ball-end finishing.
+    pub lead_deg: f64,
+    /// Length over which θ stands still on either side of a base point, mm; absent: the best of a few shares of the
+    /// turn's length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level_stretch_mm: Option<f64>,
+}
+
+impl Default for ScheduleOptions {
+    fn default() -> Self {
+        ScheduleOptions { margin_deg: 0.5, lead_deg: 10.0, level_stretch_mm: None }
+    }
+}
+
+impl ScheduleOptions {
+    /// Checks all values.
+    ///
+    /// # Errors
+    /// Kind `Usage`, naming the key and its limit.
+    pub fn validate(&self) -> Result<()> {
+        let bad = |m: String| Err(Error::usage(Stage::Schedule, m));
+        if !(0.0..=45.0).contains(&self.margin_deg) {
+            return bad(format!("schedule.margin_deg is {}, it must be from 0 to 45", self.margin_deg));
+        }
+        if !(-90.0..=90.0).contains(&self.lead_deg) {
+            return bad(format!("schedule.lead_deg is {}, it must be from -90 to 90", self.lead_deg));
+        }
+        match self.level_stretch_mm {
+            Some(l) if !(l > 0.0 && l.is_finite()) => {
+                bad(format!("schedule.level_stretch_mm is {l}, it must be greater than 0"))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The piecewise decoupled schedule over the whole path: walls, base points, choice of insets, assembly.
+
+use rayon::prelude::*;
+
+use super::bezier;
+use super::check;
+use super::corridor::{Corridor, Node, slope};
+use super::turn::{self, End, MOST, Smoothed, Stretch};
+use super::{ScheduleOptions, reversals};
+use crate::artifact::channel::Binding;
+use crate::artifact::schedule::{BezierPiece, ScheduleKind};
+use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::observe::{Observer, Warning};
+
+/// Insets of the base points from the walls that are tried, rad.
+const BASE_INSETS: [f64; 4] = [0.02, 0.05, 0.15, 0.4];
+/// Lengths of the level stretches that are tried, in shares of the shorter neighbouring turn.
+const LEVEL_SHARES: [f64; 3] = [0.02, 0.06, 0.15];
+/// A level stretch is halved at most so often to fit.
+const HALVINGS: usize = 6;
+/// An outer turn shorter than this share of the longest is scheduled together with its neighbour.
+const SHORT_TURN: f64 = 0.05;
+
+/// See the module's page.
+pub(super) fn plan(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    observer.check(Stage::Schedule)?;
+    let hull = hull(path, channel)?;
+    let margin = options.margin_deg.to_radians();
+    let walls = hull.shrunk(margin, 0.25);
+    warn_of_margin(&hull, margin, path, observer);
+    let (keys, pieces) = match walls.straight() {
+        Some([p, q]) => (vec![p, q], vec![bezier::straight(p, q)]),
+        None => {
+            let best = decoupled(path, channel, &walls, options, observer)?;
+            best.warn(path, observer);
+            best.assemble()
+        }
+    };
+    observer.progress(Stage::Schedule, 1, 1);
+    let theta = bezier::sample(&pieces, hull.s.iter().copied());
+    check::inside(&pieces, &theta, &hull, path)?;
+    Ok(Schedule {
+        kind: ScheduleKind::Piecewise,
+        reversals: reversals(&theta, 0.0),
+        // Within a piece the slope is monotone, so its greatest value is at an end.
+        peak_rate: pieces.iter().flat_map(|p| [slope(p[0], p[1]), slope(p[2], p[3])]).fold(0.0, f64::max),
+        peak_acceleration: pieces.iter().map(bezier::peak_acceleration).fold(0.0, f64::max),
+        theta,
+        pieces,
+        key_points: keys,
+    })
+}
+
+/// `turn 3, S = 12.5 mm` of a location.
+pub(super) fn place(path: &Toolpath, row: usize) -> String {
+    path.locations.get(row).map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", l.turn, l.turn_s_mm))
+}
+
+fn describe(binding: &Binding) -> String {
+    match binding {
+        Binding::Part { tool, face, .. } => format!("the tool's {tool} against face {face}"),
+        Binding::ContactAngle => "the permitted contact angle on the ball".into(),
+        Binding::Free => "the cut through a free circle".into(),
+    }
+}
+
+/// The monotone hull as a corridor.
+fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
+    let rows = &channel.rows;
+    for (i, r) in rows.iter().enumerate() {
+        if !(r.hull_min.is_finite() && r.hull_max.is_finite()) {
+            return Err(Error::usage(Stage::Schedule, format!("the channel is not a number at {}", place(path, i))));
+        }
+        if i > 0 && (r.hull_min < rows[i - 1].hull_min || r.hull_max < rows[i - 1].hull_max) {
+            return Err(Error::usage(
+                Stage::Schedule,
+                format!("the channel's monotone hull falls at {}", place(path, i)),
+            ));
+        }
+    }
+    let width = |i: usize| rows[i].hull_max - rows[i].hull_min;
+    let narrowest = (0..rows.len()).min_by(|a, b| width(*a).total_cmp(&width(*b))).unwrap_or(0);
+    if width(narrowest) < 0.0 {
+        return Err(closed(path, channel, narrowest));
+    }
+    Ok(Corridor {
+        s: path.locations.iter().map(|l| l.s_mm).collect(),
+        lo: rows.iter().map(|r| r.hull_min).collect(),
+        hi: rows.iter().map(|r| r.hull_max).collect(),
+    })
+}
+
+/// The error for a hull that is closed at `row`, with what binds on both sides.
+fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
+    let rows = &channel.rows;
+    let r = &rows[row];
+    let lower = (0..=row).max_by(|a, b| rows[*a].theta_min.total_cmp(&rows[*b].theta_min)).unwrap_or(row);
+    let upper = (row..rows.len()).min_by(|a, b| rows[*a].theta_max.total_cmp(&rows[*b].theta_max)).unwrap_or(row);
+    Error::infeasible(
+        Stage::Schedule,
+        format!(
+            "no schedule that never turns back exists: at {} the channel is closed by {:.3} deg, between {} at {} and \
+             {} at {}",
+            place(path, row),
+            (r.hull_min - r.hull_max).to_degrees(),
+            describe(&rows[lower].binds_min),
+            place(path, lower),
+            describe(&rows[upper].binds_max),
+            place(path, upper),
+        ),
+    )
+    .advise(
+        "allow less clearance or a wider range of contact angles, take a more slender or longer tool or a greater B, or \
+         move the region away from what is in the way",
+    )
+}
+
+fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn Observer) {
+    let width = |i: usize| hull.hi[i] - hull.lo[i];
+    let narrow = (0..hull.s.len()).filter(|i| width(*i) < 4.0 * margin).count();
+    let Some(worst) = (0..hull.s.len()).min_by(|a, b| width(*a).total_cmp(&width(*b))) else { return };
+    if narrow > 0 {
+        observer.warn(Warning {
+            stage: Stage::Schedule,
+            message: format!(
+                "the channel is narrower than four margins of {:.3} deg at {narrow} locations; there a quarter of its \
+                 width is kept, least {:.6} deg at {}",
+                margin.to_degrees(),
+                0.25 * width(worst).to_degrees(),
+                place(path, worst)
+            ),
+        });
+    }
+}
+
+/// A choice of base inset and level share, carried out.
+struct Attempt {
+    stretches: Vec<Smoothed>,
+    peak: f64,
+    /// Turns whose base point got a shorter level stretch, and its length, mm.
+    shortened: Vec<(u32, f64)>,
+    /// Turns scheduled together with the one before.
+    merged: Vec<u32>,
+}
+
+/// Tries all choices and keeps the one with the least peak.
+fn decoupled(
+    path: &Toolpath,
+    channel: &Channel,
+    walls: &Corridor,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Attempt> {
+    // A length that was asked for, or a path without inner base points, leaves nothing to choose.
+    let given = options.level_stretch_mm.is_some() || path.turns.len() < 2;
+    let shares = if given { &LEVEL_SHARES[..1] } else { &LEVEL_SHARES[..] };
+    let choices: Vec<(f64, f64)> = BASE_INSETS.iter().flat_map(|c| shares.iter().map(move |l| (*c, *l))).collect();
+    let tried: Vec<Result<std::result::Result<Attempt, Node>>> = choices
+        .par_iter()
+        .map(|(inset, share)| {
+            observer.check(Stage::Schedule)?;
+            Ok(attempt(path, walls, options, *inset, *share))
+        })
+        .collect();
+    let mut best: Option<Attempt> = None;
+    let mut stuck = [0.0, 0.0];
+    for t in tried {
+        match t? {
+            Ok(a) if best.as_ref().is_none_or(|b| a.peak < b.peak) => best = Some(a),
+            Ok(_) => {}
+            Err(at) => stuck = at,
+        }
+    }
+    best.ok_or_else(|| {
+        let row = walls.s.partition_point(|s| *s < stuck[0]).min(walls.s.len().saturating_sub(1));
+        let r = &channel.rows[row];
+        Error::infeasible(
+            Stage::Schedule,
+            format!(
+                "the channel leaves no room to turn smoothly at {}: it is {:.6} deg wide there, between {} and {}",
+                place(path, row),
+                (r.hull_max - r.hull_min).to_degrees(),
+                describe(&r.binds_min),
+                describe(&r.binds_max)
+            ),
+        )
+        .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
+    })
+}
+
+/// Base points, level stretches and all turns for one choice. `Err`: where a key point has no room to bend.
+fn attempt(
+    path: &Toolpath,
+    walls: &Corridor,
+    options: &ScheduleOptions,
+    inset: f64,
+    share: f64,
+) -> std::result::Result<Attempt, Node> {
+    let (Some(&start), Some(&end)) = (walls.s.first(), walls.s.last()) else { return Err([0.0, 0.0]) };
+    let inner = walls.shrunk(inset, MOST);
+    let bases: Vec<(u32, f64)> = (1u32..)
+        .zip(path.turns.iter().skip(1))
+        .filter_map(|(k, t)| path.locations.get(t.first).map(|l| (k, l.s_mm)))
+        .collect();
+    let longest = path.turns.iter().fold(0.0, |m: f64, t| m.max(t.length_mm)).min(end - start);
+    let mut found = Attempt { stretches: Vec::new(), peak: 0.0, shortened: Vec::new(), merged: Vec::new() };
+    let mut stretches = Vec::new();
+    let (mut from, mut open) = (start, End::Free);
+    for (i, &(k, s)) in bases.iter().enumerate() {
+        let next = bases.get(i + 1).map_or(end, |b| b.1);
+        let short = SHORT_TURN * longest;
+        let shorter = (s - from).min(next - s);
+        let level = if s - from < short || next - s < short { None } else { level(&inner, s, shorter, share, options) };
+        match level {
+            Some((theta, length, asked)) => {
+                if length < asked {
+                    found.shortened.push((k, length));
+                }
+                stretches.push(Stretch { from, to: s, start: open, end: End::Level(theta, length) });
+                (from, open) = (s, End::Level(theta, length));
+            }
+            None => found.merged.push(k),
+        }
+    }
+    stretches.push(Stretch { from, to: end, start: open, end: End::Free });
+    found.stretches =
+        stretches.par_iter().map(|s| turn::plan(walls, s, inset)).collect::<std::result::Result<Vec<_>, _>>()?;
+    found.peak = found.stretches.iter().fold(0.0, |m, s| m.max(s.peak));
+    Ok(found)
+}
+
+/// Angle, half length and asked-for half length of the level stretch around the base point at `s`: the greatest angle
+/// that stays inside over the whole stretch is the upper wall at its start. Halved until it fits.
+fn level(inner: &Corridor, s: f64, shorter: f64, share: f64, options: &ScheduleOptions) -> Option<(f64, f64, f64)> {
+    let asked = options.level_stretch_mm.unwrap_or(share * shorter);
+    let mut length = asked.min(0.4 * shorter);
+    for _ in 0..=HALVINGS {
+        let theta = inner.at(s - length)[1];
+        if theta >= inner.at(s + length)[0] {
+            return Some((theta, length, asked));
+        }
+        length *= 0.5;
+    }
+    None
+}
+
+impl Attempt {
+    fn warn(&self, path: &Toolpath, observer: &dyn Observer) {
+        let warn = |message: String| observer.warn(Warning { stage: Stage::Schedule, message });
+        if let Some((turn, length)) = self.shortened.iter().min_by(|a, b| a.1.total_cmp(&b.1)) {
+            warn(format!(
+                "the level stretch at {} of {} base points had to be shortened to fit the channel, most at turn {turn} to \
+                 {length:.3} mm on either side; rotary acceleration is greater there",
+                self.shortened.len(),
+                path.turns.len().saturating_sub(1)
+            ));
+        }
+        if let Some(first) = self.merged.first() {
+            warn(format!(
+                "{} turns are scheduled together with the turn before, first turn {first}: they are short outer turns or \
+                 the channel holds no level stretch at their base points",
+                self.merged.len()
+            ));
+        }
+    }
+
+    /// Key points and pieces of all stretches in order, joined exactly.
+    fn assemble(self) -> (Vec<Node>, Vec<BezierPiece>) {
+        let mut keys: Vec<Node> = Vec::new();
+        let mut pieces: Vec<BezierPiece> = Vec::new();
+        for s in self.stretches {
+            let skip = usize::from(!keys.is_empty() && keys.last() == s.keys.first());
+            keys.extend(s.keys.into_iter().skip(skip));
+            pieces.extend(s.pieces);
+        }
+        (keys, pieces)
+    }
+}

@@ -1,0 +1,137 @@
+//! One decoupled stretch of the path, from base point to base point: linear schedule and smoothing.
+
+use std::f64::consts::TAU;
+
+use super::bezier::{self, Reach};
+use super::corridor::{Corridor, Node, slope};
+use super::keys::{self, Walls};
+use crate::artifact::schedule::BezierPiece;
+
+/// Share of the local width that an inset may take on either side.
+pub(super) const MOST: f64 = 0.4;
+/// Insets of the key points from the walls that are tried, in shares of that of the base points.
+const SHARES: [f64; 3] = [1.0, 0.5, 0.2];
+/// θ is divided by so much where angles of the S–θ plane are taken (and S by the length of the stretch). Many turns:
+/// slopes become small angles, whose bisector is the mean slope; both halves of a corner are then equally long in S,
+/// which makes the greater of their peaks least.
+const THETA_SCALE: f64 = 100.0 * TAU;
+/// Angles tried at a free end.
+const FREE: usize = 5;
+
+/// One end of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    /// Base point: θ and the length over which it stands still, rad and mm.
+    Level(f64, f64),
+    /// Outer end of the path.
+    Free,
+}
+
+/// A stretch of the path, in mm from its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stretch {
+    pub from: f64,
+    pub to: f64,
+    pub start: End,
+    pub end: End,
+}
+
+/// What was made of it.
+#[derive(Clone, Debug)]
+pub(super) struct Smoothed {
+    pub keys: Vec<Node>,
+    pub pieces: Vec<BezierPiece>,
+    /// Greatest |d²θ/ds²|, rad/mm².
+    pub peak: f64,
+}
+
+/// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least peak. `walls`: where
+/// the curve may be. `Err`: the key point in which the channel leaves no room to bend.
+pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64) -> Result<Smoothed, Node> {
+    let local = walls.between(stretch.from, stretch.to);
+    let mut best: Option<Smoothed> = None;
+    let mut stuck = [stretch.from, 0.0];
+    for share in SHARES {
+        match with_inset(&local, stretch, share * inset) {
+            Ok(found) if best.as_ref().is_none_or(|b| found.peak < b.peak) => best = Some(found),
+            Ok(_) => {}
+            Err(at) => stuck = at,
+        }
+    }
+    best.ok_or(stuck)
+}
+
+/// One inset: all angles of the free ends.
+fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64) -> Result<Smoothed, Node> {
+    let walls =
+        Walls { curve: curve.clone(), string: curve.shrunk(inset, MOST), lines: curve.shrunk(0.5 * inset, 0.5 * MOST) };
+    let choices = |end: End, s: f64| match end {
+        End::Level(theta, _) => vec![theta],
+        End::Free => {
+            let [lo, hi] = walls.string.at(s);
+            (0..FREE).map(|i| lo + (hi - lo) * i as f64 / (FREE - 1) as f64).collect()
+        }
+    };
+    let mut best: Option<Smoothed> = None;
+    let mut stuck = [stretch.from, 0.0];
+    for start in choices(stretch.start, stretch.from) {
+        for end in choices(stretch.end, stretch.to) {
+            if start > end {
+                continue;
+            }
+            let keys = keys::linear(&walls, stretch, start, end);
+            match smooth(&keys, curve, stretch) {
+                Ok(found) if best.as_ref().is_none_or(|b| found.peak < b.peak) => best = Some(found),
+                Ok(_) => {}
+                Err(at) => stuck = at,
+            }
+        }
+    }
+    best.ok_or(stuck)
+}
+
+/// What the corner `p` may use.
+fn reach(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> Reach {
+    let [before, after] = keys::reaches(p, stretch);
+    let [p1, p2, p3] = p;
+    let (m1, m2) = (slope(p1, p2), slope(p2, p3));
+    let r1 = curve.room([p2[0] - before, p2[1] - m1 * before], p2);
+    let r2 = curve.room(p2, [p2[0] + after, p2[1] + m2 * after]);
+    let side = usize::from(m2 > m1);
+    let length = stretch.to - stretch.from;
+    Reach { s_mm: [before, after], room_rad: r1[side].min(r2[side]).max(0.0), scale: [length, THETA_SCALE] }
+}
+
+/// Rounds all corners and fills in the straight stretches.
+fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch) -> Result<Smoothed, Node> {
+    let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return Err([stretch.from, 0.0]) };
+    let mut pieces = Vec::with_capacity(3 * keys.len());
+    let mut at = first;
+    let mut peak = 0.0f64;
+    // A shorter straight stretch would be all rounding: the corner's curve begins earlier on the same line instead.
+    let least = 1e-4 * (stretch.to - stretch.from);
+    for i in 1..keys.len().saturating_sub(1) {
+        let r = reach([keys[i - 1], keys[i], keys[i + 1]], curve, stretch);
+        let Some(corner) = bezier::corner(keys[i - 1], keys[i], keys[i + 1], &r) else { continue };
+        if r.room_rad <= 1e-12 {
+            return Err(keys[i]);
+        }
+        let [mut p, q] = corner;
+        if p[0][0] - at[0] > least {
+            pieces.push(bezier::straight(at, p[0]));
+        } else {
+            p[0] = at;
+        }
+        peak = peak.max(bezier::peak_acceleration(&p)).max(bezier::peak_acceleration(&q));
+        at = q[3];
+        pieces.extend([p, q]);
+    }
+    if last[0] - at[0] > least {
+        pieces.push(bezier::straight(at, last));
+    } else if let Some(p) = pieces.last_mut() {
+        p[3] = last;
+    } else {
+        pieces.push(bezier::straight(first, last));
+    }
+    Ok(Smoothed { keys: keys.to_vec(), pieces, peak })
+}
