@@ -30,3 +30,40 @@ pub trait Observer: Sync {
 /// Says nothing, never cancels.
 pub struct Silent;
 impl Observer for Silent {}
+
+/// Passes everything on to another observer and keeps the warnings.
+pub struct Recorder<'a> {
+    inner: &'a dyn Observer,
+    warnings: std::sync::Mutex<Vec<Warning>>,
+}
+
+impl<'a> Recorder<'a> {
+    /// Records what `inner` is told.
+    pub fn new(inner: &'a dyn Observer) -> Self {
+        Recorder { inner, warnings: std::sync::Mutex::default() }
+    }
+
+    /// The warnings so far, each once, by stage and then by text: independent of threads.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut all = self.warnings.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
+        all.sort_by(|a, b| (a.stage as usize, &a.message).cmp(&(b.stage as usize, &b.message)));
+        all.dedup();
+        all
+    }
+}
+
+impl Observer for Recorder<'_> {
+    fn progress(&self, stage: Stage, done: usize, total: usize) {
+        self.inner.progress(stage, done, total);
+    }
+    fn warn(&self, warning: Warning) {
+        let mut all = self.warnings.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if !all.contains(&warning) {
+            self.inner.warn(warning.clone());
+            all.push(warning);
+        }
+    }
+    fn cancelled(&self) -> bool {
+        self.inner.cancelled()
+    }
+}

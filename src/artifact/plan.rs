@@ -2,7 +2,7 @@
 use super::{AxisMotion, Channel, Schedule, Toolpath};
 
 /// A complete plan, one row of each part per cutter location.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Plan {
     /// Cutter locations.
     pub toolpath: Toolpath,
