@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use crate::artifact::axis_motion::AXES;
 use crate::artifact::{Blade, Plan};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Vector};
 use crate::tool;
 
 /// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back exactly.
@@ -54,4 +56,44 @@ pub fn axes(plan: &Plan) -> String {
         out.push('\n');
     }
     out
+}
+
+/// Puts the cutter locations and angles of a `cutter_locations.csv` into a plan of as many rows.
+///
+/// # Errors
+/// Kind `InputOutput`, with the line, where a row is missing, has another number of columns or is not a number.
+pub fn read_cutter_locations(text: &str, blade: &Blade, plan: &mut Plan) -> Result<()> {
+    let bad = |line: usize, what: String| {
+        Err(Error::io(Stage::Output, format!("cutter_locations.csv, line {line}: {what}"))
+            .advise("plan again to write it anew"))
+    };
+    let to_blade = blade.model_from_blade.inverse();
+    let mut row = 0;
+    let mut columns = 0;
+    for (n, line) in text.lines().enumerate().filter(|(_, l)| !l.starts_with('#')) {
+        if columns == 0 {
+            columns = line.split(',').count();
+            if columns != 19 {
+                return bad(n + 1, format!("the header has {columns} columns, 19 are needed"));
+            }
+            continue;
+        }
+        let values: Vec<f64> = line.split(',').filter_map(|v| v.trim().parse().ok()).collect();
+        let Ok(v) = <[f64; 19]>::try_from(values) else {
+            return bad(n + 1, "19 numbers are needed".into());
+        };
+        let Some(l) = plan.toolpath.locations.get_mut(row) else {
+            return bad(n + 1, format!("the plan has only {row} cutter locations"));
+        };
+        l.centre = to_blade * Point::new(v[3], v[4], v[5]);
+        l.contact = to_blade * Point::new(v[6], v[7], v[8]);
+        l.normal = to_blade * Vector::new(v[9], v[10], v[11]);
+        (l.turn, l.turn_s_mm, l.s_mm) = (v[0] as u32, v[1], v[2]);
+        plan.schedule.theta[row] = v[15].to_radians();
+        row += 1;
+    }
+    if row != plan.toolpath.locations.len() {
+        return bad(text.lines().count(), format!("{row} rows, the plan has {} cutter locations", plan.toolpath.locations.len()));
+    }
+    Ok(())
 }
