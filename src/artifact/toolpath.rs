@@ -40,6 +40,8 @@ pub struct Toolpath {
     pub chord_mm: f64,
     /// Region machined, along the blade axis, mm: heights of the first and last ball centres.
     pub region_x_mm: [f64; 2],
+    /// Why the path ends where it ends, in words.
+    pub end_reason: String,
     /// Greatest scallop that the planner foresees between neighbouring turns, mm.
     pub planned_scallop_mm: f64,
     /// Turns in order.

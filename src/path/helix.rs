@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
+use super::rings::Stack;
 use super::stepover::ridge_height;
 use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
@@ -80,7 +81,8 @@ fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
 }
 
 /// Makes the helix through at least two rings.
-pub fn blend(level: &LevelSet, rings: &[Ring], options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+pub fn blend(level: &LevelSet, stack: &Stack, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+    let rings = &stack.rings;
     let done = std::sync::atomic::AtomicUsize::new(0);
     let pairs = rings.len() - 1;
     let turns: Vec<Vec<Touch>> = (0..pairs)
@@ -101,6 +103,7 @@ pub fn blend(level: &LevelSet, rings: &[Ring], options: &PathOptions, observer: 
         scallop_mm: options.scallop_mm,
         chord_mm: options.chord_mm,
         region_x_mm: [rings[0].x_mm, rings[pairs].x_mm],
+        end_reason: stack.end_reason.clone(),
         planned_scallop_mm,
         turns,
         locations,
@@ -154,7 +157,7 @@ fn worst_scallop(level: &LevelSet, turns: &[Vec<Touch>]) -> f64 {
                 let Some(near) = nearest_forward(lower, &t.centre, &mut at) else { continue };
                 // Off the chord and onto the level set, as for the rings.
                 let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm);
-                let ridge = on_level.and_then(|n| ridge_height(level.part, &t.centre, &n.centre, level.radius_mm));
+                let ridge = on_level.and_then(|n| ridge_height(level, &t.centre, &n.centre));
                 worst = worst.max(ridge.unwrap_or(0.0));
             }
             worst

@@ -161,7 +161,8 @@ fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Opt
     loop {
         let last_try = length <= how.min_step_mm;
         let reach = if last_try { 4.0 * length } else { length };
-        if let Some(t) = level.touch_in_plane(&(here.centre + tangent * length), reach) {
+        let ahead = here.centre + tangent * length;
+        if let Some(t) = level.touch_in_plane(&ahead, reach) {
             let turn = wrap(t.azimuth() - here.azimuth()).abs();
             let forward = (t.centre - here.centre).dot(&tangent) > 0.2 * length;
             if forward && (turn <= how.max_turn_rad || last_try) {
@@ -169,13 +170,25 @@ fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Opt
                 return Some(t);
             }
             if last_try && !forward {
-                return None;
+                return turn_corner(level, here, &t, &ahead);
             }
         } else if last_try {
             return None;
         }
         length = (0.5 * length).max(how.min_step_mm);
     }
+}
+
+/// In a concave corner of a right angle or more, no step along one wall leads on: the ball touches both walls, and the
+/// way on is along the second, the one that a step along the first would cut into.
+fn turn_corner(level: &LevelSet, here: &Touch, there: &Touch, into_wall: &Point) -> Option<Touch> {
+    let second = level.part.closest(into_wall, 2.0 * level.radius_mm)?;
+    let normal = (there.centre - second.point).try_normalize(1e-9)?;
+    let touch = Touch { centre: there.centre, contact: second.point, normal };
+    // A corner turns the normal back; anything else is a place where the curve cannot be followed.
+    let turn = wrap(touch.azimuth() - here.azimuth());
+    let touches = (second.point - there.centre).norm() <= level.radius_mm * (1.0 + 1e-3);
+    (turn < -0.05 && touches).then_some(touch)
 }
 
 /// The step from `a` to `b` passes the ring's start.

@@ -17,7 +17,15 @@ const CONCAVE_TURN_RAD: f64 = 0.035;
 /// More rings than this is a mistake in the options.
 const MOST_RINGS: usize = 20_000;
 
-/// Lays the rings: at least two.
+/// Rings from the start height down, and why the last one is the last.
+pub struct Stack {
+    /// At least two.
+    pub rings: Vec<Ring>,
+    /// In words.
+    pub end_reason: String,
+}
+
+/// Lays the rings.
 pub fn lay(
     blade: &Blade,
     level: &LevelSet,
@@ -25,7 +33,7 @@ pub fn lay(
     start_x: f64,
     target_mm: f64,
     observer: &dyn Observer,
-) -> Result<Vec<Ring>> {
+) -> Result<Stack> {
     let how = Tracing {
         max_step_mm: options.max_step_mm,
         max_turn_rad: 0.12,
@@ -67,8 +75,8 @@ fn finish(
     rings: Vec<Ring>,
     end: Option<Broken>,
     observer: &dyn Observer,
-) -> Result<Vec<Ring>> {
-    let Some(broken) = end else { return Ok(rings) };
+) -> Result<Stack> {
+    let Some(broken) = end else { return Ok(Stack { rings, end_reason: "the end of the region".into() }) };
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {
         return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"))
@@ -81,7 +89,7 @@ fn finish(
             message: format!("the helix ends at height {x:.3} mm instead of region.end_mm = {end_mm} mm: {why}"),
         });
     }
-    Ok(rings)
+    Ok(Stack { rings, end_reason: why })
 }
 
 fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
@@ -202,7 +210,7 @@ fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
         .filter_map(|t| {
             // The chord between two touches of the ring lies off the level set, which would tilt a close pair of balls.
             let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
-            ridge_height(level.part, &t.centre, &near.centre, level.radius_mm)
+            ridge_height(level, &t.centre, &near.centre)
         })
         .reduce(|| 0.0, f64::max)
 }

@@ -1,35 +1,28 @@
 //! The scallop between two neighbouring passes, measured on the part itself.
 //!
-//! Two balls of radius R with centres d apart meet in a circle of radius √(R² − d²/4) in the plane halfway between
-//! them. What they leave standing is highest where that circle comes nearest to the part; its distance to the part is
-//! the scallop. On a part of constant curvature across the passes this is the closed form
-//! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ` of the two-ball construction; measured on the part it needs no
-//! curvature, so it holds on meshes, creases and saddles alike.
+//! A ball halfway between two passes, on the level set like them, would touch the part at a contact point `p` with normal
+//! `n`. What the two passes leave standing there is the height at which the ray from `p` along `n` enters one of their
+//! balls. On a part of constant curvature across the passes this is the cusp of the two-ball construction,
+//! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ`; measured on the part it needs no curvature, so it holds on
+//! meshes, creases and saddles alike, and what no ball of this radius can reach (sharp inner corners) does not count.
 
-use crate::geometry::Point;
-use crate::geometry::part::Part;
+use super::level::LevelSet;
+use crate::geometry::{Point, Vector};
 
-/// Height of the ridge between two balls over the part, mm; `None` where the balls do not meet or the part is out of reach.
-pub fn ridge_height(part: &Part, a: &Point, b: &Point, radius_mm: f64) -> Option<f64> {
-    let d = (b - a).norm();
-    if d >= 2.0 * radius_mm || d < 1e-12 {
-        return (d < 1e-12).then_some(0.0);
-    }
-    let along = (b - a) / d;
-    let mid = a + (b - a) * 0.5;
-    let circle = (radius_mm * radius_mm - 0.25 * d * d).sqrt();
-    let mut probe = mid;
-    let mut height = None;
-    // The lowest point of the circle looks straight at its own foot; two repetitions settle it to far below a micrometre.
-    for _ in 0..3 {
-        let foot = part.closest(&probe, 2.0 * radius_mm)?;
-        let mut down = foot.point - mid;
-        down -= along * down.dot(&along);
-        let down = down.try_normalize(1e-12)?;
-        probe = mid + down * circle;
-        height = Some(part.closest(&probe, 2.0 * radius_mm)?.distance_mm);
-    }
-    height
+/// Height of the ridge between two balls of the level set over the part, mm; infinite where neither reaches over the
+/// contact between them, `None` where there is no ball of the level set between them.
+pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
+    let between = level.touch_in_plane(&(a + (b - a) * 0.5), 0.5 * (b - a).norm() + 0.02 * level.radius_mm)?;
+    let enters = |c: &Point| ray_into_ball(&between.contact, &between.normal, c, level.radius_mm);
+    Some(enters(a).min(enters(b)))
+}
+
+/// Where the ray from `p` along the unit vector `n` enters the ball round `c`; infinite where it passes it by.
+fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
+    let to_centre = c - p;
+    let along = to_centre.dot(n);
+    let under_root = radius_mm * radius_mm - (to_centre.norm_squared() - along * along);
+    if under_root < 0.0 { f64::INFINITY } else { along - under_root.sqrt() }
 }
 
 /// Distance of two passes on flat ground that leaves the scallop `h`: `√(8 R h − 4 h²)`, mm.
