@@ -100,3 +100,12 @@ pub fn json(value: &impl serde::Serialize) -> Result<String> {
         .map(|s| s + "\n")
         .map_err(|e| Error::io(Stage::Output, format!("a result cannot be written as JSON: {e}")).caused_by(e))
 }
+
+/// A value as JSON on one line: for files that only programs read.
+///
+/// # Errors
+/// Kind `InputOutput` where it cannot be written.
+pub fn json_compact(value: &impl serde::Serialize) -> Result<String> {
+    serde_json::to_string(value)
+        .map_err(|e| Error::io(Stage::Output, format!("a result cannot be written as JSON: {e}")).caused_by(e))
+}

@@ -71,6 +71,13 @@ impl<T> Verdict<T> {
             Verdict::Failed(Rejected { value, report })
         }
     }
+    /// What was checked.
+    pub fn value(&self) -> &T {
+        match self {
+            Verdict::Passed(v) => v.value(),
+            Verdict::Failed(r) => r.value(),
+        }
+    }
     /// What the checks found.
     pub fn report(&self) -> &CheckReport {
         match self {
