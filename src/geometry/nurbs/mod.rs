@@ -3,6 +3,8 @@
 pub mod basis;
 pub mod curve;
 pub mod fit;
+#[cfg(test)]
+pub(crate) mod shapes;
 pub mod surface;
 pub use curve::NurbsCurve;
-pub use surface::{NurbsSurface, SurfaceDerivatives};
+pub use surface::{NurbsSurface, Principal, SurfaceDerivatives};
