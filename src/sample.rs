@@ -222,7 +222,7 @@ pub fn sections() -> Vec<Section> {
         let points_mm: Vec<[f64; 2]> = (0..n)
             .map(|i| {
                 let (s, c) = (f64::from(i) * std::f64::consts::TAU / f64::from(n)).sin_cos();
-                [20.0 * c, 8.0 * s]
+                [20.0 * c, (7.0 + 0.05 * x_mm) * s]
             })
             .collect();
         let mut s_mm = vec![0.0];

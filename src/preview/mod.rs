@@ -5,5 +5,7 @@
 
 pub mod gltf;
 pub mod report;
+mod thin;
 
 pub use gltf::{GltfOptions, gltf};
+pub use report::{Baseline, ReportInput};

@@ -1,0 +1,132 @@
+//! The page's data against the plan, and its text against odd inputs.
+#![allow(clippy::unwrap_used)]
+
+use serde_json::Value;
+
+use super::*;
+use crate::error::Stage;
+use crate::sample;
+
+/// Calls `run` with a full input.
+fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let (sections, report) = (sample::sections(), sample::report());
+    let warnings = [Warning { stage: Stage::Model, message: "an <odd> face".into() }];
+    let provenance = [("File".to_string(), "cylinder.obj".to_string())];
+    let mut other = sample::plan(3, 600);
+    for (i, (row, theta)) in other.motion.velocity.iter_mut().zip(&mut other.schedule.theta).enumerate() {
+        row[3] *= 2.0;
+        *theta += 0.2 * (i as f64 * 0.05).sin();
+    }
+    run(ReportInput {
+        title: "Cylinder </script><b> & co",
+        blade: &blade,
+        tool: &tool,
+        machine: &machine,
+        plan,
+        baseline: plan.map(|_| Baseline { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) }),
+        sections: &sections,
+        checks: Some(&report),
+        forced: false,
+        warnings: &warnings,
+        job_toml: "[tool]\nradius_mm = 5.0 # <R>\n",
+        provenance: &provenance,
+    })
+}
+
+/// The JSON inside a page.
+fn data(page: &str) -> Value {
+    let from = page.split("type=\"application/json\">").nth(1).unwrap();
+    serde_json::from_str(from.split("</script>").next().unwrap()).unwrap()
+}
+
+fn numbers(v: &Value) -> Vec<f64> {
+    v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+}
+
+#[test]
+fn stretches_show_the_tightest_walls_and_the_greatest_rates() {
+    let mut plan = sample::plan(3, 600);
+    // One location in the middle of a stretch that pinches the channel and jolts the table.
+    plan.channel.rows[901].theta_min = plan.schedule.theta[901] - 0.01;
+    plan.channel.rows[901].theta_max = plan.schedule.theta[901] + 0.01;
+    plan.motion.acceleration[901][3] = -7.0;
+    let d = data(&with_input(Some(&plan), |i| html(&i)).unwrap());
+    let turn = &d["turns"][1];
+    let (s, min, max) = (numbers(&turn["s"]), numbers(&turn["min"]), numbers(&turn["max"]));
+    assert_eq!(s.len(), 400);
+    let base = plan.schedule.theta[600];
+    let pinched = (plan.schedule.theta[901] - 0.01 - base).to_degrees();
+    assert!(min.iter().any(|v| (v - pinched).abs() < 0.006) && max.iter().any(|v| (v - pinched - 1.146).abs() < 0.01));
+    let acceleration = numbers(&d["axes"]["turns"][1]["plan"][3][2]);
+    assert!(acceleration.iter().any(|v| (v + 7f64.to_degrees()).abs() < 0.01));
+    assert_eq!(d["baseline"], "fixed lead");
+    let (velocity, other) = (&d["axes"]["turns"][1]["plan"][3][1], &d["axes"]["turns"][1]["baseline"][3][1]);
+    assert!((numbers(other)[50] / numbers(velocity)[50] - 2.0).abs() < 0.01);
+}
+
+#[test]
+fn the_page_is_whole_and_needs_no_network() {
+    let plan = sample::plan(3, 600);
+    let page = with_input(Some(&plan), |i| html(&i)).unwrap();
+    for part in [
+        "All 2 checks passed",
+        "worst gouge",
+        "0.0105",
+        "fixed lead",
+        "cylinder.obj",
+        "&lt;R&gt;",
+        "an &lt;odd&gt; face",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("src="));
+    assert!(page.contains("Cylinder &lt;/script&gt;&lt;b&gt; &amp; co"));
+    // The table's velocity peak of A: twice in the baseline, so half of it here.
+    assert!(page.contains("−50.0 %"));
+    assert_eq!(page.matches("<script").count(), 2);
+    assert_eq!(page.matches("</script>").count(), 2);
+    let d = data(&page);
+    assert_eq!(d["turns"].as_array().unwrap().len(), 3);
+    assert_eq!(d["sections"][0]["loops"][0]["p"].as_array().unwrap().len(), 180);
+    assert_eq!(d["scene"]["triangles"].as_array().unwrap().len(), 3 * 192);
+}
+
+#[test]
+fn failed_checks_head_the_page() {
+    let plan = sample::plan(1, 12);
+    let mut report = sample::report();
+    report.checks[0].passed = false;
+    let page = with_input(Some(&plan), |i| html(&ReportInput { checks: Some(&report), forced: true, ..i })).unwrap();
+    assert!(page.contains("1 of 2 checks failed: gouge") && page.contains("Do not run them on a part"));
+    let none = with_input(Some(&plan), |i| html(&ReportInput { checks: None, ..i })).unwrap();
+    assert!(none.contains("Not checked"));
+}
+
+#[test]
+fn empty_and_odd_data_make_a_page_without_panic() {
+    let page = with_input(None, |i| {
+        html(&ReportInput { sections: &[], checks: None, warnings: &[], job_toml: "", provenance: &[], ..i })
+    });
+    assert!(data(&page.unwrap())["turns"].is_null());
+    let mut plan = sample::plan(2, 30);
+    plan.motion.velocity.truncate(3);
+    plan.channel.rows.truncate(40);
+    plan.schedule.theta[5] = f64::NAN;
+    plan.motion.position.clear();
+    plan.toolpath.turns[1].first = usize::MAX;
+    plan.channel.narrowest_row = usize::MAX;
+    assert!(with_input(Some(&plan), |i| html(&i)).unwrap().contains("</html>"));
+    plan.toolpath.locations.clear();
+    assert!(with_input(Some(&plan), |i| html(&i)).unwrap().contains("</html>"));
+}
+
+#[test]
+fn numbers_are_short() {
+    for (v, want) in
+        [(0.0, "0"), (0.0105, "0.0105"), (12.345_67, "12.35"), (1234.6, "1235"), (-0.5, "-0.5"), (f64::NAN, "–")]
+    {
+        assert_eq!(number(v), want);
+    }
+    assert_eq!(number(1e-9), "1.00e-9");
+}
