@@ -1,0 +1,133 @@
+//! Sets of angles on the circle as sorted, disjoint arcs, with what each end comes from.
+
+/// What an end of an arc comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Witness {
+    /// A part of the tool against a triangle of the part.
+    Tool {
+        /// Index of the profile's segment.
+        segment: u16,
+        /// Triangle of the part's mesh.
+        triangle: u32,
+    },
+    /// The permitted range of contact angle.
+    Contact,
+    /// The cut of the circle, not a limit.
+    Cut,
+}
+
+/// An arc `lo..=hi` within -π..π.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Arc {
+    pub lo: f64,
+    pub hi: f64,
+    pub lo_by: Witness,
+    pub hi_by: Witness,
+}
+
+/// Union of arcs; arcs nearer than `gap` to one another are one.
+#[derive(Clone, Debug)]
+pub(super) struct ArcSet {
+    arcs: Vec<Arc>,
+    gap: f64,
+}
+
+impl ArcSet {
+    pub fn new(gap: f64) -> Self {
+        ArcSet { arcs: Vec::with_capacity(8), gap }
+    }
+
+    pub fn clear(&mut self) {
+        self.arcs.clear();
+    }
+
+    /// Adds an arc.
+    pub fn insert(&mut self, mut new: Arc) {
+        if new.lo > new.hi {
+            return;
+        }
+        let first = self.arcs.partition_point(|a| a.hi + self.gap < new.lo);
+        let mut end = first;
+        while let Some(a) = self.arcs.get(end).filter(|a| a.lo <= new.hi + self.gap) {
+            if a.lo <= new.lo {
+                (new.lo, new.lo_by) = (a.lo, a.lo_by);
+            }
+            if a.hi >= new.hi {
+                (new.hi, new.hi_by) = (a.hi, a.hi_by);
+            }
+            end += 1;
+        }
+        if end == first + 1 {
+            if let Some(a) = self.arcs.get_mut(first) {
+                *a = new;
+            }
+        } else {
+            self.arcs.splice(first..end, [new]);
+        }
+    }
+
+    /// The arc `lo..=hi` lies in the set widened by half the gap. The circle's cut at ±π needs no margin.
+    pub fn covers(&self, lo: f64, hi: f64) -> bool {
+        let half = 0.5 * self.gap;
+        self.arcs.iter().any(|a| lo >= a.lo - half && hi <= a.hi + half)
+    }
+
+    /// Length of what the arc `lo..=hi` has in common with the set.
+    pub fn overlap(&self, lo: f64, hi: f64) -> f64 {
+        self.arcs.iter().map(|a| (hi.min(a.hi) - lo.max(a.lo)).max(0.0)).sum()
+    }
+
+    /// What the set, widened by half the gap, does not cover of the arc `lo..=hi`, handed to `visit` one by one as (start,
+    /// end) with `start` on the side of the set, where it has one; stops and returns false as soon as `visit` does.
+    pub fn all_uncovered(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64, f64) -> bool) -> bool {
+        let half = 0.5 * self.gap;
+        let mut at = lo;
+        for a in &self.arcs {
+            if a.hi + half <= at {
+                continue;
+            }
+            let end = (a.lo - half).min(hi);
+            if end > at && !(if end < hi { visit(end, at) } else { visit(at, end) }) {
+                return false;
+            }
+            at = a.hi + half;
+            if at >= hi {
+                return true;
+            }
+        }
+        at >= hi || visit(at, hi)
+    }
+
+    /// What the set, widened by half the gap, leaves of the circle: intervals within -π..3π, each at least `least` long,
+    /// centred in -π..=π. Where the set is empty, the whole circle cut at ±π.
+    pub fn free(&self, least: f64) -> Vec<Arc> {
+        use std::f64::consts::PI;
+        let half = 0.5 * self.gap;
+        let (Some(first), Some(last)) = (self.arcs.first(), self.arcs.last()) else {
+            return vec![Arc { lo: -PI, hi: PI, lo_by: Witness::Cut, hi_by: Witness::Cut }];
+        };
+        let mut out = Vec::new();
+        let between = |a: &Arc, b: &Arc, turn: f64| Arc {
+            lo: a.hi + half,
+            hi: b.lo - half + turn,
+            lo_by: a.hi_by,
+            hi_by: b.lo_by,
+        };
+        for pair in self.arcs.windows(2) {
+            if let [a, b] = pair {
+                out.push(between(a, b, 0.0));
+            }
+        }
+        // Over the cut: from the last arc on to the first one.
+        let mut over = between(last, first, 2.0 * PI);
+        if over.lo + over.hi > 2.0 * PI {
+            over.lo -= 2.0 * PI;
+            over.hi -= 2.0 * PI;
+            out.insert(0, over);
+        } else {
+            out.push(over);
+        }
+        out.retain(|a| a.hi - a.lo >= least);
+        out
+    }
+}

@@ -1,0 +1,76 @@
+//! What the user may ask of the channel.
+
+use crate::error::{Error, Result, Stage};
+
+/// Options of [`plan`](super::plan).
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelOptions {
+    /// Angle of the tool axis over the plane perpendicular to the blade axis, towards the tip, rad. The spindle's pivot
+    /// stays there.
+    pub b_rad: f64,
+    /// Room that taper and shank keep from the part, mm.
+    pub clearance_mm: f64,
+    /// Room that the holder keeps from the part, mm.
+    pub holder_clearance_mm: f64,
+    /// Least angle between tool axis and surface normal, rad. Near the tip of the ball the cutting speed vanishes; a
+    /// pivot B of a few degrees keeps walls parallel to the blade axis away from the tip already, so that 0 is a fair
+    /// default (a limit above it cuts the channel in two wherever the normal comes near the axis).
+    pub contact_angle_min_rad: f64,
+    /// Greatest angle between tool axis and surface normal, rad. Over 90° the ball would cut with its upper half.
+    pub contact_angle_max_rad: f64,
+    /// Tolerance of the channel's ends, rad; always on the safe side.
+    pub tolerance_rad: f64,
+    /// Greatest distance between ball centres that are looked at, mm: longer moves get locations between their ends.
+    pub max_step_mm: f64,
+}
+
+impl Default for ChannelOptions {
+    fn default() -> Self {
+        ChannelOptions {
+            b_rad: 5f64.to_radians(),
+            clearance_mm: 0.1,
+            holder_clearance_mm: 1.0,
+            contact_angle_min_rad: 0.0,
+            contact_angle_max_rad: 90f64.to_radians(),
+            tolerance_rad: 0.01f64.to_radians(),
+            max_step_mm: 1.0,
+        }
+    }
+}
+
+impl ChannelOptions {
+    /// Checks all values.
+    ///
+    /// # Errors
+    /// Kind `Usage`, naming the value and its limit.
+    pub fn validate(&self) -> Result<()> {
+        let bad = |m: String| Err(Error::usage(Stage::Channel, m));
+        let deg = f64::to_degrees;
+        if !(self.b_rad.abs() <= 85f64.to_radians()) {
+            return bad(format!("B is {}°, it must lie between -85° and 85°", deg(self.b_rad)));
+        }
+        for (name, v) in [("clearance", self.clearance_mm), ("holder clearance", self.holder_clearance_mm)] {
+            if !(v >= 0.0 && v.is_finite()) {
+                return bad(format!("the {name} is {v} mm, it must be at least 0"));
+            }
+        }
+        let (lo, hi) = (self.contact_angle_min_rad, self.contact_angle_max_rad);
+        if !(lo >= 0.0 && hi <= std::f64::consts::PI && lo < hi) {
+            return bad(format!(
+                "the contact angle must lie within {}° to {}°, an empty or impossible range",
+                deg(lo),
+                deg(hi)
+            ));
+        }
+        if !(self.tolerance_rad >= 1e-6 && self.tolerance_rad <= 0.1) {
+            return bad(format!(
+                "the channel's tolerance is {}°, it must lie between 0.0001° and 5°",
+                deg(self.tolerance_rad)
+            ));
+        }
+        if !(self.max_step_mm > 1e-3 && self.max_step_mm.is_finite()) {
+            return bad(format!("the channel's step is {} mm, it must be over 0.001 mm", self.max_step_mm));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,173 @@
+//! The tool's profile, inflated: which heights over the ball centre a point at a given distance from it may not have.
+//!
+//! A frustum of the profile together with its clearance `c` is the set of points no farther than `c` from the frustum
+//! (its Minkowski sum with a ball: sides moved out by `c`, rims rounded with radius `c`). A point at distance `d` from
+//! the ball centre moves on a circle of radius `d` in the profile's half plane (height `z`, radius `r`) as the tool turns
+//! about the centre; it is inside the inflated frustum exactly for one interval of `z`, found here in closed form. Since
+//! inflating by `c + e` is the same as inflating by `c` and then by `e`, the interval for a ball of radius `e` about
+//! the point contains those of all points of that ball: this is the bound that the search for the channel rests on.
+//! The distance from a frustum is also convex, so that its tangent plane bounds it from below over a whole triangle.
+
+use crate::tool::{Segment, Tool};
+
+use super::options::ChannelOptions;
+
+/// A frustum of the profile with its clearance.
+#[derive(Clone, Debug)]
+pub(super) struct Frustum {
+    z0: f64,
+    z1: f64,
+    r0: f64,
+    r1: f64,
+    /// Radius of the cone at height 0, and its growth per height.
+    c0: f64,
+    c1: f64,
+    sin: f64,
+    cos: f64,
+    clearance: f64,
+}
+
+impl Frustum {
+    /// `clearance` in mm, at least 0.
+    pub fn new(s: &Segment, clearance: f64) -> Self {
+        let c1 = (s.r1 - s.r0) / (s.z1 - s.z0);
+        let slant = (s.z1 - s.z0).hypot(s.r1 - s.r0);
+        Frustum {
+            z0: s.z0,
+            z1: s.z1,
+            r0: s.r0,
+            r1: s.r1,
+            c0: s.r0 - c1 * s.z0,
+            c1,
+            sin: (s.r1 - s.r0) / slant,
+            cos: (s.z1 - s.z0) / slant,
+            clearance,
+        }
+    }
+
+    /// Heights that are inside, for points at distance `d` from the ball centre, the frustum inflated by its clearance
+    /// and `extra`; `None` where there are none.
+    pub fn inside(&self, d: f64, extra: f64) -> Option<(f64, f64)> {
+        let c = self.clearance + extra;
+        let (bottom, top) = (self.z0 - c, self.z1 + c);
+        if d < bottom || d > self.z1.hypot(self.r1) + c {
+            return None;
+        }
+        let d2 = d * d;
+        let low = self.low(d, d2, c, bottom);
+        let high = if d <= top {
+            d
+        } else if d2 <= top * top + self.r1 * self.r1 {
+            top
+        } else {
+            rim(d2, self.z1, self.r1, c, 1.0)
+        };
+        (low <= high).then_some((low, high))
+    }
+
+    /// Distance of the point at height `z` and radius `r` from the frustum, less its clearance, and its derivatives by
+    /// `z` and `r` (0 inside). It is a convex function of the point in space, since the frustum is convex.
+    pub fn margin(&self, z: f64, r: f64) -> (f64, f64, f64) {
+        let (ez, er) = (z - self.z0, r - self.r0);
+        let (along, off) = (ez * self.cos + er * self.sin, er * self.cos - ez * self.sin);
+        let length = (self.z1 - self.z0) / self.cos;
+        let from = |ez: f64, er: f64| {
+            let d = ez.hypot(er);
+            if d > 0.0 { (d, ez / d, er / d) } else { (0.0, 0.0, 0.0) }
+        };
+        let (d, gz, gr) = if off > 0.0 && (0.0..=length).contains(&along) {
+            (off, -self.sin, self.cos)
+        } else if ez < 0.0 {
+            from(ez, er.max(0.0))
+        } else if off > 0.0 || z > self.z1 {
+            from(z - self.z1, (r - self.r1).max(0.0))
+        } else {
+            (0.0, 0.0, 0.0)
+        };
+        (d - self.clearance, gz, gr)
+    }
+
+    /// The circle's lowest point inside: on the front face, the lower rim, the side or the upper rim, in this order as
+    /// the distance grows.
+    fn low(&self, d: f64, d2: f64, c: f64, bottom: f64) -> f64 {
+        let square = |z: f64, r: f64| z * z + r * r;
+        if d2 <= square(bottom, self.r0) {
+            bottom.max(-d)
+        } else if d2 <= square(self.z0 - c * self.sin, self.r0 + c * self.cos) {
+            rim(d2, self.z0, self.r0, c, -1.0)
+        } else if d2 <= square(self.z1 - c * self.sin, self.r1 + c * self.cos) {
+            let c0 = self.c0 + c / self.cos;
+            let (a, b) = (1.0 + self.c1 * self.c1, c0 * self.c1);
+            (-b + (b * b + a * (d2 - c0 * c0)).max(0.0).sqrt()) / a
+        } else {
+            rim(d2, self.z1, self.r1, c, -1.0)
+        }
+    }
+}
+
+/// Height where a circle of squared radius `d2` about the ball centre meets the circle of radius `c` about the rim
+/// `(z, r)`: the upper (`side` 1) or lower (-1) of the two points.
+fn rim(d2: f64, z: f64, r: f64, c: f64, side: f64) -> f64 {
+    let d0 = z.hypot(r).max(1e-300);
+    let along = (d2 + d0 * d0 - c * c) / (2.0 * d0);
+    let across = (d2 - along * along).max(0.0).sqrt();
+    (along * z + side * across * r) / d0
+}
+
+/// The whole tool above the ball.
+#[derive(Clone, Debug)]
+pub(super) struct Profile {
+    pub frusta: Vec<Frustum>,
+    pub names: Vec<String>,
+}
+
+impl Profile {
+    /// Every clearance is enlarged by `deflection_mm`, what the part's mesh may lie off the part.
+    pub fn new(tool: &Tool, options: &ChannelOptions, deflection_mm: f64) -> Self {
+        let segments = tool.segments();
+        let frusta = segments
+            .iter()
+            .map(|s| {
+                let holder = s.name.starts_with("holder");
+                let c = if holder { options.holder_clearance_mm } else { options.clearance_mm };
+                Frustum::new(s, c + deflection_mm)
+            })
+            .collect();
+        Profile { frusta, names: segments.into_iter().map(|s| s.name).collect() }
+    }
+
+    /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights lie in `within`:
+    /// disjoint intervals with the frusta that their ends belong to, in `out`.
+    pub fn inside(&self, d: f64, extra: f64, within: (f64, f64), out: &mut Vec<HeightRange>) {
+        out.clear();
+        for (k, f) in self.frusta.iter().enumerate() {
+            let Some((low, high)) = f.inside(d, extra) else { continue };
+            if high < within.0 || low > within.1 {
+                continue;
+            }
+            let new = HeightRange { low, high, low_by: k as u16, high_by: k as u16 };
+            // Frusta follow one another upwards: only the last interval can meet the new one, but for holder stages
+            // that are wider than what precedes them, whose intervals may begin lower.
+            match out.last_mut() {
+                Some(last) if new.low <= last.high && new.high >= last.low => {
+                    if new.low < last.low {
+                        (last.low, last.low_by) = (new.low, new.low_by);
+                    }
+                    if new.high > last.high {
+                        (last.high, last.high_by) = (new.high, new.high_by);
+                    }
+                }
+                _ => out.push(new),
+            }
+        }
+    }
+}
+
+/// An interval of heights and the frusta that end it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HeightRange {
+    pub low: f64,
+    pub high: f64,
+    pub low_by: u16,
+    pub high_by: u16,
+}

@@ -1,0 +1,54 @@
+//! The places at which the channel is computed: all cutter locations, and places between them where moves are long or
+//! the surface turns fast.
+
+use crate::artifact::Toolpath;
+use crate::geometry::{Point, Vector};
+
+/// Turning of the surface normal that a move may have without a place between its ends, rad.
+const MAX_TURN_RAD: f64 = 0.06;
+
+/// A place on the path.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    /// The location at or before it.
+    pub row: usize,
+    /// How far on to the next location, 0..1.
+    pub fraction: f64,
+    pub centre: Point,
+    pub normal: Vector,
+    /// Azimuth of the normal about the blade axis, unwrapped over the path, rad.
+    pub azimuth: f64,
+}
+
+/// All places in order; azimuths unwrapped from the first one's, which lies within -π..=π.
+pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
+    let mut out: Vec<Sample> = Vec::with_capacity(path.locations.len() * 2);
+    let mut azimuth = 0.0;
+    let mut push = |row: usize, fraction: f64, centre: Point, normal: Vector| {
+        azimuth = unwrapped(azimuth, &normal);
+        out.push(Sample { row, fraction, centre, normal, azimuth });
+    };
+    for (row, here) in path.locations.iter().enumerate() {
+        push(row, 0.0, here.centre, here.normal);
+        let Some(next) = path.locations.get(row + 1) else { continue };
+        let length = (next.centre - here.centre).norm();
+        let turn = here.normal.angle(&next.normal);
+        let parts = (length / max_step_mm).max(turn / MAX_TURN_RAD).ceil().clamp(1.0, 1000.0) as usize;
+        for k in 1..parts {
+            let f = k as f64 / parts as f64;
+            let normal = here.normal.lerp(&next.normal, f).try_normalize(1e-9).unwrap_or(here.normal);
+            push(row, f, here.centre + (next.centre - here.centre) * f, normal);
+        }
+    }
+    out
+}
+
+/// The azimuth of `normal` nearest to `last`; `last` itself where the normal is parallel to the blade axis.
+fn unwrapped(last: f64, normal: &Vector) -> f64 {
+    use std::f64::consts::TAU;
+    if normal.y.hypot(normal.z) < 1e-6 {
+        return last;
+    }
+    let a = normal.z.atan2(normal.y);
+    a + TAU * ((last - a) / TAU).round()
+}

@@ -1,0 +1,6 @@
+//! Tests of the channel.
+#![allow(clippy::unwrap_used)]
+
+mod location;
+mod whole;
+pub mod world;

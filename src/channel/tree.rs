@@ -1,0 +1,153 @@
+//! A tree of bounding spheres over the triangles of the part.
+
+use crate::geometry::Point;
+use crate::geometry::mesh::Mesh;
+
+/// A node: the sphere around all its triangles; its first child follows it in the list.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub centre: Point,
+    pub radius: f64,
+    /// Index of the second child, or, for a leaf, `LEAF` + triangle.
+    link: u32,
+}
+
+const LEAF: u32 = 1 << 31;
+
+/// What is below a node.
+pub(super) enum Below {
+    /// Two nodes.
+    Nodes(u32, u32),
+    /// One triangle.
+    Triangle(u32),
+}
+
+/// The tree; node 0 is the root.
+pub(super) struct SphereTree {
+    nodes: Vec<Node>,
+}
+
+impl SphereTree {
+    /// Halves the triangles at the median along the longest side of their centres' box; deterministic.
+    pub fn new(mesh: &Mesh) -> Self {
+        let centres: Vec<Point> = (0..mesh.triangles.len())
+            .map(|t| {
+                let [a, b, c] = mesh.corners(t);
+                Point::from((a.coords + b.coords + c.coords) / 3.0)
+            })
+            .collect();
+        let mut order: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        let mut nodes = Vec::with_capacity(2 * order.len());
+        if !order.is_empty() {
+            build(mesh, &centres, &mut order, &mut nodes);
+        }
+        SphereTree { nodes }
+    }
+
+    pub fn root(&self) -> Option<u32> {
+        (!self.nodes.is_empty()).then_some(0)
+    }
+
+    pub fn node(&self, index: u32) -> &Node {
+        &self.nodes[index as usize]
+    }
+
+    pub fn below(&self, index: u32) -> Below {
+        let link = self.nodes[index as usize].link;
+        if link >= LEAF { Below::Triangle(link - LEAF) } else { Below::Nodes(index + 1, link) }
+    }
+}
+
+/// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.
+fn build(mesh: &Mesh, centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node>) {
+    let (centre, radius) = sphere(mesh, order);
+    let here = nodes.len();
+    if let [triangle] = order {
+        nodes.push(Node { centre, radius, link: LEAF + *triangle });
+        return;
+    }
+    nodes.push(Node { centre, radius, link: 0 });
+    let first = centres[order[0] as usize];
+    let (lo, hi) = order.iter().fold((first, first), |(lo, hi), &t| {
+        let c = centres[t as usize];
+        (lo.inf(&c), hi.sup(&c))
+    });
+    let side = (hi - lo).imax();
+    let half = order.len() / 2;
+    order.select_nth_unstable_by(half, |&a, &b| {
+        centres[a as usize][side].total_cmp(&centres[b as usize][side]).then(a.cmp(&b))
+    });
+    let (left, right) = order.split_at_mut(half);
+    build(mesh, centres, left, nodes);
+    nodes[here].link = nodes.len() as u32;
+    build(mesh, centres, right, nodes);
+}
+
+/// A sphere around the triangles: about the middle of their box.
+fn sphere(mesh: &Mesh, order: &[u32]) -> (Point, f64) {
+    if let [triangle] = order {
+        return around_triangle(&mesh.corners(*triangle as usize));
+    }
+    let corners = || order.iter().flat_map(|&t| mesh.corners(t as usize));
+    let Some(first) = corners().next() else { return (Point::origin(), 0.0) };
+    let (lo, hi) = corners().fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
+    let centre = nalgebra::center(&lo, &hi);
+    let radius = corners().map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt();
+    (centre, radius * (1.0 + 1e-12))
+}
+
+/// The smallest sphere around a triangle; its centre is a point of the triangle.
+pub(super) fn around_triangle(corners: &[Point; 3]) -> (Point, f64) {
+    let [a, b, c] = corners;
+    let sides = [(b - c).norm_squared(), (c - a).norm_squared(), (a - b).norm_squared()];
+    let longest = longest(&sides);
+    let (opposite, others) = match longest {
+        0 => (sides[0], sides[1] + sides[2]),
+        1 => (sides[1], sides[2] + sides[0]),
+        _ => (sides[2], sides[0] + sides[1]),
+    };
+    let centre = if opposite >= others * (1.0 - 1e-9) {
+        match longest {
+            0 => nalgebra::center(b, c),
+            1 => nalgebra::center(c, a),
+            _ => nalgebra::center(a, b),
+        }
+    } else {
+        let [x, y, z] = sides;
+        let w = [x * (y + z - x), y * (z + x - y), z * (x + y - z)];
+        Point::from((a.coords * w[0] + b.coords * w[1] + c.coords * w[2]) / (w[0] + w[1] + w[2]))
+    };
+    let radius = corners.iter().map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt();
+    (centre, radius * (1.0 + 1e-12))
+}
+
+/// Index of the longest of three sides.
+fn longest(sides: &[f64; 3]) -> usize {
+    if sides[0] >= sides[1] && sides[0] >= sides[2] {
+        0
+    } else if sides[1] >= sides[2] {
+        1
+    } else {
+        2
+    }
+}
+
+/// Halves a triangle at the middle of its longest side.
+pub(super) fn halves(corners: &[Point; 3]) -> [[Point; 3]; 2] {
+    let [a, b, c] = *corners;
+    let sides = [(b - c).norm_squared(), (c - a).norm_squared(), (a - b).norm_squared()];
+    match longest(&sides) {
+        0 => {
+            let m = nalgebra::center(&b, &c);
+            [[a, b, m], [a, m, c]]
+        }
+        1 => {
+            let m = nalgebra::center(&c, &a);
+            [[b, c, m], [b, m, a]]
+        }
+        _ => {
+            let m = nalgebra::center(&a, &b);
+            [[c, a, m], [c, m, b]]
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Rows of the channel and their monotone hulls.
+
+use crate::artifact::channel::{Binding, ChannelRow};
+
+use super::arcs::Witness;
+use super::forbidden::{Free, Scene};
+use super::samples::Sample;
+
+/// Where no monotone schedule exists: the row with the greatest lower limit and a later one whose upper limit is less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Crossing {
+    pub low_row: usize,
+    pub high_row: usize,
+}
+
+/// What an end of an interval comes from, by name.
+pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
+    match by {
+        Witness::Contact => Binding::ContactAngle,
+        Witness::Cut => Binding::Free,
+        Witness::Tool { segment, triangle } => Binding::Part {
+            tool: scene.profile.names.get(usize::from(segment)).cloned().unwrap_or_default(),
+            face: scene.mesh.face(triangle as usize),
+            triangle,
+        },
+    }
+}
+
+/// One row per location. Places between two locations narrow both rows, as far as the straight wall between them would
+/// be outside there.
+pub(super) fn rows(samples: &[Sample], chosen: &[&Free], count: usize, scene: &Scene) -> Vec<ChannelRow> {
+    let mut rows: Vec<ChannelRow> = Vec::with_capacity(count);
+    for (_, f) in samples.iter().zip(chosen).filter(|(s, _)| s.fraction == 0.0) {
+        rows.push(ChannelRow {
+            theta_min: f.lo,
+            theta_max: f.hi,
+            hull_min: f.lo,
+            hull_max: f.hi,
+            tangent_min: f.lo,
+            tangent_max: f.hi,
+            binds_min: binding(f.lo_by, scene),
+            binds_max: binding(f.hi_by, scene),
+        });
+    }
+    for (s, f) in samples.iter().zip(chosen).filter(|(s, _)| s.fraction > 0.0) {
+        let Some([a, b]) = rows.get_mut(s.row..s.row + 2) else { continue };
+        let at = |x: f64, y: f64| x + s.fraction * (y - x);
+        let rise = f.lo - at(a.theta_min, b.theta_min);
+        let fall = at(a.theta_max, b.theta_max) - f.hi;
+        for row in [a, b] {
+            if rise > 0.0 {
+                row.theta_min += rise;
+                row.binds_min = binding(f.lo_by, scene);
+            }
+            if fall > 0.0 {
+                row.theta_max -= fall;
+                row.binds_max = binding(f.hi_by, scene);
+            }
+        }
+    }
+    rows
+}
+
+/// Fills in the hulls; returns the row where they are nearest to one another.
+///
+/// # Errors
+/// [`Crossing`] where they cross.
+pub(super) fn hulls(rows: &mut [ChannelRow]) -> Result<usize, Crossing> {
+    let mut low = f64::NEG_INFINITY;
+    for row in rows.iter_mut() {
+        low = low.max(row.theta_min);
+        row.hull_min = low;
+    }
+    let mut high = f64::INFINITY;
+    for row in rows.iter_mut().rev() {
+        high = high.min(row.theta_max);
+        row.hull_max = high;
+    }
+    let (mut narrowest, mut width) = (0, f64::INFINITY);
+    for (i, row) in rows.iter().enumerate() {
+        let w = row.hull_max - row.hull_min;
+        if w < width {
+            (narrowest, width) = (i, w);
+        }
+    }
+    if width >= 0.0 {
+        return Ok(narrowest);
+    }
+    let low_row = (0..=narrowest).rev().find(|&i| rows[i].theta_min >= rows[narrowest].hull_min).unwrap_or(narrowest);
+    let high_row =
+        (narrowest..rows.len()).find(|&i| rows[i].theta_max <= rows[narrowest].hull_max).unwrap_or(narrowest);
+    Err(Crossing { low_row, high_row })
+}
