@@ -367,7 +367,7 @@ fn collocation(params: &[f64], knots: &[f64], degree: usize) -> Result<BandedLu,
 }
 
 /// The `degree + 1` basis functions that are not zero on a span (The NURBS Book, A2.2).
-fn basis(knots: &[f64], degree: usize, span: usize, t: f64) -> Vec<f64> {
+pub(crate) fn basis(knots: &[f64], degree: usize, span: usize, t: f64) -> Vec<f64> {
     let mut n = vec![1.0];
     for j in 1..=degree {
         let mut next = vec![0.0; j + 1];
