@@ -1,1 +1,154 @@
-//! feed
+//! Feed: from path and schedule to the motion of the machine's axes over time.
+//!
+//! In: [`Toolpath`], [`Schedule`], [`Machine`], [`FeedOptions`]. Out: [`AxisMotion`], the fastest motion along the path
+//! that keeps the programmed feed of the ball centre and every axis' velocity and acceleration, from rest to rest.
+//!
+//! ## Equations
+//! The machine's inverse kinematics give axis positions `q` at the cutter locations; a natural cubic spline over the
+//! arc length `s` of ball centres gives `q(s)`, twice continuously differentiable. With `x = ṡ²` and `u = s̈`
+//!
+//! ```text
+//! |q'| √x ≤ v_max,      |q' u + q'' x| ≤ a_max,      √x ≤ feed,      dx/ds = 2u
+//! ```
+//!
+//! all limits are linear in `(x, u)`. The fastest profile is found by reachability analysis (Pham and Pham 2018, "A new
+//! approach to time-optimal path parameterization based on reachability analysis", IEEE T-RO 34(3)): backwards the
+//! greatest `x` from which the end can still be reached, forwards the greatest `u` that stays below it (`topp` module).
+//! `u` is constant between locations. Unlike the published scheme, which imposes the limits at the locations only, they
+//! are imposed on the Bernstein coefficients of every interval, which bound it as a whole.
+//!
+//! ## Guarantees
+//! On the spline, at every location and anywhere between two, no limit of feed, velocity or acceleration is exceeded by
+//! more than rounding (1e-6 relative). Same output for any number of threads (the passes are sequential, and linear in
+//! the number of locations).
+//!
+//! ## Limits of the method
+//! Jerk is not limited, only reported, as difference quotients. Where the path has a corner (a crease of the level set,
+//! where a ball leaves a fillet uncut) the spline rounds it within about one interval and its great second derivative
+//! slows the motion there, as the machine itself would have to.
+//!
+//! ## Failure
+//! Kind `Usage` for bad options or inputs that do not belong together.
+
+mod peaks;
+mod topp;
+
+use crate::artifact::{AxisMotion, Schedule, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::machine::Machine;
+use crate::numerics::spline::{CubicSpline, Ends};
+use crate::observe::Observer;
+
+pub use peaks::{AxisPeaks, peaks};
+
+/// Options of [`plan`].
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FeedOptions {
+    /// Programmed (greatest) feed of the ball centre, mm/min.
+    pub feed_mm_min: f64,
+    /// Angle of the head, rad.
+    pub b_rad: f64,
+    /// From the ball centre to the spindle's gauge line, mm ([`crate::tool::Tool::length_mm`]).
+    pub gauge_length_mm: f64,
+}
+
+impl FeedOptions {
+    fn validate(&self) -> Result<()> {
+        let bad = |m: String| Err(Error::usage(Stage::Feed, m));
+        if !(self.feed_mm_min > 0.0 && self.feed_mm_min.is_finite()) {
+            return bad(format!("feed.feed_mm_min is {}, it must be greater than 0", self.feed_mm_min));
+        }
+        if !(self.b_rad.abs() < std::f64::consts::FRAC_PI_2) {
+            return bad(format!("B is {} deg, it must be between -90 and 90", self.b_rad.to_degrees()));
+        }
+        if !(self.gauge_length_mm >= 0.0 && self.gauge_length_mm.is_finite()) {
+            return bad(format!("the tool's length is {} mm, it must be at least 0", self.gauge_length_mm));
+        }
+        Ok(())
+    }
+}
+
+/// The fastest motion; see the module's page.
+///
+/// # Errors
+/// Kind `Usage`: a bad option, fewer than three locations, arc lengths that do not rise, path and schedule of different
+/// length, values that are not numbers. `Cancelled`.
+pub fn plan(
+    path: &Toolpath,
+    schedule: &Schedule,
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<AxisMotion> {
+    let curve = axis_curve(path, schedule, machine, options)?;
+    observer.check(Stage::Feed)?;
+    let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
+    let profile = topp::fastest(&curve, &limits, options.feed_mm_min / 60.0, observer)?;
+    observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
+    Ok(motion(&curve, &profile))
+}
+
+/// Axis positions over the arc length of ball centres.
+fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &FeedOptions) -> Result<CubicSpline> {
+    options.validate()?;
+    let (n, m) = (path.locations.len(), schedule.theta.len());
+    if n != m {
+        return Err(Error::usage(Stage::Feed, format!("the path has {n} locations but the schedule {m}")));
+    }
+    if n < 3 {
+        return Err(Error::usage(Stage::Feed, format!("the path has {n} locations, at least 3 are needed")));
+    }
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let mut q = Vec::with_capacity(5 * n);
+    for (l, theta) in path.locations.iter().zip(&schedule.theta) {
+        q.extend(machine.inverse(&l.centre, *theta, options.b_rad, options.gauge_length_mm));
+    }
+    CubicSpline::new(&s, &q, 5, &Ends::Natural).map_err(|e| {
+        Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
+            .advise("locations must have rising arc lengths and finite coordinates")
+    })
+}
+
+/// Position, first and second derivative of every axis at the start of interval `i`, plus `t`.
+fn at(curve: &CubicSpline, i: usize, t: f64) -> [[f64; 3]; 5] {
+    std::array::from_fn(|k| {
+        let [a, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+        [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
+    })
+}
+
+/// The motion of a speed profile. Accelerations are those just after each location (of the last: just before).
+fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
+    let s = curve.abscissae();
+    let n = s.len();
+    let speed: Vec<f64> = profile.x.iter().map(|x| x.sqrt()).collect();
+    let mut t_s = vec![0.0; n];
+    let mut feed = vec![0.0; n];
+    for i in 1..n {
+        // Under constant acceleration the mean speed is the mean of both.
+        feed[i] = 0.5 * (speed[i - 1] + speed[i]);
+        t_s[i] = t_s[i - 1] + (s[i] - s[i - 1]) / feed[i];
+    }
+    feed[0] = feed[1];
+    let mut position = Vec::with_capacity(n);
+    let mut velocity = Vec::with_capacity(n);
+    let mut acceleration: Vec<[f64; 5]> = Vec::with_capacity(n);
+    for i in 0..n {
+        let interval = i.min(n - 2);
+        let d = at(curve, interval, s[i] - s[interval]);
+        let (x, u) = (profile.x[i], profile.u[interval]);
+        position.push(d.map(|q| q[0]));
+        velocity.push(d.map(|q| q[1] * speed[i]));
+        acceleration.push(d.map(|q| q[1] * u + q[2] * x));
+    }
+    let quotient = |i: usize| {
+        let dt = t_s[i + 1] - t_s[i];
+        std::array::from_fn(|k| (acceleration[i + 1][k] - acceleration[i][k]) / dt)
+    };
+    let jerk = (0..n).map(|i| quotient(i.min(n - 2))).collect();
+    AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
+}
+
+#[cfg(test)]
+mod tests;

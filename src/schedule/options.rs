@@ -13,7 +13,7 @@ pub struct ScheduleOptions {
     /// the walls are known by linear interpolation only; this is what covers it. Where the channel is narrower than
     /// four margins, a quarter of its width is kept instead, with a warning.
     pub margin_deg: f64,
-    /// Angle by which a `fixed` schedule leads the surface normal in the feed direction, degrees. 10 is in the
+    /// Angle by which a `fixed` schedule leads the surface normal in the feed direction, degrees. 15 is in the
     /// middle of what CAM systems offer for ball-end finishing.
     pub lead_deg: f64,
     /// Length over which θ stands still on either side of a base point, mm; absent: the best of a few shares of the
@@ -24,7 +24,7 @@ pub struct ScheduleOptions {
 
 impl Default for ScheduleOptions {
     fn default() -> Self {
-        ScheduleOptions { margin_deg: 0.5, lead_deg: 10.0, level_stretch_mm: None }
+        ScheduleOptions { margin_deg: 0.5, lead_deg: 15.0, level_stretch_mm: None }
     }
 }
 

@@ -1,0 +1,35 @@
+//! What the axes would have to do at constant feed: to compare schedules.
+
+use super::FeedOptions;
+use crate::artifact::{Schedule, Toolpath};
+use crate::error::Result;
+use crate::machine::Machine;
+
+/// Greatest absolute velocity and acceleration of each axis, in the order of [`crate::artifact::axis_motion::AXES`];
+/// mm or rad, and s.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct AxisPeaks {
+    /// Velocities, mm/s or rad/s.
+    pub velocity: [f64; 5],
+    /// Accelerations, mm/s² or rad/s².
+    pub acceleration: [f64; 5],
+}
+
+/// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F` and `q'' F²`.
+///
+/// # Errors
+/// As [`super::plan`].
+pub fn peaks(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &FeedOptions) -> Result<AxisPeaks> {
+    let curve = super::axis_curve(path, schedule, machine, options)?;
+    let feed = options.feed_mm_min / 60.0;
+    let mut out = AxisPeaks::default();
+    let s = curve.abscissae();
+    for i in 0..s.len() {
+        let interval = i.min(s.len() - 2);
+        for (k, [_, q1, q2]) in super::at(&curve, interval, s[i] - s[interval]).into_iter().enumerate() {
+            out.velocity[k] = out.velocity[k].max((q1 * feed).abs());
+            out.acceleration[k] = out.acceleration[k].max((q2 * feed * feed).abs());
+        }
+    }
+    Ok(out)
+}

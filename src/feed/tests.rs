@@ -1,0 +1,238 @@
+#![allow(clippy::unwrap_used)]
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::CutterLocation;
+use crate::error::ErrorKind;
+use crate::geometry::{Point, Vector};
+use crate::observe::Silent;
+
+/// Ball centres and angles at given arc lengths.
+fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
+    let locations = points
+        .iter()
+        .map(|(s, p, _)| CutterLocation {
+            turn: 0,
+            turn_s_mm: *s,
+            s_mm: *s,
+            centre: *p,
+            contact: *p,
+            normal: Vector::y(),
+        })
+        .collect();
+    let theta = points.iter().map(|p| p.2).collect();
+    let toolpath = Toolpath {
+        radius_mm: 1.0,
+        scallop_mm: 0.01,
+        chord_mm: 0.01,
+        region_x_mm: [0.0, 0.0],
+        planned_scallop_mm: 0.01,
+        turns: Vec::new(),
+        locations,
+    };
+    let schedule = Schedule {
+        kind: ScheduleKind::Fixed,
+        theta,
+        pieces: Vec::new(),
+        key_points: Vec::new(),
+        reversals: 0,
+        peak_rate: 0.0,
+        peak_acceleration: 0.0,
+    };
+    (toolpath, schedule)
+}
+
+fn options(feed_mm_min: f64) -> FeedOptions {
+    FeedOptions { feed_mm_min, b_rad: 0.1, gauge_length_mm: 120.0 }
+}
+
+/// Every limit, at the locations (both sides) and densely between them.
+fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedOptions) {
+    let curve = axis_curve(p, s, machine, o).unwrap();
+    let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
+    let feed = o.feed_mm_min / 60.0;
+    let profile = topp::fastest(&curve, &limits, feed, &Silent).unwrap();
+    let at_s = curve.abscissae();
+    for i in 0..at_s.len() - 1 {
+        let h = at_s[i + 1] - at_s[i];
+        for k in 0..=8 {
+            let t = h * f64::from(k) / 8.0;
+            let more = 1.0 + 1e-6;
+            let x = (profile.x[i] + 2.0 * t * profile.u[i]).max(0.0);
+            assert!(x.sqrt() <= feed * more);
+            for ([_, q1, q2], [v, a]) in at(&curve, i, t).into_iter().zip(limits) {
+                assert!(q1.abs() * x.sqrt() <= v * more, "velocity at {i} + {k}/8");
+                assert!((q1 * profile.u[i] + q2 * x).abs() <= a * more, "acceleration at {i} + {k}/8");
+            }
+        }
+    }
+}
+
+/// A ball centre on a wavy helix, with θ that follows it unevenly.
+fn wavy(n: usize, step: f64, wave: f64) -> Vec<(f64, Point, f64)> {
+    let mut out: Vec<(f64, Point, f64)> = Vec::new();
+    for i in 0..n {
+        let f = step * i as f64 / 30.0;
+        let r = 30.0 + wave * (3.0 * f).sin();
+        let p = Point::new(0.2 * f, r * f.cos(), 0.5 * r * f.sin());
+        let s = out.last().map_or(0.0, |(s, q, _)| s + (p - q).norm());
+        out.push((s, p, f + 0.4 * (2.0 * f).sin()));
+    }
+    out
+}
+
+#[test]
+fn a_straight_line_takes_the_time_of_a_trapezoid() {
+    let machine = Machine::demo().unwrap();
+    let a = machine.axes.x.acceleration_mm_s2;
+    for (length, feed) in [(100.0, 100.0), (2.0, 400.0)] {
+        let n = 4001;
+        let points: Vec<_> = (0..n)
+            .map(|i| {
+                let s = length * f64::from(i) / f64::from(n - 1);
+                (s, Point::new(s, 5.0, 7.0), 1.0)
+            })
+            .collect();
+        let (p, s) = path(&points);
+        let m = plan(&p, &s, &machine, &options(feed * 60.0), &Silent).unwrap();
+        let want = if length > feed * feed / a { length / feed + feed / a } else { 2.0 * (length / a).sqrt() };
+        assert!((m.time_s / want - 1.0).abs() < 1e-3, "{} {want}", m.time_s);
+        assert_eq!((m.velocity[0][0], m.velocity[m.velocity.len() - 1][0]), (0.0, 0.0));
+        assert!(m.acceleration.iter().all(|q| q[0].abs() <= a * (1.0 + 1e-6)));
+        assert!(m.feed.iter().all(|f| *f > 0.0 && *f <= feed * (1.0 + 1e-9)));
+        assert!(m.t_s.windows(2).all(|w| w[1] > w[0]));
+        assert_within_limits(&p, &s, &machine, &options(feed * 60.0));
+    }
+}
+
+#[test]
+fn on_a_circle_the_speed_is_held_by_the_centripetal_acceleration() {
+    // θ = 90°: blade x, y are machine X, Y; nothing turns. Where the radius is along an axis, v² / r ≤ a.
+    let machine = Machine::demo().unwrap();
+    let (r, n) = (1.0, 1440);
+    let points: Vec<_> = (0..=n)
+        .map(|i| {
+            let f = 3.0 * TAU * f64::from(i) / f64::from(n);
+            (r * f, Point::new(r * f.cos(), r * f.sin(), 0.0), FRAC_PI_2)
+        })
+        .collect();
+    let (p, s) = path(&points);
+    let o = options(400.0 * 60.0);
+    let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
+    let most = (machine.axes.x.acceleration_mm_s2 * r).sqrt();
+    for quarter in 2..10 {
+        let i = quarter * 120;
+        let v = m.velocity[i][0].hypot(m.velocity[i][1]);
+        assert!(v <= most * (1.0 + 1e-4) && v >= most * 0.999, "{v} {most}");
+    }
+    assert_within_limits(&p, &s, &machine, &o);
+    // Slow enough, the circle costs nothing: a trapezoid along its length.
+    let slow = plan(&p, &s, &machine, &options(20.0 * 60.0), &Silent).unwrap();
+    let length = 3.0 * TAU * r;
+    assert!((slow.time_s - (length / 20.0 + 20.0 / 3000.0)).abs() < 0.01 * 20.0 / 3000.0);
+}
+
+#[test]
+fn a_turning_table_is_held_by_its_own_limits() {
+    // The ball centre on the axis of rotation, θ = k s: only A moves besides X; A's velocity decides.
+    let machine = Machine::demo().unwrap();
+    let k = 1.0;
+    let points: Vec<_> = (0..=5000)
+        .map(|i| (0.01 * f64::from(i), Point::new(0.01 * f64::from(i), 0.0, 0.0), k * 0.01 * f64::from(i)))
+        .collect();
+    let (p, s) = path(&points);
+    let m = plan(&p, &s, &machine, &options(60000.0), &Silent).unwrap();
+    let (v, a) = (PI, machine.axes.a.acceleration_deg_s2.to_radians());
+    let want = 50.0 * k / v + v / a;
+    assert!((m.time_s / want - 1.0).abs() < 1e-3, "{} {want}", m.time_s);
+    let double = plan(&p, &s, &machine.with_limits_scaled(4.0), &options(60000.0), &Silent).unwrap();
+    assert!(double.time_s < 0.3 * m.time_s);
+}
+
+#[test]
+fn motion_is_consistent_with_its_own_positions() {
+    let (p, s) = path(&wavy(3000, 0.1, 2.0));
+    let machine = Machine::demo().unwrap();
+    let o = options(3000.0);
+    let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
+    for i in 0..m.t_s.len() - 1 {
+        let dt = m.t_s[i + 1] - m.t_s[i];
+        for k in 0..5 {
+            let v = (m.position[i + 1][k] - m.position[i][k]) / dt;
+            let mean = 0.5 * (m.velocity[i][k] + m.velocity[i + 1][k]);
+            assert!((v - mean).abs() < 0.02 * (0.1 + v.abs()), "{i} {k}: {v} {mean}");
+        }
+        let back = machine.forward(&m.position[i], o.gauge_length_mm);
+        assert!((back.centre - p.locations[i].centre).norm() < 1e-9);
+    }
+    assert_within_limits(&p, &s, &machine, &o);
+}
+
+#[test]
+fn peaks_are_those_of_constant_feed() {
+    let points: Vec<_> = (0..=900)
+        .map(|i| {
+            let f = TAU * f64::from(i) / 300.0;
+            (20.0 * f, Point::new(0.0, 20.0 * f.cos(), 20.0 * f.sin()), f)
+        })
+        .collect();
+    let (p, s) = path(&points);
+    let peak = peaks(&p, &s, &Machine::demo().unwrap(), &options(1200.0)).unwrap();
+    // The table turns against the ball centre: A at 20 mm/s / 20 mm, everything else stands still.
+    assert!((peak.velocity[3] - 1.0).abs() < 1e-9);
+    assert!([0, 1, 2, 4].iter().all(|k| peak.velocity[*k] < 1e-6 && peak.acceleration[*k] < 1e-3));
+    let mut wobbly = s.clone();
+    wobbly.theta.iter_mut().enumerate().for_each(|(i, t)| *t += 0.1 * (0.2 * i as f64).sin());
+    let worse = peaks(&p, &wobbly, &Machine::demo().unwrap(), &options(1200.0)).unwrap();
+    assert!(worse.acceleration[3] > 10.0 * peak.acceleration[3].max(0.01));
+}
+
+#[test]
+fn a_corner_in_the_path_slows_the_motion_down() {
+    let points: Vec<_> = (0..=2000)
+        .map(|i| {
+            let s = 0.02 * f64::from(i);
+            let p = if s < 20.0 { Point::new(s, 0.0, 0.0) } else { Point::new(20.0, s - 20.0, 0.0) };
+            (s, p, FRAC_PI_2)
+        })
+        .collect();
+    let (p, s) = path(&points);
+    let machine = Machine::demo().unwrap();
+    let m = plan(&p, &s, &machine, &options(6000.0), &Silent).unwrap();
+    assert!(m.feed[1000] < 0.2 * m.feed[500]);
+    assert_within_limits(&p, &s, &machine, &options(6000.0));
+}
+
+#[test]
+fn bad_input_is_refused() {
+    let machine = Machine::demo().unwrap();
+    let (p, s) = path(&wavy(100, 1.0, 0.0));
+    let kind = |p: &Toolpath, s: &Schedule, o: FeedOptions| plan(p, s, &machine, &o, &Silent).unwrap_err().kind;
+    assert_eq!(kind(&p, &s, options(0.0)), ErrorKind::Usage);
+    assert_eq!(kind(&p, &s, FeedOptions { b_rad: 1.6, ..options(1.0) }), ErrorKind::Usage);
+    assert_eq!(kind(&p, &s, FeedOptions { gauge_length_mm: f64::NAN, ..options(1.0) }), ErrorKind::Usage);
+    let mut short = s.clone();
+    short.theta.pop();
+    assert_eq!(kind(&p, &short, options(100.0)), ErrorKind::Usage);
+    let mut broken = s.clone();
+    broken.theta[50] = f64::NAN;
+    assert_eq!(kind(&p, &broken, options(100.0)), ErrorKind::Usage);
+    let mut stuck = p.clone();
+    stuck.locations[7].s_mm = stuck.locations[6].s_mm;
+    assert_eq!(kind(&stuck, &s, options(100.0)), ErrorKind::Usage);
+    let (tiny, theta) = path(&wavy(2, 1.0, 0.0));
+    assert_eq!(kind(&tiny, &theta, options(100.0)), ErrorKind::Usage);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn no_limit_is_exceeded(step in 0.05..2.0f64, wave in 0.0..3.0f64, feed in 100.0..20000.0f64, scale in 0.1..4.0f64) {
+        let (p, s) = path(&wavy(400, step, wave));
+        let machine = Machine::demo().unwrap().with_limits_scaled(scale);
+        assert_within_limits(&p, &s, &machine, &options(feed));
+    }
+}
