@@ -93,7 +93,10 @@ pub fn read_cutter_locations(text: &str, blade: &Blade, plan: &mut Plan) -> Resu
         row += 1;
     }
     if row != plan.toolpath.locations.len() {
-        return bad(text.lines().count(), format!("{row} rows, the plan has {} cutter locations", plan.toolpath.locations.len()));
+        return bad(
+            text.lines().count(),
+            format!("{row} rows, the plan has {} cutter locations", plan.toolpath.locations.len()),
+        );
     }
     Ok(())
 }

@@ -61,8 +61,12 @@ fn duration(seconds: f64) -> String {
     if !seconds.is_finite() {
         return "–".into();
     }
-    let (minutes, rest) = ((seconds / 60.0).floor(), seconds % 60.0);
-    if minutes >= 1.0 { format!("{minutes:.0} min {rest:.0} s") } else { format!("{rest:.1} s") }
+    if seconds < 60.0 {
+        return format!("{seconds:.1} s");
+    }
+    // Whole seconds first, so that there are never 60 of them.
+    let whole = seconds.round();
+    format!("{:.0} min {:.0} s", (whole / 60.0).floor(), whole % 60.0)
 }
 
 fn time_note(input: &ReportInput, time_s: f64) -> String {
@@ -85,7 +89,9 @@ fn change(new: f64, old: f64) -> String {
 
 fn peak(rows: &[[f64; 5]], axis: usize) -> f64 {
     let scale = if axis < 3 { 1.0 } else { 1f64.to_degrees() };
-    rows.iter().map(|r| (r[axis] * scale).abs()).fold(f64::NAN, f64::max)
+    let peak = rows.iter().map(|r| (r[axis] * scale).abs()).fold(f64::NAN, f64::max);
+    // Less is the noise of rounding: the axis stands still.
+    if peak < 1e-6 { 0.0 } else { peak }
 }
 
 /// Table of peak velocity, acceleration and jerk of each axis.

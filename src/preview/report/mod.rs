@@ -79,8 +79,8 @@ pub fn html(input: &ReportInput) -> Result<String> {
     page.push_str("<main id=\"main\">\n");
     page.push_str(&figures::figures(input));
     page.push_str(&tables::checks(input));
-    page.push_str(include_str!("plots.html"));
     page.push_str(&figures::axes(input));
+    page.push_str(include_str!("plots.html"));
     page.push_str(&figures::scallop(input));
     page.push_str(&tables::warnings(input));
     page.push_str(&tables::provenance(input));

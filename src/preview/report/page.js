@@ -28,12 +28,13 @@ const show = v => v == null ? '–' : minus(+v.toPrecision(5));
 const dashOf = {solid: '', dash: '6 4', dot: '2 3', long: '12 4'};
 const hidden = {};
 
-// spec: {x, y: labels, series: [{name, x, y, color, dash, width}], bands: [{x, lo, hi}], points: [{name, x, y, color, shape}], equal}
+// spec: {x, y: labels, series: [{name, group (legend; the name if absent), x, y, color, dash, width}], bands: [{x, lo, hi}], points: [{name, x, y, color, shape}], equal}
 function chart(box, spec) {
   const off = hidden[box.id] = hidden[box.id] || {};
   const series = spec.series.filter(s => s.y.some(v => v != null));
   if (!series.length) { box.innerHTML = '<p class="empty">Nothing to show.</p>'; return; }
-  const seen = series.filter(s => !off[s.name]), points = (spec.points || []).filter(p => !off[p.name]);
+  const groupOf = s => s.group || s.name;
+  const seen = series.filter(s => !off[groupOf(s)]), points = (spec.points || []).filter(p => !off[p.name]);
   const W = Math.max(260, box.clientWidth || 600), left = 58, right = 10, top = 8, bottom = 40;
   let H = spec.equal ? Math.min(W * 0.7, 440) : Math.max(210, Math.min(W * 0.42, 360));
   let xl = Infinity, xh = -Infinity, yl = Infinity, yh = -Infinity;
@@ -85,7 +86,7 @@ function chart(box, spec) {
     legend.append(b);
   };
   const names = new Set();
-  for (const s of series) if (!names.has(s.name)) { names.add(s.name); entry(s.name, `<path d="M1 6H25" stroke="var(--${s.color})" stroke-width="${Math.max(2, s.width || 0)}" stroke-dasharray="${dashOf[s.dash || 'solid']}"/>`); }
+  for (const s of series) if (!names.has(groupOf(s))) { names.add(groupOf(s)); entry(groupOf(s), `<path d="M1 6H25" stroke="var(--${s.color})" stroke-width="${Math.max(2, s.width || 0)}" stroke-dasharray="${dashOf[s.dash || 'solid']}"/>`); }
   for (const p of spec.points || []) if (p.x.length && !names.has(p.name)) { names.add(p.name); entry(p.name, mark(p.shape, 13, 6, p.color)); }
   const svg = box.querySelector('svg[role=img]'), at = box.querySelector('.at'), out = box.querySelector('.readout');
   const base = seen[0];
@@ -159,12 +160,12 @@ function drawChannel() {
     bands: [{x: s, lo: hullMin, hi: hullMax}],
     series: [
       {name: 'schedule', x: s, y: of('theta'), color: 'c2', width: 2.5},
-      {name: 'true channel, least', x: s, y: of('min'), color: 'c1'},
-      {name: 'true channel, greatest', x: s, y: of('max'), color: 'c1'},
-      {name: 'monotone hull, least', x: s, y: hullMin, color: 'c3', dash: 'dash'},
-      {name: 'monotone hull, greatest', x: s, y: hullMax, color: 'c3', dash: 'dash'},
-      {name: 'tangent limits, least', x: s, y: of('tangent_min'), color: 'c4', dash: 'dot'},
-      {name: 'tangent limits, greatest', x: s, y: of('tangent_max'), color: 'c4', dash: 'dot'},
+      {name: 'true channel, least', group: 'true channel', x: s, y: of('min'), color: 'c1'},
+      {name: 'true channel, greatest', group: 'true channel', x: s, y: of('max'), color: 'c1'},
+      {name: 'monotone hull, least', group: 'monotone hull', x: s, y: hullMin, color: 'c3', dash: 'dash'},
+      {name: 'monotone hull, greatest', group: 'monotone hull', x: s, y: hullMax, color: 'c3', dash: 'dash'},
+      {name: 'tangent limits, least', group: 'tangent limits', x: s, y: of('tangent_min'), color: 'c4', dash: 'dot'},
+      {name: 'tangent limits, greatest', group: 'tangent limits', x: s, y: of('tangent_max'), color: 'c4', dash: 'dot'},
       {name: D.baseline || 'baseline', x: s, y: of('fixed'), color: 'c0', dash: 'long'},
     ],
     points: [{name: 'key points', x: kx, y: ky, color: 'c2', shape: 'diamond'}],
@@ -244,6 +245,20 @@ const sceneBox = (() => {
   add(S.points); if (P) add(P.p);
   return b.map(r => r[1] >= r[0] ? r : [0, 1]);
 })();
+// Long triangles are halved until they are short: whole faces are sorted by depth, so big ones would hide the path.
+const pieces = (() => {
+  const at = i => S.points.slice(3 * i, 3 * i + 3), most = 12000, out = [], todo = [];
+  const short = Math.hypot(...sceneBox.map(r => r[1] - r[0])) / 16;
+  for (let t = 0; t < S.triangles.length; t += 3) todo.push([0, 1, 2].map(k => at(S.triangles[t + k])));
+  while (todo.length) {
+    const c = todo.pop();
+    const len = [0, 1, 2].map(k => Math.hypot(...c[k].map((v, d) => v - c[(k + 1) % 3][d]))), k = len.indexOf(Math.max(...len));
+    if (len[k] <= short || out.length + todo.length >= most) { out.push(c); continue; }
+    const a = c[k], b = c[(k + 1) % 3], o = c[(k + 2) % 3], m = a.map((v, d) => (v + b[d]) / 2);
+    todo.push([a, m, o], [m, b, o]);
+  }
+  return out;
+})();
 const turnColour = f => {
   const stops = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]], x = Math.min(3.999, f * 4), i = Math.floor(x), k = x - i;
   return `rgb(${stops[i].map((a, j) => Math.round(a + (stops[i + 1][j] - a) * k)).join()})`;
@@ -272,8 +287,8 @@ function drawScene() {
   c.scale(dpr, dpr); c.clearRect(0, 0, W, H);
   const mid = sceneBox.map(r => (r[0] + r[1]) / 2), size = Math.hypot(...sceneBox.map(r => r[1] - r[0]));
   const k = Math.min(W, H) / size * 0.95 * zoom, cy = Math.cos(yaw), sy = Math.sin(yaw), ct = Math.cos(tilt), st = Math.sin(tilt);
-  // Blade axis x up; turn about it by yaw, then lean towards the viewer by tilt.
-  const project = p => { const x = p[0] - mid[0], y = p[1] - mid[1], z = p[2] - mid[2], r = y * cy - z * sy, f = y * sy + z * cy; return [W / 2 + r * k, H / 2 - (x * ct - f * st) * k, f * ct + x * st]; };
+  // Blade axis x up; turn about it by yaw, then lean towards the viewer by tilt. Right x up = towards the viewer.
+  const project = p => { const x = p[0] - mid[0], y = p[1] - mid[1], z = p[2] - mid[2], r = y * cy - z * sy, f = -y * sy - z * cy; return [W / 2 + r * k, H / 2 - (x * ct - f * st) * k, f * ct + x * st]; };
   const items = [];
   const face = (corners, rgb, twoSided) => {
     const q = corners.map(project);
@@ -284,8 +299,7 @@ function drawScene() {
     const len = Math.hypot(...n) || 1, light = 0.45 + 0.55 * Math.abs((n[0] * 0.35 - n[1] * 0.45) / len * 0.6 + n[2] / len * 0.8);
     items.push([q.reduce((s, p) => s + p[2], 0) / q.length, q, `rgb(${rgb.map(v => Math.round(v * light)).join()})`, true]);
   };
-  const at = i => S.points.slice(3 * i, 3 * i + 3);
-  for (let t = 0; t < S.triangles.length; t += 3) face([at(S.triangles[t]), at(S.triangles[t + 1]), at(S.triangles[t + 2])], [168, 174, 184], true);
+  for (const corners of pieces) face(corners, [168, 174, 184], true);
   if (P) for (let i = 0, prev = null; i < P.turn.length; i++) {
     const q = project(P.p.slice(3 * i, 3 * i + 3));
     if (prev) items.push([(prev[2] + q[2]) / 2 + size * 2e-3, [prev, q], turnColour(P.turns > 1 ? P.turn[i] / (P.turns - 1) : 0.5), false]);

@@ -46,20 +46,20 @@ pub(super) fn checks(input: &ReportInput) -> String {
     };
     out.push_str(
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of checks\"><table><thead><tr>\
-         <th scope=\"col\">Result</th><th scope=\"col\">Check</th><th scope=\"col\">Measured</th>\
-         <th scope=\"col\" class=\"n\">Worst</th><th scope=\"col\" class=\"n\">Limit</th><th scope=\"col\">Unit</th>\
+         <th scope=\"col\">Result</th><th scope=\"col\">Check</th><th scope=\"col\" class=\"n\">Worst</th>\
+         <th scope=\"col\" class=\"n\">Limit</th><th scope=\"col\">Unit</th><th scope=\"col\">Measured</th>\
          <th scope=\"col\">Where</th></tr></thead><tbody>\n",
     );
     for c in &report.checks {
         let (class, word) = if c.passed { ("good", "✓ passed") } else { ("bad", "✗ failed") };
         out.push_str(&format!(
-            "<tr><td class=\"{class}\">{word}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td>{}</td><td>{}</td></tr>\n",
+            "<tr><td class=\"{class}\">{word}</td><th scope=\"row\">{}</th><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
             escape(&c.name),
-            escape(&c.quantity),
             number(c.worst),
             number(c.limit),
             escape(&c.unit),
+            escape(&c.quantity),
             place(c)
         ));
     }
