@@ -1,1 +1,142 @@
-//! section
+//! Plane sections of a blade, perpendicular to its axis.
+//!
+//! **In**: a [`Blade`]. **Out**: one [`Section`] per height, lowest first: closed loops with arc length, curvature,
+//! altered points, edges, sides, chord and thickness.
+//!
+//! **Method.** The mesh is cut by planes `x = const` ([`crate::geometry::slice`]). Where the part has exact faces, loops are
+//! made denser and every point is moved within its plane onto the exact surface (`outline`). Curvature comes from local
+//! least-squares cubics in arc length, each over the widest stretch on which it keeps within a stated tolerance, so that
+//! facets do not show (`curvature`). Altered points are changes of sign between stretches that bend by more than the
+//! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
+//! extent; the leading edge is the blunter one (`edges`). Thickness is the diameter of the largest inscribed circle.
+//!
+//! **Guaranteed**: loops are closed, counter-clockwise seen from the tip, and `fit_error_mm` is the greatest distance
+//! between a point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has fewer than about
+//! five points round it; which end is the leading edge where both are equally blunt.
+//!
+//! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible` where the mesh
+//! is open so that a section does not close.
+
+mod altered;
+mod curvature;
+mod edges;
+mod outline;
+
+use rayon::prelude::*;
+
+use crate::artifact::Blade;
+use crate::artifact::section::{Section, SectionLoop, Side};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::part::Part;
+use crate::observe::{Observer, Warning};
+
+/// Which sections, and how smooth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionOptions {
+    /// Number of heights, evenly spread from the platform (or the airfoil's lower end) to the airfoil's upper end; used
+    /// where `heights_mm` is empty.
+    pub count: usize,
+    /// Heights along the blade axis, blade frame, mm.
+    pub heights_mm: Vec<f64>,
+    /// How far the smooth curve that curvature is taken from may stay off the section's points, mm. Twice the mesh's
+    /// deflection is taken where that is more.
+    pub tolerance_mm: f64,
+}
+
+impl Default for SectionOptions {
+    fn default() -> Self {
+        SectionOptions { count: 11, heights_mm: Vec::new(), tolerance_mm: 0.002 }
+    }
+}
+
+/// Sections of a blade, by rising height.
+///
+/// # Errors
+/// Kind `Usage` for impossible options or a height that misses the part, `Infeasible` for a section that does not close,
+/// `Cancelled`.
+pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
+    let heights = heights(blade, options)?;
+    let sections: Vec<(Section, usize)> = heights
+        .par_iter()
+        .map(|&x_mm| {
+            observer.check(Stage::Section)?;
+            section(&blade.part, x_mm, options.tolerance_mm)
+        })
+        .collect::<Result<_>>()?;
+    observer.progress(Stage::Section, heights.len(), heights.len());
+    for (s, dropped) in sections.iter().filter(|s| s.1 > 0) {
+        observer.warn(Warning {
+            stage: Stage::Section,
+            message: format!("the section at {:.3} mm has {dropped} hole(s) or open chain(s), left out", s.x_mm),
+        });
+    }
+    Ok(sections.into_iter().map(|s| s.0).collect())
+}
+
+fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
+    if !(options.tolerance_mm > 0.0 && options.tolerance_mm.is_finite()) {
+        return Err(Error::usage(
+            Stage::Section,
+            format!("the smoothing tolerance is {} mm, it must be greater than 0", options.tolerance_mm),
+        ));
+    }
+    let [low, high] = blade.regions.part_x_mm;
+    let mut out = options.heights_mm.clone();
+    if out.is_empty() {
+        if options.count == 0 {
+            return Err(Error::usage(Stage::Section, "neither heights nor a number of sections is given"));
+        }
+        let top = blade.regions.airfoil_x_mm[1];
+        let from = blade.regions.platform_x_mm.unwrap_or(blade.regions.airfoil_x_mm[0]);
+        let step = (top - from) / options.count as f64;
+        out = (0..options.count).map(|i| from + (i as f64 + 0.5) * step).collect();
+    }
+    if let Some(x) = out.iter().find(|x| !(**x > low && **x < high)) {
+        return Err(Error::usage(
+            Stage::Section,
+            format!(
+                "a section at {x} mm along the blade axis misses the part, which lies between {low:.3} and {high:.3} mm"
+            ),
+        ));
+    }
+    out.sort_by(f64::total_cmp);
+    out.dedup();
+    Ok(out)
+}
+
+/// One section, and how many holes and open chains it leaves out.
+fn section(part: &Part, x_mm: f64, tolerance_mm: f64) -> Result<(Section, usize)> {
+    let (outlines, dropped) = outline::outlines(part, x_mm);
+    if outlines.is_empty() {
+        return Err(Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm has no closed loop"))
+            .advise("close the model's mesh"));
+    }
+    let tolerance = tolerance_mm.max(2.0 * part.deflection_mm);
+    let loops = outlines.into_iter().map(|points| measured(points, tolerance)).collect();
+    Ok((Section { x_mm, loops }, dropped))
+}
+
+/// A loop with everything that is measured on it; `points` closed, counter-clockwise, at least three.
+fn measured(points: Vec<[f64; 2]>, tolerance_mm: f64) -> SectionLoop {
+    let (s_mm, length_mm) = outline::arc_length(&points);
+    let fit = curvature::fit(&points, &s_mm, length_mm, tolerance_mm);
+    let altered_points = altered::points(&points, &s_mm, length_mm, &fit.curvature, tolerance_mm);
+    let ends = edges::find(&points, &s_mm, length_mm, &fit.curvature);
+    SectionLoop {
+        altered_points,
+        leading_edge_s_mm: ends.leading.s_mm,
+        trailing_edge_s_mm: ends.trailing.s_mm,
+        side_after_leading_edge: if ends.suction_first { Side::Suction } else { Side::Pressure },
+        chord_mm: outline::distance(ends.leading.point, ends.trailing.point),
+        thickness_mm: edges::thickness(&points, &fit.normal, tolerance_mm),
+        fit_error_mm: fit.error_mm,
+        area_mm2: outline::area(&points),
+        curvature_per_mm: fit.curvature,
+        length_mm,
+        s_mm,
+        points_mm: points,
+    }
+}
+
+#[cfg(test)]
+mod tests;

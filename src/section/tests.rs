@@ -1,0 +1,250 @@
+//! Tests of sections.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{PI, TAU};
+
+use proptest::prelude::*;
+
+use super::{SectionOptions, measured, plan};
+use crate::artifact::Blade;
+use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::section::{SectionLoop, Side};
+use crate::error::ErrorKind;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Rigid};
+use crate::observe::Silent;
+
+const TOL: f64 = 0.002;
+
+fn sampled(n: usize, f: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
+    (0..n).map(|i| f(i as f64 / n as f64)).collect()
+}
+
+/// At the point nearest to `p`.
+fn curvature_at(l: &SectionLoop, p: [f64; 2]) -> f64 {
+    let d = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+    let i = (0..l.points_mm.len()).min_by(|&a, &b| d(&l.points_mm[a]).total_cmp(&d(&l.points_mm[b]))).unwrap();
+    l.curvature_per_mm[i]
+}
+
+#[test]
+fn circle() {
+    let l = measured(sampled(200, |t| [10.0 * (TAU * t).cos(), 10.0 * (TAU * t).sin()]), TOL);
+    assert!(l.curvature_per_mm.iter().all(|k| (k - 0.1).abs() < 1e-3));
+    assert!(l.altered_points.is_empty());
+    assert!((l.thickness_mm - 20.0).abs() < 0.01, "{}", l.thickness_mm);
+    assert!((l.length_mm - 20.0 * PI).abs() < 0.01 && (l.area_mm2 - 100.0 * PI).abs() < 0.1);
+    assert!(l.fit_error_mm <= TOL);
+}
+
+#[test]
+fn ellipse() {
+    let l = measured(sampled(360, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]), TOL);
+    assert!((curvature_at(&l, [20.0, 0.0]) - 20.0 / 64.0).abs() < 0.0125, "{}", curvature_at(&l, [20.0, 0.0]));
+    assert!((curvature_at(&l, [0.0, 8.0]) - 8.0 / 400.0).abs() < 1e-3, "{}", curvature_at(&l, [0.0, 8.0]));
+    assert!(l.altered_points.is_empty());
+    assert!((l.chord_mm - 40.0).abs() < 0.01, "{}", l.chord_mm);
+    assert!((l.thickness_mm - 16.0).abs() < 0.02, "{}", l.thickness_mm);
+    // Equally blunt ends: the one with the lesser y leads.
+    assert!((l.leading_edge_s_mm - 0.5 * l.length_mm).abs() < 0.02);
+}
+
+/// A straight strip with round ends of radius `r[0]` at -h and `r[1]` at +h along y, joined by tangents.
+fn strip(n: usize, h: f64, r: [f64; 2]) -> Vec<[f64; 2]> {
+    let lean = ((r[0] - r[1]) / (2.0 * h)).asin();
+    let side = (4.0 * h * h - (r[0] - r[1]).powi(2)).sqrt();
+    let lengths = [r[1] * (PI - 2.0 * lean), side, r[0] * (PI + 2.0 * lean), side];
+    let whole: f64 = lengths.iter().sum();
+    sampled(n, |t| {
+        let mut s = t * whole;
+        let up = PI / 2.0 - lean;
+        if s < lengths[0] {
+            let e = -up + s / r[1];
+            return [h + r[1] * e.cos(), r[1] * e.sin()];
+        }
+        s -= lengths[0];
+        let (from, to) = ([h + r[1] * up.cos(), r[1] * up.sin()], [-h + r[0] * up.cos(), r[0] * up.sin()]);
+        let line = |f: f64, m: f64| [from[0] + f * (to[0] - from[0]), m * (from[1] + f * (to[1] - from[1]))];
+        if s < lengths[1] {
+            return line(s / side, 1.0);
+        }
+        s -= lengths[1];
+        if s < lengths[2] {
+            let e = up + s / r[0];
+            return [-h + r[0] * e.cos(), r[0] * e.sin()];
+        }
+        line(1.0 - (s - lengths[2]) / side, -1.0)
+    })
+}
+
+#[test]
+fn strip_with_round_ends() {
+    let l = measured(strip(380, 15.0, [4.0, 2.0]), TOL);
+    assert!((l.chord_mm - 36.0).abs() < 0.02, "{}", l.chord_mm);
+    assert!((l.thickness_mm - 8.0).abs() < 0.02, "{}", l.thickness_mm);
+    assert!(l.altered_points.is_empty(), "{:?}", l.altered_points);
+    assert!((curvature_at(&l, [-19.0, 0.0]) - 0.25).abs() < 0.01 && (curvature_at(&l, [17.0, 0.0]) - 0.5).abs() < 0.02);
+    assert!(curvature_at(&l, [0.0, 3.0]).abs() < 1e-3);
+    // The blunt end leads.
+    let lead = l.points_mm[l.s_mm.partition_point(|s| *s < l.leading_edge_s_mm)];
+    assert!((lead[0] + 19.0).abs() < 0.05 && lead[1].abs() < 0.2, "{lead:?}");
+}
+
+/// A strip bent to a circular arc of radius `bend` over `sweep` rad, half thickness `h`: its inner side is concave.
+fn bent(t: f64, bend: f64, sweep: f64, h: f64) -> [f64; 2] {
+    let lengths = [(bend + h) * sweep, PI * h, (bend - h) * sweep, PI * h];
+    let mut s = t * lengths.iter().sum::<f64>();
+    let at = |r: f64, phi: f64| [r * phi.sin(), bend - r * phi.cos()];
+    let half = 0.5 * sweep;
+    if s < lengths[0] {
+        return at(bend + h, -half + s / (bend + h));
+    }
+    s -= lengths[0];
+    if s < lengths[1] {
+        let (c, e) = (at(bend, half), half - PI / 2.0 + s / h);
+        return [c[0] + h * e.cos(), c[1] + h * e.sin()];
+    }
+    s -= lengths[1];
+    if s < lengths[2] {
+        return at(bend - h, half - s / (bend - h));
+    }
+    s -= lengths[2];
+    let (c, e) = (at(bend, -half), -half + PI / 2.0 + s / h);
+    [c[0] + h * e.cos(), c[1] + h * e.sin()]
+}
+
+#[test]
+fn a_bent_strip_has_two_altered_points_where_its_inner_side_begins_and_ends() {
+    // Facets of about 1 % of the chord. Curvature jumps where the sides begin, so that a window about that place sees both.
+    let (bend, sweep, h) = (40.0, 1.0, 3.0);
+    let l = measured(sampled(240, |t| bent(t, bend, sweep, h)), TOL);
+    assert_eq!(l.altered_points.len(), 2, "{:?}", l.altered_points);
+    let starts = (bend + h) * sweep + PI * h;
+    let ends = starts + (bend - h) * sweep;
+    let [a, b] = [l.altered_points[0], l.altered_points[1]];
+    assert!(a.into_concave && !b.into_concave);
+    assert!((a.s_mm - starts).abs() < 1.0 && (b.s_mm - ends).abs() < 1.0, "{a:?} {starts} {b:?} {ends}");
+    assert!((l.thickness_mm - 2.0 * h).abs() < 0.05);
+    // From the leading edge on: the end at lesser y comes after the inner side, so that the outer side follows it.
+    assert_eq!(l.side_after_leading_edge, Side::Suction);
+    assert!((curvature_at(&l, [0.0, h]) + 1.0 / (bend - h)).abs() < 1e-3);
+}
+
+/// `r(φ) = 10 + 1.5 cos 3φ`: its inflections are the zeros of `r² + 2 r'² − r r''`.
+fn clover(phi: f64) -> [f64; 2] {
+    let r = 10.0 + 1.5 * (3.0 * phi).cos();
+    [r * phi.cos(), r * phi.sin()]
+}
+
+fn clover_inflections() -> Vec<[f64; 2]> {
+    let k = |p: f64| {
+        let (r, d, e) = (10.0 + 1.5 * (3.0 * p).cos(), -4.5 * (3.0 * p).sin(), -13.5 * (3.0 * p).cos());
+        r * r + 2.0 * d * d - r * e
+    };
+    let mut out = Vec::new();
+    for i in 0..720 {
+        let (mut a, mut b) = (TAU * i as f64 / 720.0, TAU * (i + 1) as f64 / 720.0);
+        if k(a) * k(b) < 0.0 {
+            for _ in 0..60 {
+                let m = 0.5 * (a + b);
+                if k(a) * k(m) <= 0.0 { b = m } else { a = m }
+            }
+            out.push(clover(a));
+        }
+    }
+    out
+}
+
+#[test]
+fn smooth_inflections_are_found_where_they_are_also_on_facets() {
+    let expected = clover_inflections();
+    assert_eq!(expected.len(), 6);
+    for n in [180, 400, 1200] {
+        let l = measured(sampled(n, |t| clover(TAU * t)), TOL);
+        assert_eq!(l.altered_points.len(), 6, "{n}");
+        for a in &l.altered_points {
+            let d =
+                expected.iter().map(|e| (e[0] - a.point_mm[0]).hypot(e[1] - a.point_mm[1])).fold(f64::MAX, f64::min);
+            assert!(d < 0.15, "{n}: {d}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    /// Rough points within half the tolerance, turned and begun elsewhere: the same altered points, chord and thickness.
+    #[test]
+    fn robust_and_symmetric(noise in prop::collection::vec(-1.0..1.0f64, 480), turn in 0.0..6.0f64, first in 0usize..240) {
+        let exact = measured(sampled(240, |t| bent(t, 40.0, 1.0, 3.0)), TOL);
+        let (s, c) = turn.sin_cos();
+        let mut rough: Vec<[f64; 2]> = (0..240)
+            .map(|i| {
+                let p = bent(i as f64 / 240.0, 40.0, 1.0, 3.0);
+                let p = [p[0] + 5e-4 * noise[i], p[1] + 5e-4 * noise[i + 240]];
+                [c * p[0] - s * p[1], s * p[0] + c * p[1]]
+            })
+            .collect();
+        rough.rotate_left(first);
+        let l = measured(rough, TOL);
+        prop_assert_eq!(l.altered_points.len(), 2);
+        prop_assert!((l.chord_mm - exact.chord_mm).abs() < 0.05);
+        prop_assert!((l.thickness_mm - exact.thickness_mm).abs() < 0.05);
+        let between = |l: &SectionLoop| {
+            let [a, b] = [l.altered_points[0], l.altered_points[1]];
+            let d = (b.s_mm - a.s_mm) * if a.into_concave { 1.0 } else { -1.0 };
+            d.rem_euclid(l.length_mm)
+        };
+        prop_assert!((between(&l) - between(&exact)).abs() < 1.5);
+    }
+}
+
+fn prism(profile: &[[f64; 2]], x: [f64; 2]) -> Blade {
+    let n = profile.len() as u32;
+    let mut mesh = Mesh::default();
+    for h in x {
+        mesh.points.extend(profile.iter().map(|p| Point::new(h, p[0], p[1])));
+    }
+    mesh.points.extend(x.map(|h| Point::new(h, 0.0, 0.0)));
+    for i in 0..n {
+        let j = (i + 1) % n;
+        mesh.triangles.extend([[i, j, n + j], [i, n + j, n + i], [2 * n, j, i], [2 * n + 1, n + i, n + j]]);
+    }
+    Blade {
+        name: "prism".into(),
+        unit: Unit::Mm,
+        part: Part::from_mesh(mesh),
+        model_from_blade: Rigid::identity(),
+        regions: Regions { part_x_mm: x, airfoil_x_mm: x, platform_x_mm: None, reasons: Vec::new() },
+        diagnosis: Diagnosis::default(),
+    }
+}
+
+#[test]
+fn sections_of_a_prism_are_its_profile() {
+    let profile = sampled(240, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]);
+    let blade = prism(&profile, [0.0, 50.0]);
+    let sections = plan(&blade, &SectionOptions { count: 5, ..SectionOptions::default() }, &Silent).unwrap();
+    assert_eq!(sections.iter().map(|s| s.x_mm).collect::<Vec<_>>(), [5.0, 15.0, 25.0, 35.0, 45.0]);
+    for s in &sections {
+        assert_eq!(s.loops.len(), 1);
+        assert!((s.loops[0].chord_mm - 40.0).abs() < 0.01 && (s.loops[0].area_mm2 - 160.0 * PI).abs() < 0.2);
+        for p in &s.loops[0].points_mm {
+            assert!((p[0] / 20.0).hypot(p[1] / 8.0) < 1.0 + 1e-9 && (p[0] / 20.0).hypot(p[1] / 8.0) > 0.999);
+        }
+    }
+}
+
+#[test]
+fn impossible_requests_are_usage_errors() {
+    let blade = prism(&sampled(40, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]), [0.0, 50.0]);
+    for o in [
+        SectionOptions { count: 0, ..SectionOptions::default() },
+        SectionOptions { heights_mm: vec![60.0], ..SectionOptions::default() },
+        SectionOptions { heights_mm: vec![f64::NAN], ..SectionOptions::default() },
+        SectionOptions { tolerance_mm: 0.0, ..SectionOptions::default() },
+    ] {
+        assert_eq!(plan(&blade, &o, &Silent).unwrap_err().kind, ErrorKind::Usage);
+    }
+}
