@@ -39,7 +39,6 @@ fn path(turns: usize, per: usize) -> Toolpath {
         region_x_mm: [0.0, 1.0],
         end_reason: "the end of the region".into(),
         planned_scallop_mm: 0.01,
-        end_reason: "the end of the region".into(),
         turns,
         locations,
     }

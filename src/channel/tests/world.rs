@@ -144,7 +144,6 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         region_x_mm: [from_x, from_x + pitch],
         end_reason: "the end of the region".into(),
         planned_scallop_mm: 0.01,
-        end_reason: "the end of the region".into(),
         turns,
         locations,
     }
