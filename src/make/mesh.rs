@@ -5,7 +5,6 @@
 //! the grid is made finer until they keep it too. Flat faces are triangulated between their boundary points (constrained
 //! Delaunay).
 
-use nalgebra::Vector4;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::assemble::Solid;
@@ -14,28 +13,9 @@ use crate::geometry::Point;
 use crate::geometry::brep::{Coedge, SurfaceKind};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
-use crate::geometry::nurbs::fit::basis;
 
 /// Finest division of one knot span or patch: 2 to this power.
 const MAX_HALVINGS: usize = 9;
-
-fn weights(knots: &[f64], degree: usize, n: usize, t: f64) -> (usize, Vec<f64>) {
-    let span = (knots.partition_point(|&k| k <= t).max(1) - 1).clamp(degree, n - 1);
-    (span - degree, basis(knots, degree, span, t))
-}
-
-/// The point of a surface at `(u, v)`.
-pub(super) fn point(s: &NurbsSurface, u: f64, v: f64) -> Point {
-    let (i0, bu) = weights(&s.knots_u, s.degree_u, s.n_u, u);
-    let (j0, bv) = weights(&s.knots_v, s.degree_v, s.n_v, v);
-    let mut sum = Vector4::zeros();
-    for (i, a) in bu.iter().enumerate() {
-        for (j, b) in bv.iter().enumerate() {
-            sum += s.points[(i0 + i) * s.n_v + j0 + j] * (a * b);
-        }
-    }
-    Point::new(sum.x / sum.w, sum.y / sum.w, sum.z / sum.w)
-}
 
 /// Curved faces in the order of [`super::assemble`]: all airfoil patches, then all fillets.
 struct Grid<'a> {
@@ -92,7 +72,7 @@ impl<'a> Grid<'a> {
         let along_v = |surfaces: &[&NurbsSurface], pieces: usize| match surfaces.first() {
             Some(first) => divide(&samples(&first.knots_v, pieces), tolerance, |a, b| {
                 let error = |s: &&NurbsSurface| {
-                    samples(&s.knots_u, 32).iter().map(|&u| chord_error(|v| point(s, u, v), a, b)).fold(0.0, f64::max)
+                    samples(&s.knots_u, 32).iter().map(|&u| chord_error(|v| s.point(u, v), a, b)).fold(0.0, f64::max)
                 };
                 surfaces.iter().map(error).fold(0.0, f64::max)
             }),
@@ -107,10 +87,7 @@ impl<'a> Grid<'a> {
                 let start = if airfoil[i].n_u <= 5 { distinct(knots) } else { samples(knots, 8) };
                 divide(&start, tolerance, |a, b| {
                     let error = |s: &&NurbsSurface| {
-                        samples(&s.knots_v, 8)
-                            .iter()
-                            .map(|&v| chord_error(|u| point(s, u, v), a, b))
-                            .fold(0.0, f64::max)
+                        samples(&s.knots_v, 8).iter().map(|&v| chord_error(|u| s.point(u, v), a, b)).fold(0.0, f64::max)
                     };
                     both.iter().map(error).fold(0.0, f64::max)
                 })
@@ -170,8 +147,8 @@ impl<'a> Maker<'a> {
             for row in 0..rows {
                 let u = grid.u[i][k];
                 let p = match row.checked_sub(fillet_rows) {
-                    Some(r) => point(grid.airfoil[i], u, grid.v_airfoil[r]),
-                    None => point(grid.fillet[i], u, grid.v_fillet[row]),
+                    Some(r) => grid.airfoil[i].point(u, grid.v_airfoil[r]),
+                    None => grid.fillet[i].point(u, grid.v_fillet[row]),
                 };
                 maker.mesh.points.push(p);
             }
@@ -239,7 +216,7 @@ impl<'a> Maker<'a> {
             let Some(normal) = (p[1] - p[0]).cross(&(p[2] - p[0])).try_normalize(0.0) else { continue };
             for b in [[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5], [1.0 / 3.0; 3]] {
                 let at = |k: usize| (0..3).map(|c| b[c] * uv[c][k]).sum::<f64>();
-                worst = worst.max((point(&face.surface, at(0), at(1)) - p[0]).dot(&normal).abs());
+                worst = worst.max((face.surface.point(at(0), at(1)) - p[0]).dot(&normal).abs());
             }
         }
         worst
@@ -282,8 +259,8 @@ impl<'a> Maker<'a> {
     fn flat_face(&mut self, face: usize, loops: &[Vec<u32>]) -> Result<()> {
         let s = &self.solid.brep.faces[face].surface;
         // Bilinear rectangle: parameters are coordinates along its sides.
-        let origin = point(s, 0.0, 0.0);
-        let (eu, ev) = (point(s, 1.0, 0.0) - origin, point(s, 0.0, 1.0) - origin);
+        let origin = s.point(0.0, 0.0);
+        let (eu, ev) = (s.point(1.0, 0.0) - origin, s.point(0.0, 1.0) - origin);
         let (lu, lv) = (eu.norm(), ev.norm());
         let failed = || {
             let name = &self.solid.brep.faces[face].name;

@@ -15,7 +15,7 @@ use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 /// The same design gives the same file, byte for byte: no clock in the header.
 const TIME_STAMP: &str = "1970-01-01T00:00:00Z";
 
-fn curve(c: &NurbsCurve) -> scene::NurbsCurve {
+pub(super) fn curve(c: &NurbsCurve) -> scene::NurbsCurve {
     scene::NurbsCurve {
         degree: c.degree,
         control_points: c.points.iter().map(|p| [p.x / p.w, p.y / p.w, p.z / p.w]).collect(),
@@ -24,7 +24,7 @@ fn curve(c: &NurbsCurve) -> scene::NurbsCurve {
     }
 }
 
-fn surface(s: &NurbsSurface) -> scene::NurbsSurface {
+pub(super) fn surface(s: &NurbsSurface) -> scene::NurbsSurface {
     let rows = || s.points.chunks_exact(s.n_v);
     scene::NurbsSurface {
         degree_u: s.degree_u,

@@ -14,6 +14,7 @@
 
 use nalgebra::Vector4;
 
+use super::basis::Basis;
 use super::{NurbsCurve, NurbsSurface};
 use crate::numerics::banded::{BandedLu, BandedMatrix, solve_cyclic_tridiagonal};
 
@@ -357,29 +358,13 @@ fn collocation(params: &[f64], knots: &[f64], degree: usize) -> Result<BandedLu,
     let n = params.len();
     let mut m = BandedMatrix::new(n, degree, degree);
     for (i, &t) in params.iter().enumerate() {
-        let span = (knots.partition_point(|&k| k <= t).max(1) - 1).clamp(degree, n - 1);
-        for (j, value) in basis(knots, degree, span, t).into_iter().enumerate() {
+        let basis = Basis::new(degree, n, knots, t);
+        for (j, &value) in basis.value().iter().enumerate() {
             // Outside the band the basis function is zero at t (Schoenberg–Whitney).
-            m.add(i, span - degree + j, value);
+            m.add(i, basis.first + j, value);
         }
     }
     m.factor().ok_or(FitError::Singular)
-}
-
-/// The `degree + 1` basis functions that are not zero on a span (The NURBS Book, A2.2).
-pub(crate) fn basis(knots: &[f64], degree: usize, span: usize, t: f64) -> Vec<f64> {
-    let mut n = vec![1.0];
-    for j in 1..=degree {
-        let mut next = vec![0.0; j + 1];
-        for (r, &value) in n.iter().enumerate() {
-            let (left, right) = (knots[span + 1 + r - j], knots[span + 1 + r]);
-            let x = value / (right - left);
-            next[r] += (right - t) * x;
-            next[r + 1] += (t - left) * x;
-        }
-        n = next;
-    }
-    n
 }
 
 fn check_params(params: &[f64], least: usize) -> Result<(), FitError> {

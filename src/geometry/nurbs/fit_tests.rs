@@ -5,9 +5,8 @@ use proptest::prelude::*;
 /// Value of control rows at `t`, by their basis functions.
 fn at(r: &ControlRows, t: f64, column: usize) -> Vector4<f64> {
     let n = r.points.len() / r.columns;
-    let span = (r.knots.partition_point(|&k| k <= t).max(1) - 1).clamp(r.degree, n - 1);
-    let b = basis(&r.knots, r.degree, span, t);
-    (0..=r.degree).map(|j| r.points[(span - r.degree + j) * r.columns + column] * b[j]).sum()
+    let b = Basis::new(r.degree, n, &r.knots, t);
+    b.value().iter().enumerate().map(|(j, value)| r.points[(b.first + j) * r.columns + column] * *value).sum()
 }
 
 fn rows(c: &NurbsCurve) -> ControlRows {
