@@ -59,3 +59,140 @@ impl Mesh {
         self
     }
 }
+
+/// What the edges of a mesh say about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Topology {
+    /// Edges with one triangle.
+    pub open_edges: usize,
+    /// Edges with more than two triangles.
+    pub nonmanifold_edges: usize,
+    /// Edges whose two triangles wind against one another.
+    pub inconsistent_edges: usize,
+    /// Middle of the first open edge.
+    pub first_open_edge: Option<Point>,
+    /// Pieces that hang together over edges.
+    pub components: usize,
+}
+
+impl Topology {
+    /// Every edge has two triangles that wind alike.
+    pub fn closed(&self) -> bool {
+        self.open_edges == 0 && self.nonmanifold_edges == 0 && self.inconsistent_edges == 0
+    }
+}
+
+/// Examines all edges, by index: points that merely coincide are different points ([`weld`] first).
+pub fn topology(mesh: &Mesh) -> Topology {
+    let mut uses: Vec<(u32, u32, bool, u32)> = Vec::with_capacity(3 * mesh.triangles.len());
+    for (t, c) in mesh.triangles.iter().enumerate() {
+        for k in 0..3 {
+            let (a, b) = (c[k], c[(k + 1) % 3]);
+            uses.push((a.min(b), a.max(b), a < b, t as u32));
+        }
+    }
+    uses.sort_unstable();
+    let mut out = Topology::default();
+    let mut parent: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+    out.components = parent.len();
+    for group in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        match group {
+            [one] => {
+                out.open_edges += 1;
+                let ends = [one.0, one.1].map(|i| mesh.points[i as usize]);
+                out.first_open_edge.get_or_insert(nalgebra::center(&ends[0], &ends[1]));
+            }
+            [a, b] => out.inconsistent_edges += usize::from(a.2 == b.2),
+            _ => out.nonmanifold_edges += 1,
+        }
+        for pair in group.windows(2) {
+            let [a, b] = [pair[0].3, pair[1].3].map(|t| root(&mut parent, t));
+            if a != b {
+                parent[a.max(b) as usize] = a.min(b);
+                out.components -= 1;
+            }
+        }
+    }
+    out
+}
+
+fn root(parent: &mut [u32], mut i: u32) -> u32 {
+    while parent[i as usize] != i {
+        parent[i as usize] = parent[parent[i as usize] as usize];
+        i = parent[i as usize];
+    }
+    i
+}
+
+/// Makes points within `tolerance_mm` of an earlier point that same point, and drops triangles that lose a corner by it.
+#[must_use]
+pub fn weld(mesh: &Mesh, tolerance_mm: f64) -> Mesh {
+    let mut order: Vec<u32> = (0..mesh.points.len() as u32).collect();
+    order.sort_by(|a, b| mesh.points[*a as usize].x.total_cmp(&mesh.points[*b as usize].x).then(a.cmp(b)));
+    let mut parent: Vec<u32> = (0..mesh.points.len() as u32).collect();
+    for (k, &i) in order.iter().enumerate() {
+        let p = mesh.points[i as usize];
+        for &j in order[k + 1..].iter().take_while(|j| mesh.points[**j as usize].x - p.x <= tolerance_mm) {
+            if (mesh.points[j as usize] - p).norm() <= tolerance_mm {
+                let [a, b] = [i, j].map(|v| root(&mut parent, v));
+                parent[a.max(b) as usize] = a.min(b);
+            }
+        }
+    }
+    let mut number = vec![u32::MAX; mesh.points.len()];
+    let mut out = Mesh::default();
+    for i in 0..mesh.points.len() as u32 {
+        let r = root(&mut parent, i) as usize;
+        if number[r] == u32::MAX {
+            number[r] = out.points.len() as u32;
+            out.points.push(mesh.points[r]);
+        }
+        number[i as usize] = number[r];
+    }
+    for (t, c) in mesh.triangles.iter().enumerate() {
+        let c = c.map(|i| number[i as usize]);
+        if c[0] != c[1] && c[1] != c[2] && c[2] != c[0] {
+            out.triangles.push(c);
+            out.face_of.extend(mesh.face_of.get(t));
+            out.corner_uv.extend(mesh.corner_uv.get(t));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tetrahedron whose triangles share no points.
+    fn soup() -> Mesh {
+        let p = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point::from);
+        let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+        let points = faces.iter().flatten().map(|i| p[*i]).collect();
+        let triangles = (0..4).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+        Mesh { points, triangles, face_of: vec![0, 1, 2, 3], ..Mesh::default() }
+    }
+
+    #[test]
+    fn welded_soup_is_closed() {
+        let loose = topology(&soup());
+        assert_eq!((loose.open_edges, loose.components), (12, 4));
+        let mesh = weld(&soup(), 1e-6);
+        assert_eq!((mesh.points.len(), mesh.face_of.len()), (4, 4));
+        let t = topology(&mesh);
+        assert!(t.closed() && t.components == 1 && t.first_open_edge.is_none());
+        assert!((mesh.volume_mm3() - 1.0 / 6.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn faults_are_counted() {
+        let mut mesh = weld(&soup(), 1e-6);
+        mesh.triangles[0].swap(1, 2);
+        assert_eq!(topology(&mesh).inconsistent_edges, 3);
+        mesh.triangles.push(mesh.triangles[1]);
+        assert_eq!(topology(&mesh).nonmanifold_edges, 3);
+        mesh.triangles.truncate(3);
+        let t = topology(&mesh);
+        assert!(t.open_edges == 3 && t.first_open_edge.is_some() && !t.closed());
+    }
+}

@@ -3,8 +3,11 @@
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::mesh::Mesh;
+use super::tessellate::{Options, tessellate};
 use super::triangle::angle_at;
 use super::{Point, Vector};
+use crate::error::Result;
+use crate::observe::Observer;
 
 /// The whole part in one frame.
 #[derive(Clone)]
@@ -40,6 +43,17 @@ impl Part {
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
         Part { mesh, bvh, brep: None, deflection_mm: 0.0 }
+    }
+
+    /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
+    /// in [`Part::deflection_mm`].
+    ///
+    /// # Errors
+    /// See [`tessellate`].
+    pub fn from_brep(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
+        let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
+        let bvh = MeshBvh::new(&t.mesh);
+        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm })
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite).

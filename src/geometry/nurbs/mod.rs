@@ -3,6 +3,7 @@
 pub mod basis;
 pub mod curve;
 pub mod fit;
+pub mod foot;
 #[cfg(test)]
 pub(crate) mod shapes;
 pub mod surface;

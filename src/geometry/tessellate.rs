@@ -1,1 +1,0 @@
-//! Trimmed NURBS faces to one watertight triangle mesh.

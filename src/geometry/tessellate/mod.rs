@@ -1,0 +1,180 @@
+//! Trimmed NURBS faces to one watertight triangle mesh.
+//!
+//! In: a [`Brep`], a greatest distance between mesh and surfaces. Out: a [`Tessellation`]: the mesh, and for every face the loops
+//! of its trimming curves in its parameter plane, which the exact distance needs.
+//!
+//! How: every edge is cut into chords once ([`edges`]), and all faces use the same points, so neighbouring faces fit together
+//! by construction. Each loop is carried into the face's parameter plane by projecting its points ([`loops`]); closed surfaces
+//! are unrolled, poles become a side of the loop. The region inside is filled with a grid that is as dense along u and along v as
+//! curvature asks for, separately (long thin triangles along a straight span are wanted), by constrained Delaunay ([`fill`]).
+//! The deflection is then measured inside triangles and the grid refined until it holds.
+//!
+//! Guarantees: no face is dropped; a face that cannot be filled is an error that names it. Triangles wind counter-clockwise seen
+//! from outside by [`crate::geometry::brep::Face::reversed`]. The result does not depend on the number of threads.
+//!
+//! Limits: trimming curves must not cross one another by more than their chords' tolerance; edges count as shared if they are the
+//! same [`Edge`] or coincide within the weld tolerance.
+
+pub mod edges;
+pub mod fill;
+pub mod grid;
+pub mod loops;
+
+use rayon::prelude::*;
+
+use super::brep::{Brep, Face};
+use super::mesh::Mesh;
+use super::nurbs::foot::ParameterSpace;
+use crate::error::{Error, Result, Stage};
+use crate::observe::Observer;
+use loops::Ring;
+
+/// What the tessellation aims at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Greatest distance between mesh and part, mm.
+    pub deflection_mm: f64,
+    /// Greatest turn of the normal across one triangle or of the tangent along one chord, rad.
+    pub angle_rad: f64,
+    /// End points and edges nearer than this are the same, mm.
+    pub weld_mm: f64,
+}
+
+impl Options {
+    /// A deflection with usual other values: 12°, welding at 10⁻⁴ mm.
+    pub fn with_deflection(deflection_mm: f64) -> Self {
+        Options { deflection_mm, angle_rad: 12f64.to_radians(), weld_mm: 1e-4 }
+    }
+}
+
+/// No chord at this side of a triangle.
+pub const NO_CHORD: u32 = u32::MAX;
+
+/// One chord of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chord {
+    /// Index into the edges of [`Tessellation::brep`].
+    pub edge: u32,
+    /// Parameters of its ends on that edge.
+    pub t: [f64; 2],
+}
+
+/// A face's trimming, in its parameter plane.
+#[derive(Clone, Debug)]
+pub struct Trim {
+    /// How its parameters run.
+    pub space: ParameterSpace,
+    /// Loops around the face.
+    pub rings: Vec<Ring>,
+    /// Greatest distance between the trimming curve and the sides of `rings`, on the surface, mm.
+    pub blur_mm: f64,
+}
+
+/// A mesh with its way back to the exact faces.
+#[derive(Clone, Debug)]
+pub struct Tessellation {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// The input, with coinciding edges made one and edges added around faces that had no loop.
+    pub brep: Brep,
+    /// Trimming of each face.
+    pub trims: Vec<Trim>,
+    /// All chords of all edges.
+    pub chords: Vec<Chord>,
+    /// Per triangle and side (corner k to corner k + 1): index into `chords`, or [`NO_CHORD`] inside the face.
+    pub chord_of: Vec<[u32; 3]>,
+    /// Measured distance between mesh and part, with a margin for what lies between samples, mm.
+    pub deflection_mm: f64,
+}
+
+/// An error about one face: name, kind, and where it is.
+pub(crate) fn face_error(face: &Face, what: &str) -> Error {
+    let near = face.surface.points.get(face.surface.points.len() / 2).map_or([0.0; 3], |p| (p.xyz() / p.w).into());
+    Error::io(
+        Stage::Model,
+        format!("{} ({:?}, near x {:.3} y {:.3} z {:.3} mm) {what}", face.name, face.kind, near[0], near[1], near[2]),
+    )
+    .advise("check this face in CAD, heal the model and export it again")
+}
+
+/// Tessellates all faces.
+///
+/// # Errors
+/// Options that are not positive; curves and surfaces that cannot be evaluated; loops that do not close or do not lie on
+/// their face; a region that cannot be filled: each with the face's name. `Cancelled`.
+pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Result<Tessellation> {
+    if !(options.deflection_mm > 0.0 && options.angle_rad > 0.0 && options.weld_mm > 0.0) {
+        return Err(Error::usage(
+            Stage::Model,
+            "deflection, angle and weld tolerance of a tessellation must be positive",
+        ));
+    }
+    validate(brep)?;
+    let mut brep = brep.clone();
+    let spaces: Vec<ParameterSpace> =
+        brep.faces.iter().map(|f| ParameterSpace::of(&f.surface, 10.0 * options.weld_mm)).collect();
+    edges::add_natural_loops(&mut brep, &spaces);
+    let net = edges::EdgeNet::new(&mut brep, options)?;
+    let total = brep.faces.len();
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let filled: Vec<Result<fill::Filled>> = (0..total)
+        .into_par_iter()
+        .map(|f| {
+            observer.check(Stage::Model)?;
+            let filled = fill::fill_face(&brep, f, &net, spaces[f], options);
+            let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+            observer.progress(Stage::Model, n, total);
+            filled
+        })
+        .collect();
+    let mut out = Tessellation {
+        mesh: Mesh { points: net.points.clone(), ..Mesh::default() },
+        brep: Brep::default(),
+        trims: Vec::with_capacity(total),
+        chords: net.chords.clone(),
+        chord_of: Vec::new(),
+        deflection_mm: net.deflection_mm,
+    };
+    for (f, filled) in filled.into_iter().enumerate() {
+        out.append(f as u32, filled?, net.points.len() as u32);
+    }
+    out.brep = brep;
+    Ok(out)
+}
+
+impl Tessellation {
+    /// Adds one face; its own points are numbered from `shared` on.
+    fn append(&mut self, face: u32, filled: fill::Filled, shared: u32) {
+        let shift = self.mesh.points.len() as u32 - shared;
+        self.mesh.points.extend(filled.points);
+        for t in filled.triangles {
+            self.mesh.triangles.push(t.corners.map(|i| if i < shared { i } else { i + shift }));
+            self.mesh.corner_uv.push(t.uv);
+            self.mesh.face_of.push(face);
+            self.chord_of.push(t.chords);
+        }
+        self.deflection_mm = self.deflection_mm.max(filled.deflection_mm);
+        self.trims.push(filled.trim);
+    }
+}
+
+/// Checks all curves, surfaces and indices, so that nothing later can meet one that is broken.
+fn validate(brep: &Brep) -> Result<()> {
+    for face in &brep.faces {
+        face.surface.validate().map_err(|e| face_error(face, &format!("has a broken surface: {}", e.message)))?;
+        for coedge in face.loops.iter().flatten() {
+            let Some(edge) = brep.edges.get(coedge.edge) else {
+                return Err(face_error(face, &format!("uses edge {}, which does not exist", coedge.edge)));
+            };
+            edge.curve.validate().map_err(|e| face_error(face, &format!("has a broken edge: {}", e.message)))?;
+            let [from, to] = edge.t;
+            if !(from.is_finite() && to.is_finite() && from < to) {
+                return Err(face_error(face, &format!("has an edge with the empty range {from} to {to}")));
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;
