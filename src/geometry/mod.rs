@@ -3,6 +3,7 @@
 
 pub mod brep;
 pub mod bvh;
+pub mod distance;
 pub mod mesh;
 pub mod nurbs;
 pub mod part;

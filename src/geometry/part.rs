@@ -1,7 +1,8 @@
 //! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
 
 use super::brep::Brep;
-use super::bvh::MeshBvh;
+use super::bvh::{MeshBvh, Near};
+use super::distance::Exact;
 use super::mesh::Mesh;
 use super::tessellate::{Options, tessellate};
 use super::triangle::angle_at;
@@ -20,6 +21,8 @@ pub struct Part {
     pub brep: Option<Brep>,
     /// Greatest distance between `mesh` and the exact part, mm; 0 where the model is a mesh.
     pub deflection_mm: f64,
+    /// What ties `mesh` to `brep`.
+    exact: Option<Exact>,
 }
 
 /// The closest point of the part to a query point.
@@ -42,7 +45,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0 }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, exact: None }
     }
 
     /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
@@ -53,12 +56,29 @@ impl Part {
     pub fn from_brep(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
         let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
         let bvh = MeshBvh::new(&t.mesh);
-        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm })
+        let exact = Some(Exact::new(&t));
+        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact })
     }
 
-    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite).
+    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
+    /// exact faces where the part has them ([`super::distance`]), on the mesh otherwise.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
-        self.closest_on_mesh(q, cap_mm)
+        let (Some(brep), Some(exact)) = (&self.brep, &self.exact) else { return self.closest_on_mesh(q, cap_mm) };
+        let first = self.bvh.closest(&self.mesh, q, cap_mm + self.deflection_mm)?;
+        let reach_mm = first.distance_mm + 2.0 * self.deflection_mm;
+        let mut near: Vec<Near> = Vec::with_capacity(16);
+        self.bvh.for_each_within(&self.mesh, q, reach_mm, |n| near.push(n));
+        near.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm).then(a.triangle.cmp(&b.triangle)));
+        let found = exact.closest(brep, &self.mesh, q, &near, reach_mm);
+        found.or_else(|| self.closest_on_mesh(q, cap_mm)).filter(|c| c.distance_mm <= cap_mm)
+    }
+
+    /// Moves the part.
+    #[must_use]
+    pub fn moved(self, to_from: &super::Rigid) -> Self {
+        let mesh = self.mesh.moved(to_from);
+        let bvh = MeshBvh::new(&mesh);
+        Part { mesh, bvh, brep: self.brep.map(|b| b.moved(to_from)), ..self }
     }
 
     /// As [`Self::closest`], to the triangles alone.

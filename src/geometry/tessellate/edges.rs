@@ -126,6 +126,36 @@ impl EdgeNet {
         Ok(net)
     }
 
+    /// Halves the marked chords. Returns which edges changed, and the new number of every old chord of the others.
+    pub fn split(&mut self, brep: &Brep, marks: &[bool]) -> (Vec<bool>, Vec<u32>) {
+        let mut changed = vec![false; self.lines.len()];
+        let mut renumbered = vec![0; self.chords.len()];
+        let old = std::mem::take(&mut self.chords);
+        for (e, line) in self.lines.iter_mut().enumerate() {
+            let before = std::mem::take(line);
+            line.first_chord = self.chords.len() as u32;
+            for (k, (&t, &id)) in before.t.iter().zip(&before.ids).enumerate() {
+                line.t.push(t);
+                line.ids.push(id);
+                let Some(&next) = before.t.get(k + 1) else { continue };
+                let number = before.first_chord as usize + k;
+                renumbered[number] = self.chords.len() as u32;
+                let middle = 0.5 * (t + next);
+                if marks[number] && middle > t && middle < next {
+                    changed[e] = true;
+                    line.t.push(middle);
+                    line.ids.push(self.points.len() as u32);
+                    self.points.push(brep.edges[e].curve.point(middle));
+                    self.chords.push(Chord { edge: e as u32, t: [t, middle] });
+                    self.chords.push(Chord { edge: e as u32, t: [middle, next] });
+                } else {
+                    self.chords.push(old[number]);
+                }
+            }
+        }
+        (changed, renumbered)
+    }
+
     fn cut(&mut self, e: u32, edge: &Edge, vertices: [u32; 2], options: &Options) -> EdgeLine {
         let closed = vertices[0] == vertices[1];
         let (ts, ps) = cut_curve(edge, closed, options);

@@ -7,7 +7,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use super::edges::EdgeNet;
 use super::grid::{Scale, scales};
 use super::loops::{Ring, Rings, rings_of};
-use super::{NO_CHORD, Options, Trim, face_error};
+use super::{NO_CHORD, OWN, Options, Trim, face_error};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Face};
@@ -18,7 +18,8 @@ const CLEARANCE: f64 = 0.35;
 /// The grid is refined at most this often.
 const ROUNDS: usize = 5;
 
-/// A filled face. Ids count shared points first, then `points`.
+/// A filled face. Ids below [`OWN`] are shared points, the others `points`.
+#[derive(Clone)]
 pub struct Filled {
     /// The face's own points.
     pub points: Vec<Point>,
@@ -28,6 +29,8 @@ pub struct Filled {
     pub trim: Trim,
     /// Measured deflection, mm.
     pub deflection_mm: f64,
+    /// Chords too long for the surface beside them.
+    pub split: Vec<u32>,
 }
 
 /// A triangle of a face.
@@ -39,6 +42,16 @@ pub struct Triangle {
     pub uv: [[f64; 2]; 3],
     /// Chord on each side, or [`NO_CHORD`].
     pub chords: [u32; 3],
+}
+
+impl Filled {
+    /// After chords elsewhere were split: new numbers for its own.
+    pub fn renumber(&mut self, new: &[u32]) {
+        let number = |c: &mut u32| *c = new.get(*c as usize).copied().unwrap_or(NO_CHORD);
+        self.triangles.iter_mut().flat_map(|t| &mut t.chords).for_each(number);
+        self.trim.rings.iter_mut().flat_map(|r| &mut r.nodes).for_each(|n| number(&mut n.chord));
+        self.split.iter_mut().for_each(number);
+    }
 }
 
 /// Fills a face.
@@ -56,22 +69,25 @@ pub fn fill_face(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, op
         space.range[along][1] = space.range[along][1].max(bounds[along][1]);
     }
     let blur_mm = blur(brep, face, net, &rings.rings, &space);
+    // What the model's own gaps take, no refinement can give back.
+    let limit_mm = options.deflection_mm + 1.5 * gap(face, net, &rings.rings, &space);
     let mut finer = 1.0;
+    let mut before = f64::INFINITY;
     let mut best: Option<Filled> = None;
     for _ in 0..ROUNDS {
         let scale = scales(&face.surface, &space, bounds, options, finer);
         let mut points = rings.points.clone();
-        let triangles = triangulate(face, &rings, &scale, &space, net.points.len() as u32, &mut points)?;
-        let deflection_mm = measure(face, &space, net, &points, &triangles);
+        let triangles = triangulate(face, &rings, &scale, &space, &mut points)?;
+        let sag = measure(face, &space, net, &points, &triangles, limit_mm);
         let trim = Trim { space, rings: Vec::new(), blur_mm };
-        let good = deflection_mm <= options.deflection_mm;
-        if best.as_ref().is_none_or(|b| deflection_mm < b.deflection_mm) {
-            best = Some(Filled { points, triangles, trim, deflection_mm });
+        if best.as_ref().is_none_or(|b| sag.worst < b.deflection_mm) {
+            best = Some(Filled { points, triangles, trim, deflection_mm: sag.worst, split: sag.split });
         }
-        if good {
+        if sag.inside <= limit_mm || sag.inside > 0.85 * before {
             break;
         }
-        finer *= (1.2 * deflection_mm / options.deflection_mm).sqrt().clamp(1.2, 2.0);
+        before = sag.inside;
+        finer *= (1.2 * sag.inside / options.deflection_mm).sqrt().clamp(1.2, 2.0);
     }
     let mut filled = best.ok_or_else(|| face_error(face, "could not be filled"))?;
     filled.trim.rings = rings.rings;
@@ -110,6 +126,15 @@ fn blur(brep: &Brep, face: &Face, net: &EdgeNet, rings: &[Ring], space: &Paramet
     1.5 * worst + 1e-6
 }
 
+/// Greatest distance between the face's edges and its surface, mm.
+fn gap(face: &Face, net: &EdgeNet, rings: &[Ring], space: &ParameterSpace) -> f64 {
+    let off = rings.iter().flat_map(|r| &r.nodes).filter(|n| n.id < OWN).map(|n| {
+        let uv = space.normal_form(n.uv);
+        (face.surface.point(uv[0], uv[1]) - net.points[n.id as usize]).norm()
+    });
+    off.fold(0.0, f64::max)
+}
+
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// Triangles inside the rings; adds the face's own points.
@@ -118,7 +143,6 @@ fn triangulate(
     outline: &Rings,
     scale: &[Scale; 2],
     space: &ParameterSpace,
-    shared: u32,
     points: &mut Vec<Point>,
 ) -> Result<Vec<Triangle>> {
     let rings = &outline.rings;
@@ -166,7 +190,7 @@ fn triangulate(
         let uv = [scale[0].inverse(x), scale[1].inverse(y)];
         let n = space.normal_form(uv);
         let before = known.len();
-        insert(&mut cdt, uv, shared + points.len() as u32, &mut known)?;
+        insert(&mut cdt, uv, OWN + points.len() as u32, &mut known)?;
         if known.len() > before {
             points.push(face.surface.point(n[0], n[1]));
         }
@@ -278,19 +302,46 @@ fn collect(
     Ok(out)
 }
 
-/// Greatest distance, mm, between triangles and the surface, along the triangles' normals, sampled at their middle
-/// and the middles of their sides within the face.
-fn measure(face: &Face, space: &ParameterSpace, net: &EdgeNet, own: &[Point], triangles: &[Triangle]) -> f64 {
-    let shared = net.points.len();
-    let point = |i: u32| if (i as usize) < shared { net.points[i as usize] } else { own[i as usize - shared] };
-    let mut worst = 0.0f64;
+/// How far triangles are from the surface.
+struct Sag {
+    /// Greatest of all, mm.
+    worst: f64,
+    /// Greatest of those that a finer grid can improve, mm.
+    inside: f64,
+    /// Chords of triangles beyond the limit.
+    split: Vec<u32>,
+}
+
+/// Distance between triangles and the surface, along the triangles' normals, sampled at their middle and the middles of
+/// their sides.
+fn measure(
+    face: &Face,
+    space: &ParameterSpace,
+    net: &EdgeNet,
+    own: &[Point],
+    triangles: &[Triangle],
+    limit_mm: f64,
+) -> Sag {
+    let point = |i: u32| if i < OWN { net.points[i as usize] } else { own[(i - OWN) as usize] };
+    let mut out = Sag { worst: 0.0, inside: 0.0, split: Vec::new() };
     for t in triangles {
         let p = t.corners.map(point);
         let Some(n) = (p[1] - p[0]).cross(&(p[2] - p[0])).try_normalize(1e-12) else { continue };
+        let mut worst = 0.0f64;
         for w in [[1.0 / 3.0; 3], [0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]] {
             let uv = space.normal_form([0, 1].map(|a| (0..3).map(|k| w[k] * t.uv[k][a]).sum::<f64>()));
             worst = worst.max((face.surface.point(uv[0], uv[1]) - p[0]).dot(&n).abs());
         }
+        out.worst = out.worst.max(worst);
+        // A chord much shorter than the triangle is not to blame.
+        let size = [0, 1, 2].map(|k| (p[(k + 1) % 3] - p[k]).norm());
+        let longest = size.into_iter().fold(0.0, f64::max);
+        let long = |k: usize| t.chords[k] != NO_CHORD && size[k] > 0.5 * longest && size[k] > 2.0 * limit_mm;
+        match (0..3).find(|k| long(*k)) {
+            Some(_) if worst > limit_mm => out.split.extend((0..3).filter(|k| long(*k)).map(|k| t.chords[k])),
+            Some(_) => {}
+            None => out.inside = out.inside.max(worst),
+        }
     }
-    worst
+    out
 }

@@ -6,7 +6,7 @@
 //! pole, and are joined by a bridge.
 
 use super::edges::EdgeNet;
-use super::{NO_CHORD, Options, face_error};
+use super::{NO_CHORD, OWN, Options, face_error};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Face};
@@ -28,7 +28,7 @@ pub struct Ring {
 pub struct Node {
     /// Parameters; along closed directions unrolled.
     pub uv: [f64; 2],
-    /// Mesh point: shared ones first, then the face's own.
+    /// Mesh point: shared by index, the face's own from [`OWN`] on.
     pub id: u32,
     /// Chord of the side to the next node, or [`NO_CHORD`] (a pole, a bridge).
     pub chord: u32,
@@ -43,7 +43,7 @@ pub struct Node {
 pub struct Rings {
     /// Closed rings.
     pub rings: Vec<Ring>,
-    /// Points on bridges; the first has the number of shared points as its id.
+    /// Points on bridges; the first has the id [`OWN`].
     pub points: Vec<Point>,
     /// Mesh points that are poles, with the parameter that is free there (0 for u, 1 for v).
     pub poles: Vec<(u32, usize)>,
@@ -138,7 +138,7 @@ pub fn rings_of(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, opt
             wound.push((ring, turns));
         }
     }
-    projector.join_wound(wound, net, options, &mut out)?;
+    projector.join_wound(wound, options, &mut out)?;
     if out.rings.is_empty() {
         return Err(face_error(face, "has no loop of any length"));
     }
@@ -294,13 +294,7 @@ impl Projector<'_> {
     }
 
     /// Joins loops that run round the surface: two of them by a bridge, or one with a pole.
-    fn join_wound(
-        &self,
-        mut wound: Vec<(Ring, [i64; 2])>,
-        net: &EdgeNet,
-        options: &Options,
-        out: &mut Rings,
-    ) -> Result<()> {
+    fn join_wound(&self, mut wound: Vec<(Ring, [i64; 2])>, options: &Options, out: &mut Rings) -> Result<()> {
         let Some((first, turns)) = wound.pop() else { return Ok(()) };
         let along = usize::from(turns[0] == 0);
         let step = turns[along] as f64 * self.space.period(along);
@@ -332,7 +326,7 @@ impl Projector<'_> {
                     .map(|j| shifted(second.nodes[(k + j) % m], by + if k + j >= m { -step } else { 0.0 }))
                     .collect();
                 back.push(Node { chord: NO_CHORD, seam: false, ..shifted(second.nodes[k], by - step) });
-                let bridge = self.bridge(goal, to, net, options, out);
+                let bridge = self.bridge(goal, to, options, out);
                 nodes.push(shifted(end, step));
                 nodes.extend(bridge.iter().map(|n| shifted(*n, step)));
                 nodes.extend(back);
@@ -346,7 +340,7 @@ impl Projector<'_> {
                 let pole = candidates.iter().find(|p| p.value == wanted).or(candidates.first()).ok_or_else(|| {
                     face_error(self.face, "has one loop that runs round its closed surface, but no second one")
                 })?;
-                let id = (net.points.len() + out.points.len()) as u32;
+                let id = OWN + out.points.len() as u32;
                 out.points.push(pole.point);
                 out.poles.push((id, along));
                 nodes.push(shifted(end, step));
@@ -363,7 +357,7 @@ impl Projector<'_> {
     }
 
     /// Inner nodes of a bridge, as many as its deflection needs.
-    fn bridge(&self, from: [f64; 2], to: [f64; 2], net: &EdgeNet, options: &Options, out: &mut Rings) -> Vec<Node> {
+    fn bridge(&self, from: [f64; 2], to: [f64; 2], options: &Options, out: &mut Rings) -> Vec<Node> {
         let at = |s: f64| {
             let uv = [0, 1].map(|a| from[a] + s * (to[a] - from[a]));
             let n = self.space.normal_form(uv);
@@ -384,7 +378,7 @@ impl Projector<'_> {
             .map(|k| {
                 let (uv, p) = at(k as f64 / pieces as f64);
                 out.points.push(p);
-                let id = (net.points.len() + out.points.len() - 1) as u32;
+                let id = OWN + out.points.len() as u32 - 1;
                 Node { uv, id, chord: NO_CHORD, against: false, seam: false }
             })
             .collect()

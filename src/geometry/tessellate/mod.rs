@@ -20,6 +20,8 @@ pub mod fill;
 pub mod grid;
 pub mod loops;
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use super::brep::{Brep, Face};
@@ -49,6 +51,12 @@ impl Options {
 
 /// No chord at this side of a triangle.
 pub const NO_CHORD: u32 = u32::MAX;
+
+/// Ids of a face's own points start here; those below are shared.
+pub(crate) const OWN: u32 = 1 << 31;
+
+/// Chords are split for the surface beside them in at most this many rounds.
+const SPLIT_ROUNDS: usize = 8;
 
 /// One chord of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,41 +122,72 @@ pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Re
     let spaces: Vec<ParameterSpace> =
         brep.faces.iter().map(|f| ParameterSpace::of(&f.surface, 10.0 * options.weld_mm)).collect();
     edges::add_natural_loops(&mut brep, &spaces);
-    let net = edges::EdgeNet::new(&mut brep, options)?;
-    let total = brep.faces.len();
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let filled: Vec<Result<fill::Filled>> = (0..total)
-        .into_par_iter()
-        .map(|f| {
-            observer.check(Stage::Model)?;
-            let filled = fill::fill_face(&brep, f, &net, spaces[f], options);
-            let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-            observer.progress(Stage::Model, n, total);
-            filled
-        })
-        .collect();
+    let mut net = edges::EdgeNet::new(&mut brep, options)?;
+    let mut filled: Vec<Option<fill::Filled>> = vec![None; brep.faces.len()];
+    for round in 0.. {
+        fill_missing(&brep, &net, &spaces, options, observer, &mut filled)?;
+        let mut marks = vec![false; net.chords.len()];
+        filled.iter().flatten().flat_map(|f| &f.split).for_each(|c| marks[*c as usize] = true);
+        if round == SPLIT_ROUNDS || !marks.contains(&true) {
+            break;
+        }
+        let (edges, renumbered) = net.split(&brep, &marks);
+        for (face, slot) in brep.faces.iter().zip(&mut filled) {
+            if face.loops.iter().flatten().any(|c| edges[c.edge]) {
+                *slot = None;
+            } else if let Some(f) = slot {
+                f.renumber(&renumbered);
+            }
+        }
+    }
     let mut out = Tessellation {
         mesh: Mesh { points: net.points.clone(), ..Mesh::default() },
         brep: Brep::default(),
-        trims: Vec::with_capacity(total),
+        trims: Vec::new(),
         chords: net.chords.clone(),
         chord_of: Vec::new(),
         deflection_mm: net.deflection_mm,
     };
     for (f, filled) in filled.into_iter().enumerate() {
-        out.append(f as u32, filled?, net.points.len() as u32);
+        let filled = filled.ok_or_else(|| face_error(&brep.faces[f], "was not filled"))?;
+        out.append(f as u32, filled);
     }
     out.brep = brep;
     Ok(out)
 }
 
+/// Fills all faces that are not filled yet.
+fn fill_missing(
+    brep: &Brep,
+    net: &edges::EdgeNet,
+    spaces: &[ParameterSpace],
+    options: &Options,
+    observer: &dyn Observer,
+    filled: &mut [Option<fill::Filled>],
+) -> Result<()> {
+    let total = filled.len();
+    let done = AtomicUsize::new(filled.iter().flatten().count());
+    let results: Vec<Result<()>> = filled
+        .par_iter_mut()
+        .enumerate()
+        .filter(|(_, slot)| slot.is_none())
+        .map(|(f, slot)| {
+            observer.check(Stage::Model)?;
+            *slot = Some(fill::fill_face(brep, f, net, spaces[f], options)?);
+            observer.progress(Stage::Model, done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            Ok(())
+        })
+        .collect();
+    results.into_iter().collect()
+}
+
 impl Tessellation {
-    /// Adds one face; its own points are numbered from `shared` on.
-    fn append(&mut self, face: u32, filled: fill::Filled, shared: u32) {
-        let shift = self.mesh.points.len() as u32 - shared;
+    /// Adds one face.
+    fn append(&mut self, face: u32, filled: fill::Filled) {
+        let first = self.mesh.points.len() as u32;
         self.mesh.points.extend(filled.points);
         for t in filled.triangles {
-            self.mesh.triangles.push(t.corners.map(|i| if i < shared { i } else { i + shift }));
+            self.mesh.triangles.push(t.corners.map(|i| if i < OWN { i } else { i - OWN + first }));
             self.mesh.corner_uv.push(t.uv);
             self.mesh.face_of.push(face);
             self.chord_of.push(t.chords);
