@@ -13,7 +13,8 @@
 use super::brep::Brep;
 use super::bvh::Near;
 use super::mesh::Mesh;
-use super::nurbs::SurfaceDerivatives;
+use super::nurbs::foot::{ParameterSpace, SurfaceFoot};
+use super::nurbs::{NurbsSurface, SurfaceDerivatives};
 use super::part::Closest;
 use super::tessellate::{Chord, NO_CHORD, Tessellation, Trim};
 use super::triangle::closest_on_segment;
@@ -23,6 +24,9 @@ use super::{Point, Vector};
 const BEYOND_EDGE_MM: f64 = 1e-4;
 /// Candidates of one face nearer to one another than this share of the distance lead to the same foot.
 const SAME_PLACE: f64 = 0.25;
+
+/// A whole round shorter than this is a pole, mm.
+const POLE_MM: f64 = 1e-5;
 
 /// What the exact distance needs besides mesh and faces.
 #[derive(Clone, Debug)]
@@ -108,10 +112,14 @@ impl Exact {
     fn face_foot(&self, brep: &Brep, mesh: &Mesh, q: &Point, n: &Near, out: &mut dyn FnMut(u32)) -> Option<Candidate> {
         let f = mesh.face(n.triangle as usize) as usize;
         let (face, region) = (&brep.faces[f], &self.trims[f]);
-        let foot = face.surface.foot(q, guess(mesh, n), &region.trim.space);
+        let mut foot = face.surface.foot(q, guess(mesh, n), &region.trim.space);
+        if is_pole(&foot.at, &region.trim.space) {
+            foot = around_pole(&face.surface, q, foot, &region.trim.space);
+        }
         match region.place(brep, &self.chords, region.trim.space.normal_form(foot.uv), &foot.at) {
             Place::Inside => {
-                let normal = foot.at.normal().map(|m| if face.reversed { -m } else { m });
+                let pole = is_pole(&foot.at, &region.trim.space);
+                let normal = foot.at.normal().filter(|_| !pole).map(|m| if face.reversed { -m } else { m });
                 Some(Candidate { point: foot.at.p, distance_mm: foot.distance_mm, normal, near: *n })
             }
             Place::Outside(chord) => {
@@ -140,8 +148,10 @@ impl Exact {
         let normal = best.normal.or_else(|| {
             // On an edge: the normal of the face that led there.
             let f = &brep.faces[face as usize];
-            let foot = f.surface.foot(&best.point, guess(mesh, &best.near), &self.trims[face as usize].trim.space);
-            foot.at.normal().map(|m| if f.reversed { -m } else { m })
+            let space = &self.trims[face as usize].trim.space;
+            let foot = f.surface.foot(&best.point, guess(mesh, &best.near), space);
+            let pole = is_pole(&foot.at, space);
+            foot.at.normal().filter(|_| !pole).map(|m| if f.reversed { -m } else { m })
         });
         Closest {
             point: best.point,
@@ -151,6 +161,28 @@ impl Exact {
             triangle,
         }
     }
+}
+
+/// Whether one parameter, over its whole range, moves the point by next to nothing.
+fn is_pole(at: &SurfaceDerivatives, space: &ParameterSpace) -> bool {
+    at.du.norm() * space.period(0) < POLE_MM || at.dv.norm() * space.period(1) < POLE_MM
+}
+
+/// At a pole one parameter moves nothing, so Newton cannot turn towards a better side: tries all sides, a little off the pole.
+fn around_pole(surface: &NurbsSurface, q: &Point, stuck: SurfaceFoot, space: &ParameterSpace) -> SurfaceFoot {
+    let free = usize::from(stuck.at.dv.norm() * space.period(1) < stuck.at.du.norm() * space.period(0));
+    let mut best = stuck;
+    for k in 0..16 {
+        let mut uv = stuck.uv;
+        uv[free] = space.domain[free][0] + space.period(free) * f64::from(k) / 16.0;
+        let [from, to] = space.domain[1 - free];
+        uv[1 - free] += if 2.0 * uv[1 - free] < from + to { 1e-3 } else { -1e-3 } * (to - from);
+        let foot = surface.foot(q, uv, space);
+        if foot.distance_mm < best.distance_mm {
+            best = foot;
+        }
+    }
+    best
 }
 
 /// Whether this place of this face or edge was tried before; notes it if not.

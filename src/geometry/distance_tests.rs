@@ -1,7 +1,10 @@
 #![allow(clippy::unwrap_used)]
-use crate::geometry::brep::{Brep, Face, SurfaceKind};
-use crate::geometry::nurbs::NurbsSurface;
-use crate::geometry::nurbs::shapes::{sphere, torus};
+use nalgebra::Vector4;
+
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
+use crate::geometry::mesh::topology;
+use crate::geometry::nurbs::shapes::{cone, cylinder, loft, sphere, torus};
+use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
@@ -10,6 +13,74 @@ use crate::observe::Silent;
 fn part(surface: NurbsSurface, deflection_mm: f64) -> Part {
     let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
     Part::from_brep(Brep { faces: vec![face], edges: vec![] }, deflection_mm, &Silent).unwrap()
+}
+
+fn face(surface: NurbsSurface, reversed: bool, loops: Vec<Vec<Coedge>>) -> Face {
+    Face { name: "a face".into(), kind: SurfaceKind::BSpline, surface, reversed, loops }
+}
+
+/// A plane through `o` along `u` and `v`.
+fn plane(o: Point, u: Vector, v: Vector) -> NurbsSurface {
+    let h = |p: Point| Vector4::new(p.x, p.y, p.z, 1.0);
+    NurbsSurface {
+        degree_u: 1,
+        degree_v: 1,
+        knots_u: vec![0.0, 0.0, 1.0, 1.0],
+        knots_v: vec![0.0, 0.0, 1.0, 1.0],
+        n_u: 2,
+        n_v: 2,
+        points: vec![h(o), h(o + v), h(o + u), h(o + u + v)],
+    }
+}
+
+/// The circle of a cylinder's or cone's end.
+fn circle(surface: &NurbsSurface, v: f64) -> Edge {
+    let curve = crate::geometry::tessellate::edges::iso_curve(surface, 0, v);
+    Edge { t: curve.domain(), curve }
+}
+
+fn used(edge: usize, reversed: bool) -> Coedge {
+    Coedge { edge, reversed }
+}
+
+/// A cylinder with caps; its wall has two loops and no seam. The caps' planes are larger than their circles.
+fn can(radius: f64, height: f64) -> Brep {
+    let wall = cylinder(radius, height);
+    let edges = vec![circle(&wall, 0.0), circle(&wall, 1.0)];
+    let (x, y) = (Vector::x() * 3.0 * radius, Vector::y() * 3.0 * radius);
+    let cap = |z: f64| plane(Point::new(-1.5 * radius, -1.5 * radius, z), x, y);
+    let faces = vec![
+        face(wall, false, vec![vec![used(0, false)], vec![used(1, true)]]),
+        face(cap(0.0), true, vec![vec![used(0, true)]]),
+        face(cap(height), false, vec![vec![used(1, false)]]),
+    ];
+    Brep { faces, edges }
+}
+
+/// A box of these sides with a corner at the origin; each face has edges of its own, which coincide in pairs.
+fn block(size: Vector) -> Brep {
+    let mut brep = Brep::default();
+    for axis in 0..3 {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3].map(|k| {
+            let mut e = Vector::zeros();
+            e[k] = size[k];
+            e
+        });
+        for (at, reversed) in [(0.0, true), (size[axis], false)] {
+            let mut o = Point::origin();
+            o[axis] = at;
+            let corners = [o, o + u, o + u + v, o + v];
+            let base = brep.edges.len();
+            for k in 0..4 {
+                let points = [corners[k], corners[(k + 1) % 4]].map(|p| Vector4::new(p.x, p.y, p.z, 1.0));
+                let curve = NurbsCurve { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], points: points.to_vec() };
+                brep.edges.push(Edge { curve, t: [0.0, 1.0] });
+            }
+            let one = (base..base + 4).map(|e| used(e, false)).collect();
+            brep.faces.push(face(plane(o, u, v), reversed, vec![one]));
+        }
+    }
+    brep
 }
 
 /// Points in a cube of this half side, in a fixed order (a linear congruential generator).
@@ -38,4 +109,128 @@ fn sphere_and_torus_in_closed_form() {
         let tube = q - Vector::new(q.x, q.y, 0.0).normalize() * 10.0;
         assert!((c.normal - tube.coords.normalize()).norm() < 1e-6);
     }
+}
+
+#[test]
+fn can_with_sharp_rims_in_closed_form() {
+    let (radius, height) = (5.0, 8.0);
+    let part = Part::from_brep(can(radius, height), 0.02, &Silent).unwrap();
+    assert!(topology(&part.mesh).closed(), "{:?}", topology(&part.mesh));
+    let volume = std::f64::consts::PI * radius * radius * height;
+    assert!((part.mesh.volume_mm3() / volume - 1.0).abs() < 0.01);
+    for q in points(10.0, 3000) {
+        let (r, z) = (q.x.hypot(q.y) - radius, (-q.z).max(q.z - height));
+        let exact = if r <= 0.0 && z <= 0.0 { r.max(z).abs() } else { r.max(0.0).hypot(z.max(0.0)) };
+        let c = part.closest(&q, f64::INFINITY).unwrap();
+        assert!((c.distance_mm - exact).abs() < 1e-7, "{q}: {} {exact}", c.distance_mm);
+        assert!((c.normal.norm() - 1.0).abs() < 1e-12);
+        if exact > 0.05 {
+            assert_eq!(part.inside(&q), r < 0.0 && z < 0.0, "{q}");
+        }
+    }
+    assert!(part.closest(&Point::new(0.0, 0.0, 20.0), 11.9).is_none());
+    assert!(part.closest(&Point::new(0.0, 0.0, 20.0), 12.1).is_some());
+}
+
+#[test]
+fn box_whose_faces_share_no_edges_is_closed_and_exact() {
+    let size = Vector::new(3.0, 4.0, 6.0);
+    let part = Part::from_brep(block(size), 0.02, &Silent).unwrap();
+    assert!(topology(&part.mesh).closed(), "{:?}", topology(&part.mesh));
+    assert!((part.mesh.volume_mm3() - 72.0).abs() < 1e-9);
+    for q in points(9.0, 2000) {
+        let over = Vector::from_fn(|k, _| (-q[k]).max(q[k] - size[k]));
+        let outside = over.map(|x| x.max(0.0)).norm();
+        let exact = if outside > 0.0 { outside } else { over.max().abs() };
+        let c = part.closest(&q, f64::INFINITY).unwrap();
+        assert!((c.distance_mm - exact).abs() < 1e-8, "{q}: {} {exact}", c.distance_mm);
+    }
+}
+
+#[test]
+fn cone_over_its_apex() {
+    // The wall has one loop and a pole; the lid closes it.
+    let wall = cone(3.0, 4.0);
+    let edges = vec![circle(&wall, 1.0)];
+    let lid = plane(Point::new(-4.0, -4.0, 4.0), Vector::x() * 8.0, Vector::y() * 8.0);
+    let faces = vec![face(wall, false, vec![vec![used(0, true)]]), face(lid, false, vec![vec![used(0, false)]])];
+    let part = Part::from_brep(Brep { faces, edges }, 0.02, &Silent).unwrap();
+    assert!(topology(&part.mesh).closed(), "{:?}", topology(&part.mesh));
+    for q in points(3.0, 2000).filter(|q| q.z < 1.0) {
+        // Distance to the generatrix from (0, 0) along (3, 4) / 5 in the half plane (r, z).
+        let r = q.x.hypot(q.y);
+        let along = (0.6 * r + 0.8 * q.z).max(0.0);
+        let exact = (r - 0.6 * along).hypot(q.z - 0.8 * along);
+        let c = part.closest(&q, f64::INFINITY).unwrap();
+        assert!((c.distance_mm - exact).abs() < 1e-7, "{q}: {} {exact}", c.distance_mm);
+    }
+}
+
+/// A free-form sheet against a dense search on its surface; with open borders, so edges count.
+#[test]
+fn free_form_sheet_against_a_dense_search() {
+    let sheet = loft();
+    let part = part(sheet.clone(), 0.01);
+    let n = 200;
+    let samples: Vec<([f64; 2], Point)> = (0..=n)
+        .flat_map(|i| (0..=n).map(move |j| [f64::from(i) / f64::from(n), f64::from(j) / f64::from(n)]))
+        .map(|uv| (uv, sheet.point(uv[0], uv[1])))
+        .collect();
+    let space = crate::geometry::nurbs::foot::ParameterSpace::of(&sheet, 1e-9);
+    for q in points(20.0, 150).map(|q| q + Vector::z() * 20.0) {
+        let seed = samples.iter().min_by(|a, b| (a.1 - q).norm().total_cmp(&(b.1 - q).norm())).unwrap();
+        let exact = sheet.foot(&q, seed.0, &space).distance_mm;
+        let c = part.closest(&q, f64::INFINITY).unwrap();
+        assert!((c.distance_mm - exact).abs() < 1e-7, "{q}: {} {exact}", c.distance_mm);
+    }
+}
+
+/// Along straight walks past rims and across faces the distance never changes faster than the walk.
+#[test]
+fn distance_is_continuous() {
+    let part = Part::from_brep(can(5.0, 8.0), 0.05, &Silent).unwrap();
+    let ends: Vec<Point> = points(9.0, 40).collect();
+    for pair in ends.chunks_exact(2) {
+        let steps = 400;
+        let step = (pair[1] - pair[0]).norm() / f64::from(steps);
+        let mut before: Option<f64> = None;
+        for k in 0..=steps {
+            let q = pair[0] + (pair[1] - pair[0]) * (f64::from(k) / f64::from(steps));
+            let d = part.closest(&q, f64::INFINITY).unwrap().distance_mm;
+            if let Some(b) = before {
+                assert!((d - b).abs() <= step + 1e-8, "{q}: {b} to {d}, step {step}");
+            }
+            before = Some(d);
+        }
+    }
+}
+
+#[test]
+fn moving_the_part_moves_its_feet() {
+    let to_from = crate::geometry::Rigid::new(Vector::new(3.0, -7.0, 11.0), Vector::new(0.4, 1.1, -0.7));
+    let part = Part::from_brep(can(5.0, 8.0), 0.05, &Silent).unwrap();
+    let moved = part.clone().moved(&to_from);
+    for q in points(9.0, 200) {
+        let (a, b) = (part.closest(&q, 100.0).unwrap(), moved.closest(&(to_from * q), 100.0).unwrap());
+        assert!((a.distance_mm - b.distance_mm).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn broken_faces_are_named() {
+    let mut brep = can(5.0, 8.0);
+    brep.faces[0].loops.pop();
+    let e = Part::from_brep(brep, 0.05, &Silent).err().unwrap();
+    assert!(e.message.contains("a face") && e.message.contains("second one"), "{e}");
+    let mut brep = can(5.0, 8.0);
+    brep.edges[1].curve.points.iter_mut().for_each(|p| p.z += 0.3 * p.w);
+    let e = Part::from_brep(brep, 0.05, &Silent).err().unwrap();
+    assert!(e.message.contains("leaves its surface"), "{e}");
+    let mut brep = block(Vector::new(1.0, 2.0, 3.0));
+    brep.faces[3].loops[0].pop();
+    assert!(Part::from_brep(brep, 0.05, &Silent).err().unwrap().message.contains("instead of closing"));
+    let mut brep = can(5.0, 8.0);
+    brep.faces[1].loops[0][0].edge = 99;
+    assert!(Part::from_brep(brep, 0.05, &Silent).is_err());
+    assert!(Part::from_brep(can(5.0, 8.0), 0.0, &Silent).is_err());
 }

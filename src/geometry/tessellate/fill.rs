@@ -71,6 +71,7 @@ pub fn fill_face(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, op
     let blur_mm = blur(brep, face, net, &rings.rings, &space);
     // What the model's own gaps take, no refinement can give back.
     let limit_mm = options.deflection_mm + 1.5 * gap(face, net, &rings.rings, &space);
+    let beside = chords_at(&rings.rings, net);
     let mut finer = 1.0;
     let mut before = f64::INFINITY;
     let mut best: Option<Filled> = None;
@@ -78,7 +79,7 @@ pub fn fill_face(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, op
         let scale = scales(&face.surface, &space, bounds, options, finer);
         let mut points = rings.points.clone();
         let triangles = triangulate(face, &rings, &scale, &space, &mut points)?;
-        let sag = measure(face, &space, net, &points, &triangles, limit_mm);
+        let sag = measure(face, &space, net, &points, &triangles, &beside, limit_mm);
         let trim = Trim { space, rings: Vec::new(), blur_mm };
         if best.as_ref().is_none_or(|b| sag.worst < b.deflection_mm) {
             best = Some(Filled { points, triangles, trim, deflection_mm: sag.worst, split: sag.split });
@@ -302,13 +303,29 @@ fn collect(
     Ok(out)
 }
 
+/// Per shared point: the chords that meet there, with their lengths, mm.
+fn chords_at(rings: &[Ring], net: &EdgeNet) -> BTreeMap<u32, Vec<(u32, f64)>> {
+    let mut out: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
+    for ring in rings {
+        for (k, n) in ring.nodes.iter().enumerate() {
+            let next = ring.nodes[(k + 1) % ring.nodes.len()].id;
+            if n.chord != NO_CHORD && n.id < OWN && next < OWN {
+                let length = (net.points[next as usize] - net.points[n.id as usize]).norm();
+                out.entry(n.id).or_default().push((n.chord, length));
+                out.entry(next).or_default().push((n.chord, length));
+            }
+        }
+    }
+    out
+}
+
 /// How far triangles are from the surface.
 struct Sag {
     /// Greatest of all, mm.
     worst: f64,
     /// Greatest of those that a finer grid can improve, mm.
     inside: f64,
-    /// Chords of triangles beyond the limit.
+    /// Long chords beside triangles beyond the limit.
     split: Vec<u32>,
 }
 
@@ -320,6 +337,7 @@ fn measure(
     net: &EdgeNet,
     own: &[Point],
     triangles: &[Triangle],
+    beside: &BTreeMap<u32, Vec<(u32, f64)>>,
     limit_mm: f64,
 ) -> Sag {
     let point = |i: u32| if i < OWN { net.points[i as usize] } else { own[(i - OWN) as usize] };
@@ -333,14 +351,17 @@ fn measure(
             worst = worst.max((face.surface.point(uv[0], uv[1]) - p[0]).dot(&n).abs());
         }
         out.worst = out.worst.max(worst);
-        // A chord much shorter than the triangle is not to blame.
-        let size = [0, 1, 2].map(|k| (p[(k + 1) % 3] - p[k]).norm());
-        let longest = size.into_iter().fold(0.0, f64::max);
-        let long = |k: usize| t.chords[k] != NO_CHORD && size[k] > 0.5 * longest && size[k] > 2.0 * limit_mm;
-        match (0..3).find(|k| long(*k)) {
-            Some(_) if worst > limit_mm => out.split.extend((0..3).filter(|k| long(*k)).map(|k| t.chords[k])),
-            Some(_) => {}
-            None => out.inside = out.inside.max(worst),
+        if worst <= limit_mm {
+            continue;
+        }
+        // Long chords beside the triangle are to blame, not the grid: its fan cannot get shorter than they are.
+        let longest = [0, 1, 2].map(|k| (p[(k + 1) % 3] - p[k]).norm()).into_iter().fold(0.0, f64::max);
+        let least = (0.5 * longest).max(2.0 * limit_mm);
+        let found = t.corners.iter().filter_map(|id| beside.get(id)).flatten().filter(|c| c.1 > least);
+        let known = out.split.len();
+        out.split.extend(found.map(|c| c.0));
+        if out.split.len() == known {
+            out.inside = out.inside.max(worst);
         }
     }
     out
