@@ -168,21 +168,34 @@ fn is_pole(at: &SurfaceDerivatives, space: &ParameterSpace) -> bool {
     at.du.norm() * space.period(0) < POLE_MM || at.dv.norm() * space.period(1) < POLE_MM
 }
 
-/// At a pole one parameter moves nothing, so Newton cannot turn towards a better side: tries all sides, a little off the pole.
+/// At a pole one parameter moves nothing, so Newton cannot turn towards a better side: turns to the side along which
+/// the distance falls most, if there is one, and starts again from there.
 fn around_pole(surface: &NurbsSurface, q: &Point, stuck: SurfaceFoot, space: &ParameterSpace) -> SurfaceFoot {
     let free = usize::from(stuck.at.dv.norm() * space.period(1) < stuck.at.du.norm() * space.period(0));
-    let mut best = stuck;
-    for k in 0..16 {
+    let [from, to] = space.domain[1 - free];
+    let inwards = if 2.0 * stuck.uv[1 - free] < from + to { 1.0 } else { -1.0 };
+    let side = |x: f64| {
         let mut uv = stuck.uv;
-        uv[free] = space.domain[free][0] + space.period(free) * f64::from(k) / 16.0;
-        let [from, to] = space.domain[1 - free];
-        uv[1 - free] += if 2.0 * uv[1 - free] < from + to { 1e-3 } else { -1e-3 } * (to - from);
-        let foot = surface.foot(q, uv, space);
-        if foot.distance_mm < best.distance_mm {
-            best = foot;
-        }
+        uv[free] = x;
+        let n = space.normal_form(uv);
+        let at = surface.derivatives(n[0], n[1]);
+        let d = if free == 0 { at.dv } else { at.du } * inwards;
+        // How far along that side the foot lies: in mm, and as a parameter.
+        let mm = (q - at.p).dot(&d) / d.norm().max(f64::MIN_POSITIVE);
+        uv[1 - free] += inwards * mm / d.norm().max(f64::MIN_POSITIVE);
+        (mm, uv)
+    };
+    let width = space.period(free) / 32.0;
+    let at = |k: u32| space.domain[free][0] + width * (f64::from(k) + 0.5);
+    let best = (0..32).map(at).max_by(|a, b| side(*a).0.total_cmp(&side(*b).0)).unwrap_or(stuck.uv[free]);
+    let (mut low, mut high) = (best - width, best + width);
+    for _ in 0..60 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if side(a).0 < side(b).0 { low = a } else { high = b }
     }
-    best
+    let (mm, uv) = side(0.5 * (low + high));
+    let turned = surface.foot(q, uv, space);
+    if mm > 0.0 && turned.distance_mm < stuck.distance_mm { turned } else { stuck }
 }
 
 /// Whether this place of this face or edge was tried before; notes it if not.
