@@ -12,9 +12,15 @@ pub mod inspect;
 pub mod obj;
 pub mod recognise;
 pub mod soup;
+pub mod step;
 pub mod stl;
 pub mod topology;
 pub mod units;
+
+#[cfg(test)]
+mod sample;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 
