@@ -11,6 +11,7 @@ pub mod format;
 pub mod inspect;
 pub mod obj;
 pub mod recognise;
+pub mod sew;
 pub mod soup;
 pub mod step;
 pub mod stl;
@@ -20,18 +21,28 @@ pub mod units;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
+mod step_tests;
+#[cfg(test)]
 mod tests;
 
 use std::path::Path;
 
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::brep::{Brep, SurfaceKind};
+use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::observe::{Observer, Warning};
 
 use format::Format;
 pub use inspect::inspect_text;
 use soup::Soup;
+use step::StepShape;
+use topology::Edges;
+
+/// Faces that do not share their edges are joined where the edges are this near to each other, mm: a few times the
+/// precision that CAD systems write, far below what a cutter leaves.
+const SEW_MM: f64 = 0.005;
 
 /// What the user may say about a model.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,15 +83,98 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
         Format::StlBinary => from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
         Format::StlAscii => from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
         Format::Obj => from_soup(path, obj::read(path, &bytes)?, options, observer),
-        Format::Step => {
-            Err(Error::io(Stage::Model, "STEP models cannot be read yet").advise("export the model as STL or OBJ"))
-        }
+        Format::Step => from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
     }?;
     for note in &blade.diagnosis.notes {
         observer.warn(Warning { stage: Stage::Model, message: note.clone() });
     }
     observer.progress(Stage::Model, 3, 3);
     Ok(blade)
+}
+
+/// Exact faces to a blade.
+fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
+    let sewn = sew::sew(&mut shape.brep, SEW_MM);
+    let mut diagnosis = Diagnosis {
+        format: shape.format,
+        unit_reason: shape.unit_reason,
+        bodies: shape.bodies,
+        faces: kinds(&shape.brep),
+        notes: shape.notes,
+        ..Diagnosis::default()
+    };
+    if sewn.joined > 0 {
+        diagnosis.notes.push(format!(
+            "{} edges that faces did not share were joined, at most {:.2e} mm apart",
+            sewn.joined, sewn.gap_mm
+        ));
+    }
+    observer.check(Stage::Model)?;
+    let part = Part::from_brep(shape.brep.clone(), options.deflection_mm, observer)?;
+    observer.progress(Stage::Model, 1, 3);
+    diagnosis.notes.extend(units::check_size(path, &part.mesh, shape.unit)?);
+    refuse_open(path, &part.mesh)?;
+    diagnosis.closed = true;
+    let mut mesh = part.mesh;
+    if mesh.volume_mm3() < 0.0 {
+        shape.brep.faces.iter_mut().for_each(|f| f.reversed = !f.reversed);
+        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        diagnosis.notes.push("all faces were oriented inward and were turned".into());
+    }
+    let found = recognise::recognise(&mesh, options.axis)?;
+    observer.progress(Stage::Model, 2, 3);
+    diagnosis.notes.extend(found.doubts);
+    // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
+    let brep = shape.brep.moved(&found.model_from_blade.inverse());
+    Ok(Blade {
+        name: stem(path),
+        unit: shape.unit,
+        part: Part::from_brep(brep, options.deflection_mm, observer)?,
+        model_from_blade: found.model_from_blade,
+        regions: found.regions,
+        diagnosis,
+    })
+}
+
+/// Refuses a mesh with open edges: distance and clearance to it would be meaningless.
+fn refuse_open(path: &Path, mesh: &Mesh) -> Result<()> {
+    let edges = Edges::new(mesh);
+    let Some(m) = edges.first_open_mm(mesh) else { return Ok(()) };
+    Err(Error::io(
+        Stage::Model,
+        format!(
+            "{} is not closed: its mesh has {} open edges, the first at ({:.4}, {:.4}, {:.4}) mm",
+            path.display(),
+            edges.open,
+            m.x,
+            m.y,
+            m.z
+        ),
+    )
+    .advise("close the holes in the CAD or mesh program, or export the solid as STEP"))
+}
+
+/// Faces by kind, with counts.
+fn kinds(brep: &Brep) -> Vec<(String, usize)> {
+    let mut counts = std::collections::BTreeMap::new();
+    for f in &brep.faces {
+        *counts.entry(f.kind).or_insert(0) += 1;
+    }
+    counts.into_iter().map(|(kind, n)| (kind_name(kind).to_owned(), n)).collect()
+}
+
+fn kind_name(kind: SurfaceKind) -> &'static str {
+    match kind {
+        SurfaceKind::BSpline => "B-spline",
+        SurfaceKind::Plane => "plane",
+        SurfaceKind::Cylinder => "cylinder",
+        SurfaceKind::Cone => "cone",
+        SurfaceKind::Sphere => "sphere",
+        SurfaceKind::Torus => "torus",
+        SurfaceKind::Revolution => "revolution",
+        SurfaceKind::Extrusion => "extrusion",
+        SurfaceKind::Other => "other",
+    }
 }
 
 /// Loose triangles to a blade.

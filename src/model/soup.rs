@@ -72,11 +72,11 @@ impl Soup {
         let mut mesh = self.welded(mm_per_unit);
         let dropped = self.triangles.len() - mesh.triangles.len();
         let mut edges = Edges::new(&mesh);
-        if edges.open_count() > 0 {
+        if edges.open > 0 {
             let tolerance = WELD * mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
             let closer = weld_within(&mesh, tolerance);
             let again = Edges::new(&closer);
-            if again.open_count() == 0 {
+            if again.open == 0 {
                 let merged = mesh.points.len() - closer.points.len();
                 notes.push(format!("{merged} vertices closer than {tolerance:.2e} mm to another were merged"));
                 (mesh, edges) = (closer, again);
@@ -85,7 +85,7 @@ impl Soup {
         if dropped > 0 {
             notes.push(format!("{dropped} degenerate triangles were dropped"));
         }
-        refuse_open(path, &mesh, &edges)?;
+        super::refuse_open(path, &mesh)?;
         wind(&mut mesh, &edges, &mut notes);
         if edges.non_manifold > 0 {
             notes.push(format!("{} edges belong to more than two triangles", edges.non_manifold));
@@ -151,23 +151,6 @@ fn weld_within(mesh: &Mesh, tolerance_mm: f64) -> Mesh {
         }
     }
     out
-}
-
-fn refuse_open(path: &Path, mesh: &Mesh, edges: &Edges) -> Result<()> {
-    let Some([a, b]) = edges.first_open else { return Ok(()) };
-    let m = nalgebra::center(&mesh.points[a as usize], &mesh.points[b as usize]);
-    Err(Error::io(
-        Stage::Model,
-        format!(
-            "{} is not closed: {} of its edges belong to one triangle only, the first at ({:.4}, {:.4}, {:.4}) mm",
-            path.display(),
-            edges.open_count(),
-            m.x,
-            m.y,
-            m.z
-        ),
-    )
-    .advise("close the holes in the CAD or mesh program, or export the solid as STEP"))
 }
 
 /// Winds neighbours alike and the whole outward.

@@ -15,11 +15,15 @@ use step_io::scene::{Bound, Edge as StepEdge, Face as StepFace, MappedInstance, 
 use step_io::scene::{Solid, SurfaceKind as StepKind, SurfaceModel};
 use step_io::{Orientation, Report};
 
+use super::sew::{backwards, from_vertex};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 
+/// A curve that passes a vertex within this distance begins there, mm: far below any tessellation.
+const VERTEX_MM: f64 = 1e-6;
 /// Assemblies deeper than this are taken for circular.
 const DEEPEST: usize = 64;
 
@@ -277,6 +281,7 @@ impl Build<'_> {
             .advise("repair the face in CAD, or export it as B-spline")
         })?;
         let surface = surface(&patch, self.mm, to);
+        surface.validate().map_err(|e| self.bad(&name, &e))?;
         let mut loops = Vec::new();
         for bound in face.bounds() {
             let one = self.bound(&bound, &name, to)?;
@@ -287,6 +292,11 @@ impl Build<'_> {
         let reversed = (face.orientation() == Orientation::Reversed) != shell_reversed;
         self.brep.faces.push(Face { name, kind, surface, reversed, loops });
         Ok(())
+    }
+
+    fn bad(&self, what: &str, error: &Error) -> Error {
+        Error::io(Stage::Model, format!("{}: {what} is damaged: {}", self.path.display(), error.message))
+            .advise("repair the body in CAD")
     }
 
     /// The loop's coedges; none for a vertex loop (a pole needs no trimming).
@@ -315,8 +325,20 @@ impl Build<'_> {
             )
             .advise("repair the body in CAD, or export it with another schema")
         })?;
-        let curve = curve(&nurbs, self.mm, to);
-        let t = [curve.knots[curve.degree], curve.knots[curve.points.len()]];
+        let mut curve = curve(&nurbs, self.mm, to);
+        curve.validate().map_err(|e| self.bad(face, &e))?;
+        if let (Some(start), Some(end)) = (edge.start(), edge.end())
+            && start.key() == end.key()
+            && let Some(p) = start.point()
+        {
+            // The reader gives closed curves as the file does: from anywhere, and not yet in the edge's sense.
+            if !edge.same_sense() {
+                curve = backwards(&curve);
+            }
+            let vertex = Point::from(pole(&p.xyz(), 1.0, self.mm, to).xyz());
+            curve = from_vertex(curve, &vertex, VERTEX_MM);
+        }
+        let t = curve.domain();
         self.brep.edges.push(Edge { curve, t });
         let index = self.brep.edges.len() - 1;
         self.edges.insert(key, index);

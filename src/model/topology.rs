@@ -1,5 +1,6 @@
 //! Edges of a mesh file's triangles: open, shared by more than two, wound against each other; connected pieces.
 
+use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
 
 /// What the edges of a mesh look like.
@@ -43,9 +44,10 @@ impl Edges {
         }
         out
     }
-    /// Number of open edges.
-    pub fn open_count(&self) -> usize {
-        self.open
+    /// Middle of the first open edge.
+    pub fn first_open_mm(&self, mesh: &Mesh) -> Option<Point> {
+        let [a, b] = self.first_open?;
+        Some(nalgebra::center(&mesh.points[a as usize], &mesh.points[b as usize]))
     }
 }
 

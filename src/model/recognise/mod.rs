@@ -33,7 +33,7 @@ const DATUM_SCORE: f64 = 0.65;
 /// Below this mean likeness the sections are steady but not airfoils …
 const DOUBTFUL: f64 = 0.25;
 /// … and below this one they carry something besides an airfoil.
-const PARTLY: f64 = 0.6;
+const PARTLY: f64 = 0.55;
 
 /// What was recognised.
 pub struct Recognised {

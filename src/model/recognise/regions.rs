@@ -90,6 +90,12 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
             None => bad = x,
         }
     }
+    // The part's own end is known exactly; sections within rounding of it are noise.
+    let last = if step < 0.0 { part_mm[0] } else { part_mm[1] };
+    if (good - last).abs() < 1e-3 * step.abs() {
+        good = last;
+        part_ends = true;
+    }
     // What lies beyond shows within one step: a rounded platform does not come at once.
     let beyond = if part_ends {
         None
@@ -99,10 +105,6 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
             .filter_map(|x| surrounding(mesh, bvh, x, &shape))
             .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
     };
-    // The part's own end is known exactly.
-    if part_ends && (good - outside).abs() < 1e-3 * step.abs() {
-        good = outside;
-    }
     End { x_mm: good, beyond, shape }
 }
 

@@ -35,7 +35,8 @@ pub struct Run {
     pub part_mm: [f64; 2],
     /// Sections from low to high; empty where nothing continues.
     pub links: Vec<Link>,
-    /// Airfoil-like surface that the chain sweeps, as a share of the whole surface, less for normals along the direction.
+    /// Airfoil-like surface that the chain sweeps, as a share of the whole surface, less for normals along
+    /// the direction and for areas that sway.
     pub score: f64,
     /// Mean likeness of the chain's sections.
     pub likeness: f64,
@@ -180,9 +181,15 @@ fn summarise(
     if least_normal.dot(direction) < 0.0 {
         least_normal = -least_normal;
     }
+    // From root to tip the area of an airfoil grows or shrinks steadily; cut aslant it rises and falls.
+    let areas: Vec<f64> = chain.iter().map(|&(i, j)| sections[i].1[j].1.area_mm2).collect();
+    let mean = areas.iter().sum::<f64>() / areas.len().max(1) as f64;
+    let change = areas.first().zip(areas.last()).map_or(0.0, |(a, b)| (a - b).abs());
+    let sway = (areas.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() - change) / mean.max(f64::MIN_POSITIVE);
     let free = chain.first().is_some_and(|c| c.0 < NEAR_END) || chain.last().is_some_and(|c| c.0 + NEAR_END >= HEIGHTS);
     let score = if free { FREE_END } else { 1.0 } * swept / mesh.area_mm2().max(f64::MIN_POSITIVE)
-        * (1.0 - 4.0 * along).max(0.0);
+        * (1.0 - 4.0 * along).max(0.0)
+        / (1.0 + sway);
     let links = chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
     Run { direction: *direction, part_mm, links, score, likeness, along, least_normal }
 }

@@ -46,7 +46,7 @@ impl Shape {
         let roundness = 4.0 * std::f64::consts::PI * area / (perimeter * perimeter);
         let hollows = hollows(&l.points);
         let bluntness = bluntness(&l.points, axis);
-        let likeness = falling(roundness, 0.45, 0.65)
+        let likeness = falling(roundness, 0.55, 0.9)
             * [1.0, 1.0, 0.7, 0.1].get(hollows).copied().unwrap_or(0.0)
             * (0.3 + 0.7 * falling(bluntness, 0.65, 0.95));
         Some(Shape {
