@@ -11,6 +11,8 @@ use crate::geometry::slice::slice;
 const FILLET_AREA: f64 = 2.2;
 /// … and this much (length) before it counts as something else.
 const FILLET_LENGTH: f64 = 1.3;
+/// A loop smaller than this share (area) of the airfoil's is cut by a slanted or rounded end of the part.
+const CUT_SHORT: f64 = 0.8;
 /// A loop at the airfoil's place that is larger by this factor, in area or length, is a platform or hub.
 const PLATFORM: f64 = 1.2;
 
@@ -50,11 +52,18 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<Regions> {
     };
     reasons.push(match (platform_x_mm, &root.beyond) {
         (Some(x), Some(b)) => format!("platform: top at x = {x:.3} mm; the airfoil meets it at {}", change(&root, b)),
-        (None, Some(b)) => format!("no platform, but the airfoil ends at {}", change(&root, b)),
+        (None, Some(_)) => format!(
+            "no platform: below x = {:.3} mm sections are cut short by an end of the part that is not flat",
+            root.x_mm
+        ),
         _ => format!("no platform: at x = {:.3} mm the body ends", root.x_mm),
     });
     reasons.push(match &tip.beyond {
-        Some(b) => format!("tip: at {} (shroud, tenon or the like)", change(&tip, b)),
+        Some(b) if b.area_mm2 > PLATFORM * tip.shape.area_mm2 => format!("tip: shroud at {}", change(&tip, b)),
+        Some(_) => format!(
+            "tip: above x = {:.3} mm sections are cut short (slanted or rounded tip, tenon or the like)",
+            tip.x_mm
+        ),
         None => format!("tip: free, at x = {:.3} mm", tip.x_mm),
     });
     Some(Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, reasons })
@@ -114,7 +123,7 @@ fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Sha
         .iter()
         .filter_map(Shape::new)
         .filter(|s| s.continues(before, LOOSENESS))
-        .filter(|s| s.area_mm2 < FILLET_AREA * reference.area_mm2)
+        .filter(|s| s.area_mm2 < FILLET_AREA * reference.area_mm2 && s.area_mm2 > CUT_SHORT * reference.area_mm2)
         .find(|s| s.perimeter_mm < FILLET_LENGTH * reference.perimeter_mm)
 }
 
