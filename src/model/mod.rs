@@ -15,8 +15,8 @@ pub mod sew;
 pub mod soup;
 pub mod step;
 pub mod stl;
-pub mod topology;
 pub mod units;
+pub mod wind;
 
 #[cfg(test)]
 mod sample;
@@ -30,15 +30,15 @@ use std::path::Path;
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::{Brep, SurfaceKind};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Topology, topology};
 use crate::geometry::part::Part;
+use crate::geometry::{Aabb, Point};
 use crate::observe::{Observer, Warning};
 
 use format::Format;
 pub use inspect::inspect_text;
 use soup::Soup;
 use step::StepShape;
-use topology::Edges;
 
 /// Faces that do not share their edges are joined where the edges are this near to each other, mm: a few times the
 /// precision that CAD systems write, far below what a cutter leaves.
@@ -109,11 +109,12 @@ fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer
             sewn.joined, sewn.gap_mm
         ));
     }
+    // Before meshing: in a wrong unit the tolerances of the mesh would be wrong too.
+    diagnosis.notes.extend(units::check_size(path, edge_box(&shape.brep), shape.unit)?);
     observer.check(Stage::Model)?;
     let part = Part::from_brep(shape.brep.clone(), options.deflection_mm, observer)?;
     observer.progress(Stage::Model, 1, 3);
-    diagnosis.notes.extend(units::check_size(path, &part.mesh, shape.unit)?);
-    refuse_open(path, &part.mesh)?;
+    refuse_open(path, &topology(&part.mesh))?;
     diagnosis.closed = true;
     let mut mesh = part.mesh;
     if mesh.volume_mm3() < 0.0 {
@@ -136,16 +137,27 @@ fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer
     })
 }
 
+/// Box around points of all edges; of the poles of all faces where there is no edge (a sphere without trimming).
+fn edge_box(brep: &Brep) -> Option<Aabb> {
+    let on_edge = |e: &crate::geometry::brep::Edge| {
+        [0.0, 0.25, 0.5, 0.75, 1.0].map(|s| e.curve.point(e.t[0] + s * (e.t[1] - e.t[0])))
+    };
+    let points: Vec<Point> = brep.edges.iter().flat_map(on_edge).collect();
+    let poles = || -> Vec<Point> {
+        brep.faces.iter().flat_map(|f| &f.surface.points).map(|p| Point::from(p.xyz() / p.w)).collect()
+    };
+    Aabb::around(&if points.is_empty() { poles() } else { points })
+}
+
 /// Refuses a mesh with open edges: distance and clearance to it would be meaningless.
-fn refuse_open(path: &Path, mesh: &Mesh) -> Result<()> {
-    let edges = Edges::new(mesh);
-    let Some(m) = edges.first_open_mm(mesh) else { return Ok(()) };
+fn refuse_open(path: &Path, found: &Topology) -> Result<()> {
+    let Some(m) = found.first_open_edge else { return Ok(()) };
     Err(Error::io(
         Stage::Model,
         format!(
             "{} is not closed: its mesh has {} open edges, the first at ({:.4}, {:.4}, {:.4}) mm",
             path.display(),
-            edges.open,
+            found.open_edges,
             m.x,
             m.y,
             m.z
@@ -190,7 +202,7 @@ fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn Obs
     observer.progress(Stage::Model, 1, 3);
     diagnosis.bodies = healed.bodies;
     diagnosis.notes = healed.notes;
-    diagnosis.notes.extend(units::check_size(path, &healed.mesh, unit)?);
+    diagnosis.notes.extend(units::check_size(path, healed.mesh.aabb(), unit)?);
     let found = recognise::recognise(&healed.mesh, options.axis)?;
     diagnosis.notes.extend(found.doubts);
     Ok(Blade {

@@ -9,9 +9,9 @@ use std::path::Path;
 
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, topology, weld};
 
-use super::topology::{self, Edges};
+use super::wind::align;
 
 /// Vertices closer than this share of the part's diagonal may be welded: ten times the rounding of single precision.
 const WELD: f64 = 1e-6;
@@ -71,32 +71,37 @@ impl Soup {
         let mut notes = self.notes.clone();
         let mut mesh = self.welded(mm_per_unit);
         let dropped = self.triangles.len() - mesh.triangles.len();
-        let mut edges = Edges::new(&mesh);
-        if edges.open > 0 {
+        let mut found = topology(&mesh);
+        if found.open_edges > 0 {
             let tolerance = WELD * mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
-            let closer = weld_within(&mesh, tolerance);
-            let again = Edges::new(&closer);
-            if again.open == 0 {
+            let closer = weld(&mesh, tolerance);
+            let again = topology(&closer);
+            if again.open_edges == 0 {
                 let merged = mesh.points.len() - closer.points.len();
                 notes.push(format!("{merged} vertices closer than {tolerance:.2e} mm to another were merged"));
-                (mesh, edges) = (closer, again);
+                (mesh, found) = (closer, again);
             }
         }
         if dropped > 0 {
             notes.push(format!("{dropped} degenerate triangles were dropped"));
         }
-        super::refuse_open(path, &mesh)?;
-        wind(&mut mesh, &edges, &mut notes);
-        if edges.non_manifold > 0 {
-            notes.push(format!("{} edges belong to more than two triangles", edges.non_manifold));
+        super::refuse_open(path, &found)?;
+        if found.inconsistent_edges > 0 {
+            let turned = align(&mut mesh);
+            notes.push(format!("{turned} triangles were wound against their neighbours and were turned"));
+        } else if mesh.volume_mm3() < 0.0 {
+            mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+            notes.push("all triangles were wound inward and were turned".into());
+        }
+        if found.nonmanifold_edges > 0 {
+            notes.push(format!("{} edges belong to more than two triangles", found.nonmanifold_edges));
         }
         let size = mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
         if mesh.volume_mm3() <= 1e-9 * size.powi(3) {
             return Err(Error::io(Stage::Model, format!("{name} encloses no volume: it is a sheet, not a body"))
                 .advise("export the solid, not a surface or a profile"));
         }
-        let bodies = topology::bodies(&mesh);
-        Ok(Healed { mesh, bodies, notes })
+        Ok(Healed { mesh, bodies: found.components, notes })
     }
 
     /// Exactly coinciding corners become one vertex; triangles that lose a corner or have no area are left out.
@@ -118,48 +123,5 @@ impl Soup {
             }
         }
         mesh
-    }
-}
-
-/// Merges vertices within a tolerance into the lowest-numbered of them; drops the triangles that collapse.
-fn weld_within(mesh: &Mesh, tolerance_mm: f64) -> Mesh {
-    let cell = |p: &Point| [p.x, p.y, p.z].map(|x| (x / (2.0 * tolerance_mm)).round() as i64);
-    let mut grid: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
-    let mut kept: Vec<Point> = Vec::new();
-    let mut target = Vec::with_capacity(mesh.points.len());
-    for p in &mesh.points {
-        let c = cell(p);
-        let near = (0..27)
-            .filter_map(|k| {
-                let at = [c[0] + k % 3 - 1, c[1] + k / 3 % 3 - 1, c[2] + k / 9 - 1];
-                grid.get(&at)?.iter().copied().find(|&i| (kept[i as usize] - p).norm() <= tolerance_mm)
-            })
-            .min();
-        target.push(near.unwrap_or_else(|| {
-            kept.push(*p);
-            let i = kept.len() as u32 - 1;
-            grid.entry(c).or_default().push(i);
-            i
-        }));
-    }
-    let mut out = Mesh { points: kept, ..Mesh::default() };
-    for (t, corners) in mesh.triangles.iter().enumerate() {
-        let ids = corners.map(|i| target[i as usize]);
-        if ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0] {
-            out.triangles.push(ids);
-            out.face_of.push(mesh.face(t));
-        }
-    }
-    out
-}
-
-/// Winds neighbours alike and the whole outward.
-fn wind(mesh: &mut Mesh, edges: &Edges, notes: &mut Vec<String>) {
-    if edges.misaligned > 0 {
-        let flipped = topology::align(mesh);
-        notes.push(format!("{flipped} triangles were wound against their neighbours and were turned"));
-    } else if mesh.volume_mm3() < 0.0 {
-        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-        notes.push("all triangles were wound inward and were turned".into());
     }
 }

@@ -239,7 +239,7 @@ fn a_bar_shares_its_edges() {
 #[test]
 fn a_bar_loads_in_any_unit() {
     for (unit, told, mm) in
-        [("mm", None, 1.0), ("inch", None, 25.4), ("m", Some(Unit::Cm), 10.0), ("mm", Some(Unit::M), 1000.0)]
+        [("mm", None, 1.0_f64), ("inch", None, 25.4), ("m", Some(Unit::Cm), 10.0), ("mm", Some(Unit::M), 1000.0)]
     {
         let b = load_text(&bar_file(unit), told);
         if mm * 60.0 > 5000.0 {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::Aabb;
 
 /// Sizes (largest side of the box) that blades have, mm: below or above, the unit is probably wrong.
 const USUAL_MM: [f64; 2] = [3.0, 5000.0];
@@ -28,12 +28,12 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
     [Unit::M, Unit::Mm, Unit::Inch, Unit::Cm].into_iter().find(|&u| u != unit && fits(u))
 }
 
-/// A note where the part's size is unusual for a blade.
+/// A note where the part's size (its box, mm) is unusual for a blade.
 ///
 /// # Errors
 /// `InputOutput`: the size cannot be a blade's at all.
-pub fn check_size(path: &Path, mesh: &Mesh, unit: Unit) -> Result<Option<String>> {
-    let Some(b) = mesh.aabb() else { return Ok(None) };
+pub fn check_size(path: &Path, b: Option<Aabb>, unit: Unit) -> Result<Option<String>> {
+    let Some(b) = b else { return Ok(None) };
     let size_mm = (b.max - b.min).max();
     if (USUAL_MM[0]..=USUAL_MM[1]).contains(&size_mm) {
         return Ok(None);

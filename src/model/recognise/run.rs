@@ -14,10 +14,11 @@ pub const LOOSENESS: f64 = 0.2;
 /// Likeness that any steady loop has: keeps plain prisms recognisable when nothing better is there.
 const FLOOR: f64 = 0.01;
 
-/// A chain that reaches one of so many sections at an end of the part ends freely, as a blade does at its tip …
-const NEAR_END: usize = 4;
-/// … and is preferred by this factor.
-const FREE_END: f64 = 1.5;
+/// A chain that reaches an end of the part within this share of the part's length ends freely, as a blade does at its
+/// tip, and scores up to double; one that stays farther away gains less, and nothing beyond [`INSIDE`].
+const FREE_END: f64 = 0.03;
+/// See [`FREE_END`].
+const INSIDE: f64 = 0.15;
 
 /// One section of the chain.
 pub struct Link {
@@ -186,10 +187,11 @@ fn summarise(
     let mean = areas.iter().sum::<f64>() / areas.len().max(1) as f64;
     let change = areas.first().zip(areas.last()).map_or(0.0, |(a, b)| (a - b).abs());
     let sway = (areas.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() - change) / mean.max(f64::MIN_POSITIVE);
-    let free = chain.first().is_some_and(|c| c.0 < NEAR_END) || chain.last().is_some_and(|c| c.0 + NEAR_END >= HEIGHTS);
-    let score = if free { FREE_END } else { 1.0 } * swept / mesh.area_mm2().max(f64::MIN_POSITIVE)
-        * (1.0 - 4.0 * along).max(0.0)
-        / (1.0 + sway);
+    let height = |c: Option<&(usize, usize)>| c.map_or(f64::NAN, |&(i, _)| sections[i].0);
+    let gap = (height(chain.first()) - part_mm[0]).min(part_mm[1] - height(chain.last())) / (part_mm[1] - part_mm[0]);
+    let free = 1.0 + ((INSIDE - gap) / (INSIDE - FREE_END)).clamp(0.0, 1.0);
+    let share = swept / mesh.area_mm2().max(f64::MIN_POSITIVE);
+    let score = if chain.is_empty() { 0.0 } else { free * share * (1.0 - 4.0 * along).max(0.0) / (1.0 + sway).sqrt() };
     let links = chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
     Run { direction: *direction, part_mm, links, score, likeness, along, least_normal }
 }
