@@ -59,7 +59,7 @@ fn stretches(range: &Range<usize>, most: usize) -> Vec<Range<usize>> {
 
 fn turns(plan: &Plan, input: &ReportInput) -> Value {
     let ranges = ranges(plan);
-    let most = (CURVE_POINTS / ranges.len().max(1)).clamp(48, 400);
+    let most = (CURVE_POINTS / ranges.len().max(1)).clamp(72, 400);
     let fixed = input.baseline.map(|b| &b.schedule.theta);
     let (path, rows) = (&plan.toolpath, &plan.channel.rows);
     let one = |(turn, range): (&crate::artifact::toolpath::Turn, &Range<usize>)| {
@@ -67,12 +67,14 @@ fn turns(plan: &Plan, input: &ReportInput) -> Value {
         let zero = plan.schedule.theta.get(range.start).copied().unwrap_or(0.0);
         let base_s = path.locations.get(range.start).map_or(0.0, |l| l.s_mm);
         let degrees = |v: f64| (v - zero).to_degrees();
-        let low = |f: &dyn Fn(usize) -> f64| {
-            list(pieces.iter().map(|p| degrees(p.clone().map(f).fold(f64::INFINITY, f64::min))), 2)
+        // The tightest wall of a stretch as seen from the schedule: θ itself rises within it.
+        let theta = |i: usize| plan.schedule.theta[i];
+        let wall = |f: &dyn Fn(usize) -> f64, tighter: fn(f64, f64) -> f64| {
+            let gap = |p: &Range<usize>| p.clone().map(|i| f(i) - theta(i)).fold(f64::NAN, tighter);
+            list(pieces.iter().map(|p| degrees(theta(p.start) + gap(p))), 2)
         };
-        let high = |f: &dyn Fn(usize) -> f64| {
-            list(pieces.iter().map(|p| degrees(p.clone().map(f).fold(f64::NEG_INFINITY, f64::max))), 2)
-        };
+        let high = |f: &dyn Fn(usize) -> f64| wall(f, f64::max);
+        let low = |f: &dyn Fn(usize) -> f64| wall(f, f64::min);
         let at = |f: &dyn Fn(usize) -> f64, digits| list(pieces.iter().map(|p| f(p.start)), digits);
         let keys: Vec<Value> = plan
             .schedule
@@ -85,7 +87,7 @@ fn turns(plan: &Plan, input: &ReportInput) -> Value {
             "length": rounded(turn.length_mm, 3),
             "zero": rounded(zero.to_degrees(), 3),
             "s": at(&|i| path.locations[i].s_mm - base_s, 3),
-            "theta": at(&|i| degrees(plan.schedule.theta[i]), 3),
+            "theta": at(&|i| degrees(theta(i)), 3),
             "min": high(&|i| rows[i].theta_min),
             "max": low(&|i| rows[i].theta_max),
             "hull_min": high(&|i| rows[i].hull_min),

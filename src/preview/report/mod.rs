@@ -4,8 +4,8 @@
 //! network: style and script (plain JavaScript, `page.js`) are inside, and the data as JSON. Tables are static; plots
 //! are drawn by the script, follow the width of the window and can be read with the keyboard.
 //!
-//! Plots are thinned: each turn is cut into stretches, and a stretch shows the *tightest* of its channel walls and the
-//! *greatest* of its velocities and accelerations, so nothing that matters is smoothed away. Peaks in tables are of all
+//! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where they come *nearest*
+//! to the schedule and the *greatest* of its velocities and accelerations, so nothing that matters is smoothed away. Peaks in tables are of all
 //! cutter locations. The 3-D picture is in the blade frame, sorted by depth, without perspective.
 
 mod data;
