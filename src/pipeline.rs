@@ -1,1 +1,376 @@
-//! The stages in a straight line.
+//! The stages in a straight line: a job in, the files of a run out.
+
+use std::path::{Path, PathBuf};
+
+use crate::artifact::blade::Blade;
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule, Section};
+use crate::channel::{self, ChannelOptions};
+use crate::error::{Result, Stage};
+use crate::feed::{self, FeedOptions};
+use crate::job::{Draft, Job};
+use crate::machine::Machine;
+use crate::model::{self, ModelOptions};
+use crate::observe::{Observer, Recorder};
+use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
+use crate::output::summary::{self, ScheduleFigures, Summary};
+use crate::output::{self, RunFolder, tables};
+use crate::path::{self, PathOptions};
+use crate::post::{self, PostOptions};
+use crate::preview::report::{self, ReportInput};
+use crate::preview::{self, GltfOptions};
+use crate::schedule::{self, ScheduleOptions};
+use crate::section::{self, SectionOptions};
+use crate::verify::{self, Verdict, Verified, VerifyOptions};
+
+/// How far to go and what to do with a plan that fails its checks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Course {
+    /// Stop after this stage.
+    pub until: Option<Stage>,
+    /// Write programs even if the checks fail; their headers say so.
+    pub force: bool,
+}
+
+impl Course {
+    fn ends_at(self, stage: Stage) -> bool {
+        self.until == Some(stage)
+    }
+}
+
+/// What a run came to.
+pub struct Outcome {
+    /// Files written, in order.
+    pub files: Vec<PathBuf>,
+    /// Figures, where the run went far enough.
+    pub summary: Option<Summary>,
+    /// What the checks found, where the run went far enough.
+    pub report: Option<CheckReport>,
+}
+
+/// A blade with everything that stands still during a run.
+pub struct Setup {
+    /// The job, complete.
+    pub job: Job,
+    /// The blade.
+    pub blade: Blade,
+    /// The machine.
+    pub machine: Machine,
+    /// Input files with their hashes: the model first.
+    pub inputs: Vec<Input>,
+}
+
+impl Setup {
+    /// Reads model and machine and completes the job.
+    ///
+    /// # Errors
+    /// Those of reading and of the job.
+    pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
+        let m = draft.model();
+        let mut inputs = vec![manifest::input(&m.file)?];
+        let options = ModelOptions {
+            unit: m.unit,
+            axis: m.axis.direction(),
+            deflection_mm: m.deflection_mm,
+            ..ModelOptions::default()
+        };
+        let blade = model::load(&m.file, &options, observer)?;
+        let machine = match draft.machine_file() {
+            Some(file) => {
+                inputs.push(manifest::input(file)?);
+                Machine::load(file)?
+            }
+            None => Machine::demo()?,
+        };
+        let job = draft.complete(&blade)?;
+        Ok(Setup { job, blade, machine, inputs })
+    }
+
+    fn section_options(&self) -> SectionOptions {
+        SectionOptions { count: self.job.section.count as usize, ..SectionOptions::default() }
+    }
+
+    fn path_options(&self) -> PathOptions {
+        let (p, r) = (&self.job.path, &self.job.region);
+        PathOptions {
+            radius_mm: self.job.tool.radius_mm,
+            scallop_mm: p.scallop_mm,
+            chord_mm: p.chord_mm,
+            max_step_mm: p.max_step_mm,
+            region_x_mm: [Some(r.start_mm), r.end_mm],
+            max_lean_rad: p.max_lean_deg.to_radians(),
+        }
+    }
+
+    fn channel_options(&self) -> ChannelOptions {
+        let c = &self.job.channel;
+        ChannelOptions {
+            b_rad: self.job.machine.b_deg.to_radians(),
+            clearance_mm: c.clearance_mm,
+            holder_clearance_mm: c.holder_clearance_mm,
+            contact_angle_min_rad: c.contact_angle_min_deg.to_radians(),
+            contact_angle_max_rad: c.contact_angle_max_deg.to_radians(),
+            tolerance_rad: c.tolerance_deg.to_radians(),
+            ..ChannelOptions::default()
+        }
+    }
+
+    fn schedule_options(&self) -> ScheduleOptions {
+        let s = &self.job.schedule;
+        ScheduleOptions { margin_deg: s.margin_deg, lead_deg: s.lead_deg, ..ScheduleOptions::default() }
+    }
+
+    fn feed_options(&self) -> FeedOptions {
+        FeedOptions {
+            feed_mm_min: self.job.feed.feed_mm_min,
+            b_rad: self.job.machine.b_deg.to_radians(),
+            gauge_length_mm: self.job.tool.length_mm(),
+        }
+    }
+
+    /// Limits of the checks, as the job has them.
+    pub fn verify_options(&self) -> VerifyOptions {
+        let (v, c) = (&self.job.verify, &self.job.channel);
+        VerifyOptions {
+            gouge_mm: v.gouge_mm,
+            scallop_mm: self.job.path.scallop_mm,
+            scallop_ratio: v.scallop_ratio,
+            clearance_mm: c.clearance_mm,
+            holder_clearance_mm: c.holder_clearance_mm,
+            resolution_mm: v.resolution_mm,
+            surface_samples: v.surface_samples as usize,
+            ..VerifyOptions::default()
+        }
+    }
+
+    /// What programs say in their headers.
+    pub fn post_options(&self) -> PostOptions {
+        let model = &self.inputs[0];
+        let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
+        PostOptions {
+            program_name: program_name(&self.blade.name),
+            part_file: file,
+            part_hash: model.blake3.clone(),
+            job: "job.resolved.toml".into(),
+            ..PostOptions::default()
+        }
+    }
+}
+
+/// A name that every control accepts: capitals, digits and underscores, beginning with a letter.
+fn program_name(name: &str) -> String {
+    let clean: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' }).take(24).collect();
+    if clean.starts_with(|c: char| c.is_ascii_alphabetic()) { clean } else { format!("B_{clean}") }
+}
+
+/// A baseline beside the schedule in use.
+#[derive(Clone, Debug)]
+pub struct Baseline {
+    /// The schedule.
+    pub schedule: Schedule,
+    /// Its axis motion under the same limits.
+    pub motion: AxisMotion,
+}
+
+/// Plans, checks and writes everything.
+///
+/// # Errors
+/// The first stage's that fails; nothing is written then.
+pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -> Result<Outcome> {
+    let recorder = Recorder::new(observer);
+    let mut folder = RunFolder::begin(out)?;
+    let mut clock = Clock::default();
+    let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
+    folder.add("job.resolved.toml", setup.job.to_toml()?)?;
+    let sections =
+        clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
+    folder.add_json("sections.json", &sections)?;
+    let (mut summary, mut report) = (None, None);
+    if !course.ends_at(Stage::Section) {
+        let planned = plan(&setup, course, &mut folder, &mut clock, &recorder)?;
+        if let Some((plan, baseline)) = planned {
+            let checked = check_and_write(&setup, &sections, plan, &baseline, course, &mut folder, &mut clock, &recorder)?;
+            (summary, report) = (checked.summary, Some(checked.report));
+        }
+    }
+    let status = match (&report, course.until) {
+        (Some(r), None) if r.passed() => "good".to_owned(),
+        (Some(r), None) if !r.passed() => "findings".to_owned(),
+        (_, until) => until.map_or_else(|| "good".to_owned(), |s| format!("until {s}")),
+    };
+    folder.add_json(
+        "manifest.json",
+        &Manifest {
+            schema_version: SCHEMA_VERSION,
+            program: format!("bladewright {}", env!("CARGO_PKG_VERSION")),
+            inputs: setup.inputs.clone(),
+            job: &setup.job,
+            stages: clock.records,
+            warnings: recorder.warnings(),
+            status,
+        },
+    )?;
+    Ok(Outcome { files: folder.finish()?, summary, report })
+}
+
+/// The planning stages; `None` where the course ends before the motion is known.
+fn plan(
+    setup: &Setup,
+    course: Course,
+    folder: &mut RunFolder,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Option<(Plan, Baseline)>> {
+    let (blade, job) = (&setup.blade, &setup.job);
+    let toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?;
+    if course.ends_at(Stage::Path) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        return Ok(None);
+    }
+    let channel =
+        clock.time(Stage::Channel, || channel::plan(blade, &job.tool, &toolpath, &setup.channel_options(), observer))?;
+    if course.ends_at(Stage::Channel) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        folder.add_json("channel.json", &channel)?;
+        return Ok(None);
+    }
+    let options = setup.schedule_options();
+    let (schedule, fixed) = clock.time(Stage::Schedule, || {
+        let fixed = schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer)?;
+        let used = schedule::plan(job.schedule.kind, &toolpath, &channel, &options, observer)?;
+        Ok((used, fixed))
+    })?;
+    if course.ends_at(Stage::Schedule) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        folder.add_json("channel.json", &channel)?;
+        folder.add_json("schedule.json", &schedule)?;
+        return Ok(None);
+    }
+    let feed = |s: &Schedule| feed::plan(&toolpath, s, &setup.machine, &setup.feed_options(), observer);
+    let (motion, fixed_motion) = clock.time(Stage::Feed, || Ok((feed(&schedule)?, feed(&fixed)?)))?;
+    let baseline = Baseline { schedule: fixed, motion: fixed_motion };
+    Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
+}
+
+/// What checking and writing came to.
+struct Checked {
+    summary: Option<Summary>,
+    report: CheckReport,
+}
+
+#[allow(clippy::too_many_arguments)]
+fn check_and_write(
+    setup: &Setup,
+    sections: &[Section],
+    plan: Plan,
+    baseline: &Baseline,
+    course: Course,
+    folder: &mut RunFolder,
+    clock: &mut Clock,
+    observer: &Recorder,
+) -> Result<Checked> {
+    folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
+    folder.add("axes.csv", tables::axes(&plan))?;
+    folder.add("plan.json", output::json_compact(&plan)?)?;
+    let verdict = clock.time(Stage::Verify, || {
+        verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &setup.verify_options(), observer)
+    })?;
+    let report = verdict.report().clone();
+    folder.add_json("verify.json", &report)?;
+    let figures = compare(setup, verdict.value(), baseline)?;
+    let summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
+    folder.add_json("summary.json", &summary)?;
+    if course.ends_at(Stage::Verify) {
+        return Ok(Checked { summary: Some(summary), report });
+    }
+    clock.time(Stage::Preview, || write_preview(setup, sections, &verdict, baseline, folder, observer))?;
+    if let Some(verified) = accept(verdict, course.force) {
+        clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+    }
+    Ok(Checked { summary: Some(summary), report })
+}
+
+/// The plan as evidence: passed, or failed and forced.
+pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
+    match verdict {
+        Verdict::Passed(v) => Some(v),
+        Verdict::Failed(r) if force => Some(r.write_anyway()),
+        Verdict::Failed(_) => None,
+    }
+}
+
+/// preview.glb and report.html.
+fn write_preview(
+    setup: &Setup,
+    sections: &[Section],
+    verdict: &Verdict<Plan>,
+    baseline: &Baseline,
+    folder: &mut RunFolder,
+    observer: &Recorder,
+) -> Result<()> {
+    let (blade, tool, plan) = (&setup.blade, &setup.job.tool, verdict.value());
+    folder.add("preview.glb", preview::gltf(Some(plan), blade, tool, &GltfOptions::default())?)?;
+    let model = &setup.inputs[0];
+    let provenance = [
+        ("Program".to_owned(), format!("bladewright {}", env!("CARGO_PKG_VERSION"))),
+        ("Model".to_owned(), setup.post_options().part_file),
+        ("BLAKE3 of the model".to_owned(), model.blake3.clone()),
+    ];
+    let page = report::html(&ReportInput {
+        title: &blade.name,
+        blade,
+        tool,
+        machine: &setup.machine,
+        plan: Some(plan),
+        baseline: Some(report::Baseline { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) }),
+        sections,
+        checks: Some(verdict.report()),
+        forced: false,
+        warnings: &observer.warnings(),
+        job_toml: &setup.job.to_toml()?,
+        provenance: &provenance,
+    })?;
+    folder.add("report.html", page)
+}
+
+fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<()> {
+    for control in &setup.job.post.control {
+        let program =
+            post::post(*control, verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())?;
+        folder.add(control.file_name(), program.text)?;
+    }
+    Ok(())
+}
+
+/// preview.glb and report.html of a plan taken up again: sections and the fixed-lead baseline are made anew.
+///
+/// # Errors
+/// Those of the stages.
+pub fn preview_again(
+    setup: &Setup,
+    verdict: &Verdict<Plan>,
+    folder: &mut RunFolder,
+    observer: &dyn Observer,
+) -> Result<()> {
+    let recorder = Recorder::new(observer);
+    let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;
+    let plan = verdict.value();
+    let options = setup.schedule_options();
+    let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, &recorder)?;
+    let motion = feed::plan(&plan.toolpath, &schedule, &setup.machine, &setup.feed_options(), &recorder)?;
+    write_preview(setup, &sections, verdict, &Baseline { schedule, motion }, folder, &recorder)
+}
+
+/// Figures of the schedule in use and of the fixed-lead baseline.
+fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
+    const A: usize = 3;
+    let constant = |s: &Schedule| {
+        let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
+        Result::Ok([peaks.velocity[A], peaks.acceleration[A]])
+    };
+    Ok(vec![
+        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?),
+        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?),
+    ])
+}

@@ -42,7 +42,8 @@ pub struct Toolpath {
     pub region_x_mm: [f64; 2],
     /// Why the path ends where it ends, in words.
     pub end_reason: String,
-    /// Greatest scallop that the planner foresees between neighbouring turns, mm.
+    /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact faces, the 99th percentile
+    /// on a mesh.
     pub planned_scallop_mm: f64,
     /// Turns in order.
     pub turns: Vec<Turn>,

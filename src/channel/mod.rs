@@ -12,8 +12,8 @@
 //! lower limits, `hull_max` the running least of the upper limits from the end: a schedule that never turns back exists
 //! exactly where `hull_min <= hull_max`, and then everywhere between them one can go on.
 //!
-//! **Guaranteed**: at every place looked at (each cutter location, and places between them no farther apart than
-//! `max_step_mm`) and every θ of its interval, no point of the part's mesh is nearer to taper, shank or holder than the
+//! **Guaranteed**: at every place looked at (cutter locations and places between them, no farther apart than
+//! `max_step_mm` and a tenth of a radian of the normal) and every θ of its interval, no point of the part's mesh is nearer to taper, shank or holder than the
 //! clearance plus the mesh's deflection. Ends are at most `tolerance_rad` inside those of the exact mesh, or of a tool
 //! inflated by an eighth of the tolerance times the distance from the ball centre, where the tool touches the part
 //! along a whole line at once. Between places looked at, walls are taken as straight.
@@ -80,8 +80,9 @@ pub fn plan(
     let reporter = report::Reporter { blade, path, scene: &scene, samples: &samples };
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
-    let mut rows = walls::rows(&samples, &chosen, path.locations.len(), &scene);
-    let azimuths: Vec<f64> = samples.iter().filter(|s| s.fraction == 0.0).map(|s| s.azimuth).collect();
+    let s_mm: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let mut rows = walls::rows(&samples, &chosen, &s_mm, &scene);
+    let azimuths = samples::azimuths(path);
     for (row, (least, greatest)) in rows.iter_mut().zip(tangent::limits(path, tool.taper_deg.to_radians(), &azimuths)) {
         (row.tangent_min, row.tangent_max) = (least, greatest);
     }

@@ -33,7 +33,7 @@ impl Default for ChannelOptions {
             contact_angle_min_rad: 0.0,
             contact_angle_max_rad: 90f64.to_radians(),
             tolerance_rad: 0.01f64.to_radians(),
-            max_step_mm: 1.0,
+            max_step_mm: 1.5,
         }
     }
 }

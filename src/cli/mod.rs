@@ -1,5 +1,70 @@
-//! The command line.
-/// Runs the command; the exit code says how it ended.
-pub fn run() -> std::process::ExitCode {
-    std::process::ExitCode::SUCCESS
+//! The command line: typed arguments in [`args`], one function per verb, exit codes from [`crate::error::ErrorKind`].
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod again;
+mod args;
+mod inspect;
+mod make;
+mod plan;
+mod progress;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::error::{Error, Result, Stage};
+use args::{Args, Verb};
+
+/// Runs the command given by the process' arguments.
+pub fn run() -> ExitCode {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(e) => {
+            // Help and version are good ends; everything else is usage.
+            let code = u8::from(e.use_stderr()) * 2;
+            let _ = e.print();
+            return ExitCode::from(code);
+        }
+    };
+    let quiet = args.quiet;
+    let ended = match threads(args.threads) {
+        Err(e) => Err(e),
+        Ok(pool) => pool.install(|| dispatch(args.verb, quiet)),
+    };
+    match ended {
+        Ok(code) => ExitCode::from(code),
+        Err(e) => {
+            report(&e);
+            ExitCode::from(e.kind.exit_code())
+        }
+    }
+}
+
+fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
+    match verb {
+        Verb::Inspect(a) => inspect::run(&a, quiet),
+        Verb::Make(a) => make::run(&a, quiet),
+        Verb::Plan(a) => plan::run(&a, quiet),
+        Verb::Verify(a) => again::verify(&a, quiet),
+        Verb::Post(a) => again::post(&a, quiet),
+        Verb::Preview(a) => again::preview(&a, quiet),
+    }
+}
+
+fn threads(count: Option<usize>) -> Result<rayon::ThreadPool> {
+    if count == Some(0) {
+        return Err(Error::usage(Stage::Job, "--threads is 0, it must be at least 1"));
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(count.unwrap_or(0))
+        .build()
+        .map_err(|e| Error::usage(Stage::Job, format!("the threads asked for cannot be started: {e}")))
+}
+
+/// One line for the error, one for what to do.
+fn report(e: &Error) {
+    eprintln!("error: {}: {}", e.stage, e.message);
+    if let Some(advice) = &e.advice {
+        eprintln!("       {advice}");
+    }
 }

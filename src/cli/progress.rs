@@ -2,18 +2,17 @@
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::error::Stage;
 use crate::observe::{Observer, Warning};
 
-/// Shows progress and collects warnings; Ctrl-C asks the stages to stop.
+/// Shows progress and warnings; Ctrl-C asks the stages to stop.
 pub struct Terminal {
     bar: ProgressBar,
     shown: AtomicUsize,
-    warnings: Mutex<Vec<Warning>>,
     stop: Arc<AtomicBool>,
     quiet: bool,
 }
@@ -32,16 +31,12 @@ impl Terminal {
         let flag = Arc::clone(&stop);
         // A second handler in one process (tests) is refused; the first goes on working.
         let _ = ctrlc::set_handler(move || flag.store(true, Ordering::SeqCst));
-        Terminal { bar, shown: AtomicUsize::new(usize::MAX), warnings: Mutex::new(Vec::new()), stop, quiet }
+        Terminal { bar, shown: AtomicUsize::new(usize::MAX), stop, quiet }
     }
 
-    /// Ends the bar and gives the warnings, in the order of the stages, each once.
-    pub fn finish(&self) -> Vec<Warning> {
+    /// Takes the bar away.
+    pub fn finish(&self) {
         self.bar.finish_and_clear();
-        let mut all = self.warnings.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        all.sort_by(|a, b| (a.stage as usize, &a.message).cmp(&(b.stage as usize, &b.message)));
-        all.dedup();
-        all
     }
 }
 
@@ -59,11 +54,7 @@ impl Observer for Terminal {
     }
 
     fn warn(&self, warning: Warning) {
-        let mut all = self.warnings.lock().unwrap_or_else(PoisonError::into_inner);
-        if !all.contains(&warning) {
-            self.bar.suspend(|| eprintln!("warning: {}: {}", warning.stage, warning.message));
-            all.push(warning);
-        }
+        self.bar.suspend(|| eprintln!("warning: {}: {}", warning.stage, warning.message));
     }
 
     fn cancelled(&self) -> bool {

@@ -59,7 +59,7 @@ impl FeedOptions {
         if !(self.feed_mm_min > 0.0 && self.feed_mm_min.is_finite()) {
             return bad(format!("feed.feed_mm_min is {}, it must be greater than 0", self.feed_mm_min));
         }
-        if !(self.b_rad.abs() < std::f64::consts::FRAC_PI_2) {
+        if self.b_rad.is_nan() || self.b_rad.abs() >= std::f64::consts::FRAC_PI_2 {
             return bad(format!("B is {} deg, it must be between -90 and 90", self.b_rad.to_degrees()));
         }
         if !(self.gauge_length_mm >= 0.0 && self.gauge_length_mm.is_finite()) {

@@ -30,7 +30,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         chord_mm: 0.01,
         region_x_mm: [0.0, 0.0],
         planned_scallop_mm: 0.01,
-        end_reason: "the end of the region".into(),
+        end_reason: String::new(),
         turns: Vec::new(),
         locations,
     };

@@ -133,7 +133,7 @@ pub(super) fn fastest(
         let most = reach[i + 1].min(cap(curve, i, limits, feed));
         x[i + 1] = (x[i] + 2.0 * h * range(&lines, x[i]).high).clamp(0.0, most);
         u[i] = (x[i + 1] - x[i]) / (2.0 * h);
-        if !(x[i] + x[i + 1] > 0.0) {
+        if x[i].max(x[i + 1]) <= 0.0 {
             return Err(Error::usage(
                 Stage::Feed,
                 format!("the axes cannot start along the path at location {i}: their positions change too abruptly"),

@@ -95,6 +95,17 @@ fn schema_in_git_is_the_schema_of_the_program() {
     );
 }
 
+#[test]
+fn example_jobs_name_models_that_exist() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/jobs");
+    let files: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()).collect();
+    assert!(files.len() >= 3);
+    for file in files {
+        let draft = resolve(load(&file).unwrap(), &folder).unwrap();
+        assert!(draft.model().file.is_file(), "{} names {}", file.display(), draft.model().file.display());
+    }
+}
+
 mod with_blade {
     use super::*;
     use crate::artifact::Blade;

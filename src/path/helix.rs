@@ -6,7 +6,7 @@ use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
 use super::rings::Stack;
-use super::stepover::ridge_height;
+use super::stepover::{decisive_mm, ridge_height};
 use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -59,12 +59,19 @@ impl Blend<'_> {
 
     /// Adds touches strictly between two, as many as the chord tolerance asks for.
     fn refine(&self, l: (f64, &Touch), r: (f64, &Touch), depth: u32, out: &mut Vec<Touch>) -> Result<()> {
-        if depth >= MOST_HALVINGS {
+        let length = (r.1.centre - l.1.centre).norm();
+        // No convex bend of the path is tighter than the ball: so short a chord is within the tolerance as it is.
+        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm;
+        if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
             return Ok(());
         }
         let u = 0.5 * (l.0 + r.0);
         let mid = self.at(u)?;
-        if distance_to_segment(&mid.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm {
+        let off = |t: &Touch| distance_to_segment(&t.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm;
+        // A long chord over facets may leave the path at its quarters and meet it again in the middle.
+        let split = off(&mid)
+            || (!safe && (off(&self.at(0.75 * l.0 + 0.25 * r.0)?) || off(&self.at(0.25 * l.0 + 0.75 * r.0)?)));
+        if split {
             self.refine(l, (u, &mid), depth + 1, out)?;
             out.push(mid);
             self.refine((u, &mid), r, depth + 1, out)?;
@@ -145,24 +152,22 @@ fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<CutterLocation>) 
     (heads, locations)
 }
 
-/// Greatest scallop between each turn and the next, measured at each location, mm.
+/// The scallop between each turn and the next, measured at each location, mm.
 fn worst_scallop(level: &LevelSet, turns: &[Vec<Touch>]) -> f64 {
-    (1..turns.len())
+    let heights = (1..turns.len())
         .into_par_iter()
-        .map(|k| {
+        .flat_map_iter(|k| {
             let (upper, lower) = (&turns[k - 1], &turns[k]);
             let mut at = 0usize;
-            let mut worst = 0.0f64;
-            for t in upper {
-                let Some(near) = nearest_forward(lower, &t.centre, &mut at) else { continue };
+            upper.iter().filter_map(move |t| {
+                let near = nearest_forward(lower, &t.centre, &mut at)?;
                 // Off the chord and onto the level set, as for the rings.
-                let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm);
-                let ridge = on_level.and_then(|n| ridge_height(level, &t.centre, &n.centre));
-                worst = worst.max(ridge.unwrap_or(0.0));
-            }
-            worst
+                let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm)?;
+                ridge_height(level, &t.centre, &on_level.centre)
+            })
         })
-        .reduce(|| 0.0, f64::max)
+        .collect();
+    decisive_mm(level, heights)
 }
 
 /// The nearest point of an open polyline of centres, sought near the last answer: both turns run alongside. `None`

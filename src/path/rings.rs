@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
-use super::stepover::{flat_stepover_mm, ridge_height};
+use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
 use super::{place, seed};
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
@@ -203,14 +203,16 @@ fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::resu
     Ok(ring)
 }
 
-/// Greatest scallop between two rings, mm.
+/// The scallop between two rings, mm.
 fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
-    a.touches
+    let heights = a
+        .touches
         .par_iter()
         .filter_map(|t| {
             // The chord between two touches of the ring lies off the level set, which would tilt a close pair of balls.
             let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
             ridge_height(level, &t.centre, &near.centre)
         })
-        .reduce(|| 0.0, f64::max)
+        .collect();
+    decisive_mm(level, heights)
 }

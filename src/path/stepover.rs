@@ -29,3 +29,12 @@ fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
 pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
     (8.0 * radius_mm * scallop_mm - 4.0 * scallop_mm * scallop_mm).max(0.0).sqrt()
 }
+
+/// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on a mesh the 99th
+/// percentile, since single ridges on the edges between facets tell of the facets and not of the part. 0 without heights.
+pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
+    heights_mm.sort_by(f64::total_cmp);
+    let rank = if level.part.brep.is_some() { 1.0 } else { 0.99 };
+    let last = heights_mm.len().saturating_sub(1);
+    heights_mm.get((last as f64 * rank).round() as usize).copied().unwrap_or(0.0)
+}

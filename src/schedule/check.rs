@@ -31,13 +31,12 @@ pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, pat
     }
     let middle: Vec<f64> = hull.s.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
     let between = bezier::sample(pieces, middle.iter().copied());
-    for i in 0..theta.len() {
-        let at_row = (hull.s[i], theta[i]);
+    for (i, at_row) in hull.s.iter().copied().zip(theta.iter().copied()).enumerate() {
         let after = middle.get(i).zip(between.get(i)).map(|(s, t)| (*s, *t));
         for (s, t) in [Some(at_row), after].into_iter().flatten() {
             let [lo, hi] = hull.at(s);
             let outside = (lo - t).max(t - hi);
-            if !(outside <= ROUNDING) {
+            if outside.is_nan() || outside > ROUNDING {
                 return fail(i, format!("leaves the channel by {} deg", outside.to_degrees()));
             }
         }

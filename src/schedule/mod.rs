@@ -69,7 +69,11 @@ pub fn plan(
     if n < 2 {
         return bad(format!("the path has {n} locations, at least 2 are needed"));
     }
-    if let Some(i) = path.locations.windows(2).position(|w| !(w[1].s_mm - w[0].s_mm > 0.0)) {
+    if let Some(i) = path
+        .locations
+        .windows(2)
+        .position(|w| !w[0].s_mm.is_finite() || !w[1].s_mm.is_finite() || w[1].s_mm <= w[0].s_mm)
+    {
         return bad(format!("arc length does not rise from location {i} to the next"));
     }
     match kind {

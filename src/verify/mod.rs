@@ -1,11 +1,36 @@
 //! Checks of a finished plan, written apart from the planners: nothing here is shared with them but geometry, tool,
 //! machine and the artifacts themselves.
 //!
-//! **In**: a [`Plan`], the [`Blade`] and the [`Tool`] it was made for. **Out**: a [`Verdict`] with a
+//! **In**: a [`Plan`], the [`Blade`], [`Tool`] and [`Machine`] it was made for. **Out**: a [`Verdict`] with a
 //! [`CheckReport`]; only a verdict that passed holds a [`Verified`] plan, and only that can be posted.
+//!
+//! | check | measured | bound between samples |
+//! | --- | --- | --- |
+//! | `gouge` | ball radius less distance to the part, along the straight moves | concavity of `d² − x²`: exact |
+//! | `gouge-surface` | the same from the part's side, at surface samples | none: samples |
+//! | `scallop` | height at which the normal of a surface sample meets the swept ball (capsules) | none: samples |
+//! | `ridge` | lowest point of the circle in which neighbouring passes meet, over the part | none: samples |
+//! | `clearance`, `holder-clearance` | least distance of the frusta to the part's triangles | Taylor bound over the move |
+//! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
+//! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
+//! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
+//!
+//! A check whose bound holds between samples reports the bound as its worst value and the measured value in its note.
+//!
+//! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
+//! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
 
+mod clearance;
+mod gouge;
+mod limits;
 mod options;
+mod samples;
+mod scallop;
 mod schedule;
+mod solid;
+mod sweep;
+#[cfg(test)]
+mod tests;
 mod verdict;
 
 pub use options::VerifyOptions;
@@ -13,6 +38,7 @@ pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
+use crate::machine::Machine;
 use crate::observe::Observer;
 use crate::tool::Tool;
 
@@ -25,14 +51,32 @@ pub fn check(
     plan: Plan,
     blade: &Blade,
     tool: &Tool,
+    machine: &Machine,
     options: &VerifyOptions,
     observer: &dyn Observer,
 ) -> Result<Verdict<Plan>> {
     well_formed(&plan)?;
     tool.validate()?;
-    observer.check(Stage::Verify)?;
     let mut report = CheckReport::default();
+    let step = |done: usize| {
+        observer.progress(Stage::Verify, done, 4);
+        observer.check(Stage::Verify)
+    };
+    step(0)?;
+    let sweep = sweep::Sweep::new(&plan.toolpath);
+    let (check, deepest) = gouge::check(blade, &sweep, options);
+    report.gouge_mm = deepest.found_mm.max(0.0);
+    report.checks.push(check);
+    step(1)?;
+    scallop::check(&plan, blade, &sweep, options, &mut report);
+    step(2)?;
+    let (checks, least) = clearance::check(&plan, blade, tool, options);
+    report.clearance_mm = least;
+    report.checks.extend(checks);
+    step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
+    report.checks.extend(limits::check(&plan, blade, tool, machine, options));
+    step(4)?;
     Ok(Verdict::of(plan, report))
 }
 

@@ -14,10 +14,16 @@ pub struct VerifyOptions {
     pub clearance_mm: f64,
     /// Clearance asked for between the part and the holder, mm: likewise.
     pub holder_clearance_mm: f64,
-    /// Bound on what a check along the motion may miss between two of its samples, mm. Default 0.0005.
+    /// What the gouge check may miss between two of its samples, mm. Default 0.0005.
     pub resolution_mm: f64,
+    /// What the clearance check may miss between two of its samples, mm. Default 0.005: well below any clearance asked
+    /// for.
+    pub clearance_resolution_mm: f64,
     /// How far θ may leave the channel or turn back, degrees: rounding only. Default 1e-6.
     pub angle_tolerance_deg: f64,
+    /// How far velocity and acceleration of an axis may exceed its limit, relative. Default 1e-4: rounding of times and
+    /// positions.
+    pub limit_tolerance: f64,
     /// Number of surface samples over the machined band, about. Default 120 000.
     pub surface_samples: usize,
 }
@@ -28,10 +34,12 @@ impl Default for VerifyOptions {
             gouge_mm: 0.003,
             scallop_mm: 0.01,
             scallop_ratio: 1.05,
-            clearance_mm: 0.5,
+            clearance_mm: 0.1,
             holder_clearance_mm: 1.0,
             resolution_mm: 0.0005,
+            clearance_resolution_mm: 0.005,
             angle_tolerance_deg: 1e-6,
+            limit_tolerance: 1e-4,
             surface_samples: 120_000,
         }
     }

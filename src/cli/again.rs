@@ -1,0 +1,114 @@
+//! `verify`, `post`, `preview`: a finished run taken up again from its files.
+
+use std::path::Path;
+
+use super::args::{Again, Post};
+use super::progress::Terminal;
+use crate::artifact::{CheckReport, Plan};
+use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::job;
+use crate::observe::Observer;
+use crate::output::{RunFolder, tables};
+use crate::pipeline::{self, Setup};
+use crate::post;
+use crate::verify;
+
+/// A finished run.
+struct Finished {
+    setup: Setup,
+    plan: Plan,
+}
+
+/// Reads the job, the model that it names and the plan, whose cutter locations are taken from `cutter_locations.csv`:
+/// that is the file other programs read, so that is what must be checked.
+fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
+    let file = out.join("job.resolved.toml");
+    if !file.is_file() {
+        return Err(Error::io(Stage::Job, format!("{} holds no finished run: job.resolved.toml is missing", out.display()))
+            .advise("give the folder that `plan … -o` wrote"));
+    }
+    let draft = job::resolve(job::load(&file)?, out)?;
+    let setup = Setup::load(&draft, observer)?;
+    let part = |name: &str| -> Result<String> {
+        let path = out.join(name);
+        std::fs::read_to_string(&path)
+            .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", path.display())).caused_by(e))
+    };
+    let mut plan: Plan = serde_json::from_str(&part("plan.json")?).map_err(|e| {
+        Error::io(Stage::Output, format!("{} is damaged: {e}", out.join("plan.json").display())).caused_by(e)
+    })?;
+    tables::read_cutter_locations(&part("cutter_locations.csv")?, &setup.blade, &mut plan)?;
+    Ok(Finished { setup, plan })
+}
+
+fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdict<Plan>)> {
+    let Finished { setup, plan } = run;
+    let verdict =
+        verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &setup.verify_options(), observer)?;
+    Ok((setup, verdict))
+}
+
+/// `verify`: all checks again, from the files; writes verify.json.
+pub fn verify(args: &Again, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let checked = read(&args.out, &terminal).and_then(|run| check(run, &terminal));
+    terminal.finish();
+    let (_, verdict) = checked?;
+    let report = verdict.report();
+    for c in &report.checks {
+        let verdict = if c.passed { "ok  " } else { "FAIL" };
+        println!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, c.limit, c.unit);
+    }
+    print_failed(report);
+    let mut folder = RunFolder::begin(&args.out)?;
+    folder.add_json("verify.json", report)?;
+    folder.finish()?;
+    Ok(if report.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// `post`: checks again, then writes the program.
+pub fn post(args: &Post, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let checked = read(&args.out, &terminal).and_then(|run| check(run, &terminal));
+    terminal.finish();
+    let (setup, verdict) = checked?;
+    let report = verdict.report().clone();
+    let Some(verified) = pipeline::accept(verdict, args.force) else {
+        print_failed(&report);
+        return Err(Error::new(Stage::Verify, ErrorKind::Findings, "the plan fails its checks, no program was written")
+            .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
+    };
+    let program =
+        post::post(args.control, &verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())?;
+    let mut folder = RunFolder::begin(&args.out)?;
+    folder.add(args.control.file_name(), program.text)?;
+    for file in folder.finish()? {
+        println!("{}", file.display());
+    }
+    Ok(if report.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// `preview`: preview.glb and report.html again.
+pub fn preview(args: &Again, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let written = read(&args.out, &terminal).and_then(|run| check(run, &terminal)).and_then(|(setup, verdict)| {
+        let mut folder = RunFolder::begin(&args.out)?;
+        pipeline::preview_again(&setup, &verdict, &mut folder, &terminal)?;
+        folder.finish()
+    });
+    terminal.finish();
+    for file in written? {
+        println!("{}", file.display());
+    }
+    Ok(0)
+}
+
+/// One line for each check that failed.
+pub fn print_failed(report: &CheckReport) {
+    for c in report.checks.iter().filter(|c| !c.passed) {
+        let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
+        let row = c.row.map(|r| format!(", location {r}")).unwrap_or_default();
+        let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
+        println!("finding: {}: {} is {:.6} {}, limit {}{at}{turn}{row}; {}", c.name, c.quantity, c.worst, c.unit, c.limit, c.note);
+    }
+}

@@ -1,0 +1,91 @@
+//! `plan`: model or job file in, programs out.
+
+use std::path::Path;
+
+use super::args::{Plan, Reading};
+use super::progress::Terminal;
+use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::job::{self, Draft, JobFile};
+use crate::output::summary::{ScheduleFigures, Summary};
+use crate::pipeline::{self, Course, Outcome};
+
+/// Runs the verb; the exit code.
+pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
+    let draft = draft(args)?;
+    let terminal = Terminal::new(quiet);
+    let course = Course { until: args.until, force: args.force };
+    let outcome = pipeline::run(&draft, &args.out, course, &terminal);
+    terminal.finish();
+    let outcome = outcome?;
+    print(&outcome);
+    let passed = outcome.report.as_ref().is_none_or(|r| r.passed());
+    Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// The job as typed: a job file, or a model with defaults; then the flags.
+fn draft(args: &Plan) -> Result<Draft> {
+    let is_job = args.input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    let mut file = if is_job { job::load(&args.input)? } else { JobFile::from_model(&args.input) };
+    read_as(&mut file, &args.reading)?;
+    for assignment in &args.set {
+        file.set(assignment)?;
+    }
+    let base = if is_job { args.input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
+    job::resolve(file, base)
+}
+
+/// `--unit` and `--axis` as keys of the job.
+fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
+    if let Some(unit) = reading.unit {
+        let name = serde_json::to_string(&unit)
+            .map_err(|e| Error::new(Stage::Job, ErrorKind::Usage, format!("--unit cannot be used: {e}")))?;
+        file.set(&format!("model.unit={name}"))?;
+    }
+    if let Some(axis) = reading.axis {
+        let [x, y, z] = axis.0;
+        file.set(&format!("model.axis=[{x:?}, {y:?}, {z:?}]"))?;
+    }
+    Ok(())
+}
+
+fn print(outcome: &Outcome) {
+    if let Some(summary) = &outcome.summary {
+        print_summary(summary);
+    }
+    if let Some(report) = &outcome.report {
+        super::again::print_failed(report);
+    }
+    println!();
+    for file in &outcome.files {
+        println!("{}", file.display());
+    }
+}
+
+fn print_summary(s: &Summary) {
+    println!("{}", s.name);
+    let row = |name: &str, value: String| println!("  {name:<34} {value}");
+    row("turns", s.turns.to_string());
+    row("cutter locations", s.cutter_locations.to_string());
+    row("path length", format!("{:.1} mm", s.path_length_mm));
+    row("machining time", minutes(s.machining_time_s));
+    row("worst gouge", format!("{:.4} mm", s.gouge_mm));
+    row("worst scallop", format!("{:.4} mm (asked {} mm)", s.scallop_max_mm, s.scallop_asked_mm));
+    row("scallop, 99th percentile", format!("{:.4} mm", s.scallop_p99_mm));
+    row("least clearance", format!("{:.3} mm", s.clearance_mm));
+    row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
+    if let [used, fixed, ..] = &s.schedules[..] {
+        println!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
+        let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {
+            println!("  {name:<34} {:>14} {:>14}", f(used), f(fixed));
+        };
+        pair("rotary velocity at full feed", &|x| format!("{:.1} °/s", x.a_velocity_at_constant_feed_deg_s));
+        pair("rotary acceleration at full feed", &|x| format!("{:.0} °/s²", x.a_acceleration_at_constant_feed_deg_s2));
+        pair("reversals", &|x| x.reversals.to_string());
+        pair("locations outside the channel", &|x| x.outside_channel.to_string());
+        pair("time within the machine's limits", &|x| minutes(x.machining_time_s));
+    }
+}
+
+fn minutes(seconds: f64) -> String {
+    format!("{}:{:04.1} min", (seconds / 60.0).floor(), seconds % 60.0)
+}

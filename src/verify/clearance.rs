@@ -1,0 +1,241 @@
+//! Clearance: the least distance between the tool without its ball and the part, over the whole motion.
+//!
+//! Between two locations the control moves the ball centre on a straight line and θ evenly. [`super::solid`] bounds the
+//! distance over a whole move from its middle; a move is halved until that bound is within the resolution of the least
+//! distance measured so far. At one place a tree over the part's triangles is searched with the same bound over
+//! its boxes: no triangle and no moment is left out that could matter.
+
+use parry3d_f64::partitioning::TraversalAction;
+use rayon::prelude::*;
+
+use super::gouge::face_name;
+use super::options::VerifyOptions;
+use super::solid::Moving;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Plan};
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+use crate::tool::{self, Segment, Tool};
+
+/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
+const CHUNK: usize = 128;
+/// Places of the first, coarse look over the path.
+const COARSE: usize = 400;
+/// Halvings of one move at most.
+const DEEPEST: u32 = 24;
+
+/// Distances beyond this are not measured, mm.
+const FAR_MM: f64 = 1000.0;
+
+/// Where the tool comes nearest to the part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    /// Distance measured, mm; negative: depth of the interference.
+    pub found_mm: f64,
+    /// Move of the least distance.
+    pub row: usize,
+    /// Segment of the tool.
+    pub segment: usize,
+    /// Triangle of the part.
+    pub triangle: u32,
+    /// Its point.
+    pub point: Point,
+}
+
+impl Nearest {
+    fn far(cap: f64) -> Self {
+        Nearest { found_mm: cap, row: 0, segment: 0, triangle: u32::MAX, point: Point::origin() }
+    }
+    fn nearer(self, other: Self) -> Self {
+        if other.found_mm < self.found_mm { other } else { self }
+    }
+}
+
+/// The motion as it is looked at: centres and θ per row, the tool's segments.
+struct Motion<'a> {
+    part: &'a Part,
+    centres: Vec<Point>,
+    theta: &'a [f64],
+    b_rad: f64,
+    segments: &'a [Segment],
+    resolution: f64,
+}
+
+impl<'a> Motion<'a> {
+    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances.
+    fn may_miss(&self, found: f64) -> f64 {
+        self.resolution.max(0.02 * found)
+    }
+
+    /// The tool in the middle of the parts `t0 … t1` of move `row`.
+    fn place(&self, row: usize, t0: f64, t1: f64) -> Vec<Moving<'a>> {
+        let next = (row + 1).min(self.centres.len() - 1);
+        let (dc, dt) = (self.centres[next] - self.centres[row], self.theta[next] - self.theta[row]);
+        let (mid, half) = (0.5 * (t0 + t1), 0.5 * (t1 - t0));
+        let moving = |frustum| Moving {
+            frustum,
+            centre: self.centres[row] + dc * mid,
+            axis: tool::axis(self.b_rad, self.theta[row] + dt * mid),
+            half_move: dc * half,
+            half_turn: dt * half,
+        };
+        self.segments.iter().map(moving).collect()
+    }
+
+    /// A lower bound of the distance over all segments, triangles and the whole move, or `cap` where that is less; and
+    /// the least distance below `cap` seen in the middle of the move. The triangle `hint` is looked at first.
+    fn least(&self, place: &[Moving<'_>], cap: f64, hint: u32, row: usize) -> (f64, Nearest) {
+        let mut lower = cap;
+        let mut seen = Nearest::far(f64::INFINITY);
+        let tolerance = 0.2 * self.may_miss(cap.min(FAR_MM));
+        let mut look = |threshold: &mut f64, triangle: u32| {
+            let corners = self.part.mesh.corners(triangle as usize);
+            for (segment, solid) in place.iter().enumerate() {
+                let (bound, at) = solid.least_over_triangle(&corners, *threshold, tolerance);
+                lower = lower.min(bound);
+                if let Some((d, point)) = at {
+                    *threshold = d;
+                    seen = Nearest { found_mm: d, row, segment, triangle, point };
+                }
+            }
+        };
+        // Only what has been seen closes boxes.
+        let mut threshold = cap;
+        if (hint as usize) < self.part.mesh.triangles.len() {
+            look(&mut threshold, hint);
+        }
+        self.part.bvh.tree.traverse(|node| {
+            let (lo, hi) = (node.mins(), node.maxs());
+            let half = Vector::new(0.5 * (hi.x - lo.x), 0.5 * (hi.y - lo.y), 0.5 * (hi.z - lo.z));
+            let middle = Point::new(lo.x + half.x, lo.y + half.y, lo.z + half.z);
+            if place.iter().all(|solid| solid.bound_over_box(&middle, &half) >= threshold) {
+                return TraversalAction::Prune;
+            }
+            if let Some(triangle) = node.leaf_data().filter(|t| *t != hint) {
+                look(&mut threshold, triangle);
+            }
+            TraversalAction::Continue
+        });
+        (lower, seen)
+    }
+
+    /// Least distance over moves `rows` where it is less than that of `start`, else `start`.
+    fn over(&self, rows: std::ops::Range<usize>, start: Nearest) -> Nearest {
+        let mut best = start;
+        let mut hint = start.triangle;
+        for row in rows {
+            let mut open = vec![(0.0, 1.0, 0)];
+            while let Some((t0, t1, depth)) = open.pop() {
+                // Half of what may be missed is left for telling points apart and for the move itself.
+                let cap = best.found_mm - 0.5 * self.may_miss(best.found_mm);
+                let (lower, seen) = self.least(&self.place(row, t0, t1), cap, hint, row);
+                if lower >= cap {
+                    continue;
+                }
+                if seen.triangle != u32::MAX {
+                    hint = seen.triangle;
+                }
+                if seen.found_mm < best.found_mm {
+                    best = seen;
+                }
+                if lower < best.found_mm - self.may_miss(best.found_mm) && depth < DEEPEST {
+                    let mid = 0.5 * (t0 + t1);
+                    open.push((mid, t1, depth + 1));
+                    open.push((t0, mid, depth + 1));
+                }
+            }
+        }
+        best
+    }
+
+    /// Least distance over the whole path.
+    fn whole(&self) -> Nearest {
+        let n = self.centres.len();
+        // A coarse look first: its least distance lets the fine one skip nearly everything.
+        let coarse: Vec<Nearest> = (0..n)
+            .step_by(n.div_ceil(COARSE))
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|row| self.least(&self.place(row, 0.5, 0.5), FAR_MM, u32::MAX, row).1)
+            .collect();
+        let start = coarse.into_iter().fold(Nearest::far(FAR_MM), Nearest::nearer);
+        let moves = n - 1;
+        let fine: Vec<Nearest> = (0..moves.div_ceil(CHUNK))
+            .into_par_iter()
+            .map(|k| self.over(k * CHUNK..((k + 1) * CHUNK).min(moves), start))
+            .collect();
+        fine.into_iter().fold(start, Nearest::nearer)
+    }
+}
+
+/// Least distance between `segments` of the tool and the part over the plan's motion, to `resolution_mm` (or a
+/// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
+pub(super) fn measure(plan: &Plan, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
+    let motion = Motion {
+        part,
+        centres: plan.toolpath.locations.iter().map(|l| l.centre).collect(),
+        theta: &plan.schedule.theta,
+        b_rad: plan.channel.b_rad,
+        segments,
+        resolution: resolution_mm,
+    };
+    let near = motion.whole();
+    let bound = near.found_mm - motion.may_miss(near.found_mm);
+    (near, bound)
+}
+
+/// The checks `clearance` (taper, shank) and `holder-clearance`, and the least of both, mm.
+pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions) -> (Vec<Check>, f64) {
+    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let groups =
+        [("clearance", cutter, options.clearance_mm), ("holder-clearance", holder, options.holder_clearance_mm)];
+    let mut least = f64::INFINITY;
+    let mut checks = Vec::new();
+    for (name, segments, asked) in groups {
+        if segments.is_empty() {
+            continue;
+        }
+        let (near, bound) = measure(plan, &blade.part, &segments, options.clearance_resolution_mm);
+        let check = judge(name, &near, bound, asked, plan, blade, &segments);
+        least = least.min(near.found_mm - blade.part.deflection_mm);
+        checks.push(check);
+    }
+    (checks, if least.is_finite() { least } else { FAR_MM })
+}
+
+fn judge(
+    name: &str,
+    near: &Nearest,
+    bound_mm: f64,
+    asked: f64,
+    plan: &Plan,
+    blade: &Blade,
+    segments: &[Segment],
+) -> Check {
+    let part = &blade.part;
+    // Triangles may lie outside the exact part or inside it by the deflection.
+    let worst = bound_mm - part.deflection_mm;
+    let point = blade.model_from_blade * near.point;
+    let found = near.triangle != u32::MAX;
+    let who = segments.get(near.segment).map(|s| s.name.as_str()).unwrap_or_default();
+    let place = if found {
+        format!("{who} to {}", face_name(part, part.mesh.face(near.triangle as usize)))
+    } else {
+        format!("nothing within {FAR_MM} mm")
+    };
+    Check {
+        name: name.into(),
+        quantity: "least distance of the tool without its ball to the part, between locations too".into(),
+        worst,
+        limit: 0.0,
+        unit: "mm".into(),
+        passed: worst >= 0.0,
+        row: found.then_some(near.row),
+        turn: found.then(|| plan.toolpath.locations[near.row].turn),
+        point_mm: found.then_some([point.x, point.y, point.z]),
+        note: format!(
+            "{place}; measured {:.6}, part known to {:.6}, nowhere less than {worst:.6}; asked for {asked}",
+            near.found_mm, part.deflection_mm
+        ),
+    }
+}

@@ -1,0 +1,166 @@
+//! Gouge: how deep the swept ball cuts into the part.
+//!
+//! `depth = R − d(c)`, `d` the distance from the ball centre to the part. Between samples nothing is missed: `d²(x) − |x|²` is
+//! concave (it is the least of the functions `|x − p|² − |x|²`, linear in `x`), so on a straight move of length `L` with
+//! distances `d0`, `d1` at its ends
+//! ```text
+//! d²(t) ≥ (1 − t) d0² + t d1² − t (1 − t) L²
+//! ```
+//! whatever the part looks like. A move is halved until this bound is within the resolution of what has been measured.
+
+use rayon::prelude::*;
+
+use super::options::VerifyOptions;
+use super::sweep::Sweep;
+use crate::artifact::Blade;
+use crate::artifact::report::Check;
+use crate::geometry::Point;
+use crate::geometry::part::Part;
+
+/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
+const CHUNK: usize = 256;
+/// Moves are not halved below this length, mm.
+const SHORTEST_MM: f64 = 1e-5;
+
+/// The deepest gouge found, and a bound on what may lie between the samples.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gouge {
+    /// Deepest cut measured, mm; negative: the ball stays that far from the part.
+    pub found_mm: f64,
+    /// No place of the path cuts deeper than this, mm.
+    pub bound_mm: f64,
+    /// Move of the deepest cut.
+    pub segment: usize,
+    /// Ball centre there.
+    pub centre: Point,
+}
+
+impl Gouge {
+    fn none() -> Self {
+        Gouge { found_mm: f64::NEG_INFINITY, bound_mm: f64::NEG_INFINITY, segment: 0, centre: Point::origin() }
+    }
+    fn and(self, other: Self) -> Self {
+        let bound_mm = self.bound_mm.max(other.bound_mm);
+        if other.found_mm > self.found_mm { Gouge { bound_mm, ..other } } else { Gouge { bound_mm, ..self } }
+    }
+}
+
+/// Least of `(1 − t) d0² + t d1² − t (1 − t) L²` over `0 ≤ t ≤ 1`, as a distance.
+fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
+    let (a, b, l2) = (d0 * d0, d1 * d1, length * length);
+    if l2 == 0.0 {
+        return d0.min(d1);
+    }
+    let t = (0.5 * (1.0 - (b - a) / l2)).clamp(0.0, 1.0);
+    ((1.0 - t) * a + t * b - t * (1.0 - t) * l2).max(0.0).sqrt()
+}
+
+/// Deepest gouge of the whole sweep, measured to `resolution_mm`.
+pub(super) fn measure(part: &Part, sweep: &Sweep, resolution_mm: f64) -> Gouge {
+    let n = sweep.centres.len() - 1;
+    let chunks: Vec<Gouge> = (0..n.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|k| measure_moves(part, sweep, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm))
+        .collect();
+    chunks.into_iter().fold(Gouge::none(), Gouge::and)
+}
+
+fn measure_moves(part: &Part, sweep: &Sweep, moves: std::ops::Range<usize>, resolution: f64) -> Gouge {
+    let radius = sweep.radius_mm;
+    // Farther than this no move can gouge; a distance capped there is a true lower bound.
+    let longest = moves.clone().map(|i| (sweep.centres[i + 1] - sweep.centres[i]).norm()).fold(0.0, f64::max);
+    let cap = radius + longest;
+    let distance = |c: &Point| part.closest(c, cap).map_or(cap, |f| f.distance_mm);
+    let mut worst = Gouge::none();
+    let see = |worst: &mut Gouge, segment: usize, centre: Point, d: f64| {
+        if radius - d > worst.found_mm {
+            *worst = Gouge { found_mm: radius - d, bound_mm: worst.bound_mm.max(radius - d), segment, centre };
+        }
+    };
+    let mut d0 = f64::NAN;
+    for i in moves {
+        let (a, b) = (sweep.centres[i], sweep.centres[i + 1]);
+        if d0.is_nan() {
+            d0 = distance(&a);
+        }
+        let d1 = distance(&b);
+        see(&mut worst, i, a, d0);
+        see(&mut worst, i, b, d1);
+        let mut open = vec![(a, d0, b, d1)];
+        while let Some((a, da, b, db)) = open.pop() {
+            let length = (b - a).norm();
+            let deepest = radius - least_between(da, db, length);
+            if deepest <= worst.found_mm.max(0.0) + resolution || length < SHORTEST_MM {
+                worst.bound_mm = worst.bound_mm.max(deepest);
+                continue;
+            }
+            let mid = a + (b - a) * 0.5;
+            let dm = distance(&mid);
+            see(&mut worst, i, mid, dm);
+            open.push((a, da, mid, dm));
+            open.push((mid, dm, b, db));
+        }
+        d0 = d1;
+    }
+    worst
+}
+
+/// The check `gouge`.
+pub(super) fn check(blade: &Blade, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
+    let part = &blade.part;
+    let mut g = measure(part, sweep, options.resolution_mm);
+    // The path is connected: if it starts outside and never comes near the surface, all of it is outside.
+    let inside = blade.diagnosis.closed && part.inside(&sweep.centres[0]);
+    if inside {
+        let d = part.closest(&sweep.centres[0], f64::INFINITY).map_or(0.0, |c| c.distance_mm);
+        let depth = sweep.radius_mm + d;
+        g = Gouge { found_mm: depth, bound_mm: depth, segment: 0, centre: sweep.centres[0] };
+    }
+    let at = part.closest(&g.centre, f64::INFINITY);
+    let point = at.map(|c| blade.model_from_blade * c.point);
+    let face = at.map(|c| face_name(part, c.face)).unwrap_or_default();
+    let bound = g.bound_mm.max(g.found_mm).max(0.0);
+    let inside = if inside { "the path lies inside the part; " } else { "" };
+    let check = Check {
+        name: "gouge".into(),
+        quantity: "depth of the swept ball in the part, between locations too".into(),
+        worst: bound,
+        limit: options.gouge_mm,
+        unit: "mm".into(),
+        passed: bound <= options.gouge_mm,
+        row: Some(g.segment),
+        turn: sweep.turns.get(g.segment).copied(),
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        note: format!("{inside}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0)),
+    };
+    (check, g)
+}
+
+/// A face of the part in words.
+pub(super) fn face_name(part: &Part, face: u32) -> String {
+    match part.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
+        Some(f) => format!("face {}", f.name),
+        None => format!("group {face}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn bound_between_samples_holds_for_a_cloud(
+            cloud in prop::collection::vec([-4.0..4.0f64, -4.0..4.0f64, -4.0..4.0f64], 1..20),
+            b in [-3.0..3.0f64, -3.0..3.0f64, -3.0..3.0f64],
+        ) {
+            let (a, b) = (Point::origin(), Point::from(b));
+            let d = |q: &Point| cloud.iter().map(|p| (q - Point::from(*p)).norm()).fold(f64::MAX, f64::min);
+            let bound = least_between(d(&a), d(&b), (b - a).norm());
+            for k in 0..=200 {
+                prop_assert!(d(&(a + (b - a) * (f64::from(k) / 200.0))) >= bound - 1e-9);
+            }
+        }
+    }
+}

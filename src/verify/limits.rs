@@ -1,0 +1,181 @@
+//! The machine: every axis within its travel, velocity and acceleration, and the axes really place the tool where the plan
+//! says.
+//!
+//! Only times and positions of the motion are read; its velocity and acceleration columns are not. The difference
+//! quotient of positions is a mean of the true velocity over the interval, and the difference of two neighbouring ones
+//! over half of both intervals a weighted mean of the true acceleration, so a motion within its limits cannot
+//! exceed them in these figures by more than rounding. They are lower bounds of the true peaks.
+//!
+//! Positions are turned back into ball centre and tool axis by the machine's forward kinematics and compared with
+//! cutter location and `a(θ)`.
+
+use super::options::VerifyOptions;
+use crate::artifact::axis_motion::AXES;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Plan};
+use crate::machine::Machine;
+use crate::tool::{self, Tool};
+
+/// A worst value and its row; the first of equals.
+#[derive(Clone, Copy)]
+struct Worst {
+    value: f64,
+    row: usize,
+}
+
+fn worst(values: impl Iterator<Item = f64>) -> Worst {
+    values.enumerate().fold(Worst { value: f64::NEG_INFINITY, row: 0 }, |w, (row, value)| {
+        // What is not a number is worse than everything: a step of time that is 0.
+        let value = if value.is_nan() { f64::INFINITY } else { value };
+        if value > w.value { Worst { value, row } } else { w }
+    })
+}
+
+/// All checks of the machine's motion.
+pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &VerifyOptions) -> Vec<Check> {
+    let mut checks = vec![forward_in_time(plan, blade)];
+    let limits = machine.limits();
+    for (axis, limit) in limits.iter().enumerate() {
+        let travel = limit.travel.map(|[lo, hi]| {
+            let over = |q: &[f64; 5]| (lo - q[axis]).max(q[axis] - hi);
+            ("travel", "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
+        });
+        let (v, a) = (velocities(plan, axis), accelerations(plan, axis));
+        let v = worst(v.iter().map(|v| v.abs()));
+        let a = worst(a.iter().map(|a| a.abs()));
+        let dynamic = [
+            ("velocity", "greatest velocity, from positions and times", v, limit.velocity),
+            ("acceleration", "greatest acceleration, from positions and times", a, limit.acceleration),
+        ];
+        for (kind, quantity, found, limit) in travel.into_iter().chain(dynamic) {
+            checks.push(judge(axis, kind, quantity, found, limit, plan, blade, options));
+        }
+    }
+    checks.extend(placed(plan, blade, tool, machine, options));
+    checks
+}
+
+/// Mean velocities between rows.
+fn velocities(plan: &Plan, axis: usize) -> Vec<f64> {
+    let (q, t) = (&plan.motion.position, &plan.motion.t_s);
+    (0..t.len() - 1).map(|i| (q[i + 1][axis] - q[i][axis]) / (t[i + 1] - t[i])).collect()
+}
+
+/// Mean accelerations about rows: entry `i` belongs to row `i + 1`.
+fn accelerations(plan: &Plan, axis: usize) -> Vec<f64> {
+    let (v, t) = (velocities(plan, axis), &plan.motion.t_s);
+    (1..v.len()).map(|i| (v[i] - v[i - 1]) / (0.5 * (t[i + 1] - t[i - 1]))).collect()
+}
+
+#[allow(clippy::too_many_arguments)]
+fn judge(
+    axis: usize,
+    kind: &str,
+    quantity: &str,
+    found: Worst,
+    limit: f64,
+    plan: &Plan,
+    blade: &Blade,
+    options: &VerifyOptions,
+) -> Check {
+    let rotary = axis >= 3;
+    let scale = if rotary { 1f64.to_degrees() } else { 1.0 };
+    let unit = match (kind, rotary) {
+        ("travel", false) => "mm",
+        ("travel", true) => "deg",
+        ("velocity", false) => "mm/s",
+        ("velocity", true) => "deg/s",
+        (_, false) => "mm/s²",
+        (_, true) => "deg/s²",
+    };
+    // Rounding of positions, and the limits' own units.
+    let slack = if kind == "travel" { 1e-9 } else { options.limit_tolerance * limit };
+    let row = if kind == "acceleration" { found.row + 1 } else { found.row };
+    let worst = match found.value {
+        f64::NEG_INFINITY => 0.0, // nothing to difference: two rows have no acceleration
+        v if v.is_finite() => v * scale,
+        _ => f64::MAX,
+    };
+    at_row(
+        Check {
+            name: format!("{}-{kind}", AXES[axis].to_lowercase()),
+            quantity: format!("axis {}: {quantity}", AXES[axis]),
+            worst: if kind == "travel" { worst.max(0.0) } else { worst },
+            limit: limit * scale,
+            unit: unit.into(),
+            passed: found.value <= limit + slack,
+            row: None,
+            turn: None,
+            point_mm: None,
+            note: String::new(),
+        },
+        row,
+        plan,
+        blade,
+    )
+}
+
+/// Adds where: row, turn, ball centre in the model frame.
+fn at_row(check: Check, row: usize, plan: &Plan, blade: &Blade) -> Check {
+    let location = plan.toolpath.locations.get(row);
+    let point = location.map(|l| blade.model_from_blade * l.centre);
+    Check { row: Some(row), turn: location.map(|l| l.turn), point_mm: point.map(|p| [p.x, p.y, p.z]), ..check }
+}
+
+/// Times rise from row to row.
+fn forward_in_time(plan: &Plan, blade: &Blade) -> Check {
+    let t = &plan.motion.t_s;
+    let back = worst(t.windows(2).map(|w| w[0] - w[1]));
+    let check = Check {
+        name: "time".into(),
+        quantity: "greatest step back in time, seconds (negative: all steps are forward)".into(),
+        worst: back.value,
+        limit: 0.0,
+        unit: "s".into(),
+        passed: back.value < 0.0,
+        row: None,
+        turn: None,
+        point_mm: None,
+        note: String::new(),
+    };
+    at_row(check, back.row, plan, blade)
+}
+
+/// The axes place ball centre and tool axis where the plan has them.
+fn placed(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &VerifyOptions) -> [Check; 2] {
+    let gauge = tool.length_mm();
+    let poses: Vec<_> = plan.motion.position.iter().map(|q| machine.forward(q, gauge)).collect();
+    let apart = poses.iter().zip(&plan.toolpath.locations).map(|(p, l)| (p.centre - l.centre).norm());
+    let centre = worst(apart);
+    let turned = poses.iter().zip(&plan.schedule.theta).map(|(p, t)| {
+        let a = tool::axis(plan.channel.b_rad, *t);
+        p.axis.cross(&a).norm().atan2(p.axis.dot(&a)).to_degrees()
+    });
+    let axis = worst(turned);
+    let check = |name: &str, quantity: &str, found: Worst, limit: f64, unit: &str| {
+        let check = Check {
+            name: name.into(),
+            quantity: quantity.into(),
+            worst: if found.value.is_finite() { found.value } else { f64::MAX },
+            limit,
+            unit: unit.into(),
+            passed: found.value <= limit,
+            row: None,
+            turn: None,
+            point_mm: None,
+            note: String::new(),
+        };
+        at_row(check, found.row, plan, blade)
+    };
+    let limit = options.angle_tolerance_deg;
+    [
+        check(
+            "axes-centre",
+            "distance of the ball centre that the axes give from the cutter location",
+            centre,
+            1e-6,
+            "mm",
+        ),
+        check("axes-direction", "angle between the tool axis that the axes give and a(θ), degrees", axis, limit, "deg"),
+    ]
+}

@@ -1,0 +1,105 @@
+//! Points of the part's surface, evenly by area, near the path.
+
+use rayon::prelude::*;
+
+use super::sweep::Sweep;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+
+/// A point of the surface with its outward unit normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    /// The point.
+    pub point: Point,
+    /// Outward unit normal.
+    pub normal: Vector,
+}
+
+/// A piece of a mesh triangle.
+#[derive(Clone, Copy)]
+struct Piece {
+    triangle: usize,
+    corners: [Point; 3],
+}
+
+impl Piece {
+    fn area(&self) -> f64 {
+        let [a, b, c] = self.corners;
+        0.5 * (b - a).cross(&(c - a)).norm()
+    }
+    fn middle(&self) -> Point {
+        let [a, b, c] = self.corners;
+        a + ((b - a) + (c - a)) / 3.0
+    }
+    fn reach(&self) -> f64 {
+        let m = self.middle();
+        self.corners.iter().map(|c| (c - m).norm()).fold(0.0, f64::max)
+    }
+    /// Halves across the longest edge.
+    fn halves(&self) -> [Piece; 2] {
+        let c = self.corners;
+        let lengths = [(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()];
+        let k = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
+        let (a, b, opposite) = (c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
+        let mid = a + (b - a) * 0.5;
+        let piece = |corners| Piece { triangle: self.triangle, corners };
+        [piece([a, mid, opposite]), piece([mid, b, opposite])]
+    }
+}
+
+/// About `count` points, evenly by area over the pieces of the part whose ball centres could lie within `reach_mm` of
+/// the path. Deterministic: a low-discrepancy sequence (Roberts' R2, 2018) runs over all pieces in order. Where
+/// the part is NURBS, each point is moved to the exact surface, with the exact normal there.
+pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize) -> Vec<Sample> {
+    let pieces: Vec<Piece> = (0..part.mesh.triangles.len())
+        .into_par_iter()
+        .flat_map_iter(|t| pieces_near(part, sweep, reach_mm, t))
+        .collect();
+    let area: f64 = pieces.iter().map(Piece::area).sum();
+    if !(area > 0.0) || count == 0 {
+        return Vec::new();
+    }
+    let spacing = area / count as f64;
+    let mut raw = Vec::with_capacity(count);
+    let (mut sum, mut next) = (0.0, 0.5 * spacing);
+    for piece in &pieces {
+        sum += piece.area();
+        while next < sum && raw.len() < count {
+            let k = raw.len() as f64;
+            let (mut u, mut v) =
+                ((0.5 + 0.754_877_666_246_692_8 * k).fract(), (0.5 + 0.569_840_290_998_053_2 * k).fract());
+            if u + v > 1.0 {
+                (u, v) = (1.0 - u, 1.0 - v);
+            }
+            let [a, b, c] = piece.corners;
+            raw.push((piece.triangle, a + (b - a) * u + (c - a) * v));
+            next += spacing;
+        }
+    }
+    raw.into_par_iter().filter_map(|(t, p)| on_surface(part, t, p)).collect()
+}
+
+/// The pieces of a triangle that lie near the path, none much larger than `reach_mm`.
+fn pieces_near(part: &Part, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Vec<Piece> {
+    let normal = part.mesh.normal(triangle);
+    // On a curved face the normals of a facet's points differ from the facet's own.
+    let slack = if part.brep.is_some() { 0.5 * sweep.radius_mm } else { 0.0 };
+    let mut open = vec![Piece { triangle, corners: part.mesh.corners(triangle) }];
+    let mut near = Vec::new();
+    while let Some(piece) = open.pop() {
+        let (middle, size) = (piece.middle() + normal * sweep.radius_mm, piece.reach());
+        if normal.norm_squared() == 0.0 || sweep.nearest(&middle, reach_mm + size + slack, |_| true).is_none() {
+            continue;
+        }
+        if size > 2.0 * reach_mm { open.extend(piece.halves()) } else { near.push(piece) }
+    }
+    near
+}
+
+fn on_surface(part: &Part, triangle: usize, p: Point) -> Option<Sample> {
+    if part.brep.is_none() {
+        return Some(Sample { point: p, normal: part.mesh.normal(triangle) });
+    }
+    let exact = part.closest(&p, 4.0 * part.deflection_mm + 1e-6)?;
+    Some(Sample { point: exact.point, normal: exact.normal })
+}

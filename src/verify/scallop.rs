@@ -1,0 +1,180 @@
+//! Scallop: what is left standing over the part between neighbouring turns, measured on the swept ball itself.
+//!
+//! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n` enters the swept ball at
+//!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
+//!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all.
+//! * **Ridges**: two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius
+//!   `sqrt(R² − d²/4)` about their middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to
+//!   the part; its distance from the part is the cusp's height.
+
+use rayon::prelude::*;
+
+use super::options::VerifyOptions;
+use super::samples;
+use super::sweep::Sweep;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, CheckReport, Plan};
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+
+/// Ridges are measured at most at so many places.
+const MOST_RIDGES: usize = 6000;
+
+/// A height and where it was measured.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Height {
+    /// Height over the part, mm.
+    pub height_mm: f64,
+    /// Point of the part under it.
+    pub point: Point,
+    /// Row of the path.
+    pub row: usize,
+}
+
+/// Percentile `q` (0 to 1) of sorted heights, interpolated linearly; 0 of none.
+pub(super) fn percentile(sorted: &[Height], q: f64) -> f64 {
+    let Some(last) = sorted.len().checked_sub(1) else { return 0.0 };
+    let at = q * last as f64;
+    let (lo, hi) = (sorted[at.floor() as usize].height_mm, sorted[(at.ceil() as usize).min(last)].height_mm);
+    lo + (hi - lo) * at.fract()
+}
+
+fn sort(mut heights: Vec<Height>) -> Vec<Height> {
+    heights.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.row.cmp(&b.row)));
+    heights
+}
+
+/// Stepover on a plane, the scale of all reaches here, mm.
+fn flat_stepover(radius: f64, scallop: f64) -> f64 {
+    (8.0 * radius * scallop).sqrt()
+}
+
+/// Heights at samples of the machined band, sorted.
+pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> Vec<Height> {
+    // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
+    let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
+    let (first, last) = (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0));
+    let inner = |turn: u32| last < first + 2 || (turn > first && turn < last);
+    let height = |s: samples::Sample| {
+        let near = sweep.nearest(&(s.point + s.normal * sweep.radius_mm), reach, |_| true)?;
+        let row = near.segment + usize::from(near.t > 0.5);
+        if !inner(sweep.turns[row]) {
+            return None;
+        }
+        let height_mm = sweep.entry(&s.point, &s.normal, reach)?;
+        Some(Height { height_mm, point: s.point, row })
+    };
+    let all = samples::near_path(part, sweep, reach, count);
+    sort(all.into_par_iter().filter_map(height).collect())
+}
+
+/// Ridges between each turn and the next, sorted.
+pub(super) fn ridges(part: &Part, sweep: &Sweep) -> Vec<Height> {
+    let n = sweep.centres.len();
+    let every = n.div_ceil(MOST_RIDGES);
+    let rows: Vec<usize> = (0..n).step_by(every).collect();
+    sort(rows.into_par_iter().filter_map(|row| ridge_at(part, sweep, row)).collect())
+}
+
+fn ridge_at(part: &Part, sweep: &Sweep, row: usize) -> Option<Height> {
+    let (radius, turn) = (sweep.radius_mm, sweep.turns[row]);
+    let c1 = sweep.centres[row];
+    let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == turn + 1 && sweep.turns[i + 1] == turn + 1)?;
+    let (i, d) = (next.segment, next.distance_mm);
+    // An end of the next turn is not its nearest pass.
+    let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&(turn + 1));
+    let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&(turn + 1));
+    if at_start || at_end || d < 1e-3 {
+        return None;
+    }
+    let middle = c1 + (next.centre - c1) * 0.5;
+    let e = (next.centre - c1) / d;
+    let foot = part.closest(&middle, 2.0 * radius)?.point;
+    let g = (middle - foot) - e * (middle - foot).dot(&e);
+    let g = g.try_normalize(1e-9)?;
+    let side = e.cross(&g);
+    let circle = (radius * radius - 0.25 * d * d).sqrt();
+    let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
+    lowest(part, point, radius).map(|(height_mm, point)| Height { height_mm, point, row })
+}
+
+/// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
+fn lowest(part: &Part, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
+    const WIDTH: f64 = 0.02;
+    let height = |angle: f64| {
+        let q = point(angle);
+        part.closest(&q, radius).map(|c| signed(&(q - c.point), &c.normal, c.distance_mm)).map(|h| (h, q))
+    };
+    let (lo, at, hi) = (height(-WIDTH)?.0, height(0.0)?.0, height(WIDTH)?.0);
+    let bend = lo - 2.0 * at + hi;
+    let best = if bend > 1e-9 { (0.5 * (lo - hi) / bend).clamp(-2.0, 2.0) * WIDTH } else { 0.0 };
+    height(best)
+}
+
+fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
+    if from_foot.dot(normal) < 0.0 { -distance } else { distance }
+}
+
+/// Measures and judges the scallop; the percentiles go into `report`.
+pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyOptions, report: &mut CheckReport) {
+    let samples = heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
+    let ridges = ridges(&blade.part, sweep);
+    report.scallop_samples = samples.len();
+    report.scallop_max_mm = percentile(&samples, 1.0);
+    report.scallop_p99_mm = percentile(&samples, 0.99);
+    report.scallop_p95_mm = percentile(&samples, 0.95);
+    report.scallop_p50_mm = percentile(&samples, 0.50);
+    report.scallop_p05_mm = percentile(&samples, 0.05);
+    report.ridge_max_mm = percentile(&ridges, 1.0);
+    report.ridge_p99_mm = percentile(&ridges, 0.99);
+    report.ridge_p50_mm = percentile(&ridges, 0.50);
+    report.ridge_p05_mm = percentile(&ridges, 0.05);
+    let limit = options.scallop_ratio * options.scallop_mm;
+    let judge = |name: &str, quantity: &str, sorted: &[Height], enough: bool| {
+        let p99 = percentile(sorted, 0.99);
+        let at = sorted.last();
+        let point = at.map(|h| blade.model_from_blade * h.point);
+        Check {
+            name: name.into(),
+            quantity: quantity.into(),
+            worst: p99,
+            limit,
+            unit: "mm".into(),
+            passed: enough && p99 <= limit,
+            row: at.map(|h| h.row),
+            turn: at.map(|h| plan.toolpath.locations[h.row].turn),
+            point_mm: point.map(|p| [p.x, p.y, p.z]),
+            note: format!(
+                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest",
+                sorted.len(),
+                percentile(sorted, 1.0),
+                percentile(sorted, 0.5),
+                percentile(sorted, 0.0)
+            ),
+        }
+    };
+    let quantity = "99th percentile of the height left over the part in the machined band";
+    report.checks.push(judge("scallop", quantity, &samples, !samples.is_empty()));
+    let quantity = "99th percentile of the ridges between neighbouring turns";
+    report.checks.push(judge("ridge", quantity, &ridges, true));
+    report.checks.push(ray_gouge(blade, sweep, &samples, options));
+}
+
+/// The deepest place of the same samples: a second look at gouges, from the part's side.
+fn ray_gouge(blade: &Blade, sweep: &Sweep, samples: &[Height], options: &VerifyOptions) -> Check {
+    let deepest = samples.first();
+    let depth = deepest.map_or(0.0, |h| (-h.height_mm).max(0.0));
+    let point = deepest.map(|h| blade.model_from_blade * h.point);
+    Check {
+        name: "gouge-surface".into(),
+        quantity: "depth of the swept ball under samples of the surface".into(),
+        worst: depth,
+        limit: options.gouge_mm,
+        unit: "mm".into(),
+        passed: depth <= options.gouge_mm,
+        row: deepest.map(|h| h.row),
+        turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        note: format!("{} samples", samples.len()),
+    }
+}

@@ -1,0 +1,261 @@
+//! Signed distance to one frustum of the moving tool, and its least value over a triangle and a move.
+//!
+//! A frustum is a convex solid of revolution, so its signed distance (negative inside) is a convex function of the point,
+//! and equals the signed distance in the half plane (z, r) to the trapezoid `z0 ≤ z ≤ z1`, `|r| ≤ r(z)`. A convex
+//! function lies above its tangent planes, so value `d` and gradient `g` at one point `q` bound it everywhere:
+//! `d(p) ≥ d + g·(p − q)`.
+//!
+//! Seen from the tool, a part point `p` moves during a move. With the move's parameter `τ` from −1 to 1, half its
+//! translation `m` and half its turn `ω` about the blade axis (along x, through the ball centre `c`):
+//! ```text
+//! p(τ) = p + τ w(p) + ε,   w(p) = −m − ω x × (p − c),   |ε| ≤ ½ ω² (ρ + |m|) + |ω| |m|
+//! ```
+//! (Taylor; `ρ` is the distance of `p` from the axis of the turn). Both bounds together are linear in `p` and in `τ`, so
+//! the least value over a triangle or box and the whole move is read off its corners. Where the part slides along the tool
+//! the bound is good to second order in the move. Halving a triangle until its own share is within the tolerance
+//! finds the least distance to that tolerance.
+
+use crate::geometry::{Point, Vector};
+use crate::tool::Segment;
+
+/// A frustum in the middle of a move.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moving<'a> {
+    /// The frustum.
+    pub frustum: &'a Segment,
+    /// Ball centre in the middle of the move, mm.
+    pub centre: Point,
+    /// Tool axis there, unit, from tip to spindle.
+    pub axis: Vector,
+    /// Half the move of the ball centre, mm.
+    pub half_move: Vector,
+    /// Half the turn of the tool about x, rad.
+    pub half_turn: f64,
+}
+
+impl Moving<'_> {
+    /// Signed distance of `p` in the middle of the move, mm, and its gradient (unit length, save at kinks where it is
+    /// one of the subgradients).
+    pub fn signed(&self, p: &Point) -> (f64, Vector) {
+        let v = p - self.centre;
+        let z = v.dot(&self.axis);
+        let across = v - self.axis * z;
+        let r = across.norm();
+        let out = if r > 1e-12 { across / r } else { any_across(&self.axis) };
+        let (d, [gz, gr]) = trapezoid(self.frustum, z, r);
+        (d, self.axis * gz + out * gr)
+    }
+
+    /// `w(p)` of the module's page.
+    fn drift(&self, p: &Point) -> Vector {
+        -self.half_move - Vector::x().cross(&(p - self.centre)) * self.half_turn
+    }
+
+    /// Bound on `|ε|` of the module's page for points up to `rho` from the axis of the turn.
+    fn remainder(&self, rho: f64) -> f64 {
+        let (m, turn) = (self.half_move.norm(), self.half_turn.abs());
+        0.5 * turn * turn * (rho + m) + turn * m
+    }
+
+    /// Lower bound of the distance over a box given by middle and half sides, and over the whole move.
+    pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
+        let (d, g) = self.signed(middle);
+        let v = middle - self.centre;
+        let rho = (v.y.abs() + half.y).hypot(v.z.abs() + half.z);
+        let along = g.dot(&self.drift(middle));
+        // g·w(p) changes with p by −ω (g × x)·(p − middle).
+        let tilt = g.cross(&Vector::x()) * self.half_turn;
+        let side = |tau: f64| tau * along - (g - tilt * tau).abs().dot(half);
+        d + side(1.0).min(side(-1.0)) - self.remainder(rho)
+    }
+
+    /// Looks over a triangle for distances below `cap_mm` anywhere on the move. The first value is a lower bound for the
+    /// triangle and the whole move, or `cap_mm` where that is less; the second the least distance below `cap_mm` seen in
+    /// the middle of the move, with its point. Points of the triangle are told apart to the tolerance, or to the share
+    /// that the move itself has in the bound: a shorter move will look again.
+    pub fn least_over_triangle(
+        &self,
+        corners: &[Point; 3],
+        cap_mm: f64,
+        tolerance_mm: f64,
+    ) -> (f64, Option<(f64, Point)>) {
+        let rho = corners.iter().map(|c| (c.y - self.centre.y).hypot(c.z - self.centre.z)).fold(0.0, f64::max);
+        let remainder = self.remainder(rho);
+        // What has been seen closes pieces; bounds do not, else they would creep down from piece to piece.
+        let (mut threshold, mut lower) = (cap_mm, cap_mm);
+        let mut seen: Option<(f64, Point)> = None;
+        let mut open = vec![self.tangent_over(*corners)];
+        while let Some(t) = open.pop() {
+            if t.value < threshold {
+                (threshold, seen) = (t.value, Some((t.value, t.middle)));
+            }
+            let bound = t.value + t.moved - remainder;
+            let told_apart = -t.still <= tolerance_mm.max(0.5 * (t.still - t.moved) + remainder);
+            if bound >= threshold {
+                continue;
+            }
+            if told_apart || seen.is_some_and(|s| bound >= s.0 - tolerance_mm) {
+                lower = lower.min(bound);
+            } else {
+                let [one, two] = halves(&t.corners).map(|c| self.tangent_over(c));
+                // The nearer half is looked at first: what it finds may close the other.
+                if one.value + one.moved < two.value + two.moved {
+                    open.extend([two, one])
+                } else {
+                    open.extend([one, two])
+                }
+            }
+        }
+        (lower.min(threshold), seen)
+    }
+
+    /// The tangent plane at the middle of a triangle, over the triangle and the move.
+    fn tangent_over(&self, corners: [Point; 3]) -> Tangent {
+        let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
+        let (value, g) = self.signed(&middle);
+        let (mut still, mut moved) = (f64::INFINITY, f64::INFINITY);
+        for c in &corners {
+            let (step, drift) = (g.dot(&(c - middle)), g.dot(&self.drift(c)).abs());
+            still = still.min(step);
+            moved = moved.min(step - drift);
+        }
+        Tangent { corners, middle, value, still, moved }
+    }
+}
+
+/// A triangle with the distance at its middle, and how far the tangent plane there falls below it over the triangle
+/// alone (`still`) and over triangle and move (`moved`).
+struct Tangent {
+    corners: [Point; 3],
+    middle: Point,
+    value: f64,
+    still: f64,
+    moved: f64,
+}
+
+/// A unit vector across a unit vector.
+fn any_across(axis: &Vector) -> Vector {
+    let other = if axis.x.abs() < 0.9 { Vector::x() } else { Vector::y() };
+    axis.cross(&other).normalize()
+}
+
+/// Signed distance of (z, r), `r ≥ 0`, to the trapezoid and its gradient (d/dz, d/dr).
+fn trapezoid(s: &Segment, z: f64, r: f64) -> (f64, [f64; 2]) {
+    let (dz, dr) = (s.z1 - s.z0, s.r1 - s.r0);
+    let slant = dz.hypot(dr);
+    // Outward unit normals of the two lids and of the side, and the distances to their lines.
+    let side_normal = [-dr / slant, dz / slant];
+    let side = (z - s.z0) * side_normal[0] + (r - s.r0) * side_normal[1];
+    let lines = [(s.z0 - z, [-1.0, 0.0]), (z - s.z1, [1.0, 0.0]), (side, side_normal)];
+    let inner = lines.iter().fold(lines[0], |best, l| if l.0 > best.0 { *l } else { best });
+    if inner.0 <= 0.0 {
+        return inner;
+    }
+    // Outside: the nearest of the three edges.
+    let edges = [([s.z0, 0.0], [s.z0, s.r0]), ([s.z0, s.r0], [s.z1, s.r1]), ([s.z1, s.r1], [s.z1, 0.0])];
+    let mut best = (f64::INFINITY, inner.1);
+    for (a, b) in edges {
+        let (ez, er) = (b[0] - a[0], b[1] - a[1]);
+        let l2 = ez * ez + er * er;
+        let t = if l2 > 0.0 { (((z - a[0]) * ez + (r - a[1]) * er) / l2).clamp(0.0, 1.0) } else { 0.0 };
+        let (wz, wr) = (z - a[0] - t * ez, r - a[1] - t * er);
+        let d = wz.hypot(wr);
+        if d < best.0 {
+            best = (d, if d > 1e-12 { [wz / d, wr / d] } else { inner.1 });
+        }
+    }
+    best
+}
+
+/// Halves a triangle across its longest edge.
+fn halves(c: &[Point; 3]) -> [[Point; 3]; 2] {
+    let lengths = [(c[1] - c[0]).norm_squared(), (c[2] - c[1]).norm_squared(), (c[0] - c[2]).norm_squared()];
+    let k = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
+    let (a, b, opposite) = (c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
+    let mid = a + (b - a) * 0.5;
+    [[a, mid, opposite], [mid, b, opposite]]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use proptest::prelude::*;
+
+    fn cone() -> Segment {
+        Segment { name: "taper".into(), z0: 1.0, z1: 6.0, r0: 2.0, r1: 3.0 }
+    }
+    fn point() -> impl Strategy<Value = Point> {
+        [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
+    }
+    fn still(frustum: &Segment, axis: Vector) -> Moving<'_> {
+        Moving { frustum, centre: Point::new(1.0, 0.0, 0.0), axis, half_move: Vector::zeros(), half_turn: 0.0 }
+    }
+
+    #[test]
+    fn closed_forms_beside_over_and_inside_a_cylinder() {
+        let s = Segment { name: "shank".into(), z0: 0.0, z1: 10.0, r0: 3.0, r1: 3.0 };
+        let solid = still(&s, Vector::z());
+        let d = |x: f64, y: f64, z: f64| solid.signed(&Point::new(1.0 + x, y, z)).0;
+        assert!((d(5.0, 0.0, 4.0) - 2.0).abs() < 1e-12);
+        assert!((d(0.0, 0.0, 12.5) - 2.5).abs() < 1e-12);
+        assert!((d(0.0, 6.0, -4.0) - 5.0).abs() < 1e-12);
+        assert!((d(0.0, 2.5, 5.0) + 0.5).abs() < 1e-12);
+        assert!((d(0.0, 0.0, 1.0) + 1.0).abs() < 1e-12);
+    }
+
+    proptest! {
+        #[test]
+        fn distance_is_convex_and_its_gradient_supports_it(p in point(), q in point(), axis in point()) {
+            prop_assume!(axis.coords.norm() > 0.1);
+            let s = cone();
+            let solid = still(&s, axis.coords.normalize());
+            let (d, g) = solid.signed(&p);
+            prop_assert!(g.norm() < 1.0 + 1e-9);
+            prop_assert!(solid.signed(&q).0 >= d + g.dot(&(q - p)) - 1e-9);
+        }
+        #[test]
+        fn least_over_a_triangle_against_a_dense_grid(a in point(), b in point(), c in point()) {
+            let s = cone();
+            let solid = still(&s, Vector::z());
+            let n = 60;
+            let grid = (0..=n).flat_map(|i| (0..=n - i).map(move |j| (i, j))).map(|(i, j)| {
+                let p = a + (b - a) * (f64::from(i) / f64::from(n)) + (c - a) * (f64::from(j) / f64::from(n));
+                solid.signed(&p).0
+            });
+            let dense = grid.fold(f64::INFINITY, f64::min);
+            let (lower, seen) = solid.least_over_triangle(&[a, b, c], f64::INFINITY, 1e-4);
+            let (d, at) = seen.unwrap();
+            prop_assert!(lower <= dense + 1e-9 && dense - lower < 0.5, "{lower} {dense}");
+            prop_assert!(d - lower < 2e-4, "{lower} {d}");
+            prop_assert!((solid.signed(&at).0 - d).abs() < 1e-12);
+            prop_assert_eq!(solid.least_over_triangle(&[a, b, c], d - 0.01, 1e-4), (d - 0.01, None));
+        }
+        #[test]
+        fn bounds_hold_over_the_whole_move(
+            a in point(), b in point(), c in point(), m in point(), turn in -0.2..0.2f64, theta in 0.0..6.0f64,
+        ) {
+            let s = cone();
+            let pose = |tau: f64| Moving {
+                frustum: &s,
+                centre: Point::origin() + m.coords * (0.1 * tau),
+                axis: crate::tool::axis(0.3, theta + turn * tau),
+                half_move: m.coords * 0.1,
+                half_turn: turn,
+            };
+            let solid = pose(0.0);
+            let n = 12;
+            let grid = (0..=n).flat_map(|i| (0..=n - i).map(move |j| (i, j))).map(|(i, j)| {
+                a + (b - a) * (f64::from(i) / f64::from(n)) + (c - a) * (f64::from(j) / f64::from(n))
+            });
+            let points: Vec<Point> = grid.collect();
+            let over = |p: &Point| (-10..=10).map(|k| pose(f64::from(k) / 10.0).signed(p).0).fold(f64::INFINITY, f64::min);
+            let dense = points.iter().map(over).fold(f64::INFINITY, f64::min);
+            let (lower, _) = solid.least_over_triangle(&[a, b, c], f64::INFINITY, 1e-3);
+            prop_assert!(lower <= dense + 1e-9, "{lower} {dense}");
+            let (lo, hi) = (a.inf(&b).inf(&c), a.sup(&b).sup(&c));
+            let half = (hi - lo) * 0.5;
+            prop_assert!(solid.bound_over_box(&(lo + half), &half) <= dense + 1e-9);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! The swept ball: straight moves between the ball centres of a path, with a tree over them.
+
+use parry3d_f64::bounding_volume::Aabb as ParryAabb;
+use parry3d_f64::math::Vector as ParryVector;
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
+
+use crate::artifact::Toolpath;
+use crate::geometry::{Point, Vector};
+
+/// Moves of the ball's centre. Between two locations the control moves the centre on a straight line, so the swept
+/// volume of move `i` is exactly a capsule (a spherocylinder) of the ball's radius.
+pub(super) struct Sweep {
+    /// Ends of the moves: centre `i` to centre `i + 1`.
+    pub centres: Vec<Point>,
+    /// Turn of the move: that of its first location.
+    pub turns: Vec<u32>,
+    /// Ball radius, mm.
+    pub radius_mm: f64,
+    tree: Bvh,
+}
+
+/// The place on the path nearest to a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearest {
+    /// Move.
+    pub segment: usize,
+    /// Part of the move, 0 to 1.
+    pub t: f64,
+    /// The centre there.
+    pub centre: Point,
+    /// Distance to it, mm.
+    pub distance_mm: f64,
+}
+
+/// Point of the segment `a b` nearest to `q`, as a part of it, 0 to 1.
+pub(super) fn nearest_part(a: &Point, b: &Point, q: &Point) -> f64 {
+    let (d, l2) = (b - a, (b - a).norm_squared());
+    if l2 > 0.0 { ((q - a).dot(&d) / l2).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+fn box_distance2(node: &BvhNode, q: &Point) -> f64 {
+    let (lo, hi) = (node.mins(), node.maxs());
+    let gap = |l: f64, h: f64, x: f64| (l - x).max(x - h).max(0.0);
+    gap(lo.x, hi.x, q.x).powi(2) + gap(lo.y, hi.y, q.y).powi(2) + gap(lo.z, hi.z, q.z).powi(2)
+}
+
+impl Sweep {
+    /// Over a path with at least two locations.
+    pub fn new(path: &Toolpath) -> Self {
+        let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
+        let turns = path.locations.iter().map(|l| l.turn).collect();
+        let boxes = centres.windows(2).enumerate().map(|(i, w)| {
+            let (lo, hi) = (w[0].inf(&w[1]), w[0].sup(&w[1]));
+            (i, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
+        });
+        let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
+        Sweep { centres, turns, radius_mm: path.radius_mm, tree }
+    }
+
+    /// Nearest place of the path within `cap_mm` of `q`, among the moves that `allowed` lets through.
+    pub fn nearest(&self, q: &Point, cap_mm: f64, allowed: impl Fn(usize) -> bool) -> Option<Nearest> {
+        let found = self.tree.find_best(
+            cap_mm * cap_mm,
+            |node, _| box_distance2(node, q),
+            |i, _| {
+                let i = i as usize;
+                let t = nearest_part(&self.centres[i], &self.centres[i + 1], q);
+                let centre = self.at(i, t);
+                allowed(i).then(|| ((q - centre).norm_squared(), (t, centre)))
+            },
+        );
+        found.map(|(i, (d2, (t, centre)))| Nearest { segment: i as usize, t, centre, distance_mm: d2.sqrt() })
+    }
+
+    /// The centre at part `t` of move `segment`.
+    pub fn at(&self, segment: usize, t: f64) -> Point {
+        let (a, b) = (self.centres[segment], self.centres[segment + 1]);
+        a + (b - a) * t
+    }
+
+    /// The least `t` at which the line `p + t n` enters a ball of the sweep, among the moves that come within
+    /// `reach_mm` of `p + R n`; `None` where none of those is met. Positive: material is left standing that high
+    /// over `p`; negative: the ball has cut that deep.
+    pub fn entry(&self, p: &Point, n: &Vector, reach_mm: f64) -> Option<f64> {
+        let q = p + n * self.radius_mm;
+        let reach2 = reach_mm * reach_mm;
+        let mut best: Option<f64> = None;
+        self.tree.traverse(|node| {
+            if box_distance2(node, &q) > reach2 {
+                return TraversalAction::Prune;
+            }
+            if let Some(i) = node.leaf_data() {
+                let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
+                let near = a + (b - a) * nearest_part(&a, &b, &q);
+                if (near - q).norm_squared() <= reach2 {
+                    if let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n) {
+                        best = Some(best.map_or(t, |o| o.min(t)));
+                    }
+                }
+            }
+            TraversalAction::Continue
+        });
+        best
+    }
+}
+
+/// Where the line `p + t n` (unit `n`) enters the ball about `c`.
+fn ball_entry(c: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
+    let v = c - p;
+    let along = v.dot(n);
+    let rest = radius * radius - (v.norm_squared() - along * along);
+    (rest >= 0.0).then(|| along - rest.sqrt())
+}
+
+/// Where the line `p + t n` (unit `n`) enters the capsule about the segment `a b`: the least of the entries into its
+/// two end balls and, where the line enters it between them, into its cylinder.
+pub(super) fn capsule_entry(a: &Point, b: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
+    let ends = [ball_entry(a, radius, p, n), ball_entry(b, radius, p, n)];
+    let (axis, length) = (b - a, (b - a).norm());
+    let cylinder = (length > 0.0)
+        .then(|| {
+            let e = axis / length;
+            let w = p - a;
+            // |(w + t n) − ((w + t n)·e) e|² = R²: α t² + 2 β t + γ = 0.
+            let (we, ne) = (w.dot(&e), n.dot(&e));
+            let (alpha, beta) = (1.0 - ne * ne, w.dot(n) - we * ne);
+            let gamma = w.norm_squared() - we * we - radius * radius;
+            let disc = beta * beta - alpha * gamma;
+            if alpha <= 1e-14 || disc < 0.0 {
+                return None;
+            }
+            let t = (-beta - disc.sqrt()) / alpha;
+            (0.0..=length).contains(&(we + t * ne)).then_some(t)
+        })
+        .flatten();
+    ends.into_iter().chain([cylinder]).flatten().min_by(f64::total_cmp)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector() -> impl Strategy<Value = Vector> {
+        [-3.0..3.0f64, -3.0..3.0f64, -3.0..3.0f64].prop_map(Vector::from)
+    }
+
+    proptest! {
+        #[test]
+        fn capsule_entry_is_the_least_entry_of_its_balls(a in vector(), b in vector(), p in vector(), n in vector()) {
+            prop_assume!(n.norm() > 0.1);
+            let n = n.normalize();
+            let (a, b, p) = (Point::from(a), Point::from(b), Point::from(p) * 2.0);
+            let balls = (0..=4000).filter_map(|k| ball_entry(&(a + (b - a) * (f64::from(k) / 4000.0)), 1.5, &p, &n));
+            let dense = balls.min_by(f64::total_cmp);
+            match (capsule_entry(&a, &b, 1.5, &p, &n), dense) {
+                (Some(x), Some(y)) => prop_assert!(x <= y + 1e-9 && y - x < 0.1, "{x} {y}"),
+                (None, Some(y)) => prop_assert!(false, "missed {y}"),
+                _ => {}
+            }
+        }
+    }
+}

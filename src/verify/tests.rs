@@ -1,0 +1,379 @@
+//! Faults of known size are planted into a plan with closed-form answers; each must be found, measured and placed.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{PI, TAU};
+
+use super::*;
+use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::channel::{Binding, Channel, ChannelRow};
+use crate::artifact::report::Check;
+use crate::artifact::schedule::{Schedule, ScheduleKind};
+use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::{AxisMotion, Plan};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Rigid, Vector};
+use crate::observe::Silent;
+use crate::tool::{self, HolderStage};
+
+const PART_RADIUS: f64 = 20.0;
+const BALL: f64 = 8.0;
+const PITCH: f64 = 0.8;
+const B: f64 = 5.0 * PI / 180.0;
+
+/// A closed cylinder about x from −60 to 60 mm.
+fn cylinder() -> Mesh {
+    let (n, layers) = (720u32, 16u32);
+    let mut mesh = Mesh::default();
+    for l in 0..=layers {
+        let x = -60.0 + 120.0 * f64::from(l) / f64::from(layers);
+        mesh.points.extend((0..n).map(|k| {
+            let (s, c) = (TAU * f64::from(k) / f64::from(n)).sin_cos();
+            Point::new(x, PART_RADIUS * c, PART_RADIUS * s)
+        }));
+    }
+    let top = layers * n;
+    mesh.points.extend([Point::new(-60.0, 0.0, 0.0), Point::new(60.0, 0.0, 0.0)]);
+    for k in 0..n {
+        let l = (k + 1) % n;
+        for at in (0..layers).map(|j| j * n) {
+            mesh.triangles.extend([[at + k, at + l, at + n + l], [at + k, at + n + l, at + n + k]]);
+        }
+        mesh.triangles.extend([[top + n, l, k], [top + n + 1, top + k, top + l]]);
+    }
+    mesh
+}
+
+fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
+    Blade {
+        name: "cylinder".into(),
+        unit: Unit::Mm,
+        part: Part::from_mesh(mesh),
+        model_from_blade,
+        regions: Regions {
+            part_x_mm: [-60.0, 60.0],
+            airfoil_x_mm: [-60.0, 60.0],
+            platform_x_mm: None,
+            reasons: vec![],
+        },
+        diagnosis: Diagnosis { closed: true, ..Diagnosis::default() },
+    }
+}
+
+fn tool() -> Tool {
+    Tool {
+        radius_mm: BALL,
+        taper_deg: 0.0,
+        shank_radius_mm: BALL,
+        stickout_mm: 60.0,
+        holder: vec![HolderStage { radius_mm: 25.0, length_mm: 50.0 }],
+    }
+}
+
+/// A helix of `turns` turns with `per_turn` rows each on the cylinder; the ball centre's height at angle φ is `x(φ)`;
+/// θ leads the normal by `lead`.
+fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Plan {
+    let n = turns * per_turn;
+    let angle = |i: usize| TAU * i as f64 / per_turn as f64;
+    let normal = |i: usize| Vector::new(0.0, angle(i).cos(), angle(i).sin());
+    let centre = |i: usize| Point::new(x(angle(i)), 0.0, 0.0) + normal(i) * (PART_RADIUS + BALL);
+    let mut s = vec![0.0];
+    for i in 1..n {
+        s.push(s[i - 1] + (centre(i) - centre(i - 1)).norm());
+    }
+    let locations = (0..n).map(|i| CutterLocation {
+        turn: (i / per_turn) as u32,
+        turn_s_mm: s[i] - s[i / per_turn * per_turn],
+        s_mm: s[i],
+        centre: centre(i),
+        contact: centre(i) - normal(i) * BALL,
+        normal: normal(i),
+    });
+    let theta: Vec<f64> = (0..n).map(|i| angle(i) + lead).collect();
+    let row = |t: &f64| ChannelRow {
+        theta_min: t - 0.1,
+        theta_max: t + 0.1,
+        hull_min: t - 0.1,
+        hull_max: t + 0.1,
+        tangent_min: t - 0.1,
+        tangent_max: t + 0.1,
+        binds_min: Binding::ContactAngle,
+        binds_max: Binding::Free,
+    };
+    let zeros = vec![[0.0; 5]; n];
+    with_motion(Plan {
+        toolpath: Toolpath {
+            radius_mm: BALL,
+            scallop_mm: 0.01,
+            chord_mm: 0.001,
+            region_x_mm: [x(0.0), x(angle(n - 1))],
+            planned_scallop_mm: 0.01,
+            end_reason: String::new(),
+            turns: (0..turns)
+                .map(|k| Turn { first: k * per_turn, count: per_turn, length_mm: TAU * (PART_RADIUS + BALL) })
+                .collect(),
+            locations: locations.collect(),
+        },
+        channel: Channel {
+            b_rad: B,
+            tolerance_rad: 1e-4,
+            rows: theta.iter().map(row).collect(),
+            narrowest_row: 0,
+            chains: 1,
+        },
+        schedule: Schedule {
+            kind: ScheduleKind::Fixed,
+            theta,
+            pieces: vec![],
+            key_points: vec![],
+            reversals: 0,
+            peak_rate: 0.0,
+            peak_acceleration: 0.0,
+        },
+        motion: AxisMotion {
+            t_s: s.iter().map(|s| s / 30.0).collect(),
+            position: zeros.clone(),
+            velocity: zeros.clone(),
+            acceleration: zeros.clone(),
+            jerk: zeros,
+            feed: vec![30.0; n],
+            time_s: s[n - 1] / 30.0,
+        },
+    })
+}
+
+fn machine() -> Machine {
+    Machine::demo().unwrap()
+}
+
+/// Axis positions of the plan as it is, at 30 mm/s, with its times.
+fn with_motion(mut plan: Plan) -> Plan {
+    let (gauge, machine) = (tool().length_mm(), machine());
+    let rows = plan.toolpath.locations.iter().zip(&plan.schedule.theta);
+    plan.motion.position = rows.map(|(l, t)| machine.inverse(&l.centre, *t, B, gauge)).collect();
+    plan
+}
+
+fn helix(phi: f64) -> f64 {
+    -PITCH * phi / TAU
+}
+
+fn options() -> VerifyOptions {
+    VerifyOptions { surface_samples: 20_000, ..VerifyOptions::default() }
+}
+
+fn run(plan: Plan, blade: &Blade, options: &VerifyOptions) -> Verdict<Plan> {
+    check(plan, blade, &tool(), &machine(), options, &Silent).unwrap()
+}
+
+fn find<'a>(report: &'a CheckReport, name: &str) -> &'a Check {
+    report.checks.iter().find(|c| c.name == name).unwrap()
+}
+
+/// The same plan a hundred times slower, so that no axis meets its limits.
+fn slowly(mut plan: Plan) -> Plan {
+    plan.motion.t_s.iter_mut().for_each(|t| *t *= 100.0);
+    plan
+}
+
+fn failed(report: &CheckReport) -> Vec<&str> {
+    report.checks.iter().filter(|c| !c.passed).map(|c| c.name.as_str()).collect()
+}
+
+#[test]
+fn a_clean_plan_passes_with_the_closed_form_figures() {
+    let verdict = run(plan(5, 720, 0.0, helix), &blade(cylinder(), Rigid::identity()), &options());
+    let report = verdict.report();
+    assert_eq!(failed(report), Vec::<&str>::new(), "{report:#?}");
+    let h = |x: f64| BALL - (BALL * BALL - x * x).sqrt();
+    let ridge = h(PITCH / 2.0);
+    assert!((report.ridge_max_mm - ridge).abs() < 2e-5 && (report.ridge_p05_mm - ridge).abs() < 2e-5 * 20.0);
+    for (q, got) in [
+        (0.05, report.scallop_p05_mm),
+        (0.5, report.scallop_p50_mm),
+        (0.95, report.scallop_p95_mm),
+        (0.99, report.scallop_p99_mm),
+        (1.0, report.scallop_max_mm),
+    ] {
+        let expected = h(q * PITCH / 2.0);
+        // Chord of the path and of the facets, and the samples' own spread.
+        assert!((got - expected).abs() < 0.0004 + 0.01 * ridge, "{q}: {got} {expected}");
+    }
+    assert!(report.scallop_samples > 1000);
+    // Sag of the straight moves.
+    let sag = (PART_RADIUS + BALL) * (1.0 - (PI / 720.0).cos());
+    let gouge = find(report, "gouge").worst;
+    assert!(gouge >= sag - 1e-6 && gouge <= sag + 0.0005, "{gouge} {sag}");
+    assert!(report.gouge_mm <= sag + 1e-6);
+    // The ball's equator, tilted by B, on the side of the part.
+    let clear = BALL - BALL * B.sin();
+    assert!((report.clearance_mm - clear).abs() < 0.02 * clear, "{} {clear}", report.clearance_mm);
+    let Verdict::Passed(v) = verdict else { panic!("not passed") };
+    assert!(!v.forced());
+}
+
+#[test]
+fn a_gouge_of_five_micrometres_is_found_and_placed() {
+    let mut p = plan(3, 360, 0.0, helix);
+    let l = &mut p.toolpath.locations[500];
+    l.centre -= l.normal * 0.005;
+    let contact = l.contact;
+    p = with_motion(p);
+    let turned = Rigid::new(Vector::new(1.0, 2.0, 3.0), Vector::new(0.3, -0.4, 0.5));
+    let verdict = run(p.clone(), &blade(cylinder(), turned), &options());
+    let gouge = find(verdict.report(), "gouge");
+    assert!(!gouge.passed && (0.0049..0.0056).contains(&gouge.worst), "{gouge:?}");
+    assert!((499..=500).contains(&gouge.row.unwrap()) && gouge.turn == Some(1));
+    assert!((Point::from(gouge.point_mm.unwrap()) - turned * contact).norm() < 0.2);
+    let Verdict::Failed(rejected) = verdict else { panic!("passed") };
+    assert_eq!(rejected.value(), &p);
+    assert!(rejected.write_anyway().forced());
+}
+
+#[test]
+fn a_path_inside_the_part_is_a_gouge() {
+    let mut p = plan(3, 180, 0.0, helix);
+    for l in &mut p.toolpath.locations {
+        l.centre = Point::new(l.centre.x, l.centre.y * 0.1, l.centre.z * 0.1);
+    }
+    let verdict = run(p, &blade(cylinder(), Rigid::identity()), &options());
+    let gouge = find(verdict.report(), "gouge");
+    assert!(!gouge.passed && gouge.worst > 20.0, "{gouge:?}");
+}
+
+#[test]
+fn a_scallop_twice_too_high_is_found() {
+    let wide = |phi: f64| {
+        let over = ((phi - 2.0 * TAU) / TAU).clamp(0.0, 1.0);
+        helix(phi) - over * PITCH * (2f64.sqrt() - 1.0)
+    };
+    let verdict = run(
+        plan(6, 360, 0.0, wide),
+        &blade(cylinder(), Rigid::identity()),
+        &VerifyOptions { gouge_mm: 0.01, ..options() },
+    );
+    let report = verdict.report();
+    assert_eq!(failed(report), ["scallop", "ridge"]);
+    assert!((report.ridge_max_mm - 0.02).abs() < 0.0003, "{}", report.ridge_max_mm);
+    // The straight moves sag by a micrometre.
+    assert!((report.scallop_max_mm - 0.02).abs() < 0.0013, "{}", report.scallop_max_mm);
+    assert!((1..=3).contains(&find(report, "ridge").turn.unwrap()));
+}
+
+#[test]
+fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
+    let p = plan(3, 180, 0.2, helix);
+    let row = 100;
+    let l = |i: usize| p.toolpath.locations[i].centre;
+    let (centre, theta) =
+        (l(row) + (l(row + 1) - l(row)) * 0.5, 0.5 * (p.schedule.theta[row] + p.schedule.theta[row + 1]));
+    // A spike that reaches into the holder's side from above, near its upper end.
+    let a = tool::axis(B, theta);
+    let out = (Vector::x() - a * a.x).normalize();
+    let across = a.cross(&out);
+    let tip = centre + a * 105.0 + out * (25.0 - 0.02);
+    let mut mesh = cylinder();
+    let n = mesh.points.len() as u32;
+    mesh.points.extend([tip, tip + out * 5.0 + across * 0.1, tip + out * 5.0 - across * 0.1]);
+    mesh.triangles.push([n, n + 1, n + 2]);
+    mesh.face_of = vec![0; mesh.triangles.len() - 1];
+    mesh.face_of.push(7);
+    let blade = blade(mesh, Rigid::identity());
+    let report = run(p.clone(), &blade, &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    assert_eq!(failed(&report), ["holder-clearance"]);
+    let touch = find(&report, "holder-clearance");
+    assert!((touch.worst + 0.02).abs() < 0.006, "{touch:?}");
+    assert_eq!((touch.row, touch.turn), (Some(row), Some(0)));
+    assert!((Point::from(touch.point_mm.unwrap()) - tip).norm() < 0.01);
+    assert!(touch.note.contains("holder 1") && touch.note.contains("group 7"), "{}", touch.note);
+    // At the rows themselves the holder is clear: a check of rows alone would miss it.
+    let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.name.starts_with("holder")).collect();
+    for i in [row, row + 1] {
+        let mut still = p.clone();
+        still.toolpath.locations = vec![p.toolpath.locations[i]; 2];
+        still.schedule.theta = vec![p.schedule.theta[i]; 2];
+        assert!(clearance::measure(&still, &blade.part, &holder, 0.001).1 > 0.005);
+    }
+}
+
+#[test]
+fn a_reversed_theta_and_one_outside_the_channel_are_found() {
+    let mut p = plan(3, 180, 0.0, helix);
+    p.schedule.theta.swap(77, 78);
+    let report =
+        run(p, &blade(cylinder(), Rigid::identity()), &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    assert_eq!(failed(&report), ["theta-reversal"]);
+    let check = find(&report, "theta-reversal");
+    assert!((check.worst - 2.0).abs() < 1e-9 && check.row == Some(78), "{check:?}");
+
+    let mut p = plan(3, 180, 0.0, helix);
+    p.channel.rows[100].theta_max = p.schedule.theta[100] - 0.25f64.to_radians();
+    let report =
+        run(p, &blade(cylinder(), Rigid::identity()), &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    assert_eq!(failed(&report), ["theta-channel"]);
+    let check = find(&report, "theta-channel");
+    assert!((check.worst - 0.25).abs() < 1e-9 && check.row == Some(100), "{check:?}");
+}
+
+#[test]
+fn axis_limits_exceeded_are_found_and_placed() {
+    let blade = blade(cylinder(), Rigid::identity());
+    let limits = VerifyOptions { gouge_mm: 0.01, ..options() };
+    let clean = plan(3, 180, 0.0, helix);
+    assert_eq!(failed(run(clean.clone(), &blade, &limits).report()), Vec::<&str>::new());
+    // One interval in a fifth of its time: A turns five times as fast, and jumps to it and back.
+    let mut p = clean.clone();
+    let step = p.motion.t_s[301] - p.motion.t_s[300];
+    p.motion.t_s[301..].iter_mut().for_each(|t| *t -= 0.8 * step);
+    let report = run(p.clone(), &blade, &limits).report().clone();
+    assert_eq!(failed(&report), ["a-velocity", "a-acceleration"]);
+    let v = find(&report, "a-velocity");
+    let expected = 2.0 / (0.2 * step);
+    assert!((v.worst - expected).abs() < 1e-6 * expected && v.row == Some(300) && v.limit == 180.0, "{v:?}");
+    assert!((300..=301).contains(&find(&report, "a-acceleration").row.unwrap()));
+    // Velocity columns are not trusted.
+    p.motion = clean.motion.clone();
+    p.motion.velocity = vec![[1e9; 5]; p.motion.velocity.len()];
+    assert_eq!(failed(run(p, &blade, &limits).report()), Vec::<&str>::new());
+    // Far outside the stroke of X, and not where the plan says.
+    let mut p = clean.clone();
+    for q in &mut p.motion.position {
+        q[0] += 2000.0;
+    }
+    let report = run(p, &blade, &limits).report().clone();
+    assert_eq!(failed(&report), ["x-travel", "axes-centre"]);
+    assert!((find(&report, "axes-centre").worst - 2000.0).abs() < 1e-6);
+    let mut p = clean;
+    p.motion.position[40][3] += 1e-4;
+    let report = run(slowly(p), &blade, &limits).report().clone();
+    assert_eq!(failed(&report), ["axes-centre", "axes-direction"]);
+    assert_eq!(find(&report, "axes-direction").row, Some(40));
+    let mut p = plan(3, 180, 0.0, helix);
+    p.motion.t_s[9] = p.motion.t_s[8];
+    assert!(failed(run(p, &blade, &limits).report()).contains(&"time"));
+}
+
+#[test]
+fn plans_that_are_none_are_refused() {
+    let blade = blade(cylinder(), Rigid::identity());
+    let mut short = plan(3, 180, 0.0, helix);
+    short.schedule.theta.pop();
+    let mut nan = plan(3, 180, 0.0, helix);
+    nan.toolpath.locations[5].centre.y = f64::NAN;
+    let mut empty = plan(3, 180, 0.0, helix);
+    empty.toolpath.locations.clear();
+    for (bad, word) in [(short, "schedule"), (nan, "location 5"), (empty, "0 cutter locations")] {
+        let e = check(bad, &blade, &tool(), &machine(), &options(), &Silent).unwrap_err();
+        assert!(e.message.contains(word), "{e}");
+    }
+}
+
+#[test]
+fn figures_do_not_depend_on_the_number_of_threads() {
+    let blade = blade(cylinder(), Rigid::identity());
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| run(plan(4, 180, 0.3, helix), &blade, &options()).report().clone())
+    };
+    assert_eq!(serde_json::to_string(&on(1)).unwrap(), serde_json::to_string(&on(3)).unwrap());
+}

@@ -1,0 +1,185 @@
+//! The command as a user meets it: bad input, exit codes, nothing left behind, the same bytes on any number of threads.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn bladewright(args: &[&str], dir: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bladewright")).args(args).current_dir(dir).output().expect("the command starts")
+}
+
+/// Runs and checks: exit code, every word in the message, one sentence for the error, nothing left behind.
+fn fails(args: &[&str], dir: &Path, code: i32, words: &[&str]) {
+    let before = listing(dir);
+    let out = bladewright(args, dir);
+    let text = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(code), "{args:?}\n{text}");
+    assert!(text.contains("error: ") && !text.contains("panicked"), "{args:?}\n{text}");
+    for word in words {
+        assert!(text.to_lowercase().contains(&word.to_lowercase()), "`{word}` is not in the message of {args:?}:\n{text}");
+    }
+    assert_eq!(before, listing(dir), "{args:?} left something behind");
+}
+
+fn listing(dir: &Path) -> Vec<PathBuf> {
+    let mut all: Vec<PathBuf> = std::fs::read_dir(dir).expect("readable").map(|e| e.expect("entry").path()).collect();
+    all.sort();
+    all
+}
+
+fn write(dir: &Path, name: &str, content: &[u8]) {
+    std::fs::write(dir.join(name), content).expect("writable");
+}
+
+/// A closed cube of the given side as ASCII STL.
+fn cube_stl(side: f64, faces: usize) -> String {
+    let p = |i: usize| [i & 1, (i >> 1) & 1, (i >> 2) & 1].map(|b| b as f64 * side);
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let mut text = String::from("solid cube\n");
+    for q in quads.iter().take(faces) {
+        for t in [[q[0], q[1], q[2]], [q[0], q[2], q[3]]] {
+            text += " facet normal 0 0 0\n  outer loop\n";
+            for i in t {
+                let [x, y, z] = p(i);
+                text += &format!("   vertex {x} {y} {z}\n");
+            }
+            text += "  endloop\n endfacet\n";
+        }
+    }
+    text + "endsolid cube\n"
+}
+
+#[test]
+fn bad_models_are_named() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    write(d, "empty.step", b"");
+    write(d, "text.step", b"this is no STEP file, only a text that says so\n");
+    write(
+        d,
+        "nothing.step",
+        b"ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('n','2026-01-01T00:00:00',(''),(''),'','','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n",
+    );
+    let mut short = vec![0u8; 84];
+    short[80] = 200;
+    short.extend([0u8; 50 * 20]);
+    write(d, "short.stl", &short);
+    write(d, "open.stl", cube_stl(40.0, 5).as_bytes());
+    write(d, "nan.stl", cube_stl(40.0, 6).replacen("40", "nan", 1).as_bytes());
+    write(d, "small.stl", cube_stl(5.0, 6).as_bytes());
+    for (model, words) in [
+        ("missing.step", vec!["missing.step"]),
+        ("empty.step", vec!["empty"]),
+        ("text.step", vec!["text.step"]),
+        ("nothing.step", vec!["nothing.step"]),
+        ("short.stl", vec!["short.stl"]),
+        ("open.stl", vec!["open"]),
+        ("nan.stl", vec!["nan.stl"]),
+    ] {
+        fails(&["plan", model, "-o", "out"], d, 4, &words);
+        fails(&["inspect", model], d, 4, &words);
+    }
+    fails(&["plan", "small.stl", "--set", "tool.radius_mm=8", "-o", "out"], d, 3, &["smaller than"]);
+}
+
+#[test]
+fn bad_options_are_named() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let model = root().join("models/prism.step").display().to_string();
+    for (assignment, words) in [
+        ("path.scallop_mm=0", vec!["path.scallop_mm", "greater than 0"]),
+        ("path.scallop_mm=-1", vec!["path.scallop_mm", "greater than 0"]),
+        ("tool.radius_mm=0", vec!["tool.radius_mm", "greater than 0"]),
+        ("tool.radius_mm=-2", vec!["tool.radius_mm", "greater than 0"]),
+        ("path.scalop_mm=0.01", vec!["scalop_mm"]),
+        ("region.start_mm=100000", vec!["region.start_mm", "outside"]),
+    ] {
+        fails(&["plan", &model, "--set", assignment, "-o", "out"], d, 2, &words);
+    }
+    write(d, "job.toml", format!("[model]\nfile = {model:?}\n[tool]\nradius = 3\n").as_bytes());
+    fails(&["plan", "job.toml", "-o", "out"], d, 2, &["job.toml", "radius", "line"]);
+    fails(&["plan", &model, "--threads", "0", "-o", "out"], d, 2, &["threads"]);
+    fails(&["verify", "nowhere"], d, 4, &["nowhere"]);
+    write(d, "file", b"in the way");
+    fails(&["plan", &model, "-o", "file"], d, 4, &["file"]);
+    // /dev/full stands for a disk without room, /proc for a folder that cannot be written.
+    if Path::new("/proc/self").is_dir() {
+        fails(&["plan", &model, "-o", "/proc/bladewright-out"], d, 4, &["/proc"]);
+    }
+}
+
+/// Every file of a run but manifest.json, which holds times and memory.
+fn contents(out: &Path) -> Vec<(String, Vec<u8>)> {
+    listing(out)
+        .iter()
+        .map(|p| (p.file_name().expect("name").to_string_lossy().into_owned(), std::fs::read(p).expect("readable")))
+        .filter(|(name, _)| name != "manifest.json")
+        .collect()
+}
+
+#[test]
+fn plan_verify_post_and_preview_of_the_prism() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let model = root().join("models/prism.step").display().to_string();
+    for threads in ["1", "2"] {
+        let out = bladewright(&["--threads", threads, "plan", &model, "-o", threads], d);
+        assert_eq!(out.status.code(), Some(0), "{}{}", String::from_utf8_lossy(&out.stderr), String::from_utf8_lossy(&out.stdout));
+    }
+    let (one, two) = (contents(&d.join("1")), contents(&d.join("2")));
+    let names: Vec<&str> = one.iter().map(|(n, _)| n.as_str()).collect();
+    for file in [
+        "axes.csv", "cutter_locations.csv", "job.resolved.toml", "preview.glb", "program.mpf", "program.ngc", "report.html",
+        "sections.json", "summary.json", "verify.json",
+    ] {
+        assert!(names.contains(&file), "{file} is missing in {names:?}");
+    }
+    assert_eq!(names, two.iter().map(|(n, _)| n.as_str()).collect::<Vec<_>>());
+    for ((name, a), (_, b)) in one.iter().zip(&two) {
+        assert!(a == b, "{name} differs between 1 and 2 threads");
+    }
+    // The resolved job gives the same plan again.
+    let again = bladewright(&["plan", "1/job.resolved.toml", "-o", "again"], d);
+    assert_eq!(again.status.code(), Some(0), "{}", String::from_utf8_lossy(&again.stderr));
+    let csv = |out: &str| std::fs::read(d.join(out).join("cutter_locations.csv")).expect("readable");
+    assert!(csv("1") == csv("again"), "job.resolved.toml does not give the same cutter locations");
+    for args in [&["verify", "1"][..], &["preview", "1"], &["post", "1", "--control", "siemens"]] {
+        let out = bladewright(args, d);
+        assert_eq!(out.status.code(), Some(0), "{args:?}: {}", String::from_utf8_lossy(&out.stderr));
+    }
+    assert_eq!(contents(&d.join("1")), one, "verify, preview or post changed a file");
+    planted_gouge_is_found(d);
+}
+
+/// A ball centre moved 20 µm into the part is found by `verify`, named, and not posted.
+fn planted_gouge_is_found(d: &Path) {
+    let path = d.join("1/cutter_locations.csv");
+    let text = std::fs::read_to_string(&path).expect("readable");
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let k = lines.len() / 2;
+    let mut v: Vec<f64> = lines[k].split(',').map(|x| x.parse().expect("number")).collect();
+    for i in 0..3 {
+        v[3 + i] -= 0.02 * v[9 + i];
+    }
+    lines[k] = v.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+    std::fs::write(&path, lines.join("\n") + "\n").expect("writable");
+    let out = bladewright(&["verify", "1"], d);
+    assert_eq!(out.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&out.stdout).contains("finding: gouge"), "{}", String::from_utf8_lossy(&out.stdout));
+    let out = bladewright(&["post", "1", "--control", "linuxcnc"], d);
+    assert_eq!(out.status.code(), Some(1), "a plan with a gouge was posted");
+}
+
+#[test]
+fn stages_can_be_stopped_after() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let model = root().join("models/prism.step").display().to_string();
+    let out = bladewright(&["plan", &model, "-o", "out", "--until", "path"], dir.path());
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let names: Vec<String> = contents(&dir.path().join("out")).into_iter().map(|(n, _)| n).collect();
+    assert_eq!(names, ["job.resolved.toml", "sections.json", "toolpath.json"]);
+}
