@@ -206,6 +206,7 @@ pub fn report() -> CheckReport {
         scallop_p50_mm: 0.0095,
         scallop_p05_mm: 0.0090,
         scallop_samples: 1000,
+        uncut_samples: 0,
         ridge_max_mm: 0.0101,
         ridge_p99_mm: 0.0100,
         ridge_p50_mm: 0.0098,

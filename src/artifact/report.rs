@@ -50,6 +50,8 @@ pub struct CheckReport {
     pub ridge_p50_mm: f64,
     /// 5th percentile, mm.
     pub ridge_p05_mm: f64,
+    /// Samples of the machined band that no ball of this radius can reach: inner corners that stay uncut.
+    pub uncut_samples: usize,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance between tool (without ball) and part, mm.

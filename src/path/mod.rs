@@ -119,6 +119,16 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
             ));
         }
     }
+    if let Some(size) = blade.part.mesh.aabb().map(|b| b.max - b.min).filter(|s| s.max() < 2.0 * o.radius_mm) {
+        return Err(Error::infeasible(
+            Stage::Path,
+            format!(
+                "the part ({:.3} × {:.3} × {:.3} mm) is smaller than the tool, a ball of {} mm in diameter",
+                size.x, size.y, size.z, 2.0 * o.radius_mm
+            ),
+        )
+        .advise("take a smaller ball, or check the model's unit with --unit"));
+    }
     let [a, b] = blade.regions.airfoil_x_mm;
     if b - a < 0.5 * o.radius_mm {
         return Err(Error::infeasible(

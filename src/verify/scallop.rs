@@ -3,6 +3,8 @@
 //! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n` enters the swept ball at
 //!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
 //!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all.
+//!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
+//!   valley) no ball of this radius can reach `p`: that is uncut for good, whatever the stepover, and counted apart.
 //! * **Ridges**: two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius
 //!   `sqrt(R² − d²/4)` about their middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to
 //!   the part; its distance from the part is the cusp's height.
@@ -49,8 +51,17 @@ fn flat_stepover(radius: f64, scallop: f64) -> f64 {
     (8.0 * radius * scallop).sqrt()
 }
 
-/// Heights at samples of the machined band, sorted.
-pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> Vec<Height> {
+/// Whether a ball may touch the part at `p` without cutting into it by more than `slack_mm` elsewhere.
+fn reachable(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> bool {
+    part.closest(&(p + n * radius_mm), radius_mm - slack_mm).is_none()
+}
+
+/// How much a ball may cut in elsewhere and still count as touching, as a share of the scallop: rounding and exactness of
+/// the distance only.
+const REACH_SLACK: f64 = 0.02;
+
+/// Heights at samples of the machined band, sorted; and how many samples of the band no ball can reach.
+pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> (Vec<Height>, usize) {
     // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
     let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
     let (first, last) = (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0));
@@ -62,21 +73,24 @@ pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize)
             return None;
         }
         let height_mm = sweep.entry(&s.point, &s.normal, reach)?;
-        Some(Height { height_mm, point: s.point, row })
+        let reached = reachable(part, &s.point, &s.normal, sweep.radius_mm, REACH_SLACK * scallop_mm);
+        Some((Height { height_mm, point: s.point, row }, reached))
     };
     let all = samples::near_path(part, sweep, reach, count);
-    sort(all.into_par_iter().filter_map(height).collect())
+    let measured: Vec<(Height, bool)> = all.into_par_iter().filter_map(height).collect();
+    let uncut = measured.iter().filter(|(_, reached)| !reached).count();
+    (sort(measured.into_iter().filter(|(_, reached)| *reached).map(|(h, _)| h).collect()), uncut)
 }
 
 /// Ridges between each turn and the next, sorted.
-pub(super) fn ridges(part: &Part, sweep: &Sweep) -> Vec<Height> {
+pub(super) fn ridges(part: &Part, sweep: &Sweep, scallop_mm: f64) -> Vec<Height> {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_RIDGES);
     let rows: Vec<usize> = (0..n).step_by(every).collect();
-    sort(rows.into_par_iter().filter_map(|row| ridge_at(part, sweep, row)).collect())
+    sort(rows.into_par_iter().filter_map(|row| ridge_at(part, sweep, row, REACH_SLACK * scallop_mm)).collect())
 }
 
-fn ridge_at(part: &Part, sweep: &Sweep, row: usize) -> Option<Height> {
+fn ridge_at(part: &Part, sweep: &Sweep, row: usize, slack_mm: f64) -> Option<Height> {
     let (radius, turn) = (sweep.radius_mm, sweep.turns[row]);
     let c1 = sweep.centres[row];
     let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == turn + 1 && sweep.turns[i + 1] == turn + 1)?;
@@ -95,7 +109,10 @@ fn ridge_at(part: &Part, sweep: &Sweep, row: usize) -> Option<Height> {
     let side = e.cross(&g);
     let circle = (radius * radius - 0.25 * d * d).sqrt();
     let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
-    lowest(part, point, radius).map(|(height_mm, point)| Height { height_mm, point, row })
+    let (height_mm, point) = lowest(part, point, radius)?;
+    let under = part.closest(&point, radius)?;
+    // A ridge over a corner that no ball can reach is not one of the stepover's.
+    reachable(part, &under.point, &under.normal, radius, slack_mm).then_some(Height { height_mm, point, row })
 }
 
 /// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
@@ -117,8 +134,9 @@ fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
 
 /// Measures and judges the scallop; the percentiles go into `report`.
 pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyOptions, report: &mut CheckReport) {
-    let samples = heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
-    let ridges = ridges(&blade.part, sweep);
+    let (samples, uncut) = heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
+    let ridges = ridges(&blade.part, sweep, options.scallop_mm);
+    report.uncut_samples = uncut;
     report.scallop_samples = samples.len();
     report.scallop_max_mm = percentile(&samples, 1.0);
     report.scallop_p99_mm = percentile(&samples, 0.99);
@@ -145,7 +163,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
             turn: at.map(|h| plan.toolpath.locations[h.row].turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
             note: format!(
-                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest",
+                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest; {uncut} samples of the surface that no ball of this radius reaches are left out",
                 sorted.len(),
                 percentile(sorted, 1.0),
                 percentile(sorted, 0.5),
@@ -156,7 +174,10 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
     let quantity = "99th percentile of the height left over the part in the machined band";
     report.checks.push(judge("scallop", quantity, &samples, !samples.is_empty()));
     let quantity = "99th percentile of the ridges between neighbouring turns";
-    report.checks.push(judge("ridge", quantity, &ridges, true));
+    // On a mesh the edges between facets bend each ridge by more than the scallop; the samples above judge there.
+    if blade.part.brep.is_some() {
+        report.checks.push(judge("ridge", quantity, &ridges, true));
+    }
     report.checks.push(ray_gouge(blade, sweep, &samples, options));
 }
 
