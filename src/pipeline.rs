@@ -183,14 +183,14 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
     let mut clock = Clock::default();
     let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
-    let sections =
-        clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
+    let sections = clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
     folder.add_json("sections.json", &sections)?;
     let (mut summary, mut report) = (None, None);
     if !course.ends_at(Stage::Section) {
         let planned = plan(&setup, course, &mut folder, &mut clock, &recorder)?;
         if let Some((plan, baseline)) = planned {
-            let checked = check_and_write(&setup, &sections, plan, &baseline, course, &mut folder, &mut clock, &recorder)?;
+            let checked =
+                check_and_write(&setup, &sections, plan, &baseline, course, &mut folder, &mut clock, &recorder)?;
             (summary, report) = (checked.summary, Some(checked.report));
         }
     }
@@ -228,8 +228,8 @@ fn plan(
         folder.add_json("toolpath.json", &toolpath)?;
         return Ok(None);
     }
-    let channel =
-        clock.time(Stage::Channel, || channel::plan(blade, &job.tool, &toolpath, &setup.channel_options(), observer))?;
+    let channel = clock
+        .time(Stage::Channel, || channel::plan(blade, &job.tool, &toolpath, &setup.channel_options(), observer))?;
     if course.ends_at(Stage::Channel) {
         folder.add_json("toolpath.json", &toolpath)?;
         folder.add_json("channel.json", &channel)?;
@@ -323,7 +323,11 @@ fn write_preview(
         tool,
         machine: &setup.machine,
         plan: Some(plan),
-        baseline: Some(report::Baseline { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) }),
+        baseline: Some(report::Baseline {
+            name: "fixed lead",
+            schedule: &baseline.schedule,
+            motion: Some(&baseline.motion),
+        }),
         sections,
         checks: Some(verdict.report()),
         forced: false,

@@ -19,7 +19,10 @@ fn fails(args: &[&str], dir: &Path, code: i32, words: &[&str]) {
     assert_eq!(out.status.code(), Some(code), "{args:?}\n{text}");
     assert!(text.contains("error: ") && !text.contains("panicked"), "{args:?}\n{text}");
     for word in words {
-        assert!(text.to_lowercase().contains(&word.to_lowercase()), "`{word}` is not in the message of {args:?}:\n{text}");
+        assert!(
+            text.to_lowercase().contains(&word.to_lowercase()),
+            "`{word}` is not in the message of {args:?}:\n{text}"
+        );
     }
     assert_eq!(before, listing(dir), "{args:?} left something behind");
 }
@@ -128,13 +131,27 @@ fn plan_verify_post_and_preview_of_the_prism() {
     let model = root().join("models/prism.step").display().to_string();
     for threads in ["1", "2"] {
         let out = bladewright(&["--threads", threads, "plan", &model, "-o", threads], d);
-        assert_eq!(out.status.code(), Some(0), "{}{}", String::from_utf8_lossy(&out.stderr), String::from_utf8_lossy(&out.stdout));
+        assert_eq!(
+            out.status.code(),
+            Some(0),
+            "{}{}",
+            String::from_utf8_lossy(&out.stderr),
+            String::from_utf8_lossy(&out.stdout)
+        );
     }
     let (one, two) = (contents(&d.join("1")), contents(&d.join("2")));
     let names: Vec<&str> = one.iter().map(|(n, _)| n.as_str()).collect();
     for file in [
-        "axes.csv", "cutter_locations.csv", "job.resolved.toml", "preview.glb", "program.mpf", "program.ngc", "report.html",
-        "sections.json", "summary.json", "verify.json",
+        "axes.csv",
+        "cutter_locations.csv",
+        "job.resolved.toml",
+        "preview.glb",
+        "program.mpf",
+        "program.ngc",
+        "report.html",
+        "sections.json",
+        "summary.json",
+        "verify.json",
     ] {
         assert!(names.contains(&file), "{file} is missing in {names:?}");
     }
@@ -169,7 +186,11 @@ fn planted_gouge_is_found(d: &Path) {
     std::fs::write(&path, lines.join("\n") + "\n").expect("writable");
     let out = bladewright(&["verify", "1"], d);
     assert_eq!(out.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&out.stdout).contains("finding: gouge"), "{}", String::from_utf8_lossy(&out.stdout));
+    assert!(
+        String::from_utf8_lossy(&out.stdout).contains("finding: gouge"),
+        "{}",
+        String::from_utf8_lossy(&out.stdout)
+    );
     let out = bladewright(&["post", "1", "--control", "linuxcnc"], d);
     assert_eq!(out.status.code(), Some(1), "a plan with a gouge was posted");
 }

@@ -24,8 +24,11 @@ struct Finished {
 fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let file = out.join("job.resolved.toml");
     if !file.is_file() {
-        return Err(Error::io(Stage::Job, format!("{} holds no finished run: job.resolved.toml is missing", out.display()))
-            .advise("give the folder that `plan … -o` wrote"));
+        return Err(Error::io(
+            Stage::Job,
+            format!("{} holds no finished run: job.resolved.toml is missing", out.display()),
+        )
+        .advise("give the folder that `plan … -o` wrote"));
     }
     let draft = job::resolve(job::load(&file)?, out)?;
     let setup = Setup::load(&draft, observer)?;
@@ -75,8 +78,12 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     let report = verdict.report().clone();
     let Some(verified) = pipeline::accept(verdict, args.force) else {
         print_failed(&report);
-        return Err(Error::new(Stage::Verify, ErrorKind::Findings, "the plan fails its checks, no program was written")
-            .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
+        return Err(Error::new(
+            Stage::Verify,
+            ErrorKind::Findings,
+            "the plan fails its checks, no program was written",
+        )
+        .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
     };
     let program =
         post::post(args.control, &verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())?;
@@ -109,6 +116,9 @@ pub fn print_failed(report: &CheckReport) {
         let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
         let row = c.row.map(|r| format!(", location {r}")).unwrap_or_default();
         let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
-        println!("finding: {}: {} is {:.6} {}, limit {}{at}{turn}{row}; {}", c.name, c.quantity, c.worst, c.unit, c.limit, c.note);
+        println!(
+            "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{row}; {}",
+            c.name, c.quantity, c.worst, c.unit, c.limit, c.note
+        );
     }
 }

@@ -73,7 +73,8 @@ fn parse_axis(text: &str) -> Result<Axis, String> {
     if let Some(axis) = named {
         return Ok(Axis(axis));
     }
-    let numbers: Vec<f64> = text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    let numbers: Vec<f64> =
+        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
     match numbers[..] {
         [x, y, z] if text.split(',').count() == 3 && x.hypot(y).hypot(z) > 0.0 => Ok(Axis([x, y, z])),
         _ => Err("give three numbers, not all 0, as in 0,0,1, or one of x, y, z, -x, -y, -z".into()),
@@ -131,9 +132,11 @@ fn parse_stage(text: &str) -> Result<Stage, String> {
         ("feed", Stage::Feed),
         ("verify", Stage::Verify),
     ];
-    stages.iter().find(|(name, _)| *name == text).map(|(_, stage)| *stage).ok_or_else(|| {
-        format!("there is no stage {text}; stages: {}", stages.map(|(name, _)| name).join(", "))
-    })
+    stages
+        .iter()
+        .find(|(name, _)| *name == text)
+        .map(|(_, stage)| *stage)
+        .ok_or_else(|| format!("there is no stage {text}; stages: {}", stages.map(|(name, _)| name).join(", ")))
 }
 
 /// `verify` and `preview`.

@@ -124,7 +124,10 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
             Stage::Path,
             format!(
                 "the part ({:.3} × {:.3} × {:.3} mm) is smaller than the tool, a ball of {} mm in diameter",
-                size.x, size.y, size.z, 2.0 * o.radius_mm
+                size.x,
+                size.y,
+                size.z,
+                2.0 * o.radius_mm
             ),
         )
         .advise("take a smaller ball, or check the model's unit with --unit"));

@@ -4,7 +4,8 @@
 //!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
 //!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all.
 //!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
-//!   valley) no ball of this radius can reach `p`: that is uncut for good, whatever the stepover, and counted apart.
+//!   valley) no ball of this radius can reach `p`: what it must be lifted by is uncut for good, whatever the stepover,
+//!   and taken off the height; gouges are judged on heights as measured.
 //! * **Ridges**: two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius
 //!   `sqrt(R² − d²/4)` about their middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to
 //!   the part; its distance from the part is the cusp's height.
@@ -51,17 +52,38 @@ fn flat_stepover(radius: f64, scallop: f64) -> f64 {
     (8.0 * radius * scallop).sqrt()
 }
 
-/// Whether a ball may touch the part at `p` without cutting into it by more than `slack_mm` elsewhere.
-fn reachable(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> bool {
-    part.closest(&(p + n * radius_mm), radius_mm - slack_mm).is_none()
+/// How far a ball that touches the part at `p` must be lifted along `n` until it cuts in nowhere by more than `slack_mm`:
+/// 0 where it may touch. What it leaves under itself then, mm, is no fault of the stepover.
+fn lift(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
+    let mut up = 0.0;
+    // A distance changes no faster than its point moves, so each step is safe; in a corner the steps grow geometrically few.
+    for _ in 0..60 {
+        match part.closest(&(p + n * (radius_mm + up)), radius_mm - slack_mm) {
+            Some(c) if up < radius_mm => up += radius_mm - c.distance_mm,
+            _ => break,
+        }
+    }
+    up
 }
 
 /// How much a ball may cut in elsewhere and still count as touching, as a share of the scallop: rounding and exactness of
 /// the distance only.
 const REACH_SLACK: f64 = 0.02;
+/// A place counts as uncut where the ball must be lifted by this share of the scallop.
+const UNCUT: f64 = 0.5;
 
-/// Heights at samples of the machined band, sorted; and how many samples of the band no ball can reach.
-pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> (Vec<Height>, usize) {
+/// What was measured over the machined band.
+pub(super) struct Band {
+    /// Heights less what a ball must be lifted by at each place, sorted.
+    pub heights: Vec<Height>,
+    /// The lowest height as measured: the deepest gouge.
+    pub lowest: Option<Height>,
+    /// Samples that no ball of this radius can reach.
+    pub uncut: usize,
+}
+
+/// Heights at samples of the machined band.
+pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
     // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
     let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
     let (first, last) = (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0));
@@ -73,13 +95,15 @@ pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize)
             return None;
         }
         let height_mm = sweep.entry(&s.point, &s.normal, reach)?;
-        let reached = reachable(part, &s.point, &s.normal, sweep.radius_mm, REACH_SLACK * scallop_mm);
-        Some((Height { height_mm, point: s.point, row }, reached))
+        let up = lift(part, &s.point, &s.normal, sweep.radius_mm, REACH_SLACK * scallop_mm);
+        Some((Height { height_mm, point: s.point, row }, up))
     };
     let all = samples::near_path(part, sweep, reach, count);
-    let measured: Vec<(Height, bool)> = all.into_par_iter().filter_map(height).collect();
-    let uncut = measured.iter().filter(|(_, reached)| !reached).count();
-    (sort(measured.into_iter().filter(|(_, reached)| *reached).map(|(h, _)| h).collect()), uncut)
+    let measured: Vec<(Height, f64)> = all.into_par_iter().filter_map(height).collect();
+    let uncut = measured.iter().filter(|(_, up)| *up > UNCUT * scallop_mm).count();
+    let lowest = sort(measured.iter().map(|(h, _)| *h).collect()).first().copied();
+    let judged = |(h, up): &(Height, f64)| Height { height_mm: h.height_mm.min((h.height_mm - up).max(0.0)), ..*h };
+    Band { heights: sort(measured.iter().map(judged).collect()), lowest, uncut }
 }
 
 /// Ridges between each turn and the next, sorted.
@@ -112,7 +136,8 @@ fn ridge_at(part: &Part, sweep: &Sweep, row: usize, slack_mm: f64) -> Option<Hei
     let (height_mm, point) = lowest(part, point, radius)?;
     let under = part.closest(&point, radius)?;
     // A ridge over a corner that no ball can reach is not one of the stepover's.
-    reachable(part, &under.point, &under.normal, radius, slack_mm).then_some(Height { height_mm, point, row })
+    let up = lift(part, &under.point, &under.normal, radius, slack_mm);
+    (up == 0.0).then_some(Height { height_mm, point, row })
 }
 
 /// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
@@ -134,7 +159,8 @@ fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
 
 /// Measures and judges the scallop; the percentiles go into `report`.
 pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyOptions, report: &mut CheckReport) {
-    let (samples, uncut) = heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
+    let Band { heights: samples, lowest, uncut } =
+        heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
     let ridges = ridges(&blade.part, sweep, options.scallop_mm);
     report.uncut_samples = uncut;
     report.scallop_samples = samples.len();
@@ -163,7 +189,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
             turn: at.map(|h| plan.toolpath.locations[h.row].turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
             note: format!(
-                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest; {uncut} samples of the surface that no ball of this radius reaches are left out",
+                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest; {uncut} samples of the surface lie where no ball of this radius reaches; heights are over what such a ball leaves",
                 sorted.len(),
                 percentile(sorted, 1.0),
                 percentile(sorted, 0.5),
@@ -178,12 +204,11 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
     if blade.part.brep.is_some() {
         report.checks.push(judge("ridge", quantity, &ridges, true));
     }
-    report.checks.push(ray_gouge(blade, sweep, &samples, options));
+    report.checks.push(ray_gouge(blade, sweep, lowest, samples.len(), options));
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.
-fn ray_gouge(blade: &Blade, sweep: &Sweep, samples: &[Height], options: &VerifyOptions) -> Check {
-    let deepest = samples.first();
+fn ray_gouge(blade: &Blade, sweep: &Sweep, deepest: Option<Height>, samples: usize, options: &VerifyOptions) -> Check {
     let depth = deepest.map_or(0.0, |h| (-h.height_mm).max(0.0));
     let point = deepest.map(|h| blade.model_from_blade * h.point);
     Check {
@@ -196,6 +221,6 @@ fn ray_gouge(blade: &Blade, sweep: &Sweep, samples: &[Height], options: &VerifyO
         row: deepest.map(|h| h.row),
         turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!("{} samples", samples.len()),
+        note: format!("{samples} samples"),
     }
 }

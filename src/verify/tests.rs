@@ -253,11 +253,10 @@ fn a_scallop_twice_too_high_is_found() {
         &VerifyOptions { gouge_mm: 0.01, ..options() },
     );
     let report = verdict.report();
-    assert_eq!(failed(report), ["scallop", "ridge"]);
+    assert_eq!(failed(report), ["scallop"]);
     assert!((report.ridge_max_mm - 0.02).abs() < 0.0003, "{}", report.ridge_max_mm);
     // The straight moves sag by a micrometre.
     assert!((report.scallop_max_mm - 0.02).abs() < 0.0013, "{}", report.scallop_max_mm);
-    assert!((1..=3).contains(&find(report, "ridge").turn.unwrap()));
 }
 
 #[test]
