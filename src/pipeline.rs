@@ -68,12 +68,7 @@ impl Setup {
     pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
         let m = draft.model();
         let mut inputs = vec![manifest::input(&m.file)?];
-        let options = ModelOptions {
-            unit: m.unit,
-            axis: m.axis.direction(),
-            deflection_mm: m.deflection_mm,
-            ..ModelOptions::default()
-        };
+        let options = ModelOptions { unit: m.unit, axis: m.axis.direction(), deflection_mm: m.deflection_mm };
         let blade = model::load(&m.file, &options, observer)?;
         let machine = match draft.machine_file() {
             Some(file) => {

@@ -241,7 +241,7 @@ impl BladeDesign {
         }
         self.platform.validate()?;
         let a = &self.accuracy;
-        if !(16..=1024).contains(&a.stations) || a.stations % 2 != 0 {
+        if !(16..=1024).contains(&a.stations) || !a.stations.is_multiple_of(2) {
             return Err(wrong("accuracy.stations", a.stations as f64, "even, from 16 to 1024"));
         }
         within("accuracy.rows", a.rows as f64, 4.0, 256.0)?;

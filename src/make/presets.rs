@@ -1,8 +1,11 @@
 //! Ready-made designs.
 use super::design::{Accuracy, AirfoilDesign, BladeDesign, Law, OutlinePoint, PlatformDesign, PrismDesign};
 
+/// Makes a preset's design.
+pub type Preset = fn() -> BladeDesign;
+
 /// Name and maker of every preset.
-pub const ALL: [(&str, fn() -> BladeDesign); 4] = [
+pub const ALL: [(&str, Preset); 4] = [
     ("steam_root", steam_root),
     ("compressor_twist", compressor_twist),
     ("turbine_camber", turbine_camber),

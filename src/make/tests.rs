@@ -109,7 +109,7 @@ fn airfoil_fillet_and_platform_meet_smoothly() {
                 worst[1] = worst[1].max(angle(normal(fillet, u, 0.0), Vector::z()));
             }
         }
-        println!("{}: joints {:.5}° and {:.5}°", design.name, worst[0], worst[1]);
+        eprintln!("{}: joints {:.5}° and {:.5}°", design.name, worst[0], worst[1]);
         assert!(worst[0] < 0.1 && worst[1] < 0.1, "{}: {worst:?}", design.name);
     }
 }
@@ -128,7 +128,7 @@ fn fillet_is_the_rolling_balls_surface_between_stations() {
                 }
             }
         }
-        println!("{}: fillet {worst:.2e} mm off", design.name);
+        eprintln!("{}: fillet {worst:.2e} mm off", design.name);
         assert!(worst < 1e-3, "{}: {worst}", design.name);
     }
 }
@@ -163,7 +163,7 @@ fn airfoil_is_the_law_between_stations_and_rows() {
                 }
             }
         }
-        println!("{}: airfoil {worst:.2e} mm off", design.name);
+        eprintln!("{}: airfoil {worst:.2e} mm off", design.name);
         assert!(worst < 1e-3, "{}: {worst}", design.name);
     }
 }

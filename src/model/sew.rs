@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn closed_curves_begin_at_their_vertex() {
-        for angle in [0.0_f64, 0.3, 1.9, 3.14, 5.0] {
+        for angle in [0.0_f64, 0.3, 1.9, 3.1, 5.0] {
             let v = Point::new(1.0 + 2.0 * angle.cos(), 2.0 * angle.sin(), 0.0);
             let c = from_vertex(circle(), &v, 1e-6);
             c.validate().unwrap();
@@ -257,7 +257,7 @@ mod tests {
             t: [0.0, 1.0],
         };
         for (x, left_to_right) in [(0.0, true), (1.0 + gap, false)] {
-            let mut corners = vec![[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
+            let mut corners = [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
             if !left_to_right {
                 corners.reverse();
             }

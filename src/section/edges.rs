@@ -94,14 +94,14 @@ struct Ring<'a> {
 
 impl Ring<'_> {
     /// Arc length from point `i` to point `j`, the shorter way, signed.
-    fn from_to(&self, i: usize, j: usize) -> f64 {
+    fn length_between(&self, i: usize, j: usize) -> f64 {
         let d = self.s[j] - self.s[i];
         d - self.length * (d / self.length).round()
     }
 
     fn edge_near(&self, near: usize) -> Edge {
         let n = self.points.len();
-        let within = |j: usize, reach: f64| self.from_to(near, j).abs() <= reach * self.length;
+        let within = |j: usize, reach: f64| self.length_between(near, j).abs() <= reach * self.length;
         let mut peak = near;
         for j in (0..n).filter(|&j| within(j, 0.1)) {
             if self.curvature[j] > self.curvature[peak] {
@@ -110,7 +110,7 @@ impl Ring<'_> {
         }
         // The stretch about the peak, its turning and first moment of turning.
         let half = 0.5 * self.curvature[peak];
-        let sharp = |j: usize| self.curvature[j] >= half && self.from_to(peak, j).abs() <= 0.2 * self.length;
+        let sharp = |j: usize| self.curvature[j] >= half && self.length_between(peak, j).abs() <= 0.2 * self.length;
         let (mut first, mut last) = (peak, peak);
         while sharp((first + n - 1) % n) && (first + n - 1) % n != peak {
             first = (first + n - 1) % n;
@@ -124,7 +124,7 @@ impl Ring<'_> {
             let own = 0.5 * (self.gap(j) + self.gap((j + n - 1) % n));
             span += own;
             turning += own * self.curvature[j];
-            moment += own * self.curvature[j] * self.from_to(peak, j);
+            moment += own * self.curvature[j] * self.length_between(peak, j);
             if j == last {
                 break;
             }

@@ -92,10 +92,10 @@ impl Sweep {
             if let Some(i) = node.leaf_data() {
                 let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
                 let near = a + (b - a) * nearest_part(&a, &b, &q);
-                if (near - q).norm_squared() <= reach2 {
-                    if let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n) {
-                        best = Some(best.map_or(t, |o| o.min(t)));
-                    }
+                if (near - q).norm_squared() <= reach2
+                    && let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n)
+                {
+                    best = Some(best.map_or(t, |o| o.min(t)));
                 }
             }
             TraversalAction::Continue

@@ -385,7 +385,7 @@ fn check_points(points: &[Vector4<f64>]) -> Result<(), FitError> {
 /// Lengths fit together and the end knots are `degree + 1` fold.
 fn check_clamped(rows: &ControlRows) -> Result<(), FitError> {
     let (p, k) = (rows.degree, &rows.knots);
-    let n = if rows.columns == 0 { 0 } else { rows.points.len() / rows.columns };
+    let n = rows.points.len().checked_div(rows.columns).unwrap_or(0);
     if p == 0 || n < p + 1 || k.len() != n + p + 1 || rows.points.len() != n * rows.columns {
         return Err(FitError::Count { what: "knots", expected: format!("{} for {n} points", n + p + 1), got: k.len() });
     }

@@ -133,7 +133,7 @@ impl Glb {
                 ..PbrMetallicRoughness::default()
             },
             extensions: (!lit)
-                .then(|| json::extensions::material::Material { unlit: Some(json::extensions::material::Unlit {}) }),
+                .then_some(json::extensions::material::Material { unlit: Some(json::extensions::material::Unlit {}) }),
             ..Material::default()
         })
     }

@@ -35,7 +35,7 @@ fn colour(turn: usize, turns: usize) -> [u8; 4] {
         [[0.06, 0.0, 0.09], [0.04, 0.08, 0.26], [0.01, 0.28, 0.26], [0.11, 0.58, 0.12], [0.98, 0.80, 0.02]];
     let x = if turns > 1 { turn as f64 / (turns - 1) as f64 } else { 0.5 } * 4.0;
     let i = (x.floor() as usize).min(3);
-    let (f, shade) = (x - i as f64, if turn % 2 == 0 { 1.0 } else { 0.75 });
+    let (f, shade) = (x - i as f64, if turn.is_multiple_of(2) { 1.0 } else { 0.75 });
     let mix = |k: usize| ((STOPS[i][k] * (1.0 - f) + STOPS[i + 1][k] * f) * shade * 255.0).round() as u8;
     [mix(0), mix(1), mix(2), 255]
 }
