@@ -68,7 +68,8 @@ fn round_bar_has_the_flat_stepover_and_ends_where_the_ball_meets_the_platform() 
     let path = plan(&blade, &options(), &Silent).unwrap();
     // Across the turns the wall is straight: the flat stepover is exact.
     let d = flat_stepover_mm(4.0, 0.01);
-    for turn in &path.turns[..path.turns.len() - 3] {
+    // The last turns close in on the platform and are shorter.
+    for turn in path.turns.iter().filter(|t| path.locations[t.first].centre.x > 6.0) {
         let fall = path.locations[turn.first].centre.x - path.locations[turn.first + turn.count].centre.x;
         assert!(fall <= d && fall > 0.95 * d, "pitch {fall}, flat stepover {d}");
     }
