@@ -1,7 +1,7 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
 //! In: a STEP, OBJ or STL file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
-//! diagnosis. Formats are told apart by content first ([`format`]); each reader gives either exact faces or loose
+//! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
 //! Guarantees: a mesh that is returned is closed and wound outward; a damaged file is an error of kind `InputOutput`

@@ -5,8 +5,8 @@
 //! ## Method
 //! The centre of a ball that touches the part without cutting into it lies on the `R` level set of the distance to
 //! the whole part: airfoil, fillet and platform alike. *Rings* are that set's closed curves at constant height
-//! ([`ring`]). From ring to ring the pitch is as large as the scallop allows at the worst place of the turn, the scallop
-//! being measured on the part ([`stepover`]), not derived from curvature. The helix runs from each ring to the next:
+//! (`ring`). From ring to ring the pitch is as large as the scallop allows at the worst place of the turn, the scallop
+//! being measured on the part (`stepover`), not derived from curvature. The helix runs from each ring to the next:
 //! turn `k` at the fraction `u` of the way round lies at the height `(1 − u) x_k + u x_{k+1}`, and every one of its
 //! locations is brought onto the level set again, so the rings only guide it.
 //! It runs down from the airfoil towards the platform, counter-clockwise seen from the tip.

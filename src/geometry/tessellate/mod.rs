@@ -13,7 +13,7 @@
 //! from outside by [`crate::geometry::brep::Face::reversed`]. The result does not depend on the number of threads.
 //!
 //! Limits: trimming curves must not cross one another by more than their chords' tolerance; edges count as shared if they are the
-//! same [`Edge`] or coincide within the weld tolerance.
+//! same `Edge` or coincide within the weld tolerance.
 
 pub mod edges;
 pub mod fill;
