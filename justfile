@@ -13,7 +13,7 @@ ci:
 
 # Real blades in the folder BLADEWRIGHT_BLADES (not part of the repository)
 corpus:
-    cargo nextest run --release --run-ignored all corpus
+    cargo nextest run --release --run-ignored only corpus
 
 # The example program
 plan:

@@ -1,5 +1,5 @@
 //! Real blades from the folder that `BLADEWRIGHT_BLADES` names. They are not part of the repository (their licences do not
-//! allow it); where the variable is not set, each test says so and passes. Slow: `cargo nextest run --release --run-ignored all corpus`.
+//! allow it); where the variable is not set, each test says so and passes. Slow: `cargo nextest run --release --run-ignored only corpus`.
 
 use std::path::PathBuf;
 use std::process::Command;

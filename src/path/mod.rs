@@ -12,12 +12,13 @@
 //! It runs down from the airfoil towards the platform, counter-clockwise seen from the tip.
 //!
 //! Turns begin at a *base point*, the concave–convex altered point where the path enters the greatest concave stretch
-//! (Section 2.1 of the S–θ re-scheduling paper of Ye et al.); on a convex airfoil, at the point furthest along `y`.
+//! (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade milling); on a convex airfoil, at the point
+//! furthest along `y`.
 //!
 //! ## Guarantees
 //! Every location is within 1e-6 mm of the level set. The straight move between two locations stays within
-//! `chord_mm` of it, measured at its middle. The scallop between turns, measured at every location, is in
-//! [`Toolpath::planned_scallop_mm`].
+//! `chord_mm` of it, measured at its middle and, where it is long, at its quarters. The scallop between turns, measured at
+//! every location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
 //!
 //! ## Limits
 //! Turns at (nearly) constant height leave too much where a wall leans over: the helix ends where the lean exceeds
