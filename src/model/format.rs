@@ -15,10 +15,14 @@ pub enum Format {
     StlAscii,
     /// STL, binary.
     StlBinary,
+    /// PLY, ASCII or binary.
+    Ply,
+    /// glTF 2.0, as text or as GLB.
+    Gltf,
 }
 
 /// Formats as messages list them.
-const KNOWN: &str = "STEP (.step, .stp), OBJ (.obj) and STL (.stl) can be read";
+const KNOWN: &str = "STEP (.step, .stp), OBJ (.obj), STL (.stl), PLY (.ply) and glTF (.glb, .gltf) can be read";
 
 /// Decides the format of a file from its bytes and name.
 ///
@@ -34,14 +38,24 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     if starts_with_word(bytes, b"ISO-10303-21") {
         return Ok(Format::Step);
     }
+    if bytes.starts_with(b"glTF") || (extension == "gltf" && starts_with_word(bytes, b"{")) {
+        return Ok(Format::Gltf);
+    }
+    if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r\n") {
+        return Ok(Format::Ply);
+    }
     match extension.as_str() {
+        "ply" | "glb" | "gltf" => {
+            Err(Error::io(Stage::Model, format!("{name} does not begin as a .{extension} file does"))
+                .advise("the file is damaged or of another format: export it again"))
+        }
         "step" | "stp" | "p21" => {
             Err(Error::io(Stage::Model, format!("{name} is not a STEP file: it does not begin with ISO-10303-21"))
                 .advise("export the model again as STEP AP203, AP214 or AP242"))
         }
         "stl" => Ok(stl_kind(bytes)),
         "obj" => Ok(Format::Obj),
-        "igs" | "iges" | "ply" | "glb" | "gltf" | "x_t" | "x_b" | "sldprt" | "brep" | "3mf" => {
+        "igs" | "iges" | "x_t" | "x_b" | "sldprt" | "brep" | "3mf" => {
             Err(Error::io(Stage::Model, format!("{name}: models in .{extension} cannot be read"))
                 .advise(format!("{KNOWN}; export as STEP")))
         }

@@ -1,6 +1,6 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
-//! In: a STEP, OBJ or STL file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
+//! In: a STEP, OBJ, STL, PLY or glTF file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
 //! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
@@ -8,8 +8,10 @@
 //! with a sentence that says what and where, never a panic. Limits: one blade per file; open meshes are refused.
 
 pub mod format;
+pub mod gltf;
 pub mod inspect;
 pub mod obj;
+pub mod ply;
 pub mod recognise;
 pub mod sew;
 pub mod soup;
@@ -18,6 +20,8 @@ pub mod stl;
 pub mod units;
 pub mod wind;
 
+#[cfg(test)]
+mod mesh_tests;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
@@ -83,6 +87,8 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
         Format::StlBinary => from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
         Format::StlAscii => from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
         Format::Obj => from_soup(path, obj::read(path, &bytes)?, options, observer),
+        Format::Ply => from_soup(path, ply::read(path, &bytes)?, options, observer),
+        Format::Gltf => from_soup(path, gltf::read(path, &bytes)?, options, observer),
         Format::Step => from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
     }?;
     for note in &blade.diagnosis.notes {
@@ -191,9 +197,10 @@ fn kind_name(kind: SurfaceKind) -> &'static str {
 
 /// Loose triangles to a blade.
 fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
-    let (unit, unit_reason) = match options.unit {
-        Some(unit) => (unit, format!("{}, as told", units::name(unit))),
-        None => (Unit::Mm, "mm, since a mesh file names no unit".to_owned()),
+    let (unit, unit_reason) = match (options.unit, soup.unit) {
+        (Some(unit), _) => (unit, format!("{}, as told", units::name(unit))),
+        (None, Some(unit)) => (unit, format!("{}, as the format says", units::name(unit))),
+        (None, None) => (Unit::Mm, "mm, since a mesh file names no unit".to_owned()),
     };
     let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, closed: true, ..Diagnosis::default() };
     diagnosis.faces = vec![("groups".into(), soup.groups.len())];

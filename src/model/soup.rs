@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::{Mesh, topology, weld};
@@ -27,6 +28,8 @@ pub struct Soup {
     pub groups: Vec<String>,
     /// Format, for the diagnosis.
     pub format: String,
+    /// Unit that the format prescribes; `None`: a format that names none.
+    pub unit: Option<Unit>,
     /// What the reader has to say.
     pub notes: Vec<String>,
 }
