@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::iges;
 use crate::error::{Error, Result, Stage};
 
 /// A model format that can be read.
@@ -9,6 +10,8 @@ use crate::error::{Error, Result, Stage};
 pub enum Format {
     /// ISO 10303-21.
     Step,
+    /// IGES, the form with fixed lines.
+    Iges,
     /// Wavefront OBJ.
     Obj,
     /// STL, ASCII.
@@ -22,7 +25,8 @@ pub enum Format {
 }
 
 /// Formats as messages list them.
-const KNOWN: &str = "STEP (.step, .stp), OBJ (.obj), STL (.stl), PLY (.ply) and glTF (.glb, .gltf) can be read";
+const KNOWN: &str =
+    "STEP (.step, .stp), IGES (.igs, .iges), OBJ (.obj), STL (.stl), PLY (.ply) and glTF (.glb, .gltf) can be read";
 
 /// Decides the format of a file from its bytes and name.
 ///
@@ -44,6 +48,9 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r\n") {
         return Ok(Format::Ply);
     }
+    if iges::text::is_iges(bytes) {
+        return Ok(Format::Iges);
+    }
     match extension.as_str() {
         "ply" | "glb" | "gltf" => {
             Err(Error::io(Stage::Model, format!("{name} does not begin as a .{extension} file does"))
@@ -55,7 +62,12 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
         }
         "stl" => Ok(stl_kind(bytes)),
         "obj" => Ok(Format::Obj),
-        "igs" | "iges" | "x_t" | "x_b" | "sldprt" | "brep" | "3mf" => {
+        "igs" | "iges" => Err(Error::io(
+            Stage::Model,
+            format!("{name} is not an IGES file: its first line has no S and number from column 73"),
+        )
+        .advise("export the model again as ASCII IGES 5.3")),
+        "x_t" | "x_b" | "sldprt" | "brep" | "3mf" => {
             Err(Error::io(Stage::Model, format!("{name}: models in .{extension} cannot be read"))
                 .advise(format!("{KNOWN}; export as STEP")))
         }

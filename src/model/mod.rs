@@ -1,6 +1,6 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
-//! In: a STEP, OBJ, STL, PLY or glTF file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
+//! In: a STEP, IGES, OBJ, STL, PLY or glTF file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
 //! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
@@ -9,6 +9,7 @@
 
 pub mod format;
 pub mod gltf;
+pub mod iges;
 pub mod inspect;
 pub mod obj;
 pub mod ply;
@@ -90,6 +91,7 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
         Format::Ply => from_soup(path, ply::read(path, &bytes)?, options, observer),
         Format::Gltf => from_soup(path, gltf::read(path, &bytes)?, options, observer),
         Format::Step => from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
+        Format::Iges => from_step(path, iges::read(path, &bytes, options.unit)?, options, observer),
     }?;
     for note in &blade.diagnosis.notes {
         observer.warn(Warning { stage: Stage::Model, message: note.clone() });

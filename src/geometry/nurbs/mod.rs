@@ -4,6 +4,7 @@ pub mod basis;
 pub mod curve;
 pub mod fit;
 pub mod foot;
+pub mod pieces;
 #[cfg(test)]
 pub(crate) mod shapes;
 pub mod surface;
