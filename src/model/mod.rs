@@ -12,6 +12,7 @@ pub mod gltf;
 pub mod iges;
 pub mod inspect;
 pub mod obj;
+pub mod orient;
 pub mod ply;
 pub mod recognise;
 pub mod sew;
@@ -125,11 +126,7 @@ fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer
     refuse_open(path, &topology(&part.mesh))?;
     diagnosis.closed = true;
     let mut mesh = part.mesh;
-    if mesh.volume_mm3() < 0.0 {
-        shape.brep.faces.iter_mut().for_each(|f| f.reversed = !f.reversed);
-        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-        diagnosis.notes.push("all faces were oriented inward and were turned".into());
-    }
+    diagnosis.notes.extend(orient::orient(&mut shape.brep, &mut mesh));
     let found = recognise::recognise(&mesh, options.axis)?;
     observer.progress(Stage::Model, 2, 3);
     diagnosis.notes.extend(found.doubts);

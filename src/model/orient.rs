@@ -1,0 +1,40 @@
+//! Exact faces turned so that neighbours agree and bodies face outward.
+//!
+//! Which way a face looks is known once it is tessellated: its triangles are wound by [`Face::reversed`](crate::geometry::brep::Face::reversed), all alike. The mesh is
+//! wound ([`super::wind`]), and a face whose triangles were turned by that is turned too.
+
+use crate::geometry::brep::Brep;
+use crate::geometry::mesh::{Mesh, topology};
+
+use super::wind;
+
+/// Turns faces and their triangles; says what was turned.
+pub fn orient(brep: &mut Brep, mesh: &mut Mesh) -> Vec<String> {
+    let before = mesh.triangles.clone();
+    if topology(mesh).inconsistent_edges > 0 {
+        wind::align(mesh);
+    } else if mesh.volume_mm3() < 0.0 {
+        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
+    let mut turned: Vec<Option<bool>> = vec![None; brep.faces.len()];
+    for (t, (was, is)) in before.iter().zip(&mesh.triangles).enumerate() {
+        if let Some(slot) = turned.get_mut(mesh.face(t) as usize) {
+            slot.get_or_insert(was != is);
+        }
+    }
+    let mut count = 0;
+    for (face, turned) in brep.faces.iter_mut().zip(turned) {
+        if turned == Some(true) {
+            face.reversed = !face.reversed;
+            count += 1;
+        }
+    }
+    match count {
+        0 => Vec::new(),
+        n if n == brep.faces.len() => vec!["all faces were oriented inward and were turned".into()],
+        n => vec![format!(
+            "{n} of {} faces were oriented against their neighbours or inward and were turned",
+            brep.faces.len()
+        )],
+    }
+}
