@@ -8,10 +8,11 @@ use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule, Section};
 use crate::channel::{self, ChannelOptions};
 use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
-use crate::job::{Draft, Job};
+use crate::job::{Draft, Job, ModelJob};
 use crate::machine::Machine;
+use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
-use crate::observe::{Observer, Recorder};
+use crate::observe::{Observer, Recorder, Warning};
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
 use crate::output::summary::{self, ScheduleFigures, Summary};
 use crate::output::{self, RunFolder, tables};
@@ -68,7 +69,7 @@ impl Setup {
     pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
         let m = draft.model();
         let mut inputs = vec![manifest::input(&m.file)?];
-        let options = ModelOptions { unit: m.unit, axis: m.axis.direction(), deflection_mm: m.deflection_mm };
+        let options = model_options(m);
         let blade = model::load(&m.file, &options, observer)?;
         let machine = match draft.machine_file() {
             Some(file) => {
@@ -78,6 +79,9 @@ impl Setup {
             None => Machine::demo()?,
         };
         let job = draft.complete(&blade)?;
+        for message in openings::check(&blade, &reach(&job, &blade))? {
+            observer.warn(Warning { stage: Stage::Model, message });
+        }
         Ok(Setup { job, blade, machine, inputs })
     }
 
@@ -150,6 +154,30 @@ impl Setup {
             ..PostOptions::default()
         }
     }
+}
+
+/// How the job reads its model.
+fn model_options(m: &ModelJob) -> ModelOptions {
+    ModelOptions {
+        unit: m.unit,
+        axis: m.axis.direction(),
+        deflection_mm: m.deflection_mm,
+        weld_mm: m.weld_mm,
+        close_holes_mm: m.close_holes_mm,
+        airfoil_mm: m.airfoil_mm,
+        platform_mm: m.platform_mm,
+        airfoil_faces: m.airfoil_faces.clone(),
+        platform_faces: m.platform_faces.clone(),
+    }
+}
+
+/// Heights that the tool can take: ball centres run from the region's start to its end or, where that is left out, at most one
+/// ball radius below the airfoil.
+fn reach(job: &Job, blade: &Blade) -> Reach {
+    let r = &job.region;
+    let end_mm = r.end_mm.unwrap_or(blade.regions.airfoil_x_mm[0] - job.tool.radius_mm);
+    let clearance_mm = job.channel.clearance_mm.max(job.channel.holder_clearance_mm);
+    Reach::new(&job.tool, [r.start_mm, end_mm], job.machine.b_deg.to_radians(), clearance_mm)
 }
 
 /// A name that every control accepts: capitals, digits and underscores, beginning with a letter.

@@ -76,6 +76,7 @@ pub fn blade() -> Blade {
             part_x_mm: [0.0, PART_LENGTH],
             airfoil_x_mm: [0.0, PART_LENGTH],
             platform_x_mm: None,
+            fillet_x_mm: None,
             reasons: vec!["a cylinder".into()],
         },
         diagnosis: Diagnosis::default(),

@@ -40,8 +40,41 @@ pub struct Regions {
     pub airfoil_x_mm: [f64; 2],
     /// Top of the platform on the airfoil's side, where there is a platform.
     pub platform_x_mm: Option<f64>,
+    /// Foot and top of the fillet between airfoil and platform, where there is one.
+    pub fillet_x_mm: Option<[f64; 2]>,
     /// How each was found, one sentence each.
     pub reasons: Vec<String>,
+}
+
+/// What a piece of the part's surface belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Area {
+    /// The airfoil's sides and edges, clear of the fillet.
+    Airfoil,
+    /// Between airfoil and platform.
+    Fillet,
+    /// The platform's side that the airfoil stands on.
+    Platform,
+    /// All below.
+    Root,
+    /// The airfoil's end and what is beyond it.
+    Tip,
+    /// Beside the airfoil, or not recognised.
+    Other,
+}
+
+/// A chain of edges that have one triangle each.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Opening {
+    /// Number of edges.
+    pub edges: usize,
+    /// Length of the chain, mm.
+    pub length_mm: f64,
+    /// Diameter of a round opening, twice the width of a crack, mm.
+    pub width_mm: f64,
+    /// A point of the chain, model frame, mm.
+    pub at_mm: [f64; 3],
 }
 
 /// What was found in the file.
@@ -55,12 +88,20 @@ pub struct Diagnosis {
     pub bodies: usize,
     /// Faces by kind (NURBS) or groups (mesh), with counts.
     pub faces: Vec<(String, usize)>,
-    /// Every edge of the mesh belongs to exactly two triangles.
+    /// Every edge of the mesh belongs to two triangles at least: there is no opening.
     pub closed: bool,
-    /// Open edges of the mesh, and the midpoint of the first, model frame, mm.
+    /// Pieces of the mesh that hang together over edges.
+    pub pieces: usize,
+    /// Edges of the mesh with one triangle.
     pub open_edges: usize,
-    /// Where the first open edge is, model frame, mm.
-    pub first_open_edge: Option<[f64; 3]>,
+    /// Openings that these edges make, the longest first.
+    pub openings: Vec<Opening>,
+    /// Edges with more than two triangles.
+    pub nonmanifold_edges: usize,
+    /// Middle of the first of them, model frame, mm.
+    pub first_nonmanifold_edge: Option<[f64; 3]>,
+    /// Edges whose two triangles wind against one another.
+    pub inconsistent_edges: usize,
     /// What was changed or looks odd.
     pub notes: Vec<String>,
 }

@@ -54,6 +54,54 @@ pub struct Reading {
     /// Blade axis from root to tip, in the model's frame.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_axis)]
     pub axis: Option<Axis>,
+    /// Where a region lies, mm along the blade axis: airfoil=LO,HI or platform=TOP; may be given more than once.
+    #[arg(long, value_name = "NAME=HEIGHTS", value_parser = parse_region)]
+    pub region: Vec<Region>,
+    /// Faces of a region, by number or name: airfoil=3,4 or platform=top; may be given more than once.
+    #[arg(long, value_name = "NAME=FACES", value_parser = parse_faces)]
+    pub faces: Vec<Faces>,
+}
+
+/// Heights of a region.
+#[derive(Debug, Clone, Copy)]
+pub enum Region {
+    /// From, to.
+    Airfoil([f64; 2]),
+    /// Top.
+    Platform(f64),
+}
+
+fn parse_region(text: &str) -> Result<Region, String> {
+    let numbers = |t: &str| -> Vec<f64> {
+        t.split(',').filter_map(|x| x.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect()
+    };
+    let found = text.split_once('=').and_then(|(name, value)| match (name.trim(), &numbers(value)[..]) {
+        ("airfoil", [lo, hi]) if lo < hi => Some(Region::Airfoil([*lo, *hi])),
+        ("platform", [x]) => Some(Region::Platform(*x)),
+        _ => None,
+    });
+    found.ok_or_else(|| "give airfoil=LO,HI or platform=TOP, mm along the blade axis, as in airfoil=12,80".into())
+}
+
+/// Faces of a region.
+#[derive(Debug, Clone)]
+pub enum Faces {
+    /// Of the airfoil.
+    Airfoil(Vec<String>),
+    /// Of the platform's top.
+    Platform(Vec<String>),
+}
+
+fn parse_faces(text: &str) -> Result<Faces, String> {
+    let list =
+        |t: &str| -> Vec<String> { t.split(',').map(|x| x.trim().to_owned()).filter(|x| !x.is_empty()).collect() };
+    let found = text.split_once('=').and_then(|(name, value)| match (name.trim(), list(value)) {
+        (_, l) if l.is_empty() => None,
+        ("airfoil", l) => Some(Faces::Airfoil(l)),
+        ("platform", l) => Some(Faces::Platform(l)),
+        _ => None,
+    });
+    found.ok_or_else(|| "give airfoil=FACES or platform=FACES, numbers or names as inspect prints them".into())
 }
 
 /// Three numbers.
@@ -89,6 +137,19 @@ pub struct Inspect {
     /// How to read it.
     #[command(flatten)]
     pub reading: Reading,
+    /// Close holes of a mesh up to this extent, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive)]
+    pub close_holes: Option<f64>,
+    /// Vertices of a mesh this near to one another are the same, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive)]
+    pub weld: Option<f64>,
+    /// Write the part with its regions coloured: airfoil, fillet, platform, root, tip.
+    #[arg(long, value_name = "FILE")]
+    pub glb: Option<PathBuf>,
+}
+
+fn parse_positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|v: &f64| *v > 0.0 && v.is_finite()).ok_or_else(|| "give a number greater than 0".into())
 }
 
 /// `make`.

@@ -1,17 +1,47 @@
 //! `inspect`: what is in a model file.
 
-use super::args::Inspect;
+use super::args::{Faces, Inspect, Region};
 use super::progress::Terminal;
 use crate::error::Result;
 use crate::model::{self, ModelOptions};
+use crate::output;
+use crate::preview;
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let options =
-        ModelOptions { unit: args.reading.unit, axis: args.reading.axis.map(|a| a.0), ..ModelOptions::default() };
-    let blade = model::load(&args.model, &options, &terminal);
+    let survey = model::survey(&args.model, &options(args), &terminal);
     terminal.finish();
-    print!("{}", model::inspect_text(&blade?));
+    let survey = survey?;
+    print!("{}", model::inspect_text(&survey));
+    if let Some(file) = &args.glb {
+        let scene = preview::regions(&survey.name, &survey.part.mesh, &survey.areas())?;
+        output::write_file(file, &scene)?;
+        println!("{:<10} {}", "written", file.display());
+    }
     Ok(0)
+}
+
+fn options(args: &Inspect) -> ModelOptions {
+    let r = &args.reading;
+    let mut o = ModelOptions {
+        unit: r.unit,
+        axis: r.axis.map(|a| a.0),
+        weld_mm: args.weld,
+        close_holes_mm: args.close_holes,
+        ..ModelOptions::default()
+    };
+    for region in &r.region {
+        match region {
+            Region::Airfoil(heights) => o.airfoil_mm = Some(*heights),
+            Region::Platform(x) => o.platform_mm = Some(*x),
+        }
+    }
+    for faces in &r.faces {
+        match faces {
+            Faces::Airfoil(names) => o.airfoil_faces.extend(names.iter().cloned()),
+            Faces::Platform(names) => o.platform_faces.extend(names.iter().cloned()),
+        }
+    }
+    o
 }

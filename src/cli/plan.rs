@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Plan, Reading};
+use super::args::{Faces, Plan, Reading, Region};
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job::{self, Draft, JobFile};
@@ -34,7 +34,7 @@ fn draft(args: &Plan) -> Result<Draft> {
     job::resolve(file, base)
 }
 
-/// `--unit` and `--axis` as keys of the job.
+/// `--unit`, `--axis`, `--region` and `--faces` as keys of the job.
 fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     if let Some(unit) = reading.unit {
         let name = serde_json::to_string(&unit)
@@ -44,6 +44,19 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     if let Some(axis) = reading.axis {
         let [x, y, z] = axis.0;
         file.set(&format!("model.axis=[{x:?}, {y:?}, {z:?}]"))?;
+    }
+    let keys = file.model.get_or_insert_default();
+    for region in &reading.region {
+        match region {
+            Region::Airfoil(heights) => keys.airfoil_mm = Some(*heights),
+            Region::Platform(x) => keys.platform_mm = Some(*x),
+        }
+    }
+    for faces in &reading.faces {
+        match faces {
+            Faces::Airfoil(names) => keys.airfoil_faces.get_or_insert_default().extend(names.iter().cloned()),
+            Faces::Platform(names) => keys.platform_faces.get_or_insert_default().extend(names.iter().cloned()),
+        }
     }
     Ok(())
 }

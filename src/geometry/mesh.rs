@@ -1,4 +1,6 @@
 //! Triangle meshes.
+use std::collections::HashMap;
+
 use super::{Aabb, Point, Rigid, Vector};
 
 /// An indexed triangle mesh; triangles are counter-clockwise seen from outside the part.
@@ -71,6 +73,8 @@ pub struct Topology {
     pub inconsistent_edges: usize,
     /// Middle of the first open edge.
     pub first_open_edge: Option<Point>,
+    /// Middle of the first edge with more than two triangles.
+    pub first_nonmanifold_edge: Option<Point>,
     /// Pieces that hang together over edges.
     pub components: usize,
 }
@@ -95,15 +99,19 @@ pub fn topology(mesh: &Mesh) -> Topology {
     let mut out = Topology::default();
     let mut parent: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
     out.components = parent.len();
+    let middle = |e: &(u32, u32, bool, u32)| nalgebra::center(&mesh.points[e.0 as usize], &mesh.points[e.1 as usize]);
     for group in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         match group {
             [one] => {
                 out.open_edges += 1;
-                let ends = [one.0, one.1].map(|i| mesh.points[i as usize]);
-                out.first_open_edge.get_or_insert(nalgebra::center(&ends[0], &ends[1]));
+                out.first_open_edge.get_or_insert(middle(one));
             }
             [a, b] => out.inconsistent_edges += usize::from(a.2 == b.2),
-            _ => out.nonmanifold_edges += 1,
+            [a, ..] => {
+                out.nonmanifold_edges += 1;
+                out.first_nonmanifold_edge.get_or_insert(middle(a));
+            }
+            [] => {}
         }
         for pair in group.windows(2) {
             let [a, b] = [pair[0].3, pair[1].3].map(|t| root(&mut parent, t));
@@ -125,29 +133,20 @@ fn root(parent: &mut [u32], mut i: u32) -> u32 {
 }
 
 /// Makes points within `tolerance_mm` of an earlier point that same point, and drops triangles that lose a corner by it.
+///
+/// Points are sorted into cells of the tolerance's size: linear in their number however they lie.
 #[must_use]
 pub fn weld(mesh: &Mesh, tolerance_mm: f64) -> Mesh {
-    let mut order: Vec<u32> = (0..mesh.points.len() as u32).collect();
-    order.sort_by(|a, b| mesh.points[*a as usize].x.total_cmp(&mesh.points[*b as usize].x).then(a.cmp(b)));
-    let mut parent: Vec<u32> = (0..mesh.points.len() as u32).collect();
-    for (k, &i) in order.iter().enumerate() {
-        let p = mesh.points[i as usize];
-        for &j in order[k + 1..].iter().take_while(|j| mesh.points[**j as usize].x - p.x <= tolerance_mm) {
-            if (mesh.points[j as usize] - p).norm() <= tolerance_mm {
-                let [a, b] = [i, j].map(|v| root(&mut parent, v));
-                parent[a.max(b) as usize] = a.min(b);
-            }
-        }
-    }
+    let parent = near_points(&mesh.points, tolerance_mm);
     let mut number = vec![u32::MAX; mesh.points.len()];
     let mut out = Mesh::default();
-    for i in 0..mesh.points.len() as u32 {
-        let r = root(&mut parent, i) as usize;
+    for i in 0..mesh.points.len() {
+        let r = parent[i] as usize;
         if number[r] == u32::MAX {
             number[r] = out.points.len() as u32;
             out.points.push(mesh.points[r]);
         }
-        number[i as usize] = number[r];
+        number[i] = number[r];
     }
     for (t, c) in mesh.triangles.iter().enumerate() {
         let c = c.map(|i| number[i as usize]);
@@ -158,6 +157,49 @@ pub fn weld(mesh: &Mesh, tolerance_mm: f64) -> Mesh {
         }
     }
     out
+}
+
+/// For each point the first of those that hang together with it by steps of at most the tolerance.
+fn near_points(points: &[Point], tolerance_mm: f64) -> Vec<u32> {
+    let mut parent: Vec<u32> = (0..points.len() as u32).collect();
+    let size = tolerance_mm.max(f64::MIN_POSITIVE);
+    // Without tolerance equal coordinates are one cell: `-0.0` and `0.0` too.
+    let cell = |p: &Point| -> [i64; 3] {
+        if tolerance_mm > 0.0 {
+            [p.x, p.y, p.z].map(|x| (x / size).floor() as i64)
+        } else {
+            [p.x, p.y, p.z].map(|x| (x + 0.0).to_bits() as i64)
+        }
+    };
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::with_capacity(points.len());
+    for (i, p) in points.iter().enumerate() {
+        cells.entry(cell(p)).or_default().push(i as u32);
+    }
+    let reach = i64::from(tolerance_mm > 0.0);
+    for (i, p) in points.iter().enumerate() {
+        let c = cell(p);
+        for d in offsets(reach) {
+            let near = [c[0].saturating_add(d[0]), c[1].saturating_add(d[1]), c[2].saturating_add(d[2])];
+            // Only earlier points: each pair once. The first few of a crowded cell hang together with the rest of it.
+            let earlier = cells.get(&near).into_iter().flatten().take_while(|j| (**j as usize) < i).take(MOST_IN_CELL);
+            for &j in earlier {
+                if tolerance_mm <= 0.0 || (points[j as usize] - p).norm() <= tolerance_mm {
+                    let [a, b] = [i as u32, j].map(|v| root(&mut parent, v));
+                    parent[a.max(b) as usize] = a.min(b);
+                }
+            }
+        }
+    }
+    (0..points.len() as u32).map(|i| root(&mut parent, i)).collect()
+}
+
+/// Points of one cell that a further point is compared with.
+const MOST_IN_CELL: usize = 64;
+
+/// A cell and its neighbours up to `reach`.
+fn offsets(reach: i64) -> impl Iterator<Item = [i64; 3]> {
+    let side = move || -reach..=reach;
+    side().flat_map(move |x| side().flat_map(move |y| side().map(move |z| [x, y, z])))
 }
 
 #[cfg(test)]

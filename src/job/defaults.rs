@@ -42,8 +42,18 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
         unit: keys.unit,
         axis: keys.axis.unwrap_or_default(),
         deflection_mm: keys.deflection_mm.unwrap_or(0.01),
+        weld_mm: keys.weld_mm,
+        close_holes_mm: keys.close_holes_mm,
+        airfoil_mm: keys.airfoil_mm,
+        platform_mm: keys.platform_mm,
+        airfoil_faces: keys.airfoil_faces.unwrap_or_default(),
+        platform_faces: keys.platform_faces.unwrap_or_default(),
     };
-    check_ranges(&[("model.deflection_mm", model.deflection_mm, TINY, 10.0)])?;
+    check_ranges(&[
+        ("model.deflection_mm", model.deflection_mm, TINY, 10.0),
+        ("model.weld_mm", model.weld_mm.unwrap_or(TINY), TINY, 10.0),
+        ("model.close_holes_mm", model.close_holes_mm.unwrap_or(TINY), TINY, 1e6),
+    ])?;
     early_checks(&typed)?;
     let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
     Ok(Draft { typed, model, machine_file })

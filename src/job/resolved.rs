@@ -54,6 +54,25 @@ pub struct ModelJob {
     /// Greatest distance between a NURBS part and its triangles, mm. Default 0.01: triangles only guide the search,
     /// distances are then taken to the NURBS themselves, so finer triangles cost time and gain nothing.
     pub deflection_mm: f64,
+    /// Welding distance of a mesh, mm. Default, left out: only where the mesh has faults, the least of 1e-7, 1e-6 and 1e-5 of its
+    /// size that leaves fewest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weld_mm: Option<f64>,
+    /// Greatest extent of a hole of a mesh that is closed, mm. Default, left out: none, since a hole may be meant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub close_holes_mm: Option<f64>,
+    /// Heights of the airfoil, mm. Default, left out: found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub airfoil_mm: Option<[f64; 2]>,
+    /// Height of the platform's top, mm. Default, left out: found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub platform_mm: Option<f64>,
+    /// Faces of the airfoil. Default, left out: found.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub airfoil_faces: Vec<String>,
+    /// Faces of the platform's top. Default, left out: found.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub platform_faces: Vec<String>,
 }
 
 /// `[region]`, heights of ball centres in the blade frame.
@@ -188,6 +207,8 @@ impl Job {
         let (p, c, v) = (&self.path, &self.channel, &self.verify);
         check_ranges(&[
             ("model.deflection_mm", self.model.deflection_mm, TINY, 10.0),
+            ("model.weld_mm", self.model.weld_mm.unwrap_or(TINY), TINY, 10.0),
+            ("model.close_holes_mm", self.model.close_holes_mm.unwrap_or(TINY), TINY, 1e6),
             ("region.start_mm", self.region.start_mm, -1e6, 1e6),
             ("region.end_mm", self.region.end_mm.unwrap_or(0.0), -1e6, 1e6),
             ("tool.radius_mm", self.tool.radius_mm, TINY, 1000.0),

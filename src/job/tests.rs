@@ -146,6 +146,7 @@ mod with_blade {
                 part_x_mm: [0.0, 100.0],
                 airfoil_x_mm: [0.0, 100.0],
                 platform_x_mm: None,
+                fillet_x_mm: None,
                 reasons: vec![],
             },
             diagnosis: Diagnosis::default(),

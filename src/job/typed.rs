@@ -71,6 +71,18 @@ keys! {
         axis: AxisChoice,
         /// Greatest distance between a NURBS part and its triangles, mm.
         deflection_mm: f64,
+        /// Vertices of a mesh this near to one another are the same, mm; default: found where the mesh has faults.
+        weld_mm: f64,
+        /// Holes of a mesh up to this extent are closed, mm; default: none.
+        close_holes_mm: f64,
+        /// Heights between which the airfoil lies, mm along the blade axis; default: found.
+        airfoil_mm: [f64; 2],
+        /// Height of the platform's top, mm along the blade axis; default: found.
+        platform_mm: f64,
+        /// Faces of the airfoil, by number or name as `inspect` prints them; default: found.
+        airfoil_faces: Vec<String>,
+        /// Faces of the platform's top, by number or name; default: found.
+        platform_faces: Vec<String>,
     }
 }
 

@@ -1,60 +1,149 @@
 //! What is in a model, in words.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use crate::artifact::blade::Blade;
+use super::survey::Survey;
+use crate::artifact::blade::{Area, Diagnosis};
 
-/// A report for people: bodies, faces, unit, box, closedness, area, volume, axis, regions with reasons.
-pub fn inspect_text(blade: &Blade) -> String {
-    let mut out = String::new();
-    let d = &blade.diagnosis;
-    let mut line = |key: &str, value: &str| {
-        // Writing to a String cannot fail.
-        let _ = writeln!(out, "{key:<10} {value}");
-    };
-    let mesh = blade.part.mesh.clone().moved(&blade.model_from_blade);
-    line("model", &blade.name);
-    line("format", &d.format);
-    line("unit", &d.unit_reason);
-    line("bodies", &d.bodies.to_string());
+/// Openings that are listed.
+const OPENINGS: usize = 5;
+/// Faces of one area that are listed.
+const FACES: usize = 16;
+
+/// A report for people: bodies, faces, unit, box, openings, area, volume, axis, regions with reasons, or why none were found.
+pub fn inspect_text(survey: &Survey) -> String {
+    let mut out = Lines::default();
+    let d = &survey.diagnosis;
+    let mesh = &survey.part.mesh;
+    out.line("model", &survey.name);
+    out.line("format", &d.format);
+    out.line("unit", &d.unit_reason);
+    out.line("bodies", &d.bodies.to_string());
     let faces: Vec<String> = d.faces.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
-    line("faces", &faces.join(", "));
+    out.line("faces", &faces.join(", "));
     let triangles = mesh.triangles.len();
-    if blade.part.brep.is_some() {
-        line("mesh", &format!("{triangles} triangles, within {} mm of the faces", blade.part.deflection_mm));
+    if survey.part.brep.is_some() {
+        out.line("mesh", &format!("{triangles} triangles, within {:.4} mm of the faces", survey.part.deflection_mm));
     } else {
-        line("mesh", &format!("{triangles} triangles, {} vertices", mesh.points.len()));
+        out.line("mesh", &format!("{triangles} triangles, {} vertices", mesh.points.len()));
     }
     if let Some(b) = mesh.aabb() {
         let s = b.max - b.min;
-        line("box", &format!("{:.3} × {:.3} × {:.3} mm", s.x, s.y, s.z));
-        line("", &format!("from ({:.3}, {:.3}, {:.3})", b.min.x, b.min.y, b.min.z));
-        line("", &format!("to   ({:.3}, {:.3}, {:.3})", b.max.x, b.max.y, b.max.z));
+        out.line("box", &format!("{:.3} × {:.3} × {:.3} mm", s.x, s.y, s.z));
+        out.line("", &format!("from ({:.3}, {:.3}, {:.3})", b.min.x, b.min.y, b.min.z));
+        out.line("", &format!("to   ({:.3}, {:.3}, {:.3})", b.max.x, b.max.y, b.max.z));
     }
-    line(
-        "closed",
-        &match (d.closed, d.first_open_edge) {
-            (true, _) => "yes".to_owned(),
-            (false, Some(p)) => {
-                format!("no: {} open edges, the first at ({:.3}, {:.3}, {:.3}) mm", d.open_edges, p[0], p[1], p[2])
-            }
-            (false, None) => format!("no: {} open edges", d.open_edges),
-        },
-    );
-    line("area", &format!("{:.3} mm²", mesh.area_mm2()));
-    line("volume", &format!("{:.3} mm³", mesh.volume_mm3()));
-    let origin = blade.model_from_blade.translation.vector;
-    line("frame", &format!("origin at ({:.3}, {:.3}, {:.3}) mm in the model", origin.x, origin.y, origin.z));
-    let r = blade.model_from_blade.rotation.to_rotation_matrix();
+    openings(&mut out, d);
+    out.line("area", &format!("{:.3} mm²", mesh.area_mm2()));
+    if d.closed {
+        out.line("volume", &format!("{:.3} mm³", mesh.volume_mm3()));
+    } else {
+        out.line("volume", "none, since the part is open");
+    }
+    found(&mut out, survey);
+    if let Some(e) = &survey.obstacle {
+        out.list("plan", [format!("not possible as it is: {}", e.message)].into_iter().chain(e.advice.clone()));
+    }
+    out.list("notes", d.notes.iter().cloned());
+    out.text
+}
+
+#[derive(Default)]
+struct Lines {
+    text: String,
+}
+
+impl Lines {
+    fn line(&mut self, key: &str, value: &str) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.text, "{key:<10} {value}");
+    }
+    fn list(&mut self, key: &str, values: impl IntoIterator<Item = String>) {
+        for (k, value) in values.into_iter().enumerate() {
+            self.line(if k == 0 { key } else { "" }, &value);
+        }
+    }
+}
+
+fn openings(out: &mut Lines, d: &Diagnosis) {
+    if d.closed {
+        out.line("closed", "yes");
+    } else {
+        let n = d.openings.len();
+        out.line("closed", &format!("no: {} open edges in {n} opening{}", d.open_edges, if n == 1 { "" } else { "s" }));
+        for o in d.openings.iter().take(OPENINGS) {
+            let [x, y, z] = o.at_mm;
+            let (length, width) = (o.length_mm, o.width_mm);
+            let edges = o.edges;
+            out.line(
+                "",
+                &format!("{edges} edges, {length:.3} mm long, {width:.3} mm wide, at ({x:.3}, {y:.3}, {z:.3}) mm"),
+            );
+        }
+        if n > OPENINGS {
+            out.line("", &format!("and {} shorter ones", n - OPENINGS));
+        }
+    }
+    if let Some([x, y, z]) = d.first_nonmanifold_edge {
+        let n = d.nonmanifold_edges;
+        out.line(
+            "manifold",
+            &format!("no: {n} edges have more than two triangles, the first at ({x:.3}, {y:.3}, {z:.3}) mm"),
+        );
+    }
+    if d.inconsistent_edges > 0 {
+        out.line("winding", &format!("{} edges have triangles that wind against one another", d.inconsistent_edges));
+    }
+    out.line("pieces", &d.pieces.to_string());
+}
+
+fn found(out: &mut Lines, survey: &Survey) {
+    let found = match &survey.found {
+        Ok(found) => found,
+        Err(e) => {
+            out.list("found", [format!("no blade: {}", e.message)].into_iter().chain(e.advice.clone()));
+            return;
+        }
+    };
+    let origin = found.model_from_blade.translation.vector;
+    out.line("frame", &format!("origin at ({:.3}, {:.3}, {:.3}) mm in the model", origin.x, origin.y, origin.z));
+    let r = found.model_from_blade.rotation.to_rotation_matrix();
     for (k, name) in ["x", "y", "z"].iter().enumerate() {
         let c = r.matrix().column(k);
-        line("", &format!("{name} = ({:.6}, {:.6}, {:.6})", c[0] + 0.0, c[1] + 0.0, c[2] + 0.0));
+        out.line("", &format!("{name} = ({:.6}, {:.6}, {:.6})", c[0] + 0.0, c[1] + 0.0, c[2] + 0.0));
     }
-    for (k, reason) in blade.regions.reasons.iter().enumerate() {
-        line(if k == 0 { "found" } else { "" }, reason);
+    out.list("found", found.regions.reasons.iter().cloned());
+    out.list("regions", regions(survey));
+}
+
+/// Surface and faces of each area.
+fn regions(survey: &Survey) -> Vec<String> {
+    let mesh = &survey.part.mesh;
+    let mut surface: BTreeMap<Area, f64> = BTreeMap::new();
+    let mut by_face: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
+    for (t, area) in survey.areas().into_iter().enumerate() {
+        let [a, b, c] = mesh.corners(t);
+        let s = 0.5 * (b - a).cross(&(c - a)).norm();
+        *surface.entry(area).or_default() += s;
+        *by_face.entry(mesh.face(t)).or_default().entry(area).or_default() += s;
     }
-    for (k, note) in d.notes.iter().enumerate() {
-        line(if k == 0 { "notes" } else { "" }, note);
+    let most = |areas: &BTreeMap<Area, f64>| areas.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
+    let mut out = Vec::new();
+    for (area, s) in &surface {
+        let faces: Vec<u32> = by_face.iter().filter(|(_, a)| most(a) == Some(*area)).map(|(f, _)| f + 1).collect();
+        let shown: Vec<String> = faces.iter().take(FACES).map(|f| named(survey, *f)).collect();
+        let more = if faces.len() > FACES { format!(" and {} more", faces.len() - FACES) } else { String::new() };
+        let list = if faces.is_empty() { String::new() } else { format!(", faces {}{more}", shown.join(", ")) };
+        let name = format!("{area:?}").to_lowercase();
+        out.push(format!("{name}: {s:.2} mm²{list}"));
     }
     out
+}
+
+/// Number of a face, with its name where it has one of its own.
+fn named(survey: &Survey, number: u32) -> String {
+    let name = survey.face_names.get(number as usize - 1).map_or("", String::as_str);
+    let own = if name.starts_with("face ") { name.split('"').nth(1).unwrap_or("") } else { name };
+    if own.is_empty() { number.to_string() } else { format!("{number} \"{own}\"") }
 }

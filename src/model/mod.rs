@@ -4,14 +4,19 @@
 //! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
-//! Guarantees: a mesh that is returned is closed and wound outward; a damaged file is an error of kind `InputOutput`
-//! with a sentence that says what and where, never a panic. Limits: one blade per file; open meshes are refused.
+//! [`survey()`] tells what is in a file whatever its state; [`load`] goes on to a blade for planning.
+//!
+//! Guarantees: neighbouring triangles of a mesh wind alike, closed pieces outward; a damaged file is an error of kind
+//! `InputOutput` with a sentence that says what and where, never a panic. Limits: one blade per file. An open part is read;
+//! [`openings::check`] decides whether an opening matters for the tool.
 
 pub mod format;
 pub mod gltf;
+pub mod heal;
 pub mod iges;
 pub mod inspect;
 pub mod obj;
+pub mod openings;
 pub mod orient;
 pub mod ply;
 pub mod recognise;
@@ -19,6 +24,7 @@ pub mod sew;
 pub mod soup;
 pub mod step;
 pub mod stl;
+pub mod survey;
 pub mod units;
 pub mod wind;
 
@@ -33,18 +39,15 @@ mod tests;
 
 use std::path::Path;
 
-use crate::artifact::blade::{Blade, Diagnosis, Unit};
+use crate::artifact::blade::{Blade, Unit};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::{Brep, SurfaceKind};
-use crate::geometry::mesh::{Topology, topology};
-use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point};
 use crate::observe::{Observer, Warning};
 
 use format::Format;
 pub use inspect::inspect_text;
-use soup::Soup;
-use step::StepShape;
+pub use survey::Survey;
 
 /// Faces that do not share their edges are joined where the edges are this near to each other, mm: a few times the
 /// precision that CAD systems write, far below what a cutter leaves.
@@ -59,22 +62,57 @@ pub struct ModelOptions {
     pub axis: Option<[f64; 3]>,
     /// Greatest distance between exact faces and the mesh made of them, mm.
     pub deflection_mm: f64,
+    /// Vertices of a mesh this near to one another are the same, mm; `None`: found.
+    pub weld_mm: Option<f64>,
+    /// Holes of a mesh up to this extent are closed, mm; `None`: none.
+    pub close_holes_mm: Option<f64>,
+    /// Heights between which the airfoil lies, mm along the blade axis; `None`: found.
+    pub airfoil_mm: Option<[f64; 2]>,
+    /// Height of the platform's top, mm along the blade axis; `None`: found.
+    pub platform_mm: Option<f64>,
+    /// Faces of the airfoil, by number (from 1) or name; empty: found.
+    pub airfoil_faces: Vec<String>,
+    /// Faces of the platform's top, by number (from 1) or name; empty: found.
+    pub platform_faces: Vec<String>,
 }
 
 impl Default for ModelOptions {
     fn default() -> Self {
         // A hundredth is well below usual form tolerances and keeps a blade at some 100 000 triangles; contact and
         // distance are refined on the exact faces anyway.
-        ModelOptions { unit: None, axis: None, deflection_mm: 0.01 }
+        ModelOptions {
+            unit: None,
+            axis: None,
+            deflection_mm: 0.01,
+            weld_mm: None,
+            close_holes_mm: None,
+            airfoil_mm: None,
+            platform_mm: None,
+            airfoil_faces: Vec::new(),
+            platform_faces: Vec::new(),
+        }
     }
 }
 
-/// Reads a model.
+/// Reads a model for planning. What the openings of a part mean for the tool is asked later, where the tool is known
+/// ([`openings::check`]).
 ///
 /// # Errors
-/// `InputOutput`: the file is missing, empty, damaged, of unknown format, holds no body, or is open; its size can be no
-/// blade's. `Usage`: a deflection or axis that makes no sense.
+/// Those of [`survey()`]. `InputOutput`: no blade was recognised; the size can be no blade's; the part has no volume.
 pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
+    let blade = survey(path, options, observer)?.into_blade(options, observer)?;
+    for note in &blade.diagnosis.notes {
+        observer.warn(Warning { stage: Stage::Model, message: note.clone() });
+    }
+    Ok(blade)
+}
+
+/// Reads a model and tells what is in it, whatever its state.
+///
+/// # Errors
+/// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body. `Usage`: a deflection or axis that
+/// makes no sense.
+pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
     if !(options.deflection_mm > 0.0 && options.deflection_mm.is_finite()) {
         return Err(Error::usage(
             Stage::Model,
@@ -85,61 +123,17 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
         .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))?;
     observer.check(Stage::Model)?;
     observer.progress(Stage::Model, 0, 3);
-    let blade = match format::detect(path, &bytes)? {
-        Format::StlBinary => from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
-        Format::StlAscii => from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
-        Format::Obj => from_soup(path, obj::read(path, &bytes)?, options, observer),
-        Format::Ply => from_soup(path, ply::read(path, &bytes)?, options, observer),
-        Format::Gltf => from_soup(path, gltf::read(path, &bytes)?, options, observer),
-        Format::Step => from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
-        Format::Iges => from_step(path, iges::read(path, &bytes, options.unit)?, options, observer),
+    let survey = match format::detect(path, &bytes)? {
+        Format::StlBinary => survey::from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
+        Format::StlAscii => survey::from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
+        Format::Obj => survey::from_soup(path, obj::read(path, &bytes)?, options, observer),
+        Format::Step => survey::from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
+        Format::Ply => survey::from_soup(path, ply::read(path, &bytes)?, options, observer),
+        Format::Gltf => survey::from_soup(path, gltf::read(path, &bytes)?, options, observer),
+        Format::Iges => survey::from_step(path, iges::read(path, &bytes, options.unit)?, options, observer),
     }?;
-    for note in &blade.diagnosis.notes {
-        observer.warn(Warning { stage: Stage::Model, message: note.clone() });
-    }
     observer.progress(Stage::Model, 3, 3);
-    Ok(blade)
-}
-
-/// Exact faces to a blade.
-fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
-    let sewn = sew::sew(&mut shape.brep, SEW_MM);
-    let mut diagnosis = Diagnosis {
-        format: shape.format,
-        unit_reason: shape.unit_reason,
-        bodies: shape.bodies,
-        faces: kinds(&shape.brep),
-        notes: shape.notes,
-        ..Diagnosis::default()
-    };
-    if sewn.joined > 0 {
-        diagnosis.notes.push(format!(
-            "{} edges that faces did not share were joined, at most {:.2e} mm apart",
-            sewn.joined, sewn.gap_mm
-        ));
-    }
-    // Before meshing: in a wrong unit the tolerances of the mesh would be wrong too.
-    diagnosis.notes.extend(units::check_size(path, edge_box(&shape.brep), shape.unit)?);
-    observer.check(Stage::Model)?;
-    let part = Part::from_brep(shape.brep.clone(), options.deflection_mm, observer)?;
-    observer.progress(Stage::Model, 1, 3);
-    refuse_open(path, &topology(&part.mesh))?;
-    diagnosis.closed = true;
-    let mut mesh = part.mesh;
-    diagnosis.notes.extend(orient::orient(&mut shape.brep, &mut mesh));
-    let found = recognise::recognise(&mesh, options.axis)?;
-    observer.progress(Stage::Model, 2, 3);
-    diagnosis.notes.extend(found.doubts);
-    // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
-    let brep = shape.brep.moved(&found.model_from_blade.inverse());
-    Ok(Blade {
-        name: stem(path),
-        unit: shape.unit,
-        part: Part::from_brep(brep, options.deflection_mm, observer)?,
-        model_from_blade: found.model_from_blade,
-        regions: found.regions,
-        diagnosis,
-    })
+    Ok(survey)
 }
 
 /// Box around points of all edges; of the poles of all faces where there is no edge (a sphere without trimming).
@@ -152,23 +146,6 @@ fn edge_box(brep: &Brep) -> Option<Aabb> {
         brep.faces.iter().flat_map(|f| &f.surface.points).map(|p| Point::from(p.xyz() / p.w)).collect()
     };
     Aabb::around(&if points.is_empty() { poles() } else { points })
-}
-
-/// Refuses a mesh with open edges: distance and clearance to it would be meaningless.
-fn refuse_open(path: &Path, found: &Topology) -> Result<()> {
-    let Some(m) = found.first_open_edge else { return Ok(()) };
-    Err(Error::io(
-        Stage::Model,
-        format!(
-            "{} is not closed: its mesh has {} open edges, the first at ({:.4}, {:.4}, {:.4}) mm",
-            path.display(),
-            found.open_edges,
-            m.x,
-            m.y,
-            m.z
-        ),
-    )
-    .advise("close the holes in the CAD or mesh program, or export the solid as STEP"))
 }
 
 /// Faces by kind, with counts.
@@ -192,33 +169,6 @@ fn kind_name(kind: SurfaceKind) -> &'static str {
         SurfaceKind::Extrusion => "extrusion",
         SurfaceKind::Other => "other",
     }
-}
-
-/// Loose triangles to a blade.
-fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
-    let (unit, unit_reason) = match (options.unit, soup.unit) {
-        (Some(unit), _) => (unit, format!("{}, as told", units::name(unit))),
-        (None, Some(unit)) => (unit, format!("{}, as the format says", units::name(unit))),
-        (None, None) => (Unit::Mm, "mm, since a mesh file names no unit".to_owned()),
-    };
-    let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, closed: true, ..Diagnosis::default() };
-    diagnosis.faces = vec![("groups".into(), soup.groups.len())];
-    let healed = soup.heal(path, unit.mm())?;
-    observer.check(Stage::Model)?;
-    observer.progress(Stage::Model, 1, 3);
-    diagnosis.bodies = healed.bodies;
-    diagnosis.notes = healed.notes;
-    diagnosis.notes.extend(units::check_size(path, healed.mesh.aabb(), unit)?);
-    let found = recognise::recognise(&healed.mesh, options.axis)?;
-    diagnosis.notes.extend(found.doubts);
-    Ok(Blade {
-        name: stem(path),
-        unit,
-        part: Part::from_mesh(found.mesh),
-        model_from_blade: found.model_from_blade,
-        regions: found.regions,
-        diagnosis,
-    })
 }
 
 /// The file's name without folder and extension.

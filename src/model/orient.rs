@@ -4,18 +4,14 @@
 //! wound ([`super::wind`]), and a face whose triangles were turned by that is turned too.
 
 use crate::geometry::brep::Brep;
-use crate::geometry::mesh::{Mesh, topology};
+use crate::geometry::mesh::Mesh;
 
 use super::wind;
 
 /// Turns faces and their triangles; says what was turned.
 pub fn orient(brep: &mut Brep, mesh: &mut Mesh) -> Vec<String> {
     let before = mesh.triangles.clone();
-    if topology(mesh).inconsistent_edges > 0 {
-        wind::align(mesh);
-    } else if mesh.volume_mm3() < 0.0 {
-        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-    }
+    wind::orient(mesh);
     let mut turned: Vec<Option<bool>> = vec![None; brep.faces.len()];
     for (t, (was, is)) in before.iter().zip(&mesh.triangles).enumerate() {
         if let Some(slot) = turned.get_mut(mesh.face(t) as usize) {

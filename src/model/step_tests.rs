@@ -201,7 +201,7 @@ fn load_text(text: &str, unit: Option<Unit>) -> Result<Blade> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("test.step");
     std::fs::write(&path, text).unwrap();
-    load(&path, &ModelOptions { unit, axis: Some([0.0, 0.0, 1.0]), deflection_mm: 0.01 }, &Silent)
+    load(&path, &ModelOptions { unit, axis: Some([0.0, 0.0, 1.0]), ..ModelOptions::default() }, &Silent)
 }
 
 fn refused(text: &str, words: &[&str]) {

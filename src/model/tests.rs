@@ -21,6 +21,14 @@ fn plain(name: &str, bytes: &[u8]) -> Result<Blade> {
     load_bytes(name, bytes, &ModelOptions::default())
 }
 
+/// Surveys these bytes.
+fn look(name: &str, bytes: &[u8]) -> Result<Survey> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, bytes).unwrap();
+    survey(&path, &ModelOptions::default(), &Silent)
+}
+
 /// The refusal of a file: always of kind input/output, one sentence that holds these words.
 fn refused(name: &str, bytes: &[u8], words: &[&str]) {
     let error = plain(name, bytes).err().unwrap_or_else(|| panic!("{name} was accepted"));
@@ -54,7 +62,7 @@ fn the_same_blade_from_every_mesh_format() {
         assert!((b.regions.airfoil_x_mm[1] - TIP).abs() < 0.01, "{name}: {:?}", b.regions);
         assert!((b.regions.part_x_mm[1] - TIP).abs() < 1e-4 && b.regions.part_x_mm[0].abs() < 1e-4, "{name}");
         // The text names what a person looks for.
-        let text = inspect_text(&b);
+        let text = inspect_text(&look(name, &bytes).unwrap());
         for word in ["unit", "closed", "volume", "platform", "+Z of the model"] {
             assert!(text.contains(word), "{word} is not in\n{text}");
         }
@@ -95,6 +103,45 @@ fn a_given_axis_is_taken_exactly() {
 }
 
 #[test]
+fn regions_that_are_given_are_taken() {
+    let mut mesh = blade();
+    // Two groups: all up to the platform's top, and the airfoil with its tip.
+    let top = |c: &[u32; 3]| c.iter().all(|v| mesh.points[*v as usize].z >= PLATFORM - 1e-9);
+    let (mut low, mut high) = (String::from("g root\n"), String::from("g the_airfoil\n"));
+    for c in &mesh.triangles {
+        let line = format!("f {} {} {}\n", c[0] + 1, c[1] + 1, c[2] + 1);
+        if top(c) { high += &line } else { low += &line }
+    }
+    let vertices: String = mesh.points.iter().map(|p| format!("v {} {} {}\n", p.x, p.y, p.z)).collect();
+    let bytes = (vertices + &low + &high).into_bytes();
+    mesh.points.clear();
+    let with = |change: &dyn Fn(&mut ModelOptions)| {
+        let mut o = ModelOptions::default();
+        change(&mut o);
+        load_bytes("groups.obj", &bytes, &o)
+    };
+    let r = with(&|o| o.airfoil_mm = Some([50.0, 100.0])).unwrap().regions;
+    assert_eq!(r.airfoil_x_mm, [50.0, 100.0]);
+    let r = with(&|o| o.platform_mm = Some(41.5)).unwrap().regions;
+    assert_eq!((r.platform_x_mm, r.airfoil_x_mm[0]), (Some(41.5), 41.5));
+    for faces in [vec!["the_airfoil".to_owned()], vec!["2".into()], vec!["THE_AIRFOIL".into()]] {
+        let r = with(&|o| o.airfoil_faces = faces.clone()).unwrap().regions;
+        assert!((r.airfoil_x_mm[0] - PLATFORM).abs() < 0.5 && (r.airfoil_x_mm[1] - TIP).abs() < 0.5, "{r:?}");
+    }
+    // The root as airfoil: its sections are one loop up to the platform.
+    let r = with(&|o| o.airfoil_faces = vec!["1".into()]).unwrap().regions;
+    assert!(r.airfoil_x_mm[1] < PLATFORM + 0.5, "{r:?}");
+    for change in [
+        (&|o: &mut ModelOptions| o.airfoil_faces = vec!["7".into()]) as &dyn Fn(&mut ModelOptions),
+        &|o| o.platform_faces = vec!["no such".into()],
+        &|o| o.airfoil_mm = Some([50.0, 500.0]),
+        &|o| o.platform_mm = Some(-3.0),
+    ] {
+        assert_eq!(with(change).err().unwrap().kind, ErrorKind::Usage);
+    }
+}
+
+#[test]
 fn units_scale_and_absurd_sizes_are_named() {
     let mut small = blade();
     small.points.iter_mut().for_each(|p| p.coords *= 0.001);
@@ -104,6 +151,13 @@ fn units_scale_and_absurd_sizes_are_named() {
     let b = load_bytes("metres.stl", &bytes, &options).unwrap();
     assert!((b.part.mesh.volume_mm3() / blade().volume_mm3() - 1.0).abs() < 1e-9);
     assert_eq!(b.unit, Unit::M);
+    // Looked at without being told: the unit is guessed, with the reason, and the plan is said to be impossible.
+    let text = inspect_text(&look("metres.stl", &bytes).unwrap());
+    for words in
+        ["m, guessed: in mm the part would be 0.1200 mm across", "not possible as it is", "the unit is a guess"]
+    {
+        assert!(text.contains(words), "{words} is not in\n{text}");
+    }
     let mut tiny = blade();
     tiny.points.iter_mut().for_each(|p| p.coords *= 0.02);
     let b = plain("tiny.stl", ascii_stl(&tiny).as_bytes()).unwrap();
@@ -131,7 +185,12 @@ fn damaged_meshes_are_healed_or_refused() {
     // A hole.
     let mut open = mesh.clone();
     open.triangles.remove(700);
-    refused("open.obj", obj(&open).as_bytes(), &["not closed", "3 open edges", "the first at ("]);
+    let b = plain("open.obj", obj(&open).as_bytes()).unwrap();
+    assert_eq!((b.diagnosis.closed, b.diagnosis.open_edges, b.diagnosis.openings.len()), (false, 3, 1));
+    let text = inspect_text(&look("open.obj", obj(&open).as_bytes()).unwrap());
+    for words in ["no: 3 open edges in 1 opening", "3 edges, ", "none, since the part is open", "+Z of the model"] {
+        assert!(text.contains(words), "{words} is not in\n{text}");
+    }
     // Vertices that differ by rounding.
     let mut jitter = mesh.clone();
     jitter.points = (0..jitter.triangles.len()).flat_map(|t| mesh.corners(t)).collect();
@@ -167,6 +226,9 @@ fn bad_files_are_refused_with_a_sentence() {
     refused("flat.obj", b"v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nf 1 3 2\n", &["no volume"]);
     refused("part.sldprt", b"binary", &["cannot be read", "STEP"]);
     refused("part.xyz", b"1 2 3\n", &["neither its name nor its content"]);
+    // What is no blade can still be looked at.
+    let text = inspect_text(&look("flat.obj", b"v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nf 1 3 2\n").unwrap());
+    assert!(text.contains("no volume") && text.contains("no blade:"), "{text}");
     let error = load(&PathBuf::from("/nowhere/blade.step"), &ModelOptions::default(), &Silent).err().unwrap();
     assert_eq!(error.kind, ErrorKind::InputOutput);
     assert!(error.to_string().contains("/nowhere/blade.step"));

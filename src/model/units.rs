@@ -1,15 +1,21 @@
-//! Units: their names, and whether a part's size can be a blade's.
+//! Units: their names, whether a part's size can be a blade's, and what is taken where it cannot.
+//!
+//! A file that names no unit is taken in mm, as mesh files usually are. Where the part would then have a size that no blade has,
+//! whatever the file declares, the unit in which it has a blade's size is taken instead: for looking at the file
+//! ([`Guess::Other`]), with the reason; a plan is refused until the unit is told, since a part of the wrong scale is scrap.
 
 use std::path::Path;
 
-use crate::artifact::blade::Unit;
-use crate::error::{Error, Result, Stage};
+use crate::artifact::blade::{Diagnosis, Unit};
+use crate::error::{Error, Stage};
 use crate::geometry::Aabb;
 
 /// Sizes (largest side of the box) that blades have, mm: below or above, the unit is probably wrong.
 const USUAL_MM: [f64; 2] = [3.0, 5000.0];
 /// Sizes for which no plan can make sense, mm.
 const POSSIBLE_MM: [f64; 2] = [0.5, 500_000.0];
+/// Sizes of nearly all blades that are milled, mm: a unit that gives one of them is a likely one.
+const LIKELY_MM: [f64; 2] = [20.0, 2000.0];
 
 /// A unit's name, as the command line takes it.
 pub fn name(unit: Unit) -> &'static str {
@@ -21,31 +27,134 @@ pub fn name(unit: Unit) -> &'static str {
     }
 }
 
-/// The unit with which a part of `size` file units would be of a blade's size, if another than `unit` does better.
+/// What is said of the unit where the file names none and mm is taken; `size`: longest side, file units.
+pub fn unnamed(size: Option<f64>) -> String {
+    match size {
+        Some(s) if (USUAL_MM[0]..=USUAL_MM[1]).contains(&s) => {
+            format!("mm, since the file names no unit and {} mm across is a blade's size", short(s))
+        }
+        _ => "mm, since the file names no unit".to_owned(),
+    }
+}
+
+/// Four significant digits.
+fn short(x: f64) -> String {
+    let digits = if x > 0.0 { (3.0 - x.log10().floor()).clamp(0.0, 9.0) as usize } else { 1 };
+    format!("{x:.digits$}")
+}
+
+/// What the size says about the unit.
+pub enum Guess {
+    /// Nothing against it.
+    Fits,
+    /// Unusual, but possible: a note.
+    Odd(String),
+    /// The user's own unit gives a size that is not possible: taken, but no plan is made.
+    Refused(Error),
+    /// The size is not possible; in another unit it is a blade's.
+    Other {
+        /// That unit.
+        unit: Unit,
+        /// Why.
+        reason: String,
+        /// What a plan is refused with.
+        refusal: Error,
+    },
+}
+
+impl Guess {
+    /// Writes what was found into the diagnosis; the unit to go on with, and why no plan may be made.
+    pub fn take(self, unit: Unit, diagnosis: &mut Diagnosis) -> (Unit, Option<Error>) {
+        match self {
+            Guess::Fits => (unit, None),
+            Guess::Odd(note) => {
+                diagnosis.notes.push(note);
+                (unit, None)
+            }
+            Guess::Refused(e) => {
+                diagnosis.notes.push(e.message.clone());
+                (unit, Some(e))
+            }
+            Guess::Other { unit: other, reason, refusal } => {
+                diagnosis.notes.push(format!(
+                    "the unit is a guess: {reason}; give it with --unit {} before planning",
+                    name(other)
+                ));
+                diagnosis.unit_reason = format!("{}, guessed: {reason}", name(other));
+                (other, Some(refusal))
+            }
+        }
+    }
+}
+
+/// The unit with which a part of `size` file units would be of a blade's size, if another than `unit` does.
 fn likely(size: f64, unit: Unit) -> Option<Unit> {
-    let fits = |u: Unit| (20.0..=2000.0).contains(&(size * u.mm()));
+    let fits = |u: Unit| (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&(size * u.mm()));
     // Metres are what simulation programs write, so they come first.
     [Unit::M, Unit::Mm, Unit::Inch, Unit::Cm].into_iter().find(|&u| u != unit && fits(u))
 }
 
-/// A note where the part's size (its box, mm) is unusual for a blade.
-///
-/// # Errors
-/// `InputOutput`: the size cannot be a blade's at all.
-pub fn check_size(path: &Path, b: Option<Aabb>, unit: Unit) -> Result<Option<String>> {
-    let Some(b) = b else { return Ok(None) };
-    let size_mm = (b.max - b.min).max();
+/// Judges the unit by the part's box, mm. `told`: the user gave the unit, so no other is taken.
+pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, told: bool) -> Guess {
+    judge_size(path, b.map(|b| (b.max - b.min).max()), unit, told)
+}
+
+/// As [`judge`], from the longest side of the box, mm.
+pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, told: bool) -> Guess {
+    let Some(size_mm) = size_mm.filter(|s| s.is_finite()) else { return Guess::Fits };
     if (USUAL_MM[0]..=USUAL_MM[1]).contains(&size_mm) {
-        return Ok(None);
+        return Guess::Fits;
     }
-    let advice = likely(size_mm / unit.mm(), unit)
+    let other = likely(size_mm / unit.mm(), unit);
+    let advice = other
         .map(|u| format!("the file is probably in {}: pass --unit {0}", name(u)))
         .unwrap_or_else(|| "check the unit".to_owned());
     let side = if size_mm < USUAL_MM[0] { "small" } else { "large" };
-    let message = format!("{} is {size_mm:.4} mm across in {}, too {side} for a blade", path.display(), name(unit));
+    let message =
+        format!("{} is {} mm across in {}, too {side} for a blade", path.display(), short(size_mm), name(unit));
     if (POSSIBLE_MM[0]..=POSSIBLE_MM[1]).contains(&size_mm) {
-        Ok(Some(format!("{message} ({advice})")))
-    } else {
-        Err(Error::io(Stage::Model, message).advise(advice))
+        return Guess::Odd(format!("{message} ({advice})"));
+    }
+    let refusal = Error::io(Stage::Model, message).advise(advice);
+    match other.filter(|_| !told) {
+        Some(other) => {
+            let across = short(size_mm / unit.mm() * other.mm());
+            let reason = format!(
+                "in {} the part would be {} mm across, too {side} for a blade; in {} it is {across} mm",
+                name(unit),
+                short(size_mm),
+                name(other)
+            );
+            Guess::Other { unit: other, reason, refusal }
+        }
+        None => Guess::Refused(refusal),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn guess(size_mm: f64, unit: Unit, told: bool) -> Guess {
+        judge_size(Path::new("a.stl"), Some(size_mm), unit, told)
+    }
+
+    #[test]
+    fn sizes_decide() {
+        assert!(matches!(guess(90.0, Unit::Mm, false), Guess::Fits));
+        assert!(matches!(guess(2.0, Unit::Mm, false), Guess::Odd(n) if n.contains("too small")));
+        assert!(matches!(guess(0.09, Unit::Mm, false), Guess::Other { unit: Unit::M, reason, refusal }
+            if reason.contains("90.00 mm") && refusal.message.contains("too small")));
+        // 300 mm that a file declares as metres.
+        assert!(matches!(guess(3e5 * 1000.0, Unit::M, false), Guess::Refused(_)));
+        assert!(matches!(guess(600_000.0, Unit::M, false), Guess::Other { unit: Unit::Mm, .. }));
+        assert!(matches!(guess(0.09, Unit::Mm, true), Guess::Refused(_)));
+        assert!(matches!(guess(f64::NAN, Unit::Mm, false), Guess::Fits));
+    }
+
+    #[test]
+    fn four_digits() {
+        assert_eq!([0.035_281, 92.314, 117.0, 4821.7, 0.0].map(short), ["0.03528", "92.31", "117.0", "4822", "0.0"]);
     }
 }

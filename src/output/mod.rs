@@ -91,6 +91,23 @@ impl RunFolder {
     }
 }
 
+/// Writes one file, whole or not at all.
+///
+/// # Errors
+/// Kind `InputOutput`.
+pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
+    use std::io::Write;
+    let parent = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let write = || -> std::io::Result<()> {
+        let mut file = tempfile::Builder::new().prefix(".bladewright-").tempfile_in(parent)?;
+        file.write_all(content)?;
+        file.as_file().sync_all()?;
+        file.persist(path).map_err(|e| e.error)?;
+        Ok(())
+    };
+    write().map_err(|e| trouble("cannot write", path, e))
+}
+
 /// A value as indented JSON with a final newline.
 ///
 /// # Errors

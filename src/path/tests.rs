@@ -52,6 +52,7 @@ fn bar(n: usize, radius_at: impl Fn(f64) -> f64) -> Blade {
             part_x_mm: [-8.0, 60.0],
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
+            fillet_x_mm: None,
             reasons: vec![],
         },
         diagnosis: Diagnosis::default(),

@@ -7,5 +7,5 @@ pub mod gltf;
 pub mod report;
 mod thin;
 
-pub use gltf::{GltfOptions, gltf};
+pub use gltf::{GltfOptions, gltf, regions};
 pub use report::{Baseline, ReportInput};

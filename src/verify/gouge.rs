@@ -110,7 +110,8 @@ pub(super) fn check(blade: &Blade, sweep: &Sweep, options: &VerifyOptions) -> (C
     let part = &blade.part;
     let mut g = measure(part, sweep, options.resolution_mm);
     // The path is connected: if it starts outside and never comes near the surface, all of it is outside.
-    let inside = blade.diagnosis.closed && part.inside(&sweep.centres[0]);
+    // Openings near the path are refused before planning, so the nearest surface tells the side of an open part too.
+    let inside = part.inside(&sweep.centres[0]);
     if inside {
         let d = part.closest(&sweep.centres[0], f64::INFINITY).map_or(0.0, |c| c.distance_mm);
         let depth = sweep.radius_mm + d;

@@ -30,6 +30,7 @@ pub fn blade(mesh: Mesh) -> Blade {
             part_x_mm: [-20.0, 60.0],
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
+            fillet_x_mm: None,
             reasons: Vec::new(),
         },
         diagnosis: Diagnosis::default(),

@@ -10,6 +10,8 @@
 //! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the sampling of heights,
 //! and up to the preference for coordinate axes). Limits: one airfoil; several blades on a disc are not told apart.
 
+pub mod areas;
+pub mod named;
 pub mod regions;
 pub mod run;
 pub mod shape;
@@ -17,6 +19,7 @@ pub mod shape;
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 
+use super::ModelOptions;
 use crate::artifact::blade::Regions;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::bvh::MeshBvh;
@@ -45,16 +48,20 @@ pub struct Recognised {
     pub regions: Regions,
     /// What the user should know.
     pub doubts: Vec<String>,
+    /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z, blade frame, mm.
+    pub outline: Vec<(f64, [f64; 4])>,
 }
 
 /// Finds axis and regions.
 ///
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
-pub fn recognise(mesh: &Mesh, axis: Option<[f64; 3]>) -> Result<Recognised> {
-    let (mut run, reason) = match axis {
-        Some(a) => given(mesh, a)?,
-        None => search(mesh)?,
+pub fn recognise(mesh: &Mesh, face_names: &[String], options: &ModelOptions) -> Result<Recognised> {
+    let airfoil = named::faces(&options.airfoil_faces, face_names)?;
+    let airfoil = airfoil.as_deref();
+    let (mut run, reason) = match options.axis {
+        Some(a) => given(mesh, a, airfoil)?,
+        None => search(mesh, airfoil)?,
     };
     let mut doubts = Vec::new();
     if run.likeness < DOUBTFUL {
@@ -78,7 +85,9 @@ pub fn recognise(mesh: &Mesh, axis: Option<[f64; 3]>) -> Result<Recognised> {
     let bvh = MeshBvh::new(&blade_mesh);
     let mut regions = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
     regions.reasons.insert(0, reason);
-    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts })
+    named::apply(&mut regions, &blade_mesh, face_names, options)?;
+    let outline = run.links.iter().map(|l| (l.height_mm, l.shape.bounds)).collect();
+    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, outline })
 }
 
 fn no_blade() -> Error {
@@ -87,12 +96,12 @@ fn no_blade() -> Error {
 }
 
 /// The run along the axis that the user gave.
-fn given(mesh: &Mesh, axis: [f64; 3]) -> Result<(Run, String)> {
+fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>) -> Result<(Run, String)> {
     let v = Vector::from(axis);
     let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
         Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
     })?;
-    let run = run::along(mesh, &direction);
+    let run = run::along(mesh, &direction, faces);
     if run.links.is_empty() {
         return Err(no_blade());
     }
@@ -100,8 +109,8 @@ fn given(mesh: &Mesh, axis: [f64; 3]) -> Result<(Run, String)> {
 }
 
 /// The best run of all candidates, its sense from root to tip, and why.
-fn search(mesh: &Mesh) -> Result<(Run, String)> {
-    let mut runs: Vec<Run> = candidates(mesh).par_iter().map(|d| run::along(mesh, d)).collect();
+fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<(Run, String)> {
+    let mut runs: Vec<Run> = candidates(mesh).par_iter().map(|d| run::along(mesh, d, faces)).collect();
     // Each good run proposes a better direction; twice, since a better run proposes better.
     let mut from = 0;
     for _ in 0..3 {
@@ -109,7 +118,7 @@ fn search(mesh: &Mesh) -> Result<(Run, String)> {
         let next: Vec<Vector> =
             runs[from..].iter().filter(|r| r.score > 0.4 * best && best > 0.0).map(|r| r.least_normal).collect();
         from = runs.len();
-        runs.extend(next.par_iter().map(|d| run::along(mesh, d)).collect::<Vec<_>>());
+        runs.extend(next.par_iter().map(|d| run::along(mesh, d, faces)).collect::<Vec<_>>());
     }
     let top = (0..runs.len())
         .filter(|&i| !runs[i].links.is_empty())
@@ -137,7 +146,7 @@ fn search(mesh: &Mesh) -> Result<(Run, String)> {
     let (flip, sense) = root_is_high(mesh, &runs[chosen]);
     let run = runs.swap_remove(chosen);
     let direction = if flip { -run.direction } else { run.direction };
-    let run = if flip { run::along(mesh, &direction) } else { run };
+    let run = if flip { run::along(mesh, &direction, faces) } else { run };
     Ok((run, format!("axis: {}, {why}; {sense}", words(&direction))))
 }
 

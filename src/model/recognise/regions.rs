@@ -5,7 +5,7 @@ use super::shape::Shape;
 use crate::artifact::blade::Regions;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::slice::slice;
+use crate::geometry::slice::{Loop, slice};
 
 /// A fillet may widen the airfoil's loop by up to this much (area) …
 const FILLET_AREA: f64 = 2.2;
@@ -66,7 +66,14 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<Regions> {
         ),
         None => format!("tip: free, at x = {:.3} mm", tip.x_mm),
     });
-    Some(Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, reasons })
+    let fillet_x_mm = platform_x_mm.and_then(|p| fillet(mesh, bvh, p, airfoil_x_mm, &first.shape));
+    if let Some([foot, top]) = fillet_x_mm {
+        reasons
+            .push(format!("fillet: x = {foot:.3} to {top:.3} mm, where the airfoil's wall bends towards the platform"));
+    } else if platform_x_mm.is_some() {
+        reasons.push("no fillet: the airfoil's wall keeps its lean down to the platform".into());
+    }
+    Some(Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, reasons })
 }
 
 /// Follows the airfoil's loop beyond the run in quarter steps and halves the last one.
@@ -116,6 +123,51 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
     };
     End { x_mm: good, beyond, shape }
 }
+
+/// Heights of the fillet: from the platform up to where the wall's lean is that of the airfoil above.
+///
+/// The lean is the mean of the normal's component along the axis round the airfoil's loop. On a fillet of radius r it is
+/// 1 − h/r at height h, so the top is found a share [`LEAN`] of r too low, which is added.
+fn fillet(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], reference: &Shape) -> Option<[f64; 2]> {
+    let length = airfoil_mm[1] - airfoil_mm[0];
+    let lean = |x: f64| -> Option<f64> {
+        let near = |l: &&(Loop, Shape)| {
+            let d = [0, 1].map(|k| l.1.centroid[k] - reference.centroid[k]);
+            l.1.area_mm2 > 0.3 * reference.area_mm2 && d[0].hypot(d[1]) < 0.5 * reference.perimeter_mm
+        };
+        let loops: Vec<(Loop, Shape)> =
+            slice(mesh, bvh, x).into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect();
+        let away = |l: &(Loop, Shape)| (l.1.area_mm2 - reference.area_mm2).abs();
+        let (l, _) = loops.iter().filter(near).min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        let (mut sum, mut all) = (0.0, 0.0);
+        for (k, &t) in l.triangles.iter().enumerate() {
+            let (p, q) = (l.points[k], l.points[(k + 1) % l.points.len()]);
+            let d = (q[0] - p[0]).hypot(q[1] - p[1]);
+            sum += d * mesh.normal(t as usize).x;
+            all += d;
+        }
+        (all > 0.0).then(|| sum / all)
+    };
+    let mut usual: Vec<f64> =
+        (0..=12).filter_map(|k| lean(airfoil_mm[0] + (0.4 + 0.4 * f64::from(k) / 12.0) * length)).collect();
+    usual.sort_by(f64::total_cmp);
+    let usual = *usual.get(usual.len() / 2)?;
+    let leans = |x: f64| lean(x).is_some_and(|l| l - usual > LEAN);
+    let at = |k: u32| airfoil_mm[0] + length * (1e-3 + 0.4 * f64::from(k) / f64::from(FILLET_HEIGHTS));
+    let last = (0..FILLET_HEIGHTS).take_while(|&k| leans(at(k))).last()?;
+    let (mut low, mut high) = (at(last), at(last + 1));
+    for _ in 0..12 {
+        let x = 0.5 * (low + high);
+        if leans(x) { low = x } else { high = x }
+    }
+    let foot = platform_mm.min(airfoil_mm[0]);
+    Some([foot, foot + (high - foot) / (1.0 - LEAN)])
+}
+
+/// Mean lean (sine) by which a wall is a fillet's and no longer the airfoil's.
+const LEAN: f64 = 0.08;
+/// Heights over the lowest 40 % of the airfoil at which the lean is taken.
+const FILLET_HEIGHTS: u32 = 96;
 
 /// The loop at x that continues `before` and has not outgrown `reference`.
 fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Shape) -> Option<Shape> {

@@ -20,6 +20,9 @@ const FREE_END: f64 = 0.03;
 /// See [`FREE_END`].
 const INSIDE: f64 = 0.15;
 
+/// Share of a loop's length that must lie on the faces that the user named.
+const ON_FACES: f64 = 0.9;
+
 /// One section of the chain.
 pub struct Link {
     /// Height along the direction, mm.
@@ -70,21 +73,21 @@ fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
     (x, y, x.cross(&y))
 }
 
-/// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain.
-pub fn along(mesh: &Mesh, direction: &Vector) -> Run {
+/// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain. `faces`: the faces (one flag each) that
+/// loops must lie on to count; `None`: any.
+pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
     let frame = frame_along(direction);
-    let turned = Mesh { points: mesh.points.clone(), triangles: mesh.triangles.clone(), ..Mesh::default() }
-        .moved(&frame.inverse());
+    let turned = mesh.clone().moved(&frame.inverse());
     let part_mm = turned.aabb().map_or([0.0, 0.0], |b| [b.min.x, b.max.x]);
     let step = (part_mm[1] - part_mm[0]) / HEIGHTS as f64;
-    let sections = sections(&turned, part_mm, step);
+    let sections = sections(&turned, part_mm, step, faces);
     let chain = best_chain(&sections, step);
     summarise(mesh, direction, part_mm, step, &sections, &chain)
 }
 
 type Sections = Vec<(f64, Vec<(Loop, Shape)>)>;
 
-fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64) -> Sections {
+fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>) -> Sections {
     let mut buckets: Vec<Vec<u32>> = vec![Vec::new(); HEIGHTS];
     for (t, corners) in turned.triangles.iter().enumerate() {
         let xs = corners.map(|i| turned.points[i as usize].x);
@@ -102,10 +105,27 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64) -> Sections {
         .enumerate()
         .map(|(i, triangles)| {
             let height = part_mm[0] + (i as f64 + 0.5) * step;
-            let loops = slice_triangles(turned, triangles, height);
+            let mut loops = slice_triangles(turned, triangles, height);
+            if let Some(faces) = faces {
+                loops.retain(|l| lies_on(turned, l, faces));
+            }
             (height, loops.into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect())
         })
         .collect()
+}
+
+/// Whether nearly all of a loop's length lies on these faces.
+fn lies_on(mesh: &Mesh, l: &Loop, faces: &[bool]) -> bool {
+    let (mut on, mut all) = (0.0, 0.0);
+    for (k, &t) in l.triangles.iter().enumerate() {
+        let (p, q) = (l.points[k], l.points[(k + 1) % l.points.len()]);
+        let d = (q[0] - p[0]).hypot(q[1] - p[1]);
+        all += d;
+        if faces.get(mesh.face(t as usize) as usize) == Some(&true) {
+            on += d;
+        }
+    }
+    on >= ON_FACES * all
 }
 
 /// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j of section i.

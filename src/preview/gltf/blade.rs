@@ -11,6 +11,7 @@ use serde_json::json;
 use super::glb::Glb;
 use super::{GltfOptions, mesh_node, triple};
 use crate::artifact::Blade;
+use crate::artifact::blade::Area;
 use crate::error::Result;
 use crate::geometry::Vector;
 use crate::geometry::brep::SurfaceKind;
@@ -31,7 +32,7 @@ pub(super) fn node(glb: &mut Glb, blade: &Blade, options: &GltfOptions) -> Resul
     }
     let mut primitives = Vec::new();
     for (kind, triangles) in &by_kind {
-        primitives.push(primitive(glb, &mesh, &normals, triangles, *kind)?);
+        primitives.push(primitive(glb, &mesh, &normals, triangles, look(*kind))?);
     }
     let note = json!({
         "triangles": mesh.triangles.len(),
@@ -39,6 +40,34 @@ pub(super) fn node(glb: &mut Glb, blade: &Blade, options: &GltfOptions) -> Resul
         "thinned_on_a_grid_of_mm": cell,
     });
     Ok(Some(mesh_node(glb, "blade", primitives, note)))
+}
+
+/// The part, one primitive and colour for each [`Area`]; `None` without triangles.
+pub(super) fn regions_node(glb: &mut Glb, mesh: &Mesh, areas: &[Area], crease_deg: f64) -> Result<Option<Index<Node>>> {
+    if mesh.triangles.is_empty() {
+        return Ok(None);
+    }
+    let normals = corner_normals(mesh, crease_deg.to_radians().cos());
+    let mut by_area: BTreeMap<Area, Vec<usize>> = BTreeMap::new();
+    for t in 0..mesh.triangles.len() {
+        by_area.entry(areas.get(t).copied().unwrap_or(Area::Other)).or_default().push(t);
+    }
+    let mut primitives = Vec::new();
+    for (area, triangles) in &by_area {
+        primitives.push(primitive(glb, mesh, &normals, triangles, colour(*area))?);
+    }
+    Ok(Some(mesh_node(glb, "regions", primitives, json!({ "triangles": mesh.triangles.len() }))))
+}
+
+fn colour(area: Area) -> (&'static str, [f32; 3]) {
+    match area {
+        Area::Airfoil => ("airfoil", [0.10, 0.35, 0.75]),
+        Area::Fillet => ("fillet", [0.90, 0.45, 0.05]),
+        Area::Platform => ("platform", [0.15, 0.60, 0.25]),
+        Area::Root => ("root", [0.45, 0.40, 0.35]),
+        Area::Tip => ("tip", [0.70, 0.10, 0.25]),
+        Area::Other => ("other", [0.60, 0.60, 0.62]),
+    }
 }
 
 fn kind(blade: &Blade, face: u32) -> Option<SurfaceKind> {
@@ -89,7 +118,7 @@ fn primitive(
     mesh: &Mesh,
     normals: &[[Vector; 3]],
     triangles: &[usize],
-    kind: Option<SurfaceKind>,
+    (name, rgb): (&str, [f32; 3]),
 ) -> Result<Primitive> {
     let (mut points, mut directions, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     let mut seen: HashMap<(u32, [u32; 3]), u32> = HashMap::new();
@@ -105,7 +134,6 @@ fn primitive(
             indices.push(index);
         }
     }
-    let (name, rgb) = look(kind);
     let attributes = [(Semantic::Positions, glb.positions(&points)), (Semantic::Normals, glb.normals(&directions))];
     let (indices, material) = (glb.indices(&indices), glb.material(name, rgb, true));
     Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))

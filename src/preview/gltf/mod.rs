@@ -21,8 +21,10 @@ use json::Index;
 use json::scene::{Node, UnitQuaternion};
 use serde_json::json;
 
+use crate::artifact::blade::Area;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::mesh::Mesh;
 use crate::tool::Tool;
 use glb::Glb;
 
@@ -89,6 +91,26 @@ pub fn gltf(plan: Option<&Plan>, blade: &Blade, tool: &Tool, options: &GltfOptio
         ..empty_node()
     });
     glb.finish(root, animations)
+}
+
+/// The part coloured by what its surface belongs to, one entry of `areas` for each triangle, as the bytes of a `.glb` file. The mesh
+/// is in the model frame, mm, and is not thinned.
+///
+/// # Errors
+/// As [`gltf`].
+pub fn regions(name: &str, mesh: &Mesh, areas: &[Area]) -> Result<Vec<u8>> {
+    let mut glb = Glb::default();
+    let child = blade::regions_node(&mut glb, mesh, areas, GltfOptions::default().crease_deg)?;
+    let half = std::f32::consts::FRAC_1_SQRT_2;
+    let root = glb.node(Node {
+        name: Some(format!("{name} (model frame, mm)")),
+        children: child.map(|c| vec![c]),
+        scale: Some([0.001; 3]),
+        rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
+        extras: extras(&json!({ "frame": "model frame of the CAD file, mm, below this node" })),
+        ..empty_node()
+    });
+    glb.finish(root, Vec::new())
 }
 
 /// A node with nothing in it.

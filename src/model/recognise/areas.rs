@@ -1,0 +1,90 @@
+//! Which triangle belongs to what: airfoil, fillet, platform, root, tip.
+//!
+//! By height along the blade axis, by the side a triangle faces, and, so that things beside the airfoil are told from it, by the
+//! boxes of the airfoil's sections. Faces of a B-rep that belong to one area by nearly all of their surface are taken whole.
+
+use super::Recognised;
+use crate::artifact::blade::Area;
+use crate::geometry::Point;
+
+/// A triangle faces the tip where its normal is within 45° of the axis.
+const FACES_TIP: f64 = 0.7;
+/// Sections' boxes are widened by this share for what lies between sections.
+const WIDER: f64 = 0.05;
+/// The platform's top is this share of the part deep: it may be crowned or slanted.
+const DEEP: f64 = 0.02;
+/// A face belongs to an area as a whole where this share of its surface does.
+const WHOLE: f64 = 0.9;
+
+/// The area of each triangle of the mesh in the blade frame. `whole_faces`: the mesh's faces are faces of a B-rep.
+pub fn areas(found: &Recognised, whole_faces: bool) -> Vec<Area> {
+    let mesh = &found.mesh;
+    let mut out: Vec<Area> = (0..mesh.triangles.len())
+        .map(|t| {
+            let [a, b, c] = mesh.corners(t);
+            area(found, &Point::from((a.coords + b.coords + c.coords) / 3.0), mesh.normal(t).x)
+        })
+        .collect();
+    if whole_faces {
+        take_whole(found, &mut out);
+    }
+    out
+}
+
+fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
+    let r = &found.regions;
+    let [lo, hi] = r.airfoil_x_mm;
+    let length = (r.part_x_mm[1] - r.part_x_mm[0]).max(f64::MIN_POSITIVE);
+    let tolerance = 1e-3 * length;
+    if p.x > hi + tolerance || (p.x > hi - tolerance && n_x > FACES_TIP) {
+        return Area::Tip;
+    }
+    if p.x >= lo {
+        let beside = !within(found, p);
+        return match r.fillet_x_mm {
+            _ if beside => Area::Other,
+            Some([_, top]) if p.x < top => Area::Fillet,
+            _ => Area::Airfoil,
+        };
+    }
+    let platform = r.platform_x_mm.unwrap_or(f64::NEG_INFINITY);
+    if n_x > FACES_TIP && p.x > platform - DEEP * length {
+        return if r.platform_x_mm.is_some() { Area::Platform } else { Area::Root };
+    }
+    match r.fillet_x_mm {
+        Some([foot, _]) if p.x > foot + tolerance && within(found, p) => Area::Fillet,
+        _ => Area::Root,
+    }
+}
+
+/// Whether a point lies in the box of the airfoil's section at its height, or of the nearest.
+fn within(found: &Recognised, p: &Point) -> bool {
+    let nearest = found.outline.iter().min_by(|a, b| (a.0 - p.x).abs().total_cmp(&(b.0 - p.x).abs()));
+    let Some((_, b)) = nearest else { return true };
+    let margin = |k: usize| WIDER * (b[k + 2] - b[k]) + WIDER * (b[2] - b[0]).max(b[3] - b[1]);
+    let q = [p.y, p.z];
+    // A fillet is wider than the section that it ends in.
+    let wider = if found.regions.fillet_x_mm.is_some_and(|f| p.x < f[1]) { 6.0 } else { 1.0 };
+    (0..2).all(|k| q[k] > b[k] - wider * margin(k) && q[k] < b[k + 2] + wider * margin(k))
+}
+
+fn take_whole(found: &Recognised, out: &mut [Area]) {
+    let mesh = &found.mesh;
+    let mut surface: std::collections::BTreeMap<u32, std::collections::BTreeMap<Area, f64>> = Default::default();
+    for (t, area) in out.iter().enumerate() {
+        let [a, b, c] = mesh.corners(t);
+        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += 0.5 * (b - a).cross(&(c - a)).norm();
+    }
+    let whole: std::collections::BTreeMap<u32, Area> = surface
+        .iter()
+        .filter_map(|(face, by)| {
+            let total: f64 = by.values().sum();
+            by.iter().find(|(_, s)| **s >= WHOLE * total).map(|(area, _)| (*face, *area))
+        })
+        .collect();
+    for (t, area) in out.iter_mut().enumerate() {
+        if let Some(a) = whole.get(&mesh.face(t)) {
+            *area = *a;
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Everything that can be said of a model file, whether or not a plan can be made from it.
+//!
+//! In: loose triangles or exact faces from a reader. Out: a [`Survey`]: the part in the model frame, the diagnosis, and either the
+//! blade that was recognised or why there is none. A part that is open, that has edges with more than two triangles, that is
+//! badly wound or in several pieces is surveyed like any other. What a plan needs beyond that is asked by
+//! [`Survey::into_blade`].
+
+use std::path::Path;
+
+use super::heal::HealOptions;
+use super::recognise::areas::areas;
+use super::orient;
+use super::recognise::{self, Recognised};
+use super::sew;
+use super::soup::Soup;
+use super::step::StepShape;
+use super::units::{self, Guess};
+use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
+use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::boundary::openings;
+use crate::geometry::brep::Brep;
+use crate::geometry::mesh::{Mesh, topology};
+use crate::geometry::part::Part;
+use crate::observe::Observer;
+
+/// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
+const NO_VOLUME: f64 = 1e-9;
+
+/// What is in a model file.
+pub struct Survey {
+    /// The file's stem.
+    pub name: String,
+    /// Unit of the file.
+    pub unit: Unit,
+    /// The part in the model frame, mm.
+    pub part: Part,
+    /// What was found in the file.
+    pub diagnosis: Diagnosis,
+    /// Axis and regions, or why they were not found.
+    pub found: Result<Recognised>,
+    /// Names of faces or groups, in the order of their numbers from 1.
+    pub face_names: Vec<String>,
+    /// Why no plan may be made although a blade may have been found: a unit that was guessed, a part without volume.
+    pub obstacle: Option<Error>,
+}
+
+impl Survey {
+    /// What each triangle of the part belongs to; all [`Area::Other`] where no blade was found.
+    pub fn areas(&self) -> Vec<Area> {
+        match &self.found {
+            Ok(found) => areas(found, self.part.brep.is_some()),
+            Err(_) => vec![Area::Other; self.part.mesh.triangles.len()],
+        }
+    }
+
+    /// The blade, for planning.
+    ///
+    /// # Errors
+    /// `InputOutput`: a unit that had to be guessed, a part without volume, no blade recognised.
+    pub fn into_blade(self, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
+        if let Some(e) = self.obstacle {
+            return Err(e);
+        }
+        let found = self.found?;
+        let part = match self.part.brep {
+            // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
+            Some(brep) => {
+                Part::from_brep(brep.moved(&found.model_from_blade.inverse()), options.deflection_mm, observer)?
+            }
+            None => Part::from_mesh(found.mesh),
+        };
+        Ok(Blade {
+            name: self.name,
+            unit: self.unit,
+            part,
+            model_from_blade: found.model_from_blade,
+            regions: found.regions,
+            diagnosis: self.diagnosis,
+        })
+    }
+}
+
+/// Surveys exact faces.
+///
+/// # Errors
+/// Faces that cannot be meshed; cancellation.
+pub fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
+    // Before sewing and meshing: in a wrong unit their tolerances would be wrong too.
+    let guess = units::judge(path, edge_box(&shape.brep), shape.unit, options.unit.is_some());
+    if let Guess::Other { unit, .. } = &guess {
+        scale(&mut shape.brep, unit.mm() / shape.unit.mm());
+    }
+    let sewn = sew::sew(&mut shape.brep, SEW_MM);
+    let mut diagnosis = Diagnosis {
+        format: shape.format,
+        unit_reason: shape.unit_reason,
+        bodies: shape.bodies,
+        faces: kinds(&shape.brep),
+        notes: shape.notes,
+        ..Diagnosis::default()
+    };
+    if sewn.joined > 0 {
+        diagnosis.notes.push(format!(
+            "{} edges that faces did not share were joined, at most {:.2e} mm apart",
+            sewn.joined, sewn.gap_mm
+        ));
+    }
+    let (unit, obstacle) = guess.take(shape.unit, &mut diagnosis);
+    observer.check(Stage::Model)?;
+    let mut part = Part::from_brep(shape.brep, options.deflection_mm, observer)?;
+    observer.progress(Stage::Model, 1, 3);
+    if let Some(mut brep) = part.brep.take() {
+        diagnosis.notes.extend(orient::orient(&mut brep, &mut part.mesh));
+        part.brep = Some(brep);
+    }
+    let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
+    finish(path, unit, part, names, diagnosis, obstacle, options, observer)
+}
+
+/// Scales exact faces about the origin.
+fn scale(brep: &mut Brep, factor: f64) {
+    let poles = brep.faces.iter_mut().flat_map(|f| f.surface.points.iter_mut());
+    for p in poles.chain(brep.edges.iter_mut().flat_map(|e| e.curve.points.iter_mut())) {
+        p.x *= factor;
+        p.y *= factor;
+        p.z *= factor;
+    }
+}
+
+/// Surveys loose triangles.
+///
+/// # Errors
+/// No triangles, or coordinates that are not numbers.
+pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
+    let size = soup.size();
+    let (unit, unit_reason) = match (options.unit, soup.unit) {
+        (Some(unit), _) => (unit, format!("{}, as told", units::name(unit))),
+        (None, Some(unit)) => (unit, format!("{}, as the format prescribes", units::name(unit))),
+        (None, None) => (Unit::Mm, units::unnamed(size)),
+    };
+    let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, ..Diagnosis::default() };
+    diagnosis.faces = vec![("groups".into(), soup.groups.len())];
+    let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, options.unit.is_some());
+    let (unit, obstacle) = guess.take(unit, &mut diagnosis);
+    let heal = HealOptions { weld_mm: options.weld_mm, close_holes_mm: options.close_holes_mm };
+    let names = soup.groups.clone();
+    let healed = soup.heal(path, unit.mm(), &heal)?;
+    observer.check(Stage::Model)?;
+    observer.progress(Stage::Model, 1, 3);
+    diagnosis.notes.extend(healed.notes);
+    diagnosis.bodies = topology(&healed.mesh).components;
+    finish(path, unit, Part::from_mesh(healed.mesh), names, diagnosis, obstacle, options, observer)
+}
+
+/// Diagnoses the mesh and looks for the blade.
+#[allow(clippy::too_many_arguments)]
+fn finish(
+    path: &Path,
+    unit: Unit,
+    part: Part,
+    face_names: Vec<String>,
+    mut diagnosis: Diagnosis,
+    mut obstacle: Option<Error>,
+    options: &ModelOptions,
+    observer: &dyn Observer,
+) -> Result<Survey> {
+    diagnose(&part.mesh, &mut diagnosis);
+    let size = part.mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
+    if diagnosis.closed && part.mesh.volume_mm3() <= NO_VOLUME * size.powi(3) {
+        let e = Error::io(Stage::Model, format!("{} encloses no volume: it is a sheet, not a body", path.display()))
+            .advise("export the solid, not a surface or a profile");
+        obstacle.get_or_insert(e);
+    }
+    let found = recognise::recognise(&part.mesh, &face_names, options);
+    observer.progress(Stage::Model, 2, 3);
+    if let Ok(found) = &found {
+        diagnosis.notes.extend(found.doubts.iter().cloned());
+    }
+    Ok(Survey { name: stem(path), unit, part, diagnosis, found, face_names, obstacle })
+}
+
+/// Openings, edges and pieces of the mesh, model frame.
+fn diagnose(mesh: &Mesh, d: &mut Diagnosis) {
+    let t = topology(mesh);
+    d.closed = t.open_edges == 0;
+    d.pieces = t.components;
+    d.open_edges = t.open_edges;
+    d.nonmanifold_edges = t.nonmanifold_edges;
+    d.first_nonmanifold_edge = t.first_nonmanifold_edge.map(Into::into);
+    d.inconsistent_edges = t.inconsistent_edges;
+    d.openings = openings(mesh)
+        .iter()
+        .map(|o| Opening {
+            edges: o.edges(),
+            length_mm: o.length_mm(mesh),
+            width_mm: o.width_mm(mesh),
+            at_mm: o.vertices.first().map_or([0.0; 3], |v| mesh.points[*v as usize].into()),
+        })
+        .collect();
+    d.openings.sort_by(|a, b| b.length_mm.total_cmp(&a.length_mm));
+}
