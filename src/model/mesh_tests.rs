@@ -177,13 +177,18 @@ fn ply_polygons_and_strips() {
         + "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
     let soup = ply::read(Path::new("cube.ply"), cube.as_bytes()).unwrap();
     assert_eq!(soup.triangles.len(), 12);
-    assert!((soup.heal(Path::new("cube.ply"), 1.0).unwrap().mesh.volume_mm3() - 729.0).abs() < 1e-9);
+    assert!(
+        (soup.heal(Path::new("cube.ply"), 1.0, &super::heal::HealOptions::default()).unwrap().mesh.volume_mm3()
+            - 729.0)
+            .abs()
+            < 1e-9
+    );
     // The sides as one strip, the lids as two.
     let strips = head("element tristrips 1\nproperty list int int vertex_indices")
         + "20 4 0 5 1 6 2 7 3 4 0 -1 1 0 2 3 -1 4 5 7 6\n";
     let soup = ply::read(Path::new("strips.ply"), strips.as_bytes()).unwrap();
     assert_eq!(soup.triangles.len(), 12);
-    let healed = soup.heal(Path::new("strips.ply"), 1.0).unwrap();
+    let healed = soup.heal(Path::new("strips.ply"), 1.0, &super::heal::HealOptions::default()).unwrap();
     assert!((healed.mesh.volume_mm3() - 729.0).abs() < 1e-9 && healed.notes.is_empty(), "{:?}", healed.notes);
 }
 
@@ -241,7 +246,7 @@ fn a_mirrored_node_stays_wound_outward() {
     let path = folder.path().join("a.gltf");
     let json = json.replace(r#""scale":[2,2,2]"#, r#""scale":[-2,2,2]"#);
     let soup = gltf::read(&path, json.as_bytes()).unwrap();
-    let healed = soup.heal(&path, 1000.0).unwrap();
+    let healed = soup.heal(&path, 1000.0, &super::heal::HealOptions::default()).unwrap();
     assert!(healed.notes.is_empty(), "{:?}", healed.notes);
     assert!((healed.mesh.volume_mm3() / blade().volume_mm3() - 1.0).abs() < 1e-5);
 }
@@ -345,7 +350,7 @@ fn mutations_give_a_mesh_or_an_error() {
                 Ok(soup) => {
                     // No more than the bytes can hold.
                     assert!(soup.triangles.len() <= bytes.len(), "{} of {}", soup.triangles.len(), bytes.len());
-                    let _ = soup.heal(path, 1.0);
+                    let _ = soup.heal(path, 1.0, &super::heal::HealOptions::default());
                     read += 1;
                 }
                 Err(e) => {

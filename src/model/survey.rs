@@ -8,8 +8,8 @@
 use std::path::Path;
 
 use super::heal::HealOptions;
-use super::recognise::areas::areas;
 use super::orient;
+use super::recognise::areas::areas;
 use super::recognise::{self, Recognised};
 use super::sew;
 use super::soup::Soup;
@@ -136,7 +136,7 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     let size = soup.size();
     let (unit, unit_reason) = match (options.unit, soup.unit) {
         (Some(unit), _) => (unit, format!("{}, as told", units::name(unit))),
-        (None, Some(unit)) => (unit, format!("{}, as the format prescribes", units::name(unit))),
+        (None, Some(unit)) => (unit, format!("{}, as the format says", units::name(unit))),
         (None, None) => (Unit::Mm, units::unnamed(size)),
     };
     let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, ..Diagnosis::default() };
