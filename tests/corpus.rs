@@ -1,8 +1,13 @@
 //! Real blades from the folder that `BLADEWRIGHT_BLADES` names. They are not part of the repository (their licences do not
 //! allow it); where the variable is not set, each test says so and passes. Slow: `cargo nextest run --release --run-ignored only corpus`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use bladewright::artifact::blade::{Blade, Unit};
+use bladewright::geometry::Point;
+use bladewright::model::{self, ModelOptions};
+use bladewright::observe::Silent;
 
 fn blades() -> Option<PathBuf> {
     let folder = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from);
@@ -70,6 +75,86 @@ fn corpus_inspect_never_panics() {
             let text = String::from_utf8_lossy(&run.stderr);
             assert!(matches!(run.status.code(), Some(0..=4)), "{}\n{text}", path.display());
             assert!(!text.contains("panicked"), "{}\n{text}", path.display());
+        }
+    }
+}
+
+/// Headers of the tables of the corpus, `FOLDER` standing for its path.
+const ROTOR37: &str = r#"[sections]
+files = "FOLDER/rotor37/rotor37geometry.dat"
+unit = "cm"
+columns = ["skip", "z", "r", "theta1", "theta2"]
+"#;
+const HECC: &str = r#"[sections]
+files = "FOLDER/hecc_impeller_main/*section*.csv"
+unit = "inch"
+columns = ["x", "r*theta", "r"]
+"#;
+const P4119: &str = r#"[sections]
+files = "FOLDER/dtmb_p4119/PANELGRID.DAT"
+unit_mm = 152.0
+zones = ["blade 1"]
+"#;
+
+/// Greatest and mean distance, mm, of points of one blade (its tessellation's vertices, which lie on its faces) from the
+/// exact faces of another, both in the model frame; `turn` brings the first there.
+fn distances(a: &Blade, b: &Blade, turn: impl Fn(Point) -> Point) -> (f64, f64, Point) {
+    let found: Vec<(f64, Point)> = a
+        .part
+        .mesh
+        .points
+        .iter()
+        .filter_map(|p| {
+            let q = turn(a.model_from_blade * p);
+            let near = b.part.closest(&b.model_from_blade.inverse_transform_point(&q), f64::INFINITY)?;
+            Some((near.distance_mm, q))
+        })
+        .collect();
+    assert_eq!(found.len(), a.part.mesh.points.len());
+    let worst = found.iter().max_by(|x, y| x.0.total_cmp(&y.0)).copied().unwrap_or((f64::NAN, Point::origin()));
+    (worst.0, found.iter().map(|x| x.0).sum::<f64>() / found.len() as f64, worst.1)
+}
+
+fn read(path: &Path, unit: Option<Unit>) -> Blade {
+    let options = ModelOptions { unit, ..ModelOptions::default() };
+    model::load(path, &options, &Silent).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_try() {
+    let Some(folder) = blades() else { return };
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let header = |name: &str, text: &str| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, text.replace("FOLDER", &folder.to_string_lossy())).expect("header written");
+        path
+    };
+    let id = |p: Point| p;
+    let cases: Vec<(&str, PathBuf, Option<Unit>, &str)> = vec![
+        ("r37", header("r37.toml", ROTOR37), None, "rotor37/rotor37_DERIVED_loft_mm.step"),
+        ("r37curve", folder.join("rotor37/profile_R37.dat"), Some(Unit::Cm), "rotor37/rotor37_DERIVED_loft_mm.step"),
+        ("hecc", header("hecc.toml", HECC), None, "hecc_impeller_main/hecc_main_DERIVED_loft_mm.step"),
+        ("fan", folder.join("fan_sections/ori-sections.dat"), None, "fan_sections/fan_DERIVED_loft.step"),
+        ("p4119", header("p4119.toml", P4119), None, "dtmb_p4119/p4119_DERIVED_loft_mm.step"),
+        (
+            "case7",
+            folder.join("tblade3_case7288/blade3d.Case7-28-8.dat"),
+            None,
+            "tblade3_case7288/case7288_rotor_blade.step",
+        ),
+    ];
+    for (name, table, unit, step) in cases {
+        let (a, b) = (read(&table, unit), read(&folder.join(step), None));
+        for (label, turn) in [
+            ("as is", Box::new(id) as Box<dyn Fn(Point) -> Point>),
+            ("z,-y,x", Box::new(|p: Point| Point::new(p.z, -p.y, p.x))),
+            ("z,y,x", Box::new(|p: Point| Point::new(p.z, p.y, p.x))),
+            ("x,z,y", Box::new(|p: Point| Point::new(p.x, p.z, p.y))),
+            ("x,-z,y", Box::new(|p: Point| Point::new(p.x, -p.z, p.y))),
+        ] {
+            let (max, mean, at) = distances(&a, &b, &turn);
+            println!("{name} {label}: max {max:.5} mean {mean:.6} at {:.3} {:.3} {:.3}", at.x, at.y, at.z);
         }
     }
 }

@@ -6,6 +6,7 @@ use super::args::{Faces, Plan, Reading, Region};
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job::{self, Draft, JobFile};
+use crate::model;
 use crate::output::summary::{ScheduleFigures, Summary};
 use crate::pipeline::{self, Course, Outcome};
 
@@ -24,7 +25,8 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
 
 /// The job as typed: a job file, or a model with defaults; then the flags.
 fn draft(args: &Plan) -> Result<Draft> {
-    let is_job = args.input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    let is_toml = args.input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    let is_job = is_toml && !model::table::is_header_file(&args.input);
     let mut file = if is_job { job::load(&args.input)? } else { JobFile::from_model(&args.input) };
     read_as(&mut file, &args.reading)?;
     for assignment in &args.set {

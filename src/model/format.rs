@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::iges;
+use super::table;
 use crate::error::{Error, Result, Stage};
 
 /// A model format that can be read.
@@ -22,11 +23,12 @@ pub enum Format {
     Ply,
     /// glTF 2.0, as text or as GLB.
     Gltf,
+    /// A table of sections, or the header of one.
+    Sections,
 }
 
 /// Formats as messages list them.
-const KNOWN: &str =
-    "STEP (.step, .stp), IGES (.igs, .iges), OBJ (.obj), STL (.stl), PLY (.ply) and glTF (.glb, .gltf) can be read";
+const KNOWN: &str = "STEP (.step, .stp), IGES (.igs, .iges), OBJ (.obj), STL (.stl), PLY (.ply), glTF (.glb, .gltf) and tables of sections can be read";
 
 /// Decides the format of a file from its bytes and name.
 ///
@@ -71,6 +73,8 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
             Err(Error::io(Stage::Model, format!("{name}: models in .{extension} cannot be read"))
                 .advise(format!("{KNOWN}; export as STEP")))
         }
+        "toml" => Ok(Format::Sections),
+        _ if bytes.starts_with(b"+++") || table::direct::detect(bytes).is_some() => Ok(Format::Sections),
         _ if stl_kind(bytes) == Format::StlAscii || binary_stl_length(bytes) == Some(bytes.len()) => {
             Ok(stl_kind(bytes))
         }

@@ -1,6 +1,7 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
-//! In: a STEP, IGES, OBJ, STL, PLY or glTF file. Out: the whole part in the blade frame in mm, the blade frame, the regions, and a
+//! In: a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections. Out: the whole part in the blade frame in mm, the
+//! blade frame, the regions, and a
 //! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
@@ -25,6 +26,7 @@ pub mod soup;
 pub mod step;
 pub mod stl;
 pub mod survey;
+pub mod table;
 pub mod units;
 pub mod wind;
 
@@ -131,6 +133,7 @@ pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> R
         Format::Ply => survey::from_soup(path, ply::read(path, &bytes)?, options, observer),
         Format::Gltf => survey::from_soup(path, gltf::read(path, &bytes)?, options, observer),
         Format::Iges => survey::from_step(path, iges::read(path, &bytes, options.unit)?, options, observer),
+        Format::Sections => survey::from_step(path, table::read(path, &bytes, options.unit)?, options, observer),
     }?;
     observer.progress(Stage::Model, 3, 3);
     Ok(survey)

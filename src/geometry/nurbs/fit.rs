@@ -199,6 +199,41 @@ pub fn split_curve(curve: &NurbsCurve, t: f64) -> Result<(NurbsCurve, NurbsCurve
     Ok((curve(a), curve(b)))
 }
 
+/// The ruled surface between two curves of one degree: `v = 0` on `a`, `v = 1` on `b`, each at the same share of its
+/// parameters. The knots of each are inserted into the other, which leaves both curves as they were.
+///
+/// # Errors
+/// Degrees that differ, curves that are not clamped.
+pub fn ruled(a: &NurbsCurve, b: &NurbsCurve) -> Result<NurbsSurface, FitError> {
+    let unit = |c: &NurbsCurve| {
+        let rows = ControlRows { degree: c.degree, knots: c.knots.clone(), columns: 1, points: c.points.clone() };
+        check_clamped(&rows)?;
+        let (from, to) = (c.knots[0], c.knots[c.knots.len() - 1]);
+        let knots = c.knots.iter().map(|k| (k - from) / (to - from)).collect();
+        Ok(ControlRows { knots, ..rows })
+    };
+    let (mut a, mut b) = (unit(a)?, unit(b)?);
+    if a.degree != b.degree {
+        return Err(FitError::Count { what: "degree", expected: a.degree.to_string(), got: b.degree });
+    }
+    // Knots that differ by rounding are one.
+    for k in &mut b.knots {
+        *k = a.nearest_knot(*k);
+    }
+    let inner: Vec<f64> = a.knots.iter().chain(&b.knots).copied().filter(|k| *k > 0.0 && *k < 1.0).collect();
+    let count = |rows: &ControlRows, k: f64| rows.knots.iter().filter(|x| **x == k).count();
+    for k in inner {
+        let wanted = count(&a, k).max(count(&b, k));
+        for rows in [&mut a, &mut b] {
+            while count(rows, k) < wanted {
+                rows.insert(k);
+            }
+        }
+    }
+    let points = a.points.iter().zip(&b.points).flat_map(|(p, q)| [*p, *q]).collect();
+    ControlRows { points, columns: 2, ..a }.surface(1, vec![0.0, 0.0, 1.0, 1.0])
+}
+
 /// Cuts a surface at `u` into two that share the boundary there.
 pub fn split_surface_u(surface: &NurbsSurface, u: f64) -> Result<(NurbsSurface, NurbsSurface), FitError> {
     let rows = ControlRows {
@@ -327,7 +362,7 @@ pub fn surface_through_rows(rows: &ControlRows, params_v: &[f64], degree_v: usiz
 }
 
 /// Clamped interpolation along u of rows of `columns` points.
-fn interpolate_rows(
+pub fn interpolate_rows(
     points: &[Vector4<f64>],
     columns: usize,
     params: &[f64],
