@@ -1,8 +1,7 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
 //! In: a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections. Out: the whole part in the blade frame in mm, the
-//! blade frame, the regions, and a
-//! diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
+//! blade frame, the regions, and a diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
 //! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
 //!
 //! [`survey()`] tells what is in a file whatever its state; [`load`] goes on to a blade for planning.
