@@ -4,7 +4,7 @@
 pub mod boundary;
 pub mod brep;
 pub mod bvh;
-pub mod distance;
+pub mod exact;
 pub mod mesh;
 pub mod nurbs;
 pub mod part;

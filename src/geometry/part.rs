@@ -1,9 +1,10 @@
 //! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
 
 use super::brep::Brep;
-use super::bvh::{MeshBvh, Near};
-use super::distance::Exact;
+use super::bvh::MeshBvh;
+use super::exact::Exact;
 use super::mesh::Mesh;
+use super::nurbs::Principal;
 use super::tessellate::{Options, tessellate};
 use super::triangle::angle_at;
 use super::{Point, Vector};
@@ -37,8 +38,10 @@ pub struct Closest {
     pub normal: Vector,
     /// Face or group.
     pub face: u32,
-    /// Triangle from which it was found.
-    pub triangle: u32,
+    /// Parameters on that face; zero where the part is a mesh.
+    pub uv: [f64; 2],
+    /// Triangle that holds it, where the part is a mesh.
+    pub triangle: Option<u32>,
 }
 
 impl Part {
@@ -61,16 +64,21 @@ impl Part {
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
-    /// exact faces where the part has them ([`super::distance`]), on the mesh otherwise.
+    /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
-        let (Some(brep), Some(exact)) = (&self.brep, &self.exact) else { return self.closest_on_mesh(q, cap_mm) };
-        let first = self.bvh.closest(&self.mesh, q, cap_mm + self.deflection_mm)?;
-        let reach_mm = first.distance_mm + 2.0 * self.deflection_mm;
-        let mut near: Vec<Near> = Vec::with_capacity(16);
-        self.bvh.for_each_within(&self.mesh, q, reach_mm, |n| near.push(n));
-        near.sort_by(|a, b| a.distance_mm.total_cmp(&b.distance_mm).then(a.triangle.cmp(&b.triangle)));
-        let found = exact.closest(brep, &self.mesh, q, &near, reach_mm);
-        found.or_else(|| self.closest_on_mesh(q, cap_mm)).filter(|c| c.distance_mm <= cap_mm)
+        match (&self.brep, &self.exact) {
+            (Some(brep), Some(exact)) => exact.closest(brep, q, cap_mm),
+            _ => self.closest_on_mesh(q, cap_mm),
+        }
+    }
+
+    /// Principal curvatures of the part at a point of it, signed towards its outward normal (negative where convex, as on
+    /// a ball), with their directions. On an edge those of the face that the point names. `None` at a pole, and where the part
+    /// is a mesh.
+    pub fn curvature_at(&self, at: &Closest) -> Option<Principal> {
+        let face = self.brep.as_ref()?.faces.get(at.face as usize)?;
+        let found = face.surface.curvature(at.uv[0], at.uv[1])?;
+        Some(if face.reversed { found.seen_from_behind() } else { found })
     }
 
     /// Moves the part.
@@ -78,7 +86,9 @@ impl Part {
     pub fn moved(self, to_from: &super::Rigid) -> Self {
         let mesh = self.mesh.moved(to_from);
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: self.brep.map(|b| b.moved(to_from)), ..self }
+        let brep = self.brep.map(|b| b.moved(to_from));
+        let exact = self.exact.zip(brep.as_ref()).map(|(e, b)| e.moved(b, to_from));
+        Part { mesh, bvh, brep, exact, deflection_mm: self.deflection_mm }
     }
 
     /// As [`Self::closest`], to the triangles alone.
@@ -89,16 +99,21 @@ impl Part {
             distance_mm: near.distance_mm,
             normal: self.mesh.normal(near.triangle as usize),
             face: self.mesh.face(near.triangle as usize),
-            triangle: near.triangle,
+            uv: [0.0; 2],
+            triangle: Some(near.triangle),
         })
     }
 
-    /// Whether `q` lies inside the part's mesh; meaningful for a closed mesh with outward triangles.
+    /// Whether `q` lies inside the part; meaningful for a closed part with outward normals. Where the part has exact faces they
+    /// decide, up to the part itself ([`Exact::inside`]); on a mesh its triangles do:
     ///
     /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and Aanæs, *Signed distance
     /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.
     /// A point on the mesh counts as outside.
     pub fn inside(&self, q: &Point) -> bool {
+        if let (Some(brep), Some(exact)) = (&self.brep, &self.exact) {
+            return exact.inside(brep, q);
+        }
         let Some(near) = self.bvh.closest(&self.mesh, q, f64::INFINITY) else { return false };
         let direction = q - near.foot;
         // Triangles that meet at the foot are found by distance, so vertices need not be shared by index.

@@ -51,6 +51,15 @@ pub struct Principal {
     pub direction: [Vector; 2],
 }
 
+impl Principal {
+    /// The same curvatures, signed towards the opposite normal.
+    #[must_use]
+    pub fn seen_from_behind(&self) -> Self {
+        let [a, b] = self.direction;
+        Principal { curvature: [-self.curvature[1], -self.curvature[0]], direction: [b, a] }
+    }
+}
+
 impl SurfaceDerivatives {
     /// Unit normal `S_u × S_v`; `None` where the surface is degenerate (a pole, a cusp).
     pub fn normal(&self) -> Option<Vector> {

@@ -1,0 +1,164 @@
+//! Faces and edges cut into pieces small enough for good bounds.
+
+use rayon::prelude::*;
+
+use super::leaf::{Arc, Leaf, NO_BORDER, Rect, Shape, bends, extents, hull};
+use super::patch::{CurveTable, SurfaceTable};
+use super::trim::{Border, Kind, Region};
+use crate::geometry::brep::Brep;
+use crate::geometry::{Aabb, Point};
+
+/// Pieces are cut until they turn by no more than this to either side, sine.
+const TURN: f64 = 0.2;
+/// Pieces are cut until they are no thicker than this share of the part's diagonal.
+const THICKNESS: f64 = 2e-4;
+/// Pieces with more sides of loops than this are cut.
+const SIDES: usize = 6;
+/// No piece is cut that is smaller than this share of the part's diagonal, nor more often than [`DEEPEST`].
+const SMALLEST: f64 = 1e-5;
+const DEEPEST: usize = 24;
+
+/// The pieces of one face, with boxes along the axes.
+#[derive(Default)]
+pub(super) struct Pieces {
+    pub leaves: Vec<Leaf>,
+    pub boxes: Vec<Aabb>,
+    pub borders: Vec<Vec<Border>>,
+}
+
+/// The pieces of all faces, in order.
+pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], diagonal_mm: f64) -> Pieces {
+    let each: Vec<Pieces> =
+        (0..brep.faces.len()).into_par_iter().map(|f| face(brep, tables, regions, f, diagonal_mm)).collect();
+    let mut all = Pieces::default();
+    for mut one in each {
+        let base = all.borders.len() as u32;
+        one.leaves.iter_mut().filter(|l| l.border != NO_BORDER).for_each(|l| l.border += base);
+        all.leaves.append(&mut one.leaves);
+        all.boxes.append(&mut one.boxes);
+        all.borders.append(&mut one.borders);
+    }
+    all
+}
+
+/// Rectangles of a face: its spans, and what its loops need beyond the domain.
+fn rects(shape: &Shape, region: &Region, face: u32) -> Vec<Rect> {
+    let along = |a: usize| {
+        let mut out: Vec<(u32, [f64; 2])> = (0..shape.spans(a) as u32).map(|k| (k, [-1.0, 1.0])).collect();
+        let space = &region.trim.space;
+        let last = shape.spans(a) as u32 - 1;
+        for (span, side, end) in [(0, -1.0, 0), (last, 1.0, 1)] {
+            let [middle, half] = shape.frame(a, span);
+            let reach = (space.range[a][end] - middle) / half;
+            if !space.closed[a] && reach * side > 1.0 {
+                // Within the last span where it is short, beside it where it is long.
+                if reach * side < 1.5 {
+                    out[span as usize].1[end] = reach;
+                } else {
+                    out.push((span, if end == 0 { [reach, -1.0] } else { [1.0, reach] }));
+                }
+            }
+        }
+        out
+    };
+    let (us, vs) = (along(0), along(1));
+    let pair = |u: &(u32, [f64; 2]), v: &(u32, [f64; 2])| Rect { face, span: [u.0, v.0], range: [u.1, v.1] };
+    us.iter().flat_map(|u| vs.iter().map(|v| pair(u, v)).collect::<Vec<_>>()).collect()
+}
+
+fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usize, diagonal_mm: f64) -> Pieces {
+    let shape = Shape { surface: &brep.faces[f].surface, table: tables[f].as_ref() };
+    let region = &regions[f];
+    let mut out = Pieces::default();
+    for first in rects(&shape, region, f as u32) {
+        let mut open = vec![(first, region.kind(&shape, &first, None), 0)];
+        while let Some((rect, kind, depth)) = open.pop() {
+            let borders = match kind {
+                Kind::Outside => continue,
+                Kind::Inside => None,
+                Kind::Crossed(borders) => Some(borders),
+            };
+            let (points, row) = hull(&shape, &rect);
+            let leaf = Leaf::new(&shape, rect, &points);
+            if depth < DEEPEST
+                && let Some(along) = to_cut(&leaf, &points, row, borders.as_deref(), diagonal_mm)
+            {
+                let [a, b] = rect.halves(along);
+                for half in [b, a] {
+                    let kind = match &borders {
+                        Some(list) => region.kind(&shape, &half, Some(list)),
+                        None => Kind::Inside,
+                    };
+                    open.push((half, kind, depth + 1));
+                }
+                continue;
+            }
+            out.add(leaf, &points, borders);
+        }
+    }
+    out
+}
+
+/// The direction in which a piece is to be halved, if it is.
+fn to_cut(leaf: &Leaf, points: &[Point], row: usize, borders: Option<&[Border]>, diagonal_mm: f64) -> Option<usize> {
+    if leaf.slab.radius() < SMALLEST * diagonal_mm {
+        return None;
+    }
+    let bend = bends(points, row);
+    let size = extents(points, row);
+    let longer = usize::from(size[1] > size[0]);
+    let crowded = borders.is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
+    if leaf.slab.half[2] > THICKNESS * diagonal_mm || leaf.wild || leaf.turn[0] > TURN {
+        let more = usize::from(bend[1] > bend[0]);
+        // A twist bends neither way.
+        return Some(if bend[more] > 0.02 * size[more] { more } else { longer });
+    }
+    crowded.then_some(longer)
+}
+
+impl Pieces {
+    fn add(&mut self, mut leaf: Leaf, points: &[Point], borders: Option<Vec<Border>>) {
+        if let Some(borders) = borders {
+            leaf.border = self.borders.len() as u32;
+            self.borders.push(borders);
+        }
+        self.leaves.push(leaf);
+        // The slab's own box may be the smaller one for flat pieces, but the hull's is never wrong.
+        let around = Aabb::around(points).unwrap_or(Aabb { min: leaf.slab.middle, max: leaf.slab.middle });
+        self.boxes.push(around);
+    }
+}
+
+/// The pieces of one edge between its ends.
+pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64) -> Vec<Arc> {
+    let mut out = Vec::new();
+    for span in 0..table.spans.len() {
+        let [middle, half] = table.spans.frame(span);
+        let low = if span == 0 { f64::NEG_INFINITY } else { -1.0 };
+        let high = if span + 1 == table.spans.len() { f64::INFINITY } else { 1.0 };
+        let range = [((t[0] - middle) / half).max(low), ((t[1] - middle) / half).min(high)];
+        if range[0] >= range[1] {
+            continue;
+        }
+        let mut open = vec![(range, 0)];
+        while let Some((range, depth)) = open.pop() {
+            let arc = Arc::new(table, edge, span as u32, range);
+            let length = arc.length();
+            let straight = arc.radius <= THICKNESS * diagonal_mm && arc.bend.norm() * length <= 2.0 * TURN;
+            if straight || depth >= DEEPEST || length < SMALLEST * diagonal_mm {
+                out.push(arc);
+            } else {
+                let m = 0.5 * (range[0] + range[1]);
+                open.push(([m, range[1]], depth + 1));
+                open.push(([range[0], m], depth + 1));
+            }
+        }
+    }
+    out
+}
+
+/// Box of an arc along the axes.
+pub(super) fn arc_box(arc: &Arc) -> Aabb {
+    let r = crate::geometry::Vector::repeat(arc.radius);
+    Aabb { min: arc.ends[0].inf(&arc.ends[1]) - r, max: arc.ends[0].sup(&arc.ends[1]) + r }
+}

@@ -1,0 +1,183 @@
+//! The exact distance to trimmed NURBS faces.
+//!
+//! In: faces and edges, and their trimming in the parameter plane ([`super::tessellate`]). Out: the closest point of the part, with its
+//! face, parameters and normal; whether a point is inside.
+//!
+//! All faces are cut into small pieces ([`build`]), each a polynomial on a rectangle ([`patch`]), with a box in which it lies by the
+//! convex hull of its control points, and with bounds of its curvature ([`leaf`]). Pieces beyond the loops are left out, those that
+//! loops cross know the sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all of them ([`tree`]) is
+//! searched best first ([`search`]): the result is the least of all local minima on pieces that could hold a nearer point, and of all
+//! edges.
+//!
+//! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most [`trim::BEYOND_EDGE_MM`]
+//! beyond, so that smooth joints have no crack) or on an edge. No point of the part is nearer by more than 10⁻⁷ mm, as far as the
+//! curvature of a piece lies within the bounds measured on it. The answer depends on nothing but part and point.
+//!
+//! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples instead of control points, and are
+//! slower.
+
+mod build;
+mod leaf;
+mod patch;
+mod search;
+mod sign;
+mod tree;
+mod trim;
+
+#[cfg(test)]
+mod tests;
+
+use super::brep::Brep;
+use super::nurbs::foot::{ParameterSpace, SurfaceFoot};
+use super::nurbs::{NurbsSurface, SurfaceDerivatives};
+use super::part::Closest;
+use super::tessellate::{Chord, Tessellation};
+use super::{Aabb, Point, Vector};
+use leaf::{Arc, Leaf, Shape};
+use patch::{CurveTable, SurfaceTable};
+use search::{Found, On};
+use sign::Corners;
+use tree::Tree;
+use trim::{Border, Region};
+
+/// Everything that queries to exact faces need besides the faces.
+#[derive(Clone, Debug)]
+pub struct Exact {
+    regions: Vec<Region>,
+    chords: Vec<Chord>,
+    tables: Vec<Option<SurfaceTable>>,
+    curves: Vec<CurveTable>,
+    leaves: Vec<Leaf>,
+    borders: Vec<Vec<Border>>,
+    arcs: Vec<Arc>,
+    tree: Tree,
+    corners: Corners,
+}
+
+impl Exact {
+    /// From a tessellation, for its faces.
+    pub fn new(t: &Tessellation) -> Self {
+        let regions: Vec<Region> = t.trims.iter().map(|trim| Region::new(trim.clone())).collect();
+        let corners = Corners::new(t, &regions);
+        Self::cut(&t.brep, regions, t.chords.clone(), corners)
+    }
+
+    /// For the same faces after a rigid motion; `brep` is the moved one.
+    #[must_use]
+    pub fn moved(self, brep: &Brep, to_from: &super::Rigid) -> Self {
+        Self::cut(brep, self.regions, self.chords, self.corners.moved(to_from))
+    }
+
+    fn cut(brep: &Brep, regions: Vec<Region>, chords: Vec<Chord>, corners: Corners) -> Self {
+        use rayon::prelude::*;
+        let tables: Vec<Option<SurfaceTable>> = brep.faces.par_iter().map(|f| SurfaceTable::new(&f.surface)).collect();
+        let curves: Vec<CurveTable> = brep.edges.iter().map(|e| CurveTable::new(&e.curve)).collect();
+        let diagonal_mm = size(brep);
+        let pieces = build::faces(brep, &tables, &regions, diagonal_mm);
+        let mut arcs = Vec::new();
+        for (e, edge) in brep.edges.iter().enumerate() {
+            if corners.bounds_faces(e) {
+                arcs.extend(build::arcs(&curves[e], e as u32, edge.t, diagonal_mm));
+            }
+        }
+        let mut boxes = pieces.boxes;
+        boxes.extend(arcs.iter().map(build::arc_box));
+        let tree = Tree::new(&boxes);
+        Exact { regions, chords, tables, curves, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
+    }
+
+    fn shape<'a>(&'a self, brep: &'a Brep, face: u32) -> Shape<'a> {
+        Shape { surface: &brep.faces[face as usize].surface, table: self.tables[face as usize].as_ref() }
+    }
+
+    /// The closest point of the part to `q`; `None` where that is farther than `cap_mm`.
+    pub fn closest(&self, brep: &Brep, q: &Point, cap_mm: f64) -> Option<Closest> {
+        let found = search::closest(self, brep, q, cap_mm)?;
+        Some(self.finish(brep, q, &found))
+    }
+
+    fn finish(&self, brep: &Brep, q: &Point, found: &Found) -> Closest {
+        let (face, uv, normal) = match found.on {
+            On::Face { face, uv, normal } => {
+                let outward = if brep.faces[face as usize].reversed { -normal } else { normal };
+                let unit = outward.try_normalize(0.0).or_else(|| self.normal_near(brep, face, uv));
+                (face, uv, unit)
+            }
+            On::Edge { edge, t } => self.beside(brep, q, &found.point, edge, t),
+        };
+        let toward = || (q - found.point).try_normalize(0.0).unwrap_or_else(Vector::z);
+        Closest {
+            point: found.point,
+            distance_mm: found.d2.sqrt(),
+            normal: normal.unwrap_or_else(toward),
+            face,
+            uv,
+            triangle: None,
+        }
+    }
+
+    /// Of the faces that meet in an edge the one that faces `q` most: number, parameters, outward normal.
+    fn beside(&self, brep: &Brep, q: &Point, at: &Point, edge: u32, t: f64) -> (u32, [f64; 2], Option<Vector>) {
+        let toward = q - at;
+        let mut best: Option<(f64, (u32, [f64; 2], Option<Vector>))> = None;
+        for (face, guess) in self.corners.faces_at(edge, t) {
+            let (uv, normal) = self.normal_on(brep, face, guess, at);
+            let facing = normal.map_or(f64::NEG_INFINITY, |n| n.dot(&toward));
+            if best.is_none_or(|b| facing > b.0) {
+                best = Some((facing, (face, uv, normal)));
+            }
+        }
+        best.map_or((0, [0.0; 2], None), |b| b.1)
+    }
+
+    /// Parameters and outward normal on a face of a point that lies on it, from a guess at the parameters.
+    fn normal_on(&self, brep: &Brep, face: u32, guess: [f64; 2], at: &Point) -> ([f64; 2], Option<Vector>) {
+        let f = &brep.faces[face as usize];
+        let space = &self.regions[face as usize].trim.space;
+        let foot: SurfaceFoot = f.surface.foot(at, guess, space);
+        let uv = space.normal_form(foot.uv);
+        let pole = is_pole(&foot.at, space);
+        let normal = foot.at.normal().filter(|_| !pole).map(|m| if f.reversed { -m } else { m });
+        (uv, normal.or_else(|| self.normal_near(brep, face, uv)))
+    }
+
+    /// The mean outward normal round a pole.
+    fn normal_near(&self, brep: &Brep, face: u32, uv: [f64; 2]) -> Option<Vector> {
+        let f = &brep.faces[face as usize];
+        let domain = f.surface.domain();
+        let at = f.surface.derivatives(uv[0], uv[1]);
+        let length = |d: &Vector, a: usize| d.norm() * (domain[a][1] - domain[a][0]);
+        let free = usize::from(length(&at.dv, 1) < length(&at.du, 0));
+        let normal = |k: u32| {
+            let [from, to] = domain[free];
+            let mut near = uv;
+            near[free] = from + (to - from) * (f64::from(k) + 0.5) / 24.0;
+            near[1 - free] += 1e-4 * (0.5 * (domain[1 - free][0] + domain[1 - free][1]) - uv[1 - free]);
+            f.surface.normal(near[0], near[1])
+        };
+        let sum: Vector = (0..24).filter_map(normal).sum();
+        sum.try_normalize(1e-9).map(|m| if f.reversed { -m } else { m })
+    }
+
+    /// Number of pieces of faces and of edges.
+    pub fn pieces(&self) -> [usize; 2] {
+        [self.leaves.len(), self.arcs.len()]
+    }
+}
+
+/// A whole round shorter than this is a pole, mm.
+const POLE_MM: f64 = 1e-5;
+
+/// Whether one parameter, over its whole range, moves the point by next to nothing.
+fn is_pole(at: &SurfaceDerivatives, space: &ParameterSpace) -> bool {
+    at.du.norm() * space.period(0) < POLE_MM || at.dv.norm() * space.period(1) < POLE_MM
+}
+
+/// Diagonal of the box of the edges' control points, or of the faces' where there are no edges, mm.
+fn size(brep: &Brep) -> f64 {
+    let points = |h: &nalgebra::Vector4<f64>| Point::from(h.xyz() / h.w);
+    let edges: Vec<Point> = brep.edges.iter().flat_map(|e| e.curve.points.iter().map(points)).collect();
+    let all = |s: &NurbsSurface| s.points.iter().map(points).collect::<Vec<_>>();
+    let faces = || brep.faces.iter().flat_map(|f| all(&f.surface)).collect::<Vec<_>>();
+    Aabb::around(&if edges.is_empty() { faces() } else { edges }).map_or(0.0, |b| b.diagonal_mm())
+}

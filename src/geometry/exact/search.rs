@@ -1,0 +1,496 @@
+//! The search for the closest point: best first over the tree, Newton on each piece that can hold it.
+//!
+//! A piece is left out when the box in which it lies is no nearer than the best point known, or when it bends towards the query
+//! point more than a sphere about it everywhere (then it has no local minimum inside). Otherwise Newton finds its minimum. That
+//! is the only one if the distance is convex there, which follows from the bounds on the piece's curvature; if that does
+//! not follow, the Hessian's bound says by how much another one could be nearer, and where that is more than
+//! [`NEGLIGIBLE_MM`] the piece is halved and its halves are searched.
+
+use std::cell::Cell;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::Exact;
+use super::leaf::{Arc, Leaf, NO_BORDER, Shape, extents, hull};
+use super::patch::CurveTable;
+use super::tree::{Child, Seen};
+use crate::geometry::brep::Brep;
+use crate::geometry::nurbs::SurfaceDerivatives;
+use crate::geometry::{Point, Vector};
+
+/// A minimum that could be nearer by no more than this is not looked for, mm.
+pub(super) const NEGLIGIBLE_MM: f64 = 1e-7;
+/// Newton's last step, mm: after it the foot is right to the square of this over the radius of curvature.
+const LAST_STEP_MM: f64 = 1e-5;
+const MOST_STEPS: usize = 30;
+/// No piece is halved more often.
+const DEEPEST: u32 = 48;
+/// A query halves at most this many pieces: a bound on its time, met only about a point from which everything is equally far.
+const MOST_CUTS: u32 = 20_000;
+
+/// The closest point, and what it lies on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub d2: f64,
+    pub point: Point,
+    pub on: On,
+}
+
+/// What a foot lies on.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum On {
+    /// A face, at these of its parameters, with this normal `S_u × S_v` (not of unit length; zero at a pole).
+    Face { face: u32, uv: [f64; 2], normal: Vector },
+    /// An edge, at this parameter.
+    Edge { edge: u32, t: f64 },
+}
+
+/// Something to look at: a node, a piece of a face, of an edge, or a piece of a piece.
+type Entry = Reverse<(u64, u32)>;
+const LEAF: u64 = 1;
+const PART_OF_LEAF: u64 = 2;
+const PART_OF_ARC: u64 = 3;
+
+thread_local! {
+    /// Storage that queries of one thread use one after another.
+    static HEAP: Cell<BinaryHeap<Entry>> = const { Cell::new(BinaryHeap::new()) };
+}
+
+/// A squared distance that sorts as an integer, with two bits for what it belongs to. Rounded down by a part in 2⁵⁰.
+fn key(d2: f64, what: u64) -> u64 {
+    (d2.to_bits() & !3) | what
+}
+
+struct Search<'a> {
+    exact: &'a Exact,
+    brep: &'a Brep,
+    q: Point,
+    best: Option<Found>,
+    limit2: f64,
+    leaves: Vec<(Leaf, u32)>,
+    arcs: Vec<(Arc, u32)>,
+    cuts: u32,
+}
+
+/// The closest point no farther than `cap_mm`.
+pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Option<Found> {
+    if !q.coords.iter().all(|x| x.is_finite()) || exact.tree.is_empty() || !(cap_mm >= 0.0) {
+        return None;
+    }
+    let mut heap = HEAP.take();
+    heap.clear();
+    let mut search = Search {
+        exact,
+        brep,
+        q: *q,
+        best: None,
+        // One ulp or so more keeps a point at the cap itself.
+        limit2: (cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON)).min(f64::MAX),
+        leaves: Vec::new(),
+        arcs: Vec::new(),
+        cuts: 0,
+    };
+    search.run(&mut heap);
+    let best = search.best;
+    HEAP.set(heap);
+    best
+}
+
+impl Search<'_> {
+    fn run(&mut self, heap: &mut BinaryHeap<Entry>) {
+        let seen = self.exact.tree.see(&self.q);
+        self.open(0, &seen, heap);
+        while let Some(Reverse((k, id))) = heap.pop() {
+            if f64::from_bits(k & !3) >= self.limit2 {
+                break;
+            }
+            match k & 3 {
+                LEAF => {
+                    let leaves = self.exact.leaves.len() as u32;
+                    if id < leaves {
+                        let exact = self.exact;
+                        self.face_piece(&exact.leaves[id as usize], 0, heap);
+                    } else {
+                        let exact = self.exact;
+                        self.edge_piece(&exact.arcs[(id - leaves) as usize], 0, heap);
+                    }
+                }
+                PART_OF_LEAF => {
+                    let (leaf, depth) = self.leaves[id as usize];
+                    self.face_piece(&leaf, depth, heap);
+                }
+                PART_OF_ARC => {
+                    let (arc, depth) = self.arcs[id as usize];
+                    self.edge_piece(&arc, depth, heap);
+                }
+                _ => self.open(id, &seen, heap),
+            }
+        }
+    }
+
+    fn open(&mut self, node: u32, seen: &Seen, heap: &mut BinaryHeap<Entry>) {
+        let (exact, q, limit2) = (self.exact, self.q, self.limit2);
+        let leaves = exact.leaves.len() as u32;
+        exact.tree.open(
+            node,
+            seen,
+            || limit2,
+            |child, d2| match child {
+                Child::Node(n) => heap.push(Reverse((key(d2, 0), n))),
+                Child::Item(i) => {
+                    let own = if i < leaves {
+                        exact.leaves[i as usize].slab.distance2(&q)
+                    } else {
+                        exact.arcs[(i - leaves) as usize].distance2(&q)
+                    };
+                    if own < limit2 {
+                        heap.push(Reverse((key(own, LEAF), i)));
+                    }
+                }
+            },
+        );
+    }
+
+    fn keep(&mut self, d2: f64, point: Point, on: On) {
+        if d2 < self.limit2 {
+            self.limit2 = d2;
+            self.best = Some(Found { d2, point, on });
+        }
+    }
+
+    /// Looks for the closest point of a piece of a face.
+    fn face_piece(&mut self, leaf: &Leaf, depth: u32, heap: &mut BinaryHeap<Entry>) {
+        let shape = self.exact.shape(self.brep, leaf.rect.face);
+        let mut bend = leaf.bend_at(&self.q);
+        if matches!(bend, Bend::Unsure(_)) && !leaf.wild {
+            bend = leaf.bend_sampled(&shape, &self.q);
+        }
+        if bend == Bend::NoMinimum {
+            return;
+        }
+        let foot = foot_on_piece(&shape, leaf, &self.q);
+        if foot.d2 < self.limit2 && self.counts(&shape, leaf, &foot) {
+            let uv = shape.uv(leaf.rect.span, foot.st);
+            let normal = foot.at.du.cross(&foot.at.dv);
+            // Of a pole's normal only rounding is left.
+            let size = foot.at.du.norm() * foot.at.dv.norm();
+            let normal = if normal.norm() > 1e-10 * size { normal } else { Vector::zeros() };
+            self.keep(foot.d2, foot.point, On::Face { face: leaf.rect.face, uv, normal });
+        }
+        let beyond = match bend {
+            Bend::Unsure(beyond) => beyond,
+            _ if foot.settled => return,
+            _ => f64::INFINITY,
+        };
+        // Nothing in the piece is nearer than this: Taylor with the least eigenvalue of the Hessian.
+        let across = 2.0 * leaf.slab.radius();
+        let least2 = if foot.settled { foot.d2 - beyond * across * across } else { f64::NEG_INFINITY };
+        if least2 >= self.worth(foot.d2) || depth >= DEEPEST || self.cuts >= MOST_CUTS {
+            return;
+        }
+        self.cuts += 1;
+        let (points, row) = hull(&shape, &leaf.rect);
+        let size = extents(&points, row);
+        for half in leaf.rect.halves(usize::from(size[1] > size[0])) {
+            let (points, _) = hull(&shape, &half);
+            let mut child = Leaf::new(&shape, half, &points);
+            child.border = leaf.border;
+            let d2 = child.slab.distance2(&self.q);
+            if d2 < self.worth(d2) {
+                heap.push(Reverse((key(d2, PART_OF_LEAF), self.leaves.len() as u32)));
+                self.leaves.push((child, depth + 1));
+            }
+        }
+    }
+
+    /// What a squared distance must be below to be worth looking for.
+    fn worth(&self, d2: f64) -> f64 {
+        let at = d2.max(0.0).min(self.limit2);
+        self.limit2 - 2.0 * NEGLIGIBLE_MM * at.sqrt() - NEGLIGIBLE_MM * NEGLIGIBLE_MM
+    }
+
+    /// Whether a foot belongs to its face.
+    fn counts(&self, shape: &Shape, leaf: &Leaf, foot: &Foot) -> bool {
+        if leaf.border == NO_BORDER {
+            return true;
+        }
+        // Where the piece ends and the distance still falls, the next piece or an edge is nearer.
+        let r = self.q - foot.point;
+        let slope = |d: &Vector| r.dot(d).abs() > 1e-6 * d.norm() * r.norm().max(1e-3);
+        let (nu, nv) = (foot.at.du.norm(), foot.at.dv.norm());
+        let pole = nu.min(nv) < 1e-9 * nu.max(nv);
+        if !pole && (slope(&foot.at.du) || slope(&foot.at.dv)) {
+            return false;
+        }
+        let region = &self.exact.regions[leaf.rect.face as usize];
+        let [hu, hv] = [0, 1].map(|a| shape.frame(a, leaf.rect.span[a])[1]);
+        let at = SurfaceDerivatives { p: foot.point, du: foot.at.du / hu, dv: foot.at.dv / hv, ..foot.at };
+        let uv = shape.uv(leaf.rect.span, foot.st);
+        region.holds(self.brep, &self.exact.chords, &self.exact.borders[leaf.border as usize], uv, &at)
+    }
+
+    /// Looks for the closest point of a piece of an edge.
+    fn edge_piece(&mut self, arc: &Arc, depth: u32, heap: &mut BinaryHeap<Entry>) {
+        let table = &self.exact.curves[arc.edge as usize];
+        let foot = foot_on_arc(table, arc, &self.q);
+        if foot.d2 < self.limit2 {
+            let [middle, half] = table.spans.frame(arc.span as usize);
+            self.keep(foot.d2, foot.point, On::Edge { edge: arc.edge, t: middle + half * foot.s });
+        }
+        let mut beyond = arc.beyond(&self.q);
+        if beyond > 0.0 && beyond.is_finite() {
+            beyond = arc.beyond_sampled(table, &self.q);
+        }
+        if beyond <= 0.0 && foot.settled {
+            return;
+        }
+        let beyond = if foot.settled { beyond } else { f64::INFINITY };
+        let length = arc.length() * 1.1;
+        let least2 = if foot.settled { foot.d2 - beyond * length * length } else { f64::NEG_INFINITY };
+        if least2 >= self.worth(foot.d2) || depth >= DEEPEST || self.cuts >= MOST_CUTS {
+            return;
+        }
+        self.cuts += 1;
+        let middle = 0.5 * (arc.range[0] + arc.range[1]);
+        for range in [[arc.range[0], middle], [middle, arc.range[1]]] {
+            let child = Arc::new(table, arc.edge, arc.span, range);
+            let d2 = child.distance2(&self.q);
+            if d2 < self.worth(d2) {
+                heap.push(Reverse((key(d2, PART_OF_ARC), self.arcs.len() as u32)));
+                self.arcs.push((child, depth + 1));
+            }
+        }
+    }
+}
+
+/// What the curvature of a piece says about minima of the distance on it.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Bend {
+    /// Convex: one minimum.
+    One,
+    /// None inside.
+    NoMinimum,
+    /// The Hessian of half the squared distance may have eigenvalues down to minus this.
+    Unsure(f64),
+}
+
+impl Leaf {
+    /// Bounds of `1 - κ s` for all curvatures `κ` of the piece, with `s` the height of `q` above its tangent planes.
+    pub(super) fn bend_at(&self, q: &Point) -> Bend {
+        if self.wild {
+            return Bend::Unsure(f64::INFINITY);
+        }
+        let r = q - self.slab.middle;
+        let height = r.dot(&self.slab.axes[2]);
+        let aside = (r.norm_squared() - height * height).max(0.0).sqrt() + self.slab.radius();
+        let slack = self.slab.half[2] * 2.0 + height.abs() * self.turn[1] + aside * self.turn[0];
+        let (low, high) = (height - slack, height + slack);
+        let most =
+            (self.greater[1] * high).max(self.greater[1] * low).max(self.lesser[0] * low).max(self.lesser[0] * high);
+        if most < 1.0 {
+            return Bend::One;
+        }
+        if (low > 0.0 && self.greater[0] * low > 1.0) || (high < 0.0 && self.lesser[1] * high > 1.0) {
+            return Bend::NoMinimum;
+        }
+        Bend::Unsure(most - 1.0)
+    }
+
+    /// The same from 3 × 3 places, with half of what they differ by as a margin: dearer, but not misled where a query point is
+    /// the centre of curvature of the whole piece.
+    fn bend_sampled(&self, shape: &Shape, q: &Point) -> Bend {
+        // The greatest eigenvalue of the product of curvature and height, at its least and at its greatest.
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..3 {
+            for j in 0..3 {
+                let at = |a: usize, k: usize| {
+                    let [from, to] = self.rect.range[a];
+                    from + (to - from) * 0.5 * k as f64
+                };
+                let d = shape.local(self.rect.span, [at(0, i), at(1, j)]);
+                let (Some(n), Some(p)) = (d.normal(), d.principal()) else { return Bend::Unsure(f64::INFINITY) };
+                let s = (q - d.p).dot(&n);
+                let here = (p.curvature[0] * s).max(p.curvature[1] * s);
+                (least, most) = (least.min(here), most.max(here));
+            }
+        }
+        let margin = 0.5 * (most - least);
+        if most + margin < 1.0 {
+            Bend::One
+        } else if least - margin > 1.0 {
+            Bend::NoMinimum
+        } else {
+            Bend::Unsure(most + margin - 1.0)
+        }
+    }
+}
+
+impl Arc {
+    /// How far below zero the second derivative of half the squared distance by arc length may be; not positive where convex.
+    fn beyond(&self, q: &Point) -> f64 {
+        let middle = nalgebra::center(&self.ends[0], &self.ends[1]);
+        let reach = 0.5 * (self.ends[1] - self.ends[0]).norm() + self.radius;
+        let r = q - middle;
+        self.bend.dot(&r) + self.bend.norm() * reach + self.bend_spread * (r.norm() + reach) - 1.0
+    }
+
+    /// The same from three places, with half of what they differ by as a margin.
+    fn beyond_sampled(&self, table: &CurveTable, q: &Point) -> f64 {
+        let [from, to] = self.range;
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for s in [from, 0.5 * (from + to), to] {
+            let (p, d1, d2) = table.local(self.span as usize, s);
+            let Some(bend) = super::leaf::bend(&d1, &d2) else { return f64::INFINITY };
+            let here = bend.dot(&(q - p));
+            (least, most) = (least.min(here), most.max(here));
+        }
+        most + 0.5 * (most - least) - 1.0
+    }
+}
+
+/// Where Newton ended on a piece of a face.
+struct Foot {
+    st: [f64; 2],
+    point: Point,
+    d2: f64,
+    /// Derivatives, by the span's coordinates.
+    at: SurfaceDerivatives,
+    /// It is a minimum of the piece, sides included.
+    settled: bool,
+}
+
+/// Newton for ½|S − q|² on a rectangle; at its sides along them. Where the Hessian is not positive definite a Gauss–Newton step,
+/// where the distance would grow a shorter one.
+fn foot_on_piece(shape: &Shape, leaf: &Leaf, q: &Point) -> Foot {
+    let [[s0, s1], [t0, t1]] = leaf.rect.range;
+    let clamp = |st: [f64; 2]| [st[0].max(s0).min(s1), st[1].max(t0).min(t1)];
+    let r = q - leaf.slab.middle;
+    let mut st = clamp([leaf.start[0] + leaf.inverse[0].dot(&r), leaf.start[1] + leaf.inverse[1].dot(&r)]);
+    let mut at = shape.local(leaf.rect.span, st);
+    let mut d2 = (at.p - q).norm_squared();
+    let mut settled = false;
+    for _ in 0..MOST_STEPS {
+        let step = newton_step(&at, &(at.p - q), st, [[s0, s1], [t0, t1]]);
+        let next = clamp([st[0] + step[0], st[1] + step[1]]);
+        let d = [next[0] - st[0], next[1] - st[1]];
+        let length = (at.du * d[0] + at.dv * d[1]).norm();
+        if length < LAST_STEP_MM {
+            // So near, Taylor's polynomial is the surface.
+            let by = at.du * d[0]
+                + at.dv * d[1]
+                + at.duu * (0.5 * d[0] * d[0])
+                + at.duv * (d[0] * d[1])
+                + at.dvv * (0.5 * d[1] * d[1]);
+            at.p += by;
+            at.du += at.duu * d[0] + at.duv * d[1];
+            at.dv += at.duv * d[0] + at.dvv * d[1];
+            st = next;
+            d2 = (at.p - q).norm_squared();
+            settled = true;
+            break;
+        }
+        let mut share = 1.0;
+        let mut moved = false;
+        for _ in 0..12 {
+            let trial = [st[0] + share * d[0], st[1] + share * d[1]];
+            let there = shape.local(leaf.rect.span, trial);
+            let new2 = (there.p - q).norm_squared();
+            if new2 <= d2 * (1.0 + 1e-13) + 1e-24 {
+                (st, at, d2, moved) = (trial, there, new2, true);
+                break;
+            }
+            share *= 0.3;
+        }
+        if !moved {
+            break;
+        }
+    }
+    Foot { st, point: at.p, d2, at, settled }
+}
+
+/// The step in both parameters, or in the one that is free where the other is held by a side of the rectangle.
+fn newton_step(at: &SurfaceDerivatives, r: &Vector, st: [f64; 2], range: [[f64; 2]; 2]) -> [f64; 2] {
+    let g = [r.dot(&at.du), r.dot(&at.dv)];
+    let (e, f, gg) = (at.du.norm_squared(), at.du.dot(&at.dv), at.dv.norm_squared());
+    let (mut a, mut b, mut c) = (e + r.dot(&at.duu), f + r.dot(&at.duv), gg + r.dot(&at.dvv));
+    let indefinite = a <= 1e-6 * e || a * c - b * b <= 1e-6 * e * gg;
+    if indefinite {
+        (a, b, c) = (e, f, gg);
+    }
+    let alone = |g: f64, h: f64| if h > 0.0 { -g / h } else { 0.0 };
+    let held = |k: usize, step: f64| (st[k] <= range[k][0] && step < 0.0) || (st[k] >= range[k][1] && step > 0.0);
+    let det = a * c - b * b;
+    let both = if det > 1e-12 * a * c {
+        [(b * g[1] - c * g[0]) / det, (b * g[0] - a * g[1]) / det]
+    } else {
+        // Degenerate (a pole): each direction by itself, at half length.
+        [0.5 * alone(g[0], a), 0.5 * alone(g[1], c)]
+    };
+    match (held(0, -g[0]), held(1, -g[1])) {
+        (true, true) => [0.0, 0.0],
+        (true, false) => [0.0, alone(g[1], c)],
+        (false, true) => [alone(g[0], a), 0.0],
+        (false, false) => {
+            // A step beyond a side ends on it; the other parameter then goes to its own minimum there.
+            let over = |k: usize| {
+                let x = st[k] + both[k];
+                if x < range[k][0] {
+                    Some(range[k][0] - st[k])
+                } else if x > range[k][1] {
+                    Some(range[k][1] - st[k])
+                } else {
+                    None
+                }
+            };
+            match (over(0), over(1)) {
+                (Some(ds), None) => [ds, alone(g[1] + b * ds, c)],
+                (None, Some(dt)) => [alone(g[0] + b * dt, a), dt],
+                _ => both,
+            }
+        }
+    }
+}
+
+/// Where Newton ended on a piece of an edge.
+struct ArcFoot {
+    s: f64,
+    point: Point,
+    d2: f64,
+    settled: bool,
+}
+
+fn foot_on_arc(table: &CurveTable, arc: &Arc, q: &Point) -> ArcFoot {
+    let [from, to] = arc.range;
+    let d = arc.ends[1] - arc.ends[0];
+    let share = if d.norm_squared() > 0.0 { (q - arc.ends[0]).dot(&d) / d.norm_squared() } else { 0.5 };
+    let mut s = from + share.clamp(0.0, 1.0) * (to - from);
+    let (mut p, mut d1, mut d2) = table.local(arc.span as usize, s);
+    let mut best = (p - q).norm_squared();
+    for _ in 0..MOST_STEPS {
+        let r = p - q;
+        let (g, gauss) = (r.dot(&d1), d1.norm_squared());
+        let newton = gauss + r.dot(&d2);
+        let h = if newton > 1e-6 * gauss { newton } else { gauss };
+        let step = if h > 0.0 { (s - g / h).clamp(from, to) - s } else { 0.0 };
+        if step.abs() * d1.norm() < LAST_STEP_MM {
+            p += d1 * step + d2 * (0.5 * step * step);
+            return ArcFoot { s: s + step, point: p, d2: (p - q).norm_squared(), settled: true };
+        }
+        let mut scale = 1.0;
+        let mut moved = false;
+        for _ in 0..12 {
+            let next = s + scale * step;
+            let at = table.local(arc.span as usize, next);
+            let new2 = (at.0 - q).norm_squared();
+            if new2 <= best * (1.0 + 1e-13) + 1e-24 {
+                (s, p, d1, d2, best, moved) = (next, at.0, at.1, at.2, new2, true);
+                break;
+            }
+            scale *= 0.3;
+        }
+        if !moved {
+            break;
+        }
+    }
+    ArcFoot { s, point: p, d2: best, settled: false }
+}
