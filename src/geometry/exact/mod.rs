@@ -117,9 +117,9 @@ impl Exact {
     }
 
     /// Of the faces that meet in an edge the one that faces `q` most: number, parameters, outward normal.
-    fn beside(&self, brep: &Brep, q: &Point, at: &Point, edge: u32, t: f64) -> (u32, [f64; 2], Option<Vector>) {
+    fn beside(&self, brep: &Brep, q: &Point, at: &Point, edge: u32, t: f64) -> Facing {
         let toward = q - at;
-        let mut best: Option<(f64, (u32, [f64; 2], Option<Vector>))> = None;
+        let mut best: Option<(f64, Facing)> = None;
         for (face, guess) in self.corners.faces_at(edge, t) {
             let (uv, normal) = self.normal_on(brep, face, guess, at);
             let facing = normal.map_or(f64::NEG_INFINITY, |n| n.dot(&toward));
@@ -164,6 +164,9 @@ impl Exact {
         [self.leaves.len(), self.arcs.len()]
     }
 }
+
+/// A face, parameters on it, and its outward normal there.
+type Facing = (u32, [f64; 2], Option<Vector>);
 
 /// A whole round shorter than this is a pole, mm.
 const POLE_MM: f64 = 1e-5;

@@ -22,6 +22,14 @@ struct Beside {
     uv: [[f64; 2]; 2],
 }
 
+/// What meets in a vertex: the weighted normals' sum, whether one is lacking, and the ends of edges.
+#[derive(Default)]
+struct Vertex {
+    sum: Vector,
+    lacks: bool,
+    ends: Vec<(u32, usize)>,
+}
+
 /// Which faces meet in which edges, and in which vertices with what pseudonormals.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Corners {
@@ -63,28 +71,27 @@ impl Corners {
 
     /// Sums normals at the ends of edges.
     fn weigh(&mut self, t: &Tessellation, regions: &[Region]) {
-        // Per vertex: the sum, whether it is whole, and the ends of edges there.
-        let mut at: BTreeMap<u32, (Vector, bool, Vec<(u32, usize)>)> = BTreeMap::new();
+        let mut at: BTreeMap<u32, Vertex> = BTreeMap::new();
         for (f, trim) in t.trims.iter().enumerate() {
             for (r, ring) in trim.rings.iter().enumerate() {
                 for (k, node) in ring.nodes.iter().enumerate().filter(|(_, n)| n.chord != NO_CHORD && n.id < OWN) {
                     let Some(end) = end_there(t, node.chord, node.against) else { continue };
-                    let entry = at.entry(node.id).or_insert((Vector::zeros(), true, Vec::new()));
-                    entry.2.push(end);
+                    let vertex = at.entry(node.id).or_default();
+                    vertex.ends.push(end);
                     let before = &ring.nodes[(k + ring.nodes.len() - 1) % ring.nodes.len()];
                     match corner(t, f, node, before, regions[f].is_left(r)) {
-                        Some(n) => entry.0 += n,
-                        None => entry.1 = false,
+                        Some(n) => vertex.sum += n,
+                        None => vertex.lacks = true,
                     }
-                    entry.2.extend(end_there(t, before.chord, !before.against));
+                    vertex.ends.extend(end_there(t, before.chord, !before.against));
                 }
             }
         }
-        for (sum, _, ends) in at.into_values().filter(|v| v.1) {
-            for (edge, end) in ends {
+        for vertex in at.into_values().filter(|v| !v.lacks) {
+            for (edge, end) in vertex.ends {
                 self.ends[edge as usize][end] = Some(self.vertices.len() as u32);
             }
-            self.vertices.push(sum);
+            self.vertices.push(vertex.sum);
         }
     }
 
