@@ -51,8 +51,9 @@ pub use inspect::inspect_text;
 pub use survey::Survey;
 
 /// Faces that do not share their edges are joined where the edges are this near to each other, mm: a few times the
-/// precision that CAD systems write, far below what a cutter leaves.
-const SEW_MM: f64 = 0.005;
+/// precision that CAD systems write, far below what a cutter leaves; then, where edges are still open, as near as vertices of a
+/// loop may be.
+const SEW_MM: [f64; 2] = [0.005, 0.02];
 
 /// What the user may say about a model.
 #[derive(Clone, Debug, PartialEq)]

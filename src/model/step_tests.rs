@@ -312,7 +312,7 @@ fn faces_without_shared_edges_are_sewn() {
     assert!(s.brep.faces.len() >= 6);
     // The other faces of the bars are loose; what counts is that every coinciding pair of single edges is joined.
     s.brep.faces.truncate(6);
-    let sewn = sew::sew(&mut s.brep, 1e-3);
+    let sewn = sew::sew(&mut s.brep, &[1e-3]);
     assert_eq!((sewn.joined, sewn.open, s.brep.edges.len()), (12, 0, 12));
 }
 

@@ -91,7 +91,7 @@ pub fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, obse
     if let Guess::Other { unit, .. } = &guess {
         scale(&mut shape.brep, unit.mm() / shape.unit.mm());
     }
-    let sewn = sew::sew(&mut shape.brep, SEW_MM);
+    let sewn = sew::sew(&mut shape.brep, &SEW_MM);
     let mut diagnosis = Diagnosis {
         format: shape.format,
         unit_reason: shape.unit_reason,
@@ -100,12 +100,7 @@ pub fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, obse
         notes: shape.notes,
         ..Diagnosis::default()
     };
-    if sewn.joined > 0 {
-        diagnosis.notes.push(format!(
-            "{} edges that faces did not share were joined, at most {:.2e} mm apart",
-            sewn.joined, sewn.gap_mm
-        ));
-    }
+    diagnosis.notes.extend(sewn.notes());
     let (unit, obstacle) = guess.take(shape.unit, &mut diagnosis);
     observer.check(Stage::Model)?;
     let mut part = Part::from_brep(shape.brep, options.deflection_mm, observer)?;
