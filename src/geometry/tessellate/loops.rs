@@ -307,11 +307,13 @@ impl Projector<'_> {
         let mut nodes = first.nodes.clone();
         match wound.pop() {
             Some((second, other))
-                if other[along] == -turns[along]
+                if other[along].abs() == turns[along].abs()
                     && other[1 - along] == 0
                     && turns[1 - along] == 0
                     && wound.is_empty() =>
             {
+                // Files do not agree on the sense of loops: the two have to run against one another.
+                let second = if other[along] == turns[along] { second.backwards() } else { second };
                 let goal = first.nodes[0].uv;
                 let away = |n: &Node| (self.space.nearest_copy(n.uv, goal)[along] - goal[along]).abs();
                 let k = (0..second.nodes.len())
@@ -386,6 +388,17 @@ impl Projector<'_> {
 }
 
 impl Ring {
+    /// The same ring walked the other way.
+    fn backwards(&self) -> Ring {
+        let n = self.nodes.len();
+        // The side to the next node is now the one to the node before.
+        let turned = |k: usize| {
+            let (node, side) = (self.nodes[k], self.nodes[(k + n - 1) % n]);
+            Node { chord: side.chord, against: !side.against, seam: side.seam, ..node }
+        };
+        Ring { nodes: (0..n).rev().map(turned).collect() }
+    }
+
     /// Area in the parameter plane, positive counter-clockwise.
     pub fn signed_area(&self) -> f64 {
         let n = self.nodes.len();

@@ -120,3 +120,6 @@ fn declared(global: &Global) -> std::result::Result<(String, Option<f64>), Strin
     };
     Ok((NAMES[at].0.to_owned(), Some(NAMES[at].1)))
 }
+
+#[cfg(test)]
+mod tests;
