@@ -54,6 +54,65 @@ fn corpus_turbocharger_sector() {
     plans("turbocharger_turbine_sector.stl", &options.concat());
 }
 
+/// Cutter locations of a plan.
+fn locations(out: &std::path::Path) -> Vec<[f64; 3]> {
+    let text = std::fs::read_to_string(out.join("cutter_locations.csv")).expect("cutter locations");
+    let mut rows = text.lines().filter(|l| !l.starts_with('#')).map(|l| l.split(',').collect::<Vec<_>>());
+    let head = rows.next().expect("a header");
+    let at = ["cx", "cy", "cz"].map(|name| head.iter().position(|h| *h == name).expect("a column"));
+    rows.map(|r| at.map(|k| r[k].parse().expect("a number"))).collect()
+}
+
+/// The same part as STEP solid and as loose faces of IGES: the same path, however differently it is sampled.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_step_and_iges_give_the_same_locations() {
+    let Some(folder) = blades() else { return };
+    let out = tempfile::tempdir().expect("temporary folder");
+    let paths = ["step", "iges"].map(|kind| {
+        let to = out.path().join(kind);
+        let run = Command::new(env!("CARGO_BIN_EXE_bladewright"))
+            .args(["--quiet", "plan"])
+            .arg(folder.join(format!("tblade3_case7288/case7288_rotor_hubwedge.{kind}")))
+            .args(["--set", "region.end_mm=73", "-o"])
+            .arg(&to)
+            .output()
+            .expect("the command starts");
+        assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+        locations(&to)
+    });
+    let [a, b] = &paths;
+    let minus = |p: &[f64; 3], q: &[f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
+    let dot = |p: &[f64; 3], q: &[f64; 3]| (0..3).map(|k| p[k] * q[k]).sum::<f64>();
+    // Distance from a location of one path to the polyline of the other.
+    let off = |p: &[f64; 3]| {
+        let to = |w: &[[f64; 3]]| {
+            let (d, r) = (minus(&w[1], &w[0]), minus(p, &w[0]));
+            let s = (dot(&d, &r) / dot(&d, &d).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            let v = [0, 1, 2].map(|k| r[k] - s * d[k]);
+            dot(&v, &v).sqrt()
+        };
+        a.windows(2).map(to).fold(f64::INFINITY, f64::min)
+    };
+    let worst = b.iter().step_by(7).map(off).fold(0.0, f64::max);
+    assert!(worst < 0.005, "{worst} mm apart");
+}
+
+/// Loose, mixed-up IGES faces with slivers: above the fillet with a large ball, the fillet with one that fits into it.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_fir_tree_blade_above_its_fillet() {
+    let options = ["tool.radius_mm=6", "region.start_mm=50", "region.end_mm=27"].map(|v| ["--set", v]);
+    plans("turbine_blade_firtree.igs", &options.concat());
+}
+
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_fir_tree_blade_in_its_fillet() {
+    let options = ["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"].map(|v| ["--set", v]);
+    plans("turbine_blade_firtree.igs", &options.concat());
+}
+
 /// Every file of the corpus ends with an exit code of the list, never with a panic.
 #[test]
 #[ignore = "real blades, see the file's head"]

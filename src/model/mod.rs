@@ -10,6 +10,7 @@
 //! `InputOutput` with a sentence that says what and where, never a panic. Limits: one blade per file. An open part is read;
 //! [`openings::check`] decides whether an opening matters for the tool.
 
+pub mod faces;
 pub mod format;
 pub mod gltf;
 pub mod heal;
@@ -129,11 +130,11 @@ pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> R
         Format::StlBinary => survey::from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
         Format::StlAscii => survey::from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
         Format::Obj => survey::from_soup(path, obj::read(path, &bytes)?, options, observer),
-        Format::Step => survey::from_step(path, step::read(path, &bytes, options.unit)?, options, observer),
+        Format::Step => survey::from_faces(path, step::read(path, &bytes, options.unit)?, options, observer),
         Format::Ply => survey::from_soup(path, ply::read(path, &bytes)?, options, observer),
         Format::Gltf => survey::from_soup(path, gltf::read(path, &bytes)?, options, observer),
-        Format::Iges => survey::from_step(path, iges::read(path, &bytes, options.unit)?, options, observer),
-        Format::Sections => survey::from_step(path, table::read(path, &bytes, options.unit)?, options, observer),
+        Format::Iges => survey::from_faces(path, iges::read(path, &bytes, options.unit)?, options, observer),
+        Format::Sections => survey::from_faces(path, table::read(path, &bytes, options.unit)?, options, observer),
     }?;
     observer.progress(Stage::Model, 3, 3);
     Ok(survey)

@@ -15,6 +15,7 @@ use step_io::scene::{Bound, Edge as StepEdge, Face as StepFace, MappedInstance, 
 use step_io::scene::{Solid, SurfaceKind as StepKind, SurfaceModel};
 use step_io::{Orientation, Report};
 
+use super::faces::FaceModel;
 use super::sew::{backwards, from_vertex};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
@@ -27,34 +28,18 @@ const VERTEX_MM: f64 = 1e-6;
 /// Assemblies deeper than this are taken for circular.
 const DEEPEST: usize = 64;
 
-/// A STEP file's shape.
-pub struct StepShape {
-    /// All bodies, mm.
-    pub brep: Brep,
-    /// Number of solids, surface models and loose groups placed.
-    pub bodies: usize,
-    /// `STEP AP214` and the like.
-    pub format: String,
-    /// Unit taken.
-    pub unit: Unit,
-    /// Unit taken, and why.
-    pub unit_reason: String,
-    /// What the user should know.
-    pub notes: Vec<String>,
-}
-
 /// Reads a STEP file.
 ///
 /// # Errors
 /// `InputOutput`: not STEP, no faces, faces or edges that cannot be read or converted.
-pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepShape> {
+pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user gets a sentence.
     catch_unwind(AssertUnwindSafe(|| read_guarded(path, bytes, unit))).unwrap_or_else(|_| {
         Err(Error::io(Stage::Model, format!("{} is damaged: the STEP parser gave up on it", path.display())))
     })
 }
 
-fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepShape> {
+fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let name = path.display();
     let (model, report) = step_io::read(bytes).map_err(|e| {
         Error::io(Stage::Model, format!("{name} cannot be read as STEP: {e}"))
@@ -80,7 +65,7 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepSha
         _ => "of unknown schema",
     };
     notes.extend(scene.warnings().iter().map(|w| format!("STEP reader: {w}")));
-    Ok(StepShape { brep: build.brep, bodies: build.bodies, format: format!("STEP {family}"), unit, unit_reason, notes })
+    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: format!("STEP {family}"), unit, unit_reason, notes })
 }
 
 /// Refuses a file of which faces were lost; notes what else was skipped.

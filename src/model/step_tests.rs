@@ -193,7 +193,7 @@ fn bar_file(unit: &str) -> String {
     sheet.file(unit, &[solid])
 }
 
-fn shape(text: &str) -> Result<step::StepShape> {
+fn shape(text: &str) -> Result<faces::FaceModel> {
     step::read(Path::new("test.step"), text.as_bytes(), None)
 }
 

@@ -7,13 +7,13 @@
 
 use std::path::Path;
 
+use super::faces::FaceModel;
 use super::heal::HealOptions;
 use super::orient;
 use super::recognise::areas::areas;
 use super::recognise::{self, Recognised};
 use super::sew;
 use super::soup::Soup;
-use super::step::StepShape;
 use super::units::{self, Guess};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
@@ -85,7 +85,12 @@ impl Survey {
 ///
 /// # Errors
 /// Faces that cannot be meshed; cancellation.
-pub fn from_step(path: &Path, mut shape: StepShape, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
+pub fn from_faces(
+    path: &Path,
+    mut shape: FaceModel,
+    options: &ModelOptions,
+    observer: &dyn Observer,
+) -> Result<Survey> {
     // Before sewing and meshing: in a wrong unit their tolerances would be wrong too.
     let guess = units::judge(path, edge_box(&shape.brep), shape.unit, options.unit.is_some());
     if let Guess::Other { unit, .. } = &guess {

@@ -1,6 +1,6 @@
 //! IGES 5.3 (and what older versions share with it) to one B-rep in mm.
 //!
-//! In: the text of a file. Out: a [`StepShape`], as from STEP: every solid (186), shell (514), trimmed or bounded face (144, 143,
+//! In: the text of a file. Out: a [`FaceModel`], as from STEP: every solid (186), shell (514), trimmed or bounded face (144, 143,
 //! bounded 108), subfigure instance (408, 430) and bare surface becomes faces of one [`Brep`](crate::geometry::brep::Brep). Faces of
 //! solids share their edges; loose ones do not and are joined by [`super::sew`].
 //!
@@ -28,7 +28,7 @@ use std::path::Path;
 
 use nalgebra::Matrix4;
 
-use super::step::StepShape;
+use super::faces::FaceModel;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use build::Build;
@@ -38,7 +38,7 @@ use file::{File, Global};
 ///
 /// # Errors
 /// `InputOutput`: not IGES, cut off, no faces, entities that cannot be read.
-pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepShape> {
+pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let file = File::new(path, bytes)?;
     let (unit, mm, unit_reason) = length_unit(&file.global, unit).map_err(|m| {
         Error::io(Stage::Model, format!("{}: {m}", path.display())).advise("pass --unit mm, cm, m or inch")
@@ -63,7 +63,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepShape> 
         11 => "IGES 5.3".to_owned(),
         _ => "IGES".to_owned(),
     };
-    Ok(StepShape { brep: build.brep, bodies: build.bodies, format: version, unit, unit_reason, notes })
+    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: version, unit, unit_reason, notes })
 }
 
 /// The unit of coordinates: (unit, mm per file unit, reason).

@@ -21,7 +21,7 @@ pub mod solid;
 
 use std::path::Path;
 
-use super::step::StepShape;
+use super::faces::FaceModel;
 use super::units;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
@@ -51,7 +51,7 @@ type Said<T> = std::result::Result<T, String>;
 ///
 /// # Errors
 /// `InputOutput` with file and line: what cannot be read, what is no blade, a surface too far from the points.
-pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<StepShape> {
+pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let name = path.display().to_string();
     let text = String::from_utf8_lossy(bytes);
     let is_toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
@@ -318,7 +318,7 @@ fn shape(
     outlines: Vec<Outline>,
     mut notes: Vec<String>,
     (format, (unit, unit_reason)): (String, (Unit, String)),
-) -> Result<StepShape> {
+) -> Result<FaceModel> {
     let tolerance = header.tolerance_mm.unwrap_or(TOLERANCE_MM);
     let bad = |m: String| {
         Error::io(Stage::Model, format!("{name}: {m}"))
@@ -362,5 +362,5 @@ fn shape(
     for face in &brep.faces {
         face.surface.validate().map_err(|e| bad(e.message))?;
     }
-    Ok(StepShape { brep, bodies: 1, format, unit, unit_reason, notes })
+    Ok(FaceModel { brep, bodies: 1, format, unit, unit_reason, notes })
 }

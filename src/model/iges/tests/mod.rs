@@ -17,7 +17,7 @@ use crate::model::{orient, sew};
 use crate::observe::Silent;
 
 /// A file's shape.
-fn shape(text: &str) -> Result<StepShape> {
+fn shape(text: &str) -> Result<FaceModel> {
     read(Path::new("test.igs"), text.as_bytes(), None)
 }
 

@@ -7,7 +7,7 @@ use crate::error::ErrorKind;
 use crate::geometry::{Aabb, Point};
 use crate::model::{ModelOptions, load};
 
-fn corners(s: &StepShape) -> Aabb {
+fn corners(s: &FaceModel) -> Aabb {
     let all: Vec<Point> = s.brep.edges.iter().flat_map(|e| e.t.map(|t| e.curve.point(t))).collect();
     Aabb::around(&all).unwrap()
 }
