@@ -77,8 +77,8 @@ impl ArcSet {
         self.arcs.iter().map(|a| (hi.min(a.hi) - lo.max(a.lo)).max(0.0)).sum()
     }
 
-    /// What the set, widened by half the gap, does not cover of the arc `lo..=hi`, handed to `visit` one by one as (start,
-    /// end) with `start` on the side of the set, where it has one; stops and returns false as soon as `visit` does.
+    /// Hands the parts of the arc `lo..=hi` that the set, widened by half the gap, does not cover to `visit`, one by one as
+    /// (from, to); stops and returns false as soon as `visit` does.
     pub fn all_uncovered(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64, f64) -> bool) -> bool {
         let half = 0.5 * self.gap;
         let mut at = lo;
@@ -87,7 +87,7 @@ impl ArcSet {
                 continue;
             }
             let end = (a.lo - half).min(hi);
-            if end > at && !(if end < hi { visit(end, at) } else { visit(at, end) }) {
+            if end > at && !visit(at, end) {
                 return false;
             }
             at = a.hi + half;
@@ -96,6 +96,13 @@ impl ArcSet {
             }
         }
         at >= hi || visit(at, hi)
+    }
+
+    /// As [`Self::all_uncovered`], but hands over only those ends of the parts at which the set or the circle's cut begins: an
+    /// interval that reaches into a part from outside the arc's own ends holds one of them.
+    pub fn all_borders(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64) -> bool) -> bool {
+        let border = |at: f64, own: f64| at != own || at.abs() >= std::f64::consts::PI;
+        self.all_uncovered(lo, hi, |from, to| (!border(from, lo) || visit(from)) && (!border(to, hi) || visit(to)))
     }
 
     /// What the set, widened by half the gap, leaves of the circle: intervals within -π..3π, each at least `least` long,

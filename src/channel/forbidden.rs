@@ -18,17 +18,20 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 
 use super::arcs::{Arc, ArcSet, Witness};
+use super::clear::{self, Verdict};
 use super::options::ChannelOptions;
 use super::profile::{HeightRange, Profile};
 use super::tree::{Below, SphereTree, around_triangle, halves};
 
 /// Steps after which a walk over angles is given up and the piece halved instead.
 const WALK: usize = 48;
+/// Points of a piece that may become known before it is halved.
+const ROUNDS: usize = 12;
 
 /// What all cutter locations have in common.
 pub(super) struct Scene<'a> {
     pub mesh: &'a Mesh,
-    pub tree: SphereTree,
+    pub tree: &'a SphereTree,
     pub profile: Profile,
     pub options: &'a ChannelOptions,
 }
@@ -161,11 +164,19 @@ impl<'a> Search<'a> {
         unknown.map(|a| a.hi - a.lo - self.known.overlap(a.lo, a.hi)).reduce(f64::max)
     }
 
-    /// Puts a node off until those that may move an end farther have been looked at.
+    /// Puts a node off until those that may move an end farther have been looked at, unless it is clear.
     fn offer_node(&mut self, index: u32) {
         let node = self.scene.tree.node(index);
-        self.arcs_of(&self.seen(&node.centre), node.radius, 0);
-        if let Some(excess) = self.excess() {
+        let region = Region {
+            centre: self.seen(&node.centre),
+            radius: node.radius,
+            shape: Shape::Box(node.half.map(|h| {
+                let (y, z) = self.turned(h.y, h.z);
+                Vector::new(h.x, y, z)
+            })),
+        };
+        self.arcs_of(&region.centre, region.radius, 0);
+        if let Some(excess) = self.excess().filter(|_| !self.clear(&region)) {
             self.open.push(Open { excess, what: What::Node(index) });
         }
     }
@@ -174,63 +185,142 @@ impl<'a> Search<'a> {
     /// an eighth of the tolerance seen from the ball centre are taken as they are, inflated by their size.
     fn offer_piece(&mut self, corners: [Vector; 3], triangle: u32) {
         let (centre, radius) = around_triangle(&corners.map(Point::from));
-        let piece = Piece { corners, triangle, centre: centre.coords, radius };
-        self.arcs_of(&piece.centre, radius, triangle);
+        let region = Region { centre: centre.coords, radius, shape: Shape::Triangle(corners) };
+        self.arcs_of(&region.centre, radius, triangle);
         if self.excess().is_none() {
             return;
         }
-        if radius <= 0.125 * self.scene.options.tolerance_rad * piece.centre.norm() + 1e-9 {
+        if radius <= 0.125 * self.scene.options.tolerance_rad * region.centre.norm() + 1e-9 {
             self.commit();
             return;
         }
-        self.arcs_of(&piece.centre, 0.0, triangle);
+        self.arcs_of(&region.centre, 0.0, triangle);
         self.commit();
-        self.arcs_of(&piece.centre, radius, triangle);
-        if let Some(excess) = self.excess().filter(|_| !self.clear(&piece)) {
+        if !self.settle(&region, &corners, triangle) {
+            self.arcs_of(&region.centre, radius, triangle);
+            let excess = self.excess().unwrap_or(0.0);
             self.open.push(Open { excess, what: What::Piece(self.pieces.len()) });
-            self.pieces.push(piece);
+            self.pieces.push(Piece { corners, triangle, centre: region.centre, radius });
         }
     }
 
-    /// No point of the piece forbids anything in `self.arcs` that is not known. Walks over the angles in question: the
-    /// distance from the tool, by its tangent planes, is a lower bound over the whole piece, and falls no faster with θ
-    /// than the piece's distance from the turning axis.
-    fn clear(&self, piece: &Piece) -> bool {
-        let reach = piece.centre.y.hypot(piece.centre.z) + piece.radius;
-        let walk = |start: f64, end: f64| {
-            let sense = if end > start { 1.0 } else { -1.0 };
-            let mut at = start;
-            for _ in 0..WALK {
-                let margin = self.least_margin(piece, at);
-                if margin <= 0.0 {
-                    return false;
-                }
-                at += sense * margin / reach;
-                if (end - at) * sense < 0.0 {
-                    return true;
-                }
-            }
-            false
+    /// No point of the region forbids anything in `self.arcs` that is not known, shown by the distance from the tool: by its
+    /// tangent planes it is bounded from below over the whole region.
+    ///
+    /// Where each point forbids one arc about its own azimuth (see [`Self::azimuths`]), either no point forbids anything, or
+    /// all azimuths must be known; then an arc that holds anything new also holds an angle where the known ends, and to
+    /// look there is enough.
+    fn clear(&self, region: &Region) -> bool {
+        let Some(azimuths) = self.azimuths(region) else {
+            let reach = region.centre.y.hypot(region.centre.z) + region.radius;
+            let walk = |from: f64, to: f64| self.walk(region, from, to, reach);
+            return self.arcs.iter().all(|a| self.known.all_uncovered(a.lo, a.hi, walk));
         };
-        self.arcs.iter().all(|a| self.known.all_uncovered(a.lo, a.hi, walk))
+        let clear_at = |border: f64| self.least_margin(region, border) > 0.0;
+        self.out_of_reach(region)
+            || azimuths.iter().all(|&(lo, hi)| self.known.covers(lo, hi))
+                && self.arcs.iter().all(|a| self.known.all_borders(a.lo, a.hi, clear_at))
     }
 
-    /// A lower bound of the margin over all points of the piece at the relative angle `theta`, mm.
-    fn least_margin(&self, piece: &Piece, theta: f64) -> f64 {
+    /// No point of the region is inside the tool even when the tool turns to the point's own azimuth. There the margin depends
+    /// on the point's `x` and distance `ρ` from the turning axis alone and is convex in both. Over the region `ρ` exceeds
+    /// its tangent plane at the centre by at most `radius² / 2(ρ − radius)`. Needs [`Self::azimuths`].
+    fn out_of_reach(&self, region: &Region) -> bool {
+        let across = region.centre.y.hypot(region.centre.z);
+        let away = Vector::new(0.0, region.centre.y, region.centre.z) / across;
+        let axis = Vector::new(self.sin_b, self.cos_b * away.y, self.cos_b * away.z);
+        let bend = 0.5 * region.radius * region.radius / (across - region.radius);
+        self.scene.profile.frusta.iter().all(|f| {
+            let (margin, slope) = clear::margin(f, &axis, &region.centre);
+            margin > region.radius + bend || margin - region.fall(&slope) - (-slope.dot(&away)).max(0.0) * bend > 0.0
+        })
+    }
+
+    /// The azimuths ψ of all points of the region, as one or two ranges within -π..=π, where each of its points is inside the
+    /// tool for one arc about its own azimuth if at all: the profile only widens upwards and reaches beyond the region.
+    fn azimuths(&self, region: &Region) -> Option<[(f64, f64); 2]> {
+        let across = region.centre.y.hypot(region.centre.z);
+        let profile = &self.scene.profile;
+        if !profile.widens || region.centre.norm() + region.radius > profile.length || across <= region.radius {
+            return None;
+        }
+        let psi = region.centre.z.atan2(region.centre.y);
+        let spread = (region.radius / across).asin();
+        let (lo, hi) = (psi - spread, psi + spread);
+        Some(if lo < -PI {
+            [(-PI, hi), (lo + 2.0 * PI, PI)]
+        } else if hi > PI {
+            [(lo, PI), (-PI, hi - 2.0 * PI)]
+        } else {
+            [(lo, hi), (lo, hi)]
+        })
+    }
+
+    /// As [`Self::clear`] for a piece of a triangle, by cutting planes; points found not to be clear become known.
+    fn settle(&mut self, region: &Region, corners: &[Vector; 3], triangle: u32) -> bool {
+        for _ in 0..ROUNDS {
+            self.arcs_of(&region.centre, region.radius, triangle);
+            if self.excess().is_none() {
+                return true;
+            }
+            let known = |azimuths: [(f64, f64); 2]| azimuths.iter().all(|&(lo, hi)| self.known.covers(lo, hi));
+            if !self.azimuths(region).is_some_and(known) {
+                return self.clear(region);
+            }
+            let mut verdict = Verdict::Clear;
+            let mut look = |border: f64| {
+                let axis = self.axis(border);
+                let frusta = self.scene.profile.frusta.iter();
+                let mut verdicts = frusta.map(|f| clear::triangle(f, &axis, corners, region.centre, region.radius));
+                verdict = verdicts.find(|v| *v != Verdict::Clear).unwrap_or(Verdict::Clear);
+                verdict == Verdict::Clear
+            };
+            let _ = self.arcs.iter().all(|a| self.known.all_borders(a.lo, a.hi, &mut look));
+            match verdict {
+                Verdict::Clear => return true,
+                Verdict::Open => return false,
+                Verdict::Taken(p) => {
+                    self.arcs_of(&p, 0.0, triangle);
+                    self.commit();
+                }
+            }
+        }
+        false
+    }
+
+    /// The tool axis at a relative angle.
+    fn axis(&self, theta: f64) -> Vector {
         let (sin, cos) = theta.sin_cos();
-        let axis = Vector::new(self.sin_b, self.cos_b * cos, self.cos_b * sin);
-        let height = piece.centre.dot(&axis);
-        let radial = piece.centre - axis * height;
-        let radius = radial.norm();
+        Vector::new(self.sin_b, self.cos_b * cos, self.cos_b * sin)
+    }
+
+    /// The region keeps clear from the angle `start` to `end`; the margin falls no faster with the angle than `reach`, the
+    /// region's distance from the turning axis.
+    fn walk(&self, region: &Region, start: f64, end: f64, reach: f64) -> bool {
+        let sense = if end > start { 1.0 } else { -1.0 };
+        let mut at = start;
+        for _ in 0..WALK {
+            let margin = self.least_margin(region, at);
+            if margin <= 0.0 {
+                return false;
+            }
+            at += sense * margin / reach;
+            if (end - at) * sense < 0.0 {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// A lower bound of the margin over all points of the region at the relative angle `theta`, mm.
+    fn least_margin(&self, region: &Region, theta: f64) -> f64 {
+        let axis = self.axis(theta);
         let mut least = f64::INFINITY;
         for f in &self.scene.profile.frusta {
-            let (margin, by_height, by_radius) = f.margin(height, radius);
-            if margin - piece.radius >= least {
-                continue;
+            let (margin, slope) = clear::margin(f, &axis, &region.centre);
+            if margin - region.radius < least {
+                least = least.min(margin - region.fall(&slope));
             }
-            let slope = axis * by_height + radial * (if radius > 0.0 { by_radius / radius } else { 0.0 });
-            let drop = piece.corners.iter().map(|c| slope.dot(&(c - piece.centre))).fold(0.0, f64::min);
-            least = least.min(margin + drop);
         }
         least
     }
@@ -270,6 +360,30 @@ impl<'a> Search<'a> {
                     }
                 }
             }
+        }
+    }
+}
+
+/// Points of the part seen from the ball centre, turned: all within `radius` of `centre`, and within a shape.
+struct Region {
+    centre: Vector,
+    radius: f64,
+    shape: Shape,
+}
+
+enum Shape {
+    /// Half sides of a box about the centre.
+    Box([Vector; 3]),
+    /// Corners of a triangle about the centre.
+    Triangle([Vector; 3]),
+}
+
+impl Region {
+    /// How far a function with this slope may fall from its value at the centre.
+    fn fall(&self, slope: &Vector) -> f64 {
+        match &self.shape {
+            Shape::Box(half) => half.iter().map(|h| slope.dot(h).abs()).sum(),
+            Shape::Triangle(c) => c.iter().map(|c| slope.dot(&(self.centre - c))).fold(0.0, f64::max),
         }
     }
 }

@@ -6,8 +6,9 @@
 //!
 //! **Method.** The tool axis is `a(θ) = (sin B, cos B cos θ, cos B sin θ)`. A point of the part forbids one or two arcs of
 //! θ in closed form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of spheres over the part's
-//! triangles and branch and bound give the union of arcs over the whole part. What is left are free intervals; so is the
-//! permitted range of the contact angle `acos(a·n)`. Free intervals that overlap from place to place are joined to chains,
+//! triangles and branch and bound give the union of arcs over the whole part (`forbidden`, and `clear` for triangles that the
+//! tool nearly touches along their plane). What is left are free intervals; the permitted range of the contact angle
+//! `acos(a·n)` narrows them. Free intervals that overlap from place to place are joined to chains,
 //! and the chain whose least overlap is greatest is taken (`chain`). Hulls: `hull_min` is the running greatest of the
 //! lower limits, `hull_max` the running least of the upper limits from the end: a schedule that never turns back exists
 //! exactly where `hull_min <= hull_max`, and then everywhere between them one can go on.
@@ -25,6 +26,7 @@
 
 mod arcs;
 mod chain;
+mod clear;
 mod forbidden;
 mod options;
 mod profile;
@@ -69,12 +71,9 @@ pub fn plan(
     tool.validate()?;
     check_input(blade, path)?;
     let part = &blade.part;
-    let scene = Scene {
-        mesh: &part.mesh,
-        tree: SphereTree::new(&part.mesh),
-        profile: Profile::new(tool, options, part.deflection_mm),
-        options,
-    };
+    let tree = SphereTree::new(&part.mesh);
+    let scene =
+        Scene { mesh: &part.mesh, tree: &tree, profile: Profile::new(tool, options, part.deflection_mm), options };
     let samples = samples::along(path, options.max_step_mm);
     let layers = free_everywhere(&scene, &samples, observer)?;
     let reporter = report::Reporter { blade, path, scene: &scene, samples: &samples };

@@ -119,13 +119,18 @@ fn rim(d2: f64, z: f64, r: f64, c: f64, side: f64) -> f64 {
 pub(super) struct Profile {
     pub frusta: Vec<Frustum>,
     pub names: Vec<String>,
+    /// Height of the upper end, mm.
+    pub length: f64,
+    /// Nowhere does the profile, clearances included, become narrower upwards, and nowhere does its outline come nearer to
+    /// the ball centre: a point that leaves the tool as the tool turns away from it does not come into it again.
+    pub widens: bool,
 }
 
 impl Profile {
     /// Every clearance is enlarged by `deflection_mm`, what the part's mesh may lie off the part.
     pub fn new(tool: &Tool, options: &ChannelOptions, deflection_mm: f64) -> Self {
         let segments = tool.segments();
-        let frusta = segments
+        let frusta: Vec<Frustum> = segments
             .iter()
             .map(|s| {
                 let holder = s.name.starts_with("holder");
@@ -133,7 +138,25 @@ impl Profile {
                 Frustum::new(s, c + deflection_mm)
             })
             .collect();
-        Profile { frusta, names: segments.into_iter().map(|s| s.name).collect() }
+        Self::of(frusta, segments.into_iter().map(|s| s.name).collect())
+    }
+
+    fn of(frusta: Vec<Frustum>, names: Vec<String>) -> Self {
+        const ROUNDING: f64 = 1e-9;
+        let widens = frusta.iter().all(|f| f.c1 >= 0.0 && f.z0 * f.cos + f.r0 * f.sin >= -ROUNDING)
+            && frusta.windows(2).all(|w| {
+                let (a, b) = (&w[0], &w[1]);
+                a.z1 >= b.z0 - ROUNDING && a.r1 <= b.r0 + ROUNDING && a.clearance <= b.clearance
+            });
+        let length = frusta.last().map_or(0.0, |f| f.z1);
+        Profile { frusta, names, length, widens }
+    }
+
+    /// The same with only some of its parts, by index.
+    pub fn only(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let kept = (0..self.frusta.len()).filter(|&k| keep(k));
+        let (frusta, names) = kept.map(|k| (self.frusta[k].clone(), self.names[k].clone())).unzip();
+        Self::of(frusta, names)
     }
 
     /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights lie in `within`:

@@ -7,7 +7,6 @@ use crate::error::{Error, Stage};
 use super::arcs::Witness;
 use super::forbidden::{Free, Scene, Search};
 use super::samples::Sample;
-use super::tree::SphereTree;
 use super::walls::{Crossing, binding};
 
 /// What the messages need to know.
@@ -108,15 +107,11 @@ impl Reporter<'_> {
         let mut wide = self.scene.options.clone();
         (wide.contact_angle_min_rad, wide.contact_angle_max_rad) = (0.0, std::f64::consts::PI);
         for (k, name) in self.scene.profile.names.iter().enumerate() {
-            let mut without = self.scene.profile.clone();
-            without.frusta.remove(k);
-            without.names.remove(k);
+            let without = self.scene.profile.only(|i| i != k);
             if self.free_with(sample, without, self.scene.options).is_empty() {
                 continue;
             }
-            let mut only = self.scene.profile.clone();
-            only.frusta = only.frusta.into_iter().skip(k).take(1).collect();
-            only.names = vec![name.clone()];
+            let only = self.scene.profile.only(|i| i == k);
             let by =
                 self.free_with(sample, only, &wide).iter().flat_map(|f| [f.lo_by, f.hi_by]).find_map(|w| match w {
                     Witness::Tool { triangle, .. } => Some(triangle),
@@ -143,7 +138,7 @@ impl Reporter<'_> {
         profile: super::profile::Profile,
         options: &super::options::ChannelOptions,
     ) -> Vec<Free> {
-        let scene = Scene { mesh: self.scene.mesh, tree: SphereTree::new(self.scene.mesh), profile, options };
+        let scene = Scene { mesh: self.scene.mesh, tree: self.scene.tree, profile, options };
         Search::new(&scene).free(&sample.centre, &sample.normal, sample.azimuth)
     }
 }

@@ -1,13 +1,15 @@
-//! A tree of bounding spheres over the triangles of the part.
+//! A tree of bounding spheres and boxes over the triangles of the part.
 
-use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::{Point, Vector};
 
-/// A node: the sphere around all its triangles; its first child follows it in the list.
+/// A node: the sphere and the box around all its triangles, about the same centre; its first child follows it in the list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub centre: Point,
     pub radius: f64,
+    /// Half sides of the box.
+    pub half: [Vector; 3],
     /// Index of the second child, or, for a leaf, `LEAF` + triangle.
     link: u32,
 }
@@ -60,13 +62,15 @@ impl SphereTree {
 
 /// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.
 fn build(mesh: &Mesh, centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node>) {
-    let (centre, radius) = sphere(mesh, order);
+    let (centre, half) = around(mesh, order);
+    let corners = order.iter().flat_map(|&t| mesh.corners(t as usize));
+    let radius = corners.map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12);
     let here = nodes.len();
     if let [triangle] = order {
-        nodes.push(Node { centre, radius, link: LEAF + *triangle });
+        nodes.push(Node { centre, radius, half, link: LEAF + *triangle });
         return;
     }
-    nodes.push(Node { centre, radius, link: 0 });
+    nodes.push(Node { centre, radius, half, link: 0 });
     let first = centres[order[0] as usize];
     let (lo, hi) = order.iter().fold((first, first), |(lo, hi), &t| {
         let c = centres[t as usize];
@@ -83,17 +87,25 @@ fn build(mesh: &Mesh, centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node
     build(mesh, centres, right, nodes);
 }
 
-/// A sphere around the triangles: about the middle of their box.
-fn sphere(mesh: &Mesh, order: &[u32]) -> (Point, f64) {
-    if let [triangle] = order {
-        return around_triangle(&mesh.corners(*triangle as usize));
-    }
+/// A box around the triangles: its centre and half sides, the first along their mean normal, the second as near to the blade
+/// axis as possible. Patches of a wall are flat along their normal.
+fn around(mesh: &Mesh, order: &[u32]) -> (Point, [Vector; 3]) {
     let corners = || order.iter().flat_map(|&t| mesh.corners(t as usize));
-    let Some(first) = corners().next() else { return (Point::origin(), 0.0) };
-    let (lo, hi) = corners().fold((first, first), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
-    let centre = nalgebra::center(&lo, &hi);
-    let radius = corners().map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt();
-    (centre, radius * (1.0 + 1e-12))
+    let Some(first) = corners().next() else { return (Point::origin(), [Vector::zeros(); 3]) };
+    let twice_area = |&t: &u32| {
+        let [a, b, c] = mesh.corners(t as usize);
+        (b - a).cross(&(c - a))
+    };
+    let normal = order.iter().map(twice_area).sum::<Vector>().try_normalize(1e-12).unwrap_or_else(Vector::y);
+    let lengthwise = Vector::x() - normal * normal.x;
+    let lengthwise = lengthwise.try_normalize(1e-3).unwrap_or_else(|| normal.cross(&Vector::y()).normalize());
+    let axes = [normal, lengthwise, normal.cross(&lengthwise)];
+    let seen = |p: Point| Vector::from(axes.map(|a| a.dot(&(p - first))));
+    let start = (Vector::zeros(), Vector::zeros());
+    let (lo, hi) = corners().map(seen).fold(start, |(lo, hi), v| (lo.inf(&v), hi.sup(&v)));
+    let (middle, half) = ((lo + hi) * 0.5, (hi - lo) * (0.5 + 1e-12));
+    let centre = first + axes[0] * middle.x + axes[1] * middle.y + axes[2] * middle.z;
+    (centre, [axes[0] * half.x, axes[1] * half.y, axes[2] * half.z])
 }
 
 /// The smallest sphere around a triangle; its centre is a point of the triangle.

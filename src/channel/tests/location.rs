@@ -29,7 +29,8 @@ fn open_options(b_rad: f64) -> ChannelOptions {
 }
 
 fn free(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, centre: &Point, normal: &Vector) -> Vec<Arc> {
-    let scene = Scene { mesh, tree: SphereTree::new(mesh), profile: Profile::new(tool, options, 0.0), options };
+    let tree = SphereTree::new(mesh);
+    let scene = Scene { mesh, tree: &tree, profile: Profile::new(tool, options, 0.0), options };
     Search::new(&scene).free(centre, normal, normal.z.atan2(normal.y))
 }
 
