@@ -82,6 +82,8 @@ pub struct Error {
     pub message: String,
     /// What to do.
     pub advice: Option<String>,
+    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade frame).
+    pub region_may_end_mm: Option<f64>,
     /// The cause, if another error caused it.
     #[source]
     pub source: Option<Box<dyn std::error::Error + Send + Sync>>,
@@ -90,7 +92,7 @@ pub struct Error {
 impl Error {
     /// A new error without advice or cause.
     pub fn new(stage: Stage, kind: ErrorKind, message: impl Into<String>) -> Self {
-        Error { stage, kind, message: message.into(), advice: None, source: None }
+        Error { stage, kind, message: message.into(), advice: None, region_may_end_mm: None, source: None }
     }
     /// Command line or job file.
     pub fn usage(stage: Stage, message: impl Into<String>) -> Self {
@@ -112,6 +114,12 @@ impl Error {
     #[must_use]
     pub fn advise(mut self, advice: impl Into<String>) -> Self {
         self.advice = Some(advice.into());
+        self
+    }
+    /// Adds the height at which the region would have to end for a plan to be possible.
+    #[must_use]
+    pub fn region_may_end(mut self, x_mm: Option<f64>) -> Self {
+        self.region_may_end_mm = x_mm;
         self
     }
     /// Adds the cause.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Blade;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule, Section};
+use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Section, Toolpath};
 use crate::channel::{self, ChannelOptions};
 use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
@@ -23,6 +23,9 @@ use crate::preview::{self, GltfOptions};
 use crate::schedule::{self, ScheduleOptions};
 use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
+
+/// How often the helix is laid anew to end higher before the channel's error stands.
+const MOST_ENDS: usize = 12;
 
 /// How far to go and what to do with a plan that fails its checks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -246,13 +249,12 @@ fn plan(
     observer: &dyn Observer,
 ) -> Result<Option<(Plan, Baseline)>> {
     let (blade, job) = (&setup.blade, &setup.job);
-    let toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?;
+    let mut toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?;
     if course.ends_at(Stage::Path) {
         folder.add_json("toolpath.json", &toolpath)?;
         return Ok(None);
     }
-    let channel = clock
-        .time(Stage::Channel, || channel::plan(blade, &job.tool, &toolpath, &setup.channel_options(), observer))?;
+    let channel = channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?;
     if course.ends_at(Stage::Channel) {
         folder.add_json("toolpath.json", &toolpath)?;
         folder.add_json("channel.json", &channel)?;
@@ -274,6 +276,44 @@ fn plan(
     let (motion, fixed_motion) = clock.time(Stage::Feed, || Ok((feed(&schedule)?, feed(&fixed)?)))?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
     Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
+}
+
+/// The channel. Where the job leaves the end of the region open and the channel closes on the way down, the helix is laid anew
+/// to end above that place, which is said; a region end that was asked for is never given up.
+fn channel_as_far_as_it_goes(
+    setup: &Setup,
+    toolpath: &mut Toolpath,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    let (blade, options) = (&setup.blade, setup.channel_options());
+    let mut cut = None;
+    for _ in 0..MOST_ENDS {
+        let planned =
+            clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer));
+        let blocked = match planned {
+            Ok(channel) => {
+                if let Some(message) = cut {
+                    observer.warn(Warning { stage: Stage::Channel, message });
+                }
+                return Ok(channel);
+            }
+            Err(e) => e,
+        };
+        let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
+            return Err(blocked);
+        };
+        let mut shorter = setup.path_options();
+        shorter.region_x_mm[1] = Some(end_mm);
+        *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
+        toolpath.end_reason = blocked.message;
+        cut = Some(format!(
+            "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
+            toolpath.end_reason,
+            blocked.advice.unwrap_or_else(|| "another tool".into())
+        ));
+    }
+    clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer))
 }
 
 /// What checking and writing came to.

@@ -28,7 +28,8 @@ impl Reporter<'_> {
         if here.is_empty() {
             let (what, advice) = self.everything_taken(sample);
             return Error::infeasible(Stage::Channel, format!("no angle of the tool axis is free at {place}: {what}"))
-                .advise(advice);
+                .advise(advice)
+                .region_may_end(self.above(sample.row));
         }
         let before = at.checked_sub(1).and_then(|i| layers.get(i)).map(Vec::as_slice).unwrap_or_default();
         let ends: Vec<Binding> = here
@@ -50,6 +51,7 @@ impl Reporter<'_> {
             ),
         )
         .advise(advice_for(&ends))
+        .region_may_end(self.above(sample.row))
     }
 
     /// The hulls cross.
@@ -71,6 +73,15 @@ impl Reporter<'_> {
             ),
         )
         .advise(advice_for(&ends))
+        .region_may_end(self.above(crossing.high_row))
+    }
+
+    /// The height at which the turn of this location begins, mm: the turns above do without the location. `None` where fewer
+    /// than two whole turns are left.
+    fn above(&self, row: usize) -> Option<f64> {
+        let turn = self.path.locations.get(row)?.turn as usize;
+        let first = self.path.turns.get(turn).filter(|_| turn >= 2)?.first;
+        self.path.locations.get(first).map(|l| l.centre.x)
     }
 
     fn place(&self, row: usize) -> String {

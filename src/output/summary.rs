@@ -53,6 +53,8 @@ pub struct Summary {
     pub path_length_mm: f64,
     /// Heights of the first and last ball centre along the blade axis, mm.
     pub region_x_mm: [f64; 2],
+    /// Why the path ends where it does.
+    pub end_reason: String,
     /// Machining time along the path, s.
     pub machining_time_s: f64,
     /// Scallop asked for, mm.
@@ -137,6 +139,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         cutter_locations: path.locations.len(),
         path_length_mm: path.locations.last().map_or(0.0, |l| l.s_mm),
         region_x_mm: path.region_x_mm,
+        end_reason: path.end_reason.clone(),
         machining_time_s: plan.motion.time_s,
         scallop_asked_mm: path.scallop_mm,
         scallop_planned_mm: path.planned_scallop_mm,
