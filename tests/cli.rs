@@ -215,3 +215,23 @@ fn stages_can_be_stopped_after() {
     let names: Vec<String> = contents(&dir.path().join("out")).into_iter().map(|(n, _)| n).collect();
     assert_eq!(names, ["job.resolved.toml", "sections.json", "toolpath.json"]);
 }
+
+/// With the tool square to the blade axis the cone comes down on the platform before the ball does: the helix ends above, and
+/// says so; an end that was asked for is refused instead.
+#[test]
+fn the_helix_ends_where_the_tool_has_no_room() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let model = root().join("models/prism.step").display().to_string();
+    let options = ["machine.b_deg=0", "tool.radius_mm=4", "region.start_mm=9"].map(|o| ["--set", o]).concat();
+    let until = [&["plan", &model, "-o", "out", "--until", "channel"][..], &options].concat();
+    let out = bladewright(&until, dir.path());
+    let text = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(0), "{text}");
+    assert!(text.contains("the helix ends at height") && text.contains("no angle of the tool axis is free"), "{text}");
+    fails(
+        &[&until[..], &["--set", "region.end_mm=5"]].concat(),
+        dir.path(),
+        3,
+        &["channel", "taper"],
+    );
+}

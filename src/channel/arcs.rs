@@ -7,8 +7,8 @@ pub(super) enum Witness {
     Tool {
         /// Index of the profile's segment.
         segment: u16,
-        /// Triangle of the part's mesh.
-        triangle: u32,
+        /// Leaf of the tree over the part's triangles.
+        leaf: u32,
     },
     /// The permitted range of contact angle.
     Contact,

@@ -82,8 +82,8 @@ impl<'a> Search<'a> {
         self.known.clear();
         self.forbid_contact(normal);
         self.pieces.clear();
-        for triangle in std::mem::take(&mut self.seeds) {
-            self.offer_triangle(triangle);
+        for leaf in std::mem::take(&mut self.seeds) {
+            self.offer_leaf(leaf);
         }
         self.search();
         if let Some(root) = self.scene.tree.root() {
@@ -98,10 +98,10 @@ impl<'a> Search<'a> {
 
     fn remember(&mut self, free: &[Free]) {
         for w in free.iter().flat_map(|f| [f.lo_by, f.hi_by]) {
-            if let Witness::Tool { triangle, .. } = w
-                && !self.seeds.contains(&triangle)
+            if let Witness::Tool { leaf, .. } = w
+                && !self.seeds.contains(&leaf)
             {
-                self.seeds.push(triangle);
+                self.seeds.push(leaf);
             }
         }
     }
@@ -137,7 +137,7 @@ impl<'a> Search<'a> {
     }
 
     /// Arcs that the points of a ball of radius `extra` about `v` may forbid, in `self.arcs`.
-    fn arcs_of(&mut self, v: &Vector, extra: f64, triangle: u32) {
+    fn arcs_of(&mut self, v: &Vector, extra: f64, leaf: u32) {
         self.arcs.clear();
         let off = v.x * self.sin_b;
         let m = v.y.hypot(v.z) * self.cos_b;
@@ -147,7 +147,7 @@ impl<'a> Search<'a> {
         }
         let psi = v.z.atan2(v.y);
         for h in &self.heights {
-            let by = |segment| Witness::Tool { segment, triangle };
+            let by = |segment| Witness::Tool { segment, leaf };
             push_arcs(off, m, psi, (h.low, h.high), (by(h.low_by), by(h.high_by)), &mut self.arcs);
         }
     }
@@ -183,10 +183,10 @@ impl<'a> Search<'a> {
 
     /// Looks at the middle of a piece of a triangle and puts the rest off likewise, unless it is clear. Pieces smaller than
     /// an eighth of the tolerance seen from the ball centre are taken as they are, inflated by their size.
-    fn offer_piece(&mut self, corners: [Vector; 3], triangle: u32) {
+    fn offer_piece(&mut self, corners: [Vector; 3], leaf: u32) {
         let (centre, radius) = around_triangle(&corners.map(Point::from));
         let region = Region { centre: centre.coords, radius, shape: Shape::Triangle(corners) };
-        self.arcs_of(&region.centre, radius, triangle);
+        self.arcs_of(&region.centre, radius, leaf);
         if self.excess().is_none() {
             return;
         }
@@ -194,13 +194,13 @@ impl<'a> Search<'a> {
             self.commit();
             return;
         }
-        self.arcs_of(&region.centre, 0.0, triangle);
+        self.arcs_of(&region.centre, 0.0, leaf);
         self.commit();
-        if !self.settle(&region, &corners, triangle) {
-            self.arcs_of(&region.centre, radius, triangle);
+        if !self.settle(&region, &corners, leaf) {
+            self.arcs_of(&region.centre, radius, leaf);
             let excess = self.excess().unwrap_or(0.0);
             self.open.push(Open { excess, what: What::Piece(self.pieces.len()) });
-            self.pieces.push(Piece { corners, triangle, centre: region.centre, radius });
+            self.pieces.push(Piece { corners, leaf, centre: region.centre, radius });
         }
     }
 
@@ -257,9 +257,9 @@ impl<'a> Search<'a> {
     }
 
     /// As [`Self::clear`] for a piece of a triangle, by cutting planes; points found not to be clear become known.
-    fn settle(&mut self, region: &Region, corners: &[Vector; 3], triangle: u32) -> bool {
+    fn settle(&mut self, region: &Region, corners: &[Vector; 3], leaf: u32) -> bool {
         for _ in 0..ROUNDS {
-            self.arcs_of(&region.centre, region.radius, triangle);
+            self.arcs_of(&region.centre, region.radius, leaf);
             if self.excess().is_none() {
                 return true;
             }
@@ -280,7 +280,7 @@ impl<'a> Search<'a> {
                 Verdict::Clear => return true,
                 Verdict::Open => return false,
                 Verdict::Taken(p) => {
-                    self.arcs_of(&p, 0.0, triangle);
+                    self.arcs_of(&p, 0.0, leaf);
                     self.commit();
                 }
             }
@@ -325,13 +325,13 @@ impl<'a> Search<'a> {
         least
     }
 
-    fn offer_triangle(&mut self, triangle: u32) {
-        let corners = self.scene.mesh.corners(triangle as usize).map(|c| self.seen(&c));
+    fn offer_leaf(&mut self, leaf: u32) {
+        let corners = self.scene.tree.corners(leaf).map(|c| self.seen(&c));
         for corner in &corners {
-            self.arcs_of(corner, 0.0, triangle);
+            self.arcs_of(corner, 0.0, leaf);
             self.commit();
         }
-        self.offer_piece(corners, triangle);
+        self.offer_piece(corners, leaf);
     }
 
     /// Opens what may move an end farthest, until nothing may move one by more than the tolerance.
@@ -346,16 +346,16 @@ impl<'a> Search<'a> {
                         continue;
                     }
                     match scene.tree.below(index) {
-                        Below::Triangle(t) => self.offer_triangle(t),
+                        Below::Leaf(leaf) => self.offer_leaf(leaf),
                         Below::Nodes(a, b) => [a, b].into_iter().for_each(|i| self.offer_node(i)),
                     }
                 }
                 What::Piece(index) => {
-                    let Piece { corners, triangle, centre, radius } = self.pieces[index];
-                    self.arcs_of(&centre, radius, triangle);
+                    let Piece { corners, leaf, centre, radius } = self.pieces[index];
+                    self.arcs_of(&centre, radius, leaf);
                     if self.excess().is_some() {
                         for half in halves(&corners.map(Point::from)) {
-                            self.offer_piece(half.map(|c| c.coords), triangle);
+                            self.offer_piece(half.map(|c| c.coords), leaf);
                         }
                     }
                 }
@@ -405,7 +405,7 @@ enum What {
 #[derive(Clone, Copy)]
 struct Piece {
     corners: [Vector; 3],
-    triangle: u32,
+    leaf: u32,
     centre: Vector,
     radius: f64,
 }

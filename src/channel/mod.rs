@@ -71,7 +71,7 @@ pub fn plan(
     tool.validate()?;
     check_input(blade, path)?;
     let part = &blade.part;
-    let tree = SphereTree::new(&part.mesh);
+    let tree = SphereTree::new(&part.mesh, 2.0 * tool.radius_mm);
     let scene =
         Scene { mesh: &part.mesh, tree: &tree, profile: Profile::new(tool, options, part.deflection_mm), options };
     let samples = samples::along(path, options.max_step_mm);

@@ -125,7 +125,7 @@ impl Reporter<'_> {
             let only = self.scene.profile.only(|i| i == k);
             let by =
                 self.free_with(sample, only, &wide).iter().flat_map(|f| [f.lo_by, f.hi_by]).find_map(|w| match w {
-                    Witness::Tool { triangle, .. } => Some(triangle),
+                    Witness::Tool { leaf, .. } => Some(self.scene.tree.triangle(leaf)),
                     _ => None,
                 });
             let triangle = by.unwrap_or(0);

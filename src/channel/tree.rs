@@ -10,7 +10,7 @@ pub(super) struct Node {
     pub radius: f64,
     /// Half sides of the box.
     pub half: [Vector; 3],
-    /// Index of the second child, or, for a leaf, `LEAF` + triangle.
+    /// Index of the second child, or, for a leaf, `LEAF` + piece.
     link: u32,
 }
 
@@ -20,30 +20,58 @@ const LEAF: u32 = 1 << 31;
 pub(super) enum Below {
     /// Two nodes.
     Nodes(u32, u32),
-    /// One triangle.
-    Triangle(u32),
+    /// A leaf: one piece of a triangle.
+    Leaf(u32),
 }
 
-/// The tree; node 0 is the root.
+/// The tree; node 0 is the root. Its leaves are triangles of the part, large ones in pieces.
 pub(super) struct SphereTree {
     nodes: Vec<Node>,
+    pieces: Vec<[Point; 3]>,
+    parents: Vec<u32>,
 }
 
+/// Large triangles are cut into no more than about this many pieces in all.
+const MOST_PIECES: f64 = 200_000.0;
+
 impl SphereTree {
-    /// Halves the triangles at the median along the longest side of their centres' box; deterministic.
-    pub fn new(mesh: &Mesh) -> Self {
-        let centres: Vec<Point> = (0..mesh.triangles.len())
-            .map(|t| {
-                let [a, b, c] = mesh.corners(t);
-                Point::from((a.coords + b.coords + c.coords) / 3.0)
-            })
-            .collect();
-        let mut order: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+    /// Halves the pieces at the median along the longest side of their centres' box; deterministic. Triangles are cut until
+    /// their sides are no longer than `side_mm`: one that reaches far round the tool is hard to bound, and would be cut
+    /// anew for every location.
+    pub fn new(mesh: &Mesh, side_mm: f64) -> Self {
+        let side_mm = side_mm.max((4.0 * mesh.area_mm2() / MOST_PIECES).sqrt());
+        let (mut pieces, mut parents) = (Vec::with_capacity(mesh.triangles.len()), Vec::new());
+        let mut open = Vec::new();
+        for t in 0..mesh.triangles.len() {
+            open.push(mesh.corners(t));
+            while let Some(corners) = open.pop() {
+                let [a, b, c] = corners;
+                if [b - a, c - b, a - c].iter().any(|s| s.norm() > side_mm) {
+                    open.extend(halves(&corners));
+                } else {
+                    pieces.push(corners);
+                    parents.push(t as u32);
+                }
+            }
+        }
+        let centres: Vec<Point> =
+            pieces.iter().map(|[a, b, c]| Point::from((a.coords + b.coords + c.coords) / 3.0)).collect();
+        let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
         let mut nodes = Vec::with_capacity(2 * order.len());
         if !order.is_empty() {
-            build(mesh, &centres, &mut order, &mut nodes);
+            build(&pieces, &centres, &mut order, &mut nodes);
         }
-        SphereTree { nodes }
+        SphereTree { nodes, pieces, parents }
+    }
+
+    /// Corners of a piece.
+    pub fn corners(&self, piece: u32) -> [Point; 3] {
+        self.pieces[piece as usize]
+    }
+
+    /// The triangle that a piece belongs to.
+    pub fn triangle(&self, piece: u32) -> u32 {
+        self.parents[piece as usize]
     }
 
     pub fn root(&self) -> Option<u32> {
@@ -56,14 +84,14 @@ impl SphereTree {
 
     pub fn below(&self, index: u32) -> Below {
         let link = self.nodes[index as usize].link;
-        if link >= LEAF { Below::Triangle(link - LEAF) } else { Below::Nodes(index + 1, link) }
+        if link >= LEAF { Below::Leaf(link - LEAF) } else { Below::Nodes(index + 1, link) }
     }
 }
 
 /// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.
-fn build(mesh: &Mesh, centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node>) {
-    let (centre, half) = around(mesh, order);
-    let corners = order.iter().flat_map(|&t| mesh.corners(t as usize));
+fn build(pieces: &[[Point; 3]], centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node>) {
+    let (centre, half) = around(pieces, order);
+    let corners = order.iter().flat_map(|&t| pieces[t as usize]);
     let radius = corners.map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12);
     let here = nodes.len();
     if let [triangle] = order {
@@ -82,18 +110,18 @@ fn build(mesh: &Mesh, centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node
         centres[a as usize][side].total_cmp(&centres[b as usize][side]).then(a.cmp(&b))
     });
     let (left, right) = order.split_at_mut(half);
-    build(mesh, centres, left, nodes);
+    build(pieces, centres, left, nodes);
     nodes[here].link = nodes.len() as u32;
-    build(mesh, centres, right, nodes);
+    build(pieces, centres, right, nodes);
 }
 
 /// A box around the triangles: its centre and half sides, the first along their mean normal, the second as near to the blade
 /// axis as possible. Patches of a wall are flat along their normal.
-fn around(mesh: &Mesh, order: &[u32]) -> (Point, [Vector; 3]) {
-    let corners = || order.iter().flat_map(|&t| mesh.corners(t as usize));
+fn around(pieces: &[[Point; 3]], order: &[u32]) -> (Point, [Vector; 3]) {
+    let corners = || order.iter().flat_map(|&t| pieces[t as usize]);
     let Some(first) = corners().next() else { return (Point::origin(), [Vector::zeros(); 3]) };
     let twice_area = |&t: &u32| {
-        let [a, b, c] = mesh.corners(t as usize);
+        let [a, b, c] = pieces[t as usize];
         (b - a).cross(&(c - a))
     };
     let normal = order.iter().map(twice_area).sum::<Vector>().try_normalize(1e-12).unwrap_or_else(Vector::y);

@@ -18,11 +18,14 @@ pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
     match by {
         Witness::Contact => Binding::ContactAngle,
         Witness::Cut => Binding::Free,
-        Witness::Tool { segment, triangle } => Binding::Part {
-            tool: scene.profile.names.get(usize::from(segment)).cloned().unwrap_or_default(),
-            face: scene.mesh.face(triangle as usize),
-            triangle,
-        },
+        Witness::Tool { segment, leaf } => {
+            let triangle = scene.tree.triangle(leaf);
+            Binding::Part {
+                tool: scene.profile.names.get(usize::from(segment)).cloned().unwrap_or_default(),
+                face: scene.mesh.face(triangle as usize),
+                triangle,
+            }
+        }
     }
 }
 

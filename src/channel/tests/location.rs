@@ -29,7 +29,7 @@ fn open_options(b_rad: f64) -> ChannelOptions {
 }
 
 fn free(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, centre: &Point, normal: &Vector) -> Vec<Arc> {
-    let tree = SphereTree::new(mesh);
+    let tree = SphereTree::new(mesh, 2.5);
     let scene = Scene { mesh, tree: &tree, profile: Profile::new(tool, options, 0.0), options };
     Search::new(&scene).free(centre, normal, normal.z.atan2(normal.y))
 }
@@ -49,7 +49,7 @@ fn a_point_forbids_the_arc_in_which_a_cylinder_holds_it() {
     assert_eq!(found.len(), 1);
     assert!((found[0].lo - (FRAC_PI_2 + half - TAU)).abs() <= TOL, "{found:?} {half}");
     assert!((found[0].hi - (FRAC_PI_2 - half)).abs() <= TOL, "{found:?} {half}");
-    assert!(matches!(found[0].hi_by, Witness::Tool { segment: 0, triangle: 0 }));
+    assert!(matches!(found[0].hi_by, Witness::Tool { segment: 0, leaf: 0 }));
 }
 
 #[test]
