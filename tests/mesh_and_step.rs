@@ -23,7 +23,12 @@ fn steam_root() {
     // Both find the same frame, so heights agree.
     let frames = step.model_from_blade.to_homogeneous() - obj.model_from_blade.to_homogeneous();
     assert!(frames.abs().max() < 0.1, "{frames}");
-    assert!((exact.turns.len() as i64 - mesh.turns.len() as i64).abs() <= 1, "{} {}", exact.turns.len(), mesh.turns.len());
+    assert!(
+        (exact.turns.len() as i64 - mesh.turns.len() as i64).abs() <= 1,
+        "{} {}",
+        exact.turns.len(),
+        mesh.turns.len()
+    );
     let to_step = step.model_from_blade.inverse() * obj.model_from_blade;
     let mut worst: f64 = 0.0;
     for l in &mesh.locations {

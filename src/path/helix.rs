@@ -87,8 +87,13 @@ fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
     (q - (a + d * f)).norm()
 }
 
-/// Makes the helix through at least two rings.
-pub fn blend(level: &LevelSet, stack: &Stack, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+/// Makes the helix through at least two rings; also the decisive ridge between each turn and the next, mm.
+pub fn blend(
+    level: &LevelSet,
+    stack: &Stack,
+    options: &PathOptions,
+    observer: &dyn Observer,
+) -> Result<(Toolpath, Vec<f64>)> {
     let rings = &stack.rings;
     let done = std::sync::atomic::AtomicUsize::new(0);
     let pairs = rings.len() - 1;
@@ -103,9 +108,11 @@ pub fn blend(level: &LevelSet, stack: &Stack, options: &PathOptions, observer: &
         })
         .collect::<Result<_>>()?;
     let end = Blend { level, a: &rings[pairs - 1], b: &rings[pairs], options }.at(1.0)?;
-    let planned_scallop_mm = worst_scallop(level, &turns);
+    let ridges = ridges(level, &turns);
+    let planned_scallop_mm = decisive_mm(level, ridges.concat());
+    let by_turn = ridges.into_iter().map(|r| decisive_mm(level, r)).collect();
     let (turns, locations) = number(&turns, end);
-    Ok(Toolpath {
+    let path = Toolpath {
         radius_mm: options.radius_mm,
         scallop_mm: options.scallop_mm,
         chord_mm: options.chord_mm,
@@ -114,7 +121,8 @@ pub fn blend(level: &LevelSet, stack: &Stack, options: &PathOptions, observer: &
         planned_scallop_mm,
         turns,
         locations,
-    })
+    };
+    Ok((path, by_turn))
 }
 
 /// Arc lengths and turn numbers; the path's last touch closes the last turn.
@@ -153,21 +161,21 @@ fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<CutterLocation>) 
 }
 
 /// The scallop between each turn and the next, measured at each location, mm.
-fn worst_scallop(level: &LevelSet, turns: &[Vec<Touch>]) -> f64 {
-    let heights = (1..turns.len())
+fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
+    (1..turns.len())
         .into_par_iter()
-        .flat_map_iter(|k| {
+        .map(|k| {
             let (upper, lower) = (&turns[k - 1], &turns[k]);
             let mut at = 0usize;
-            upper.iter().filter_map(move |t| {
+            let ridge = |t: &Touch| {
                 let near = nearest_forward(lower, &t.centre, &mut at)?;
                 // Off the chord and onto the level set, as for the rings.
                 let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm)?;
                 ridge_height(level, &t.centre, &on_level.centre)
-            })
+            };
+            upper.iter().filter_map(ridge).collect()
         })
-        .collect();
-    decisive_mm(level, heights)
+        .collect()
 }
 
 /// The nearest point of an open polyline of centres, sought near the last answer: both turns run alongside. `None`

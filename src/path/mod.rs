@@ -52,22 +52,57 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
     validate(blade, options)?;
     let level = LevelSet { part: &blade.part, radius_mm: options.radius_mm };
     let start_x = start_height(blade, options);
-    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet a little more than its
-    // own ring pair promised: aim lower, measure the helix itself, and aim again where that was not enough.
-    let mut target = 0.95 * options.scallop_mm;
-    let mut toolpath = None;
-    for _ in 0..3 {
-        let rings = rings::lay(blade, &level, options, start_x, target, observer)?;
-        let path = helix::blend(&level, &rings, options, observer)?;
-        let foreseen = path.planned_scallop_mm;
-        toolpath = Some(path);
+    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more than its own ring pair
+    // promised: aim lower, measure the helix itself, and aim lower still at the heights where that was not enough.
+    let mut aim = Aim { target_mm: 0.95 * options.scallop_mm, caps: Vec::new() };
+    let mut kept = Vec::new();
+    let mut best: Option<Toolpath> = None;
+    for _ in 0..MOST_AIMS {
+        let stack = rings::lay(blade, &level, options, start_x, kept, &aim, observer)?;
+        let (path, ridges) = helix::blend(&level, &stack, options, observer)?;
         // Two hundredths are left for what another measure of the same ridge may see.
-        if foreseen <= 0.98 * options.scallop_mm {
+        let most = 0.98 * options.scallop_mm;
+        let high: Vec<usize> = (0..ridges.len()).filter(|&k| ridges[k] > most).collect();
+        let enough = path.planned_scallop_mm <= most || high.is_empty();
+        if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) {
+            best = Some(path);
+        }
+        if enough {
             break;
         }
-        target *= (0.97 * options.scallop_mm / foreseen).clamp(0.3, 0.99);
+        for &k in &high {
+            let lower = stack.rings[(k + 2).min(stack.rings.len() - 1)].x_mm;
+            aim.cap([lower, stack.rings[k].x_mm], (0.95 * options.scallop_mm / ridges[k]).clamp(0.3, 0.97));
+        }
+        let first = high[0] + 1;
+        kept = stack.rings;
+        kept.truncate(first);
     }
-    toolpath.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid"))
+    best.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid"))
+}
+
+/// How often the helix is laid anew, closer where its ridges were too high.
+const MOST_AIMS: usize = 8;
+
+/// The scallop that the pitch aims at, by height.
+struct Aim {
+    target_mm: f64,
+    /// Heights (lower, upper) and the factor there.
+    caps: Vec<([f64; 2], f64)>,
+}
+
+impl Aim {
+    /// Aims lower by `factor` between two heights, on top of what is asked for there already.
+    fn cap(&mut self, heights: [f64; 2], factor: f64) {
+        let so_far = self.at(heights) / self.target_mm;
+        self.caps.push((heights, factor * so_far));
+    }
+
+    /// What to aim at for passes between two heights, mm.
+    fn at(&self, [lower, upper]: [f64; 2]) -> f64 {
+        let there = self.caps.iter().filter(|([lo, hi], _)| *lo < upper && *hi > lower);
+        self.target_mm * there.map(|(_, f)| *f).fold(1.0, f64::min)
+    }
 }
 
 /// Where the path begins, mm along the blade axis: given, or far enough above the platform for the root region.

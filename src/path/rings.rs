@@ -6,7 +6,7 @@ use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
-use super::{place, seed};
+use super::{Aim, place, seed};
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -25,13 +25,14 @@ pub struct Stack {
     pub end_reason: String,
 }
 
-/// Lays the rings.
+/// Lays the rings; the first ones may be `kept` from an earlier stack.
 pub fn lay(
     blade: &Blade,
     level: &LevelSet,
     options: &PathOptions,
     start_x: f64,
-    target_mm: f64,
+    kept: Vec<Ring>,
+    aim: &Aim,
     observer: &dyn Observer,
 ) -> Result<Stack> {
     let how = Tracing {
@@ -40,10 +41,13 @@ pub fn lay(
         min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
         min_cos_lean: options.max_lean_rad.cos(),
     };
-    let mut rings = vec![first_ring(blade, level, start_x, &how)?];
+    let mut rings = if kept.is_empty() { vec![first_ring(blade, level, start_x, &how)?] } else { kept };
     let lowest = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
-    let flat = flat_stepover_mm(options.radius_mm, target_mm);
-    let mut pitch = flat;
+    let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
+    let mut pitch = match rings[..] {
+        [.., ref a, ref b] => a.x_mm - b.x_mm,
+        _ => flat,
+    };
     let height = (start_x - lowest.max(blade.regions.airfoil_x_mm[0])).max(flat);
     let end = loop {
         observer.check(Stage::Path)?;
@@ -52,7 +56,7 @@ pub fn lay(
         if last.x_mm - lowest <= 1e-9 {
             break None;
         }
-        match next_ring(level, last, pitch, target_mm, lowest, &how) {
+        match next_ring(level, last, pitch, aim, lowest, &how) {
             Ok((ring, used)) => {
                 // Pitch may grow again where the wall stands up, but not from a last, shortened turn.
                 pitch = used.max(0.02 * flat);
@@ -149,11 +153,11 @@ fn next_ring(
     level: &LevelSet,
     last: &Ring,
     guess_mm: f64,
-    target_mm: f64,
+    aim: &Aim,
     lowest: f64,
     how: &Tracing,
 ) -> std::result::Result<(Ring, f64), Broken> {
-    let least = 0.02 * flat_stepover_mm(level.radius_mm, target_mm);
+    let least = 0.02 * flat_stepover_mm(level.radius_mm, aim.target_mm);
     let mut pitch = guess_mm;
     let mut best: Option<(Ring, f64)> = None;
     let mut trouble = None;
@@ -161,6 +165,7 @@ fn next_ring(
         let x = (last.x_mm - pitch).max(lowest);
         match ring_below(level, last, x, how) {
             Ok(ring) => {
+                let target_mm = aim.at([ring.x_mm, last.x_mm]);
                 let h = worst_ridge(level, last, &ring);
                 let factor = (target_mm / h.max(1e-3 * target_mm)).sqrt();
                 if h <= target_mm {

@@ -1,20 +1,46 @@
 //! The scallop between two neighbouring passes, measured on the part itself.
 //!
-//! A ball halfway between two passes, on the level set like them, would touch the part at a contact point `p` with normal
-//! `n`. What the two passes leave standing there is the height at which the ray from `p` along `n` enters one of their
-//! balls. On a part of constant curvature across the passes this is the cusp of the two-ball construction,
+//! A ball between two passes, on the level set like them, would touch the part at a contact point `p` with normal `n`. What
+//! the two passes leave standing there is the height at which the ray from `p` along `n` enters one of their balls, and the
+//! ridge is where both leave the same. On a part of constant curvature across the passes this is the cusp of the two-ball construction,
 //! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ`; measured on the part it needs no curvature, so it holds on
 //! meshes, creases and saddles alike, and what no ball of this radius can reach (sharp inner corners) does not count.
 
 use super::level::LevelSet;
 use crate::geometry::{Point, Vector};
 
+/// Halvings of the doubt about where the ridge is highest.
+const RIDGE_STEPS: usize = 3;
+/// The ridge's place is known well enough within this share of the stepover: its height is flat there to a few per cent.
+const RIDGE_PLACE: f64 = 0.02;
+
 /// Height of the ridge between two balls of the level set over the part, mm; infinite where neither reaches over the
 /// contact between them, `None` where there is no ball of the level set between them.
+///
+/// The ridge is where both balls leave the same height. That is midway only where the curvature across the passes does
+/// not change, and much nearer to one of them where a wall runs into a fillet: each height grows about as the square of the
+/// way from its own pass, which tells where to look next. Every place looked at is on the part, so the greatest height
+/// found is left there indeed.
 pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
-    let between = level.touch_in_plane(&(a + (b - a) * 0.5), 0.5 * (b - a).norm() + 0.02 * level.radius_mm)?;
-    let enters = |c: &Point| ray_into_ball(&between.contact, &between.normal, c, level.radius_mm);
-    Some(enters(a).min(enters(b)))
+    let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
+    let mut share = 0.5;
+    let mut ridge: Option<f64> = None;
+    for _ in 0..RIDGE_STEPS {
+        let Some(between) = level.touch_in_plane(&(a + (b - a) * share), reach) else { break };
+        let leaves = |c: &Point| ray_into_ball(&between.contact, &between.normal, c, level.radius_mm);
+        let (of_a, of_b) = (leaves(a), leaves(b));
+        ridge = Some(ridge.map_or(of_a.min(of_b), |r| r.max(of_a.min(of_b))));
+        if !(of_a.is_finite() && of_b.is_finite()) {
+            break;
+        }
+        let (rate_a, rate_b) = (of_a.max(0.0).sqrt() / share, of_b.max(0.0).sqrt() / (1.0 - share));
+        let next = if rate_a + rate_b > 0.0 { (rate_b / (rate_a + rate_b)).clamp(0.02, 0.98) } else { share };
+        if (next - share).abs() <= RIDGE_PLACE {
+            break;
+        }
+        share = next;
+    }
+    ridge
 }
 
 /// Where the ray from `p` along the unit vector `n` enters the ball round `c`; infinite where it passes it by.

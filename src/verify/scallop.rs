@@ -2,7 +2,8 @@
 //!
 //! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n` enters the swept ball at
 //!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
-//!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all.
+//!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all; next to where the
+//!   inner turns begin and end one neighbour is missing, so these places do not count.
 //!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
 //!   valley) no ball of this radius can reach `p`: what it must be lifted by is uncut for good, whatever the stepover,
 //!   and taken off the height; gouges are judged on heights as measured.
@@ -82,16 +83,39 @@ pub(super) struct Band {
     pub uncut: usize,
 }
 
+/// Rows of the turns that have neighbours on both sides; where a turn follows on the first one, or runs into the last, the
+/// neighbour is missing for as far as a pass reaches. All rows where there are fewer than three turns.
+fn inner_rows(sweep: &Sweep, reach: f64) -> std::ops::Range<usize> {
+    let (turns, centres) = (&sweep.turns, &sweep.centres);
+    let (first, last) = (turns.first().copied().unwrap_or(0), turns.last().copied().unwrap_or(0));
+    if last < first + 2 {
+        return 0..turns.len();
+    }
+    let walk = |from: usize, rows: &mut dyn Iterator<Item = usize>| {
+        let (mut at, mut way) = (from, 0.0);
+        for row in rows.take_while(|row| *row < turns.len()) {
+            way += (centres[row] - centres[at]).norm();
+            at = row;
+            if way >= reach {
+                break;
+            }
+        }
+        at
+    };
+    let begin = turns.partition_point(|t| *t <= first);
+    let end = turns.partition_point(|t| *t < last);
+    walk(begin, &mut (begin + 1..)).min(end)..walk(end, &mut (0..end).rev()).max(begin)
+}
+
 /// Heights at samples of the machined band.
 pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
     // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
     let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
-    let (first, last) = (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0));
-    let inner = |turn: u32| last < first + 2 || (turn > first && turn < last);
+    let inner = inner_rows(sweep, reach);
     let height = |s: samples::Sample| {
         let near = sweep.nearest(&(s.point + s.normal * sweep.radius_mm), reach, |_| true)?;
         let row = near.segment + usize::from(near.t > 0.5);
-        if !inner(sweep.turns[row]) {
+        if !inner.contains(&row) {
             return None;
         }
         let height_mm = sweep.entry(&s.point, &s.normal, reach)?;
