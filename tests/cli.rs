@@ -227,6 +227,6 @@ fn the_helix_ends_where_the_tool_has_no_room() {
     let out = bladewright(&until, dir.path());
     let text = String::from_utf8_lossy(&out.stderr).into_owned();
     assert_eq!(out.status.code(), Some(0), "{text}");
-    assert!(text.contains("the helix ends at height") && text.contains("no angle of the tool axis is free"), "{text}");
+    assert!(text.contains("the helix ends at height") && text.contains("taper against"), "{text}");
     fails(&[&until[..], &["--set", "region.end_mm=5"]].concat(), dir.path(), 3, &["channel", "taper"]);
 }
