@@ -111,7 +111,13 @@ fn main() {
             unit: Unit::Mm,
             part: Part::from_mesh(mesh),
             model_from_blade: Rigid::identity(),
-            regions: Regions { part_x_mm: x, airfoil_x_mm: x, platform_x_mm: None, reasons: Vec::new() },
+            regions: Regions {
+                part_x_mm: x,
+                airfoil_x_mm: x,
+                platform_x_mm: None,
+                fillet_x_mm: None,
+                reasons: Vec::new(),
+            },
             diagnosis: Diagnosis::default(),
         };
         let start = Instant::now();

@@ -132,7 +132,7 @@ fn mesh_gives_the_path_of_the_step() {
     for l in &b.locations {
         let (distance, _) = from_profile(&(mesh.model_from_blade * l.centre));
         // Vertices on the profile, facets inside by at most the deflection of the model's file, 0.01 mm.
-        assert!(distance <= R + 2e-6 && distance >= R - 0.0101, "{distance}");
+        assert!((R - 0.0101..=R + 2e-6).contains(&distance), "{distance}");
     }
 }
 

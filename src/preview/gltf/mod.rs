@@ -97,7 +97,7 @@ pub fn gltf(plan: Option<&Plan>, blade: &Blade, tool: &Tool, options: &GltfOptio
 /// is in the model frame, mm, and is not thinned.
 ///
 /// # Errors
-/// As [`gltf`].
+/// As [`gltf()`].
 pub fn regions(name: &str, mesh: &Mesh, areas: &[Area]) -> Result<Vec<u8>> {
     let mut glb = Glb::default();
     let child = blade::regions_node(&mut glb, mesh, areas, GltfOptions::default().crease_deg)?;
