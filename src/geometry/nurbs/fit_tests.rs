@@ -135,3 +135,23 @@ proptest! {
         }
     }
 }
+
+/// Curves with knots of their own: the ruled surface has them both as its sides and straight lines between.
+#[test]
+fn ruled_surface_between_two_curves() {
+    let curve = |n: usize, y: f64| {
+        let t: Vec<f64> = (0..n).map(|i| (i as f64 / (n - 1) as f64).powf(1.3) * 2.0).collect();
+        let p: Vec<_> = t.iter().map(|t| Vector4::new(*t, y + t.sin(), t * t, 1.0)).collect();
+        interpolate_curve(&p, &t, 3).unwrap()
+    };
+    let (a, b) = (curve(9, 0.0), curve(14, 3.0));
+    let s = ruled(&a, &b).unwrap();
+    for i in 0..=50 {
+        let u = f64::from(i) / 50.0;
+        let (p, q) = (a.point(2.0 * u), b.point(2.0 * u));
+        assert!((s.point(u, 0.0) - p).norm() < 1e-12 && (s.point(u, 1.0) - q).norm() < 1e-12);
+        assert!((s.point(u, 0.25) - (p + (q - p) * 0.25)).norm() < 1e-12);
+    }
+    let line = interpolate_curve(&a.points[..2], &[0.0, 1.0], 1).unwrap();
+    assert!(matches!(ruled(&a, &line), Err(FitError::Count { what: "degree", .. })));
+}

@@ -19,6 +19,9 @@ pub mod loft;
 pub mod outline;
 pub mod solid;
 
+#[cfg(test)]
+mod tests;
+
 use std::path::Path;
 
 use super::faces::FaceModel;
@@ -42,6 +45,8 @@ const MOST_SECTIONS: usize = 1000;
 const MOST_BYTES: u64 = 256 << 20;
 /// A block whose ends are farther apart than this share of its size is a side, not a loop.
 const OPEN: f64 = 0.2;
+/// How the message about a section without size ends.
+const POINT: &str = "is a single point";
 /// An end section smaller than this share of the largest is a point or a line.
 const COLLAPSED: f64 = 1e-3;
 
@@ -197,6 +202,7 @@ fn outlines(
     if sections > MOST_SECTIONS {
         return Err(format!("{sections} sections; up to {MOST_SECTIONS} are read"));
     }
+    let largest = flat.iter().map(|b| extent(&b.points)).fold(0.0, f64::max);
     let mut out = Vec::with_capacity(sections);
     for s in 0..sections {
         let height = header.heights.get(s).copied().unwrap_or(0.0);
@@ -205,9 +211,9 @@ fn outlines(
         if first.iter().any(|p| p.coords.iter().any(|x| !x.is_finite())) {
             return Err(format!("the height of the section at {} makes no points", block.0));
         }
-        let degenerate = extent(&first) == 0.0;
+        let degenerate = extent(&first) <= 1e-6 * largest;
         let outline = match (two, paired) {
-            _ if degenerate => Err(format!("the section at {} is a single point", block.0)),
+            _ if degenerate => Err(format!("the section at {} {POINT}", block.0)),
             (true, _) => Outline::from_sides(&block.0, first, points(block, 1, height)),
             (_, true) => Outline::from_sides(&block.0, first, points(&blocks[s * 2 + 1], 0, height)),
             _ => Outline::from_loop(&block.0, first),
@@ -277,18 +283,18 @@ fn without_collapsed(sections: Vec<Said<Outline>>, notes: &mut Vec<String>) -> S
     let largest = sections.iter().flatten().map(|o| o.area().norm()).fold(0.0, f64::max);
     let collapsed = |o: &Said<Outline>| match o {
         Ok(o) => o.area().norm() < COLLAPSED * COLLAPSED * largest,
-        Err(m) => m.ends_with("is a single point") || m.contains("a section has"),
+        Err(m) => m.ends_with(POINT),
     };
     let from = sections.iter().take_while(|o| collapsed(o)).count();
     let to = sections.len() - sections.iter().rev().take_while(|o| collapsed(o)).count();
-    if from < to {
-        for o in sections.iter().take(from).chain(sections.iter().skip(to)) {
-            let place =
-                o.as_ref().map_or_else(String::clone, |o| format!("the section at {} encloses no area", o.place));
-            notes.push(format!("left out at the end: {place}"));
-        }
+    if from >= to {
+        return sections.into_iter().collect();
     }
-    sections.into_iter().take(to).skip(from.min(to)).collect()
+    for o in sections.iter().take(from).chain(sections.iter().skip(to)) {
+        let place = o.as_ref().map_or_else(String::clone, |o| format!("the section at {} encloses no area", o.place));
+        notes.push(format!("left out at the end: {place}"));
+    }
+    sections.into_iter().take(to).skip(from).collect()
 }
 
 /// A single profile with a second one, moved along its normal.

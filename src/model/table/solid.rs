@@ -142,47 +142,49 @@ impl Solid {
     /// The way of the main cap across a blunt edge: nothing at a sharp one, the edge itself if it is one straight line,
     /// else its chord; what lies between is closed by faces of its own.
     fn blunt(&mut self, name: &str, pieces: &[usize], down: bool) -> Result<Vec<Coedge>, String> {
-        if let [] = pieces {
-            return Ok(Vec::new());
-        }
-        let mut chords = Vec::with_capacity(pieces.len());
+        let mut chords: Vec<([Point; 2], Vec<Coedge>)> = Vec::with_capacity(pieces.len());
         for &e in pieces {
             let curve = self.curve(e).clone();
+            let mut p = poles(&curve);
+            let (Some(a), Some(b)) = (p.next(), p.next_back()) else { continue };
             if curve.degree == 1 && curve.points.len() == 2 {
-                chords.push(e);
+                chords.push(([a, b], vec![forward(e)]));
                 continue;
             }
             // The chord is to the left of the edge, so the surface from edge to chord looks along the span.
-            let straight = chord(&curve);
-            let surface = ruled(&curve, &straight).map_err(|e| format!("the {name} cannot be closed: {e}"))?;
-            let across = self.edge(straight);
-            self.face(
-                format!("{name} cap at an edge"),
-                SurfaceKind::Other,
-                surface,
-                down,
-                vec![forward(e), backward(across)],
-            );
-            chords.push(across);
+            let surface = ruled(&curve, &chord(&curve)).map_err(|e| format!("the {name} cannot be closed: {e}"))?;
+            let across = self.halves(a, b);
+            let mut edges = vec![forward(e)];
+            edges.extend(turned(&across));
+            self.face(format!("{name} cap at an edge"), SurfaceKind::Other, surface, down, edges);
+            chords.push(([a, b], across));
         }
         // A fan over the corners of the chords.
-        let end = |s: &Self, e: usize, last: bool| {
-            let mut p = poles(s.curve(e));
-            if last { p.next_back() } else { p.next() }.unwrap_or_default()
-        };
-        let origin = end(self, chords[0], false);
-        let mut diagonal = forward(chords[0]);
-        for &e in &chords[1..] {
-            let next = self.edge(line(origin, end(self, e, true)));
-            let triangle = [origin, end(self, e, false), end(self, e, true)];
-            if let Some(surface) = plane(&triangle) {
-                let edges = vec![diagonal, forward(e), backward(next)];
+        let mut chords = chords.into_iter();
+        let Some(([origin, _], mut diagonal)) = chords.next() else { return Ok(Vec::new()) };
+        for ([a, b], chord) in chords {
+            let next = self.halves(origin, b);
+            if let Some(surface) = plane(&[origin, a, b]) {
+                let mut edges = diagonal;
+                edges.extend(chord);
+                edges.extend(turned(&next));
                 self.face(format!("{name} cap at an edge"), SurfaceKind::Plane, surface, down, edges);
             }
-            diagonal = forward(next);
+            diagonal = next;
         }
-        Ok(vec![diagonal])
+        Ok(diagonal)
     }
+
+    /// A straight line in two edges: a face between a line and a curve that share both ends needs a point between them.
+    fn halves(&mut self, a: Point, b: Point) -> Vec<Coedge> {
+        let middle = nalgebra::center(&a, &b);
+        vec![forward(self.edge(line(a, middle))), forward(self.edge(line(middle, b)))]
+    }
+}
+
+/// Edges walked the other way.
+fn turned(edges: &[Coedge]) -> Vec<Coedge> {
+    edges.iter().rev().map(|c| Coedge { reversed: !c.reversed, ..*c }).collect()
 }
 
 /// The pieces after side `from` and before side `to`, round.
