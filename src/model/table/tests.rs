@@ -45,7 +45,7 @@ fn joined(sections: &[Vec<Point>], before: impl Fn(usize) -> String) -> String {
 }
 
 /// Reads files from a folder; the first is the one that is named.
-fn read_files(files: &[(&str, String)]) -> Result<StepShape> {
+fn read_files(files: &[(&str, String)]) -> Result<FaceModel> {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in files {
         std::fs::write(folder.path().join(name), text).unwrap();
@@ -64,7 +64,7 @@ fn part(brep: Brep) -> Part {
 }
 
 /// The shape is the twisted elliptical cylinder, within a tolerance, closed and outward.
-fn is_ideal(name: &str, shape: Result<StepShape>, tolerance: f64) -> StepShape {
+fn is_ideal(name: &str, shape: Result<FaceModel>, tolerance: f64) -> FaceModel {
     let shape = shape.unwrap_or_else(|e| panic!("{name}: {e}"));
     let part = part(shape.brep.clone());
     let volume = PI * A * B * H;
