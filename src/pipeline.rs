@@ -72,6 +72,10 @@ impl Setup {
     pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
         let m = draft.model();
         let mut inputs = vec![manifest::input(&m.file)?];
+        // A header of a section table has its points in files of their own.
+        for file in crate::model::table::data_files(&m.file) {
+            inputs.push(manifest::input(&file)?);
+        }
         let options = model_options(m);
         let blade = model::load(&m.file, &options, observer)?;
         let machine = match draft.machine_file() {

@@ -16,6 +16,18 @@ pub enum Kind {
     Numbers,
 }
 
+impl Kind {
+    /// As people call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Tecplot => "Tecplot zones",
+            Kind::TurboGrid => "TurboGrid curves",
+            Kind::TBlade3 => "T-Blade3",
+            Kind::Numbers => "rows of numbers",
+        }
+    }
+}
+
 /// Blocks of a file with the columns to read them by.
 pub struct Table {
     /// The blocks.

@@ -39,6 +39,8 @@ use outline::Outline;
 pub const TOLERANCE_MM: f64 = 0.01;
 /// Most points of a section.
 pub const MOST_POINTS: usize = 5000;
+/// Most points of a table: the search for points that belong together grows with these times those of a section.
+const MOST_TOTAL: usize = 200_000;
 /// Most sections.
 const MOST_SECTIONS: usize = 1000;
 /// Greatest size of a data file, bytes.
@@ -58,6 +60,7 @@ type Said<T> = std::result::Result<T, String>;
 /// `InputOutput` with file and line: what cannot be read, what is no blade, a surface too far from the points.
 pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let name = path.display().to_string();
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = String::from_utf8_lossy(bytes);
     let is_toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     let (header, sources) = if is_toml {
@@ -85,6 +88,15 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
 pub fn is_header_file(path: &Path) -> bool {
     let small = std::fs::metadata(path).is_ok_and(|m| m.len() <= 1 << 20);
     small && std::fs::read_to_string(path).is_ok_and(|text| header::is_header(&text))
+}
+
+/// The data files that a header names; none for other files and where they cannot be found, which [`read`] tells.
+pub fn data_files(path: &Path) -> Vec<std::path::PathBuf> {
+    if !is_header_file(path) {
+        return Vec::new();
+    }
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    header::parse(&text, "").and_then(|h| header::files(path, &h.files)).unwrap_or_default()
 }
 
 /// What to do with a table that cannot be read.
@@ -137,7 +149,7 @@ fn gather(header: &Header, sources: &[(String, String)]) -> Said<Raw> {
             let kind = kind.ok_or_else(|| format!("{name} holds no rows of numbers"))?;
             let table = direct::read(kind, text, name, header)?;
             notes.extend(table.notes);
-            (table.blocks, table.columns, format!("sections, {kind:?}"))
+            (table.blocks, table.columns, format!("sections, {}", kind.name()))
         } else {
             let has_heights = !header.heights.is_empty();
             let columns = match Columns::new(&header.columns, header.angle, has_heights) {
@@ -153,6 +165,10 @@ fn gather(header: &Header, sources: &[(String, String)]) -> Said<Raw> {
     let (columns, format) = found.ok_or("the header names no files")?;
     if blocks.is_empty() {
         return Err("there are no rows of numbers".into());
+    }
+    let total: usize = blocks.iter().map(|b| b.1.len()).sum();
+    if total > MOST_TOTAL {
+        return Err(format!("there are {total} points; up to {MOST_TOTAL} are read"));
     }
     if let Some(b) = blocks.iter().find(|b| b.1.len() > MOST_POINTS) {
         return Err(format!("the block from {} has {} points; up to {MOST_POINTS} are read", b.0, b.1.len()));
