@@ -285,7 +285,7 @@ fn corpus_table_case7288() {
         apart.len(),
         apart.iter().sum::<f64>() / apart.len() as f64
     );
-    agrees(&table, None, "tblade3_case7288/case7288_rotor_blade.step", |p| p, [0.05, 0.005]);
+    agrees(&table, None, "tblade3_case7288/case7288_rotor_blade.step", |p| p, [0.1, 0.005]);
 }
 
 /// Tables are planned like any model; they have no platform, so the region is given.

@@ -44,6 +44,15 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
 }
 
 fn read_guarded(path: &Path, bytes: &[u8]) -> Said<Soup> {
+    // The validation of the crate looks attributes up before it knows that they are there.
+    let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|e| e.to_string())?;
+    let root = unchecked.document.as_json();
+    for (k, mesh) in root.meshes.iter().enumerate() {
+        let missing = |i: usize| i >= root.accessors.len();
+        if mesh.primitives.iter().flat_map(|p| p.attributes.values()).any(|a| missing(a.value())) {
+            return Err(format!("mesh {k} names an accessor that is not there"));
+        }
+    }
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|e| e.to_string())?;
     let buffers = document.buffers().map(|b| buffer_bytes(path, &b, blob.as_deref())).collect::<Said<Vec<_>>>()?;
     let format = if bytes.starts_with(b"glTF") { "GLB" } else { "glTF" };

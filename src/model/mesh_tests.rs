@@ -280,6 +280,11 @@ fn damaged_files_are_refused_with_a_sentence() {
     let (json, bin) = gltf_parts(&mesh, Kind::Indexed(4), Some("DATA"));
     let with = |json: &str| json.replace("DATA", &format!("data:;base64,{}", base64(&bin))).into_bytes();
     refused("short.gltf", &with(&json.replacen(r#""count":"#, r#""count":9"#, 1)), &["beyond its buffer"]);
+    refused(
+        "missing.gltf",
+        &with(&json.replace(r#""POSITION":0"#, r#""POSITION":7"#)),
+        &["accessor that is not there"],
+    );
     refused("twice.gltf", &with(&json.replace(r#""nodes":[0]"#, r#""nodes":[0,1]"#)), &["placed twice"]);
     refused("itself.gltf", &with(&json.replace(r#""children":[1]"#, r#""children":[0]"#)), &["placed twice"]);
     refused(

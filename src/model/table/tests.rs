@@ -320,7 +320,8 @@ fn bad_tables_are_refused_with_a_sentence() {
         &["back along the span"],
     );
     refused("a.curve", joined(&[s[0].clone(), s[0].clone()], |k| format!("# {k}\n")), &["in one place"]);
-    refused("a.curve", joined(&ideal_sections(7, 2), |k| format!("# {k}\n")), &["7 points, at least 8"]);
+    let few: Vec<Vec<Point>> = ideal_sections(7, 2).iter().map(|s| [&s[..], &s[..1]].concat()).collect();
+    refused("a.curve", joined(&few, |k| format!("# {k}\n")), &["7 points, at least 8"]);
     refused(
         "a.curve",
         joined(&[s[0][..20].to_vec(), s[1].clone()], |k| format!("# {k}\n")),
