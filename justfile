@@ -15,6 +15,14 @@ ci:
 corpus:
     cargo nextest run --release --run-ignored only corpus
 
+# What `inspect` and `plan` make of each of them, as a table
+corpus-table:
+    cargo nextest run --release --run-ignored only --no-capture corpus_table
+
+# Mutated models against every reader, seconds for each
+fuzz seconds="600":
+    cargo run --release --example fuzz_readers -- {{seconds}}
+
 # The example program
 plan:
     cargo run --release -- plan models/steam_root.step -o out/steam_root

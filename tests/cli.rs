@@ -116,10 +116,82 @@ fn bad_options_are_named() {
     fails(&["verify", "nowhere"], d, 4, &["nowhere"]);
     write(d, "file", b"in the way");
     fails(&["plan", &model, "-o", "file"], d, 4, &["file"]);
-    // /dev/full stands for a disk without room, /proc for a folder that cannot be written.
+    // /proc is a folder that cannot be written.
     if Path::new("/proc/self").is_dir() {
         fails(&["plan", &model, "-o", "/proc/bladewright-out"], d, 4, &["/proc"]);
     }
+}
+
+/// Runs a shell that ends with the command, so that limits and signals can be set before.
+#[cfg(target_os = "linux")]
+fn shell(script: &str, dir: &Path) -> Output {
+    Command::new("sh")
+        .args(["-c", script])
+        .env("BLADEWRIGHT", env!("CARGO_BIN_EXE_bladewright"))
+        .env("MODEL", root().join("models/prism.step"))
+        .current_dir(dir)
+        .output()
+        .expect("sh starts")
+}
+
+/// A disk that fills up while results are written: a clear error, exit code 4, nothing half-written left. Once as a limit on the
+/// size of files, which any user may set, and once as a real small disk where the system lets users make one.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_leaves_nothing_behind() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    // 8 blocks of 512 bytes hold job.resolved.toml, not sections.json; without the trap the signal would end the program.
+    let plan = "\"$BLADEWRIGHT\" --quiet plan \"$MODEL\" --set region.start_mm=7 --until section";
+    let limited = |out: &str| shell(&format!("trap '' XFSZ; ulimit -f 8; exec {plan} -o {out}"), d);
+    std::fs::create_dir(d.join("old")).expect("writable");
+    write(&d.join("old"), "sections.json", b"from before");
+    let before = listing(d);
+    for out in ["new", "old"] {
+        let run = limited(out);
+        let text = String::from_utf8_lossy(&run.stderr).into_owned();
+        assert_eq!(run.status.code(), Some(4), "{text}");
+        assert!(
+            text.contains("cannot write") && text.contains("sections.json") && text.contains("disk has room"),
+            "{text}"
+        );
+        assert_eq!(before, listing(d), "something was left behind");
+        assert_eq!(listing(&d.join("old")), [d.join("old/sections.json")], "something was left behind");
+        assert_eq!(std::fs::read(d.join("old/sections.json")).expect("readable"), b"from before");
+    }
+    let glb = shell("trap '' XFSZ; ulimit -f 8; exec \"$BLADEWRIGHT\" --quiet inspect \"$MODEL\" --glb part.glb", d);
+    assert_eq!(glb.status.code(), Some(4), "{}", String::from_utf8_lossy(&glb.stderr));
+    assert!(String::from_utf8_lossy(&glb.stderr).contains("part.glb"));
+    assert_eq!(before, listing(d), "something was left behind");
+    // A disk of 8 kB in a name space of its own.
+    let mount = "mkdir disk && mount -t tmpfs -o size=8k none disk";
+    let real = shell(
+        &format!(
+            "unshare -rm sh -c '{mount} && {{ {plan} -o disk/out; code=$?; ls -A disk; exit $code; }} || exit $?'"
+        ),
+        d,
+    );
+    let (text, left) = (String::from_utf8_lossy(&real.stderr), String::from_utf8_lossy(&real.stdout));
+    if text.contains("unshare") || text.contains("mount") {
+        eprintln!("no disk of its own may be made here: {text}");
+        return;
+    }
+    assert_eq!(real.status.code(), Some(4), "{text}");
+    assert!(text.contains("No space left"), "{text}");
+    assert_eq!(left.trim(), "", "left on the full disk");
+}
+
+/// Standard output that cannot be written is an error, and a reader that goes away early is none.
+#[test]
+#[cfg(target_os = "linux")]
+fn standard_output_may_be_full_or_closed() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let full = shell("exec \"$BLADEWRIGHT\" --quiet inspect \"$MODEL\" > /dev/full", dir.path());
+    let text = String::from_utf8_lossy(&full.stderr);
+    assert_eq!(full.status.code(), Some(4), "{text}");
+    assert!(text.contains("standard output cannot be written") && !text.contains("panicked"), "{text}");
+    let closed = shell("{ \"$BLADEWRIGHT\" --quiet inspect \"$MODEL\"; echo $? >&2; } | true", dir.path());
+    assert_eq!(String::from_utf8_lossy(&closed.stderr).trim(), "0");
 }
 
 /// Every file of a run but manifest.json, which holds times and memory.

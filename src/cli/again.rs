@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::args::{Again, Post};
+use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::{CheckReport, Plan};
 use crate::error::{Error, ErrorKind, Result, Stage};
@@ -60,7 +61,7 @@ pub fn verify(args: &Again, quiet: bool) -> Result<u8> {
     let report = verdict.report();
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        println!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, c.limit, c.unit);
+        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, c.limit, c.unit);
     }
     print_failed(report);
     let mut folder = RunFolder::begin(&args.out)?;
@@ -90,7 +91,7 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.out)?;
     folder.add(args.control.file_name(), program.text)?;
     for file in folder.finish()? {
-        println!("{}", file.display());
+        sayln!("{}", file.display());
     }
     Ok(if report.passed() { 0 } else { ErrorKind::Findings.exit_code() })
 }
@@ -105,7 +106,7 @@ pub fn preview(args: &Again, quiet: bool) -> Result<u8> {
     });
     terminal.finish();
     for file in written? {
-        println!("{}", file.display());
+        sayln!("{}", file.display());
     }
     Ok(0)
 }
@@ -116,9 +117,14 @@ pub fn print_failed(report: &CheckReport) {
         let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
         let row = c.row.map(|r| format!(", location {r}")).unwrap_or_default();
         let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
-        println!(
+        sayln!(
             "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{row}; {}",
-            c.name, c.quantity, c.worst, c.unit, c.limit, c.note
+            c.name,
+            c.quantity,
+            c.worst,
+            c.unit,
+            c.limit,
+            c.note
         );
     }
 }

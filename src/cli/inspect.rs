@@ -1,6 +1,7 @@
 //! `inspect`: what is in a model file.
 
 use super::args::{Faces, Inspect, Region};
+use super::out::{say, sayln};
 use super::progress::Terminal;
 use crate::error::Result;
 use crate::model::{self, ModelOptions};
@@ -13,11 +14,11 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
     let survey = model::survey(&args.model, &options(args), &terminal);
     terminal.finish();
     let survey = survey?;
-    print!("{}", model::inspect_text(&survey));
+    say!("{}", model::inspect_text(&survey));
     if let Some(file) = &args.glb {
         let scene = preview::regions(&survey.name, &survey.part.mesh, &survey.areas())?;
         output::write_file(file, &scene)?;
-        println!("{:<10} {}", "written", file.display());
+        sayln!("{:<10} {}", "written", file.display());
     }
     Ok(0)
 }

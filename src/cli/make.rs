@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::args::Make;
+use super::out::sayln;
 use crate::error::{Error, Result, Stage};
 use crate::make::{self, BladeDesign};
 use crate::output::RunFolder;
@@ -16,7 +17,7 @@ pub fn run(args: &Make, _quiet: bool) -> Result<u8> {
     folder.add(&format!("{name}.obj"), make::obj_text(&blade))?;
     folder.add(&format!("{name}.toml"), design.to_toml()?)?;
     for file in folder.finish()? {
-        println!("{}", file.display());
+        sayln!("{}", file.display());
     }
     Ok(0)
 }

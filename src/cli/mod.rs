@@ -5,9 +5,11 @@ mod again;
 mod args;
 mod inspect;
 mod make;
+mod out;
 mod plan;
 mod progress;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -31,7 +33,7 @@ pub fn run() -> ExitCode {
         Err(e) => Err(e),
         Ok(pool) => pool.install(|| dispatch(args.verb, quiet)),
     };
-    match ended {
+    match ended.and_then(|code| out::end().map(|()| code)) {
         Ok(code) => ExitCode::from(code),
         Err(e) => {
             report(&e);
@@ -63,8 +65,7 @@ fn threads(count: Option<usize>) -> Result<rayon::ThreadPool> {
 
 /// One line for the error, one for what to do.
 fn report(e: &Error) {
-    eprintln!("error: {}: {}", e.stage, e.message);
-    if let Some(advice) = &e.advice {
-        eprintln!("       {advice}");
-    }
+    let advice = e.advice.as_ref().map(|a| format!("       {a}\n")).unwrap_or_default();
+    // Where not even the error can be told, the exit code still tells.
+    let _ = write!(std::io::stderr(), "error: {}: {}\n{advice}", e.stage, e.message);
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::args::{Faces, Plan, Reading, Region};
+use super::out::sayln;
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job::{self, Draft, JobFile};
@@ -70,15 +71,15 @@ fn print(outcome: &Outcome) {
     if let Some(report) = &outcome.report {
         super::again::print_failed(report);
     }
-    println!();
+    sayln!();
     for file in &outcome.files {
-        println!("{}", file.display());
+        sayln!("{}", file.display());
     }
 }
 
 fn print_summary(s: &Summary) {
-    println!("{}", s.name);
-    let row = |name: &str, value: String| println!("  {name:<34} {value}");
+    sayln!("{}", s.name);
+    let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
     row("turns", s.turns.to_string());
     row("cutter locations", s.cutter_locations.to_string());
     row("ball centres at heights", format!("{:.3} down to {:.3} mm", s.region_x_mm[0], s.region_x_mm[1]));
@@ -90,9 +91,9 @@ fn print_summary(s: &Summary) {
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
     row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
     if let [used, fixed, ..] = &s.schedules[..] {
-        println!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
+        sayln!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
         let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {
-            println!("  {name:<34} {:>14} {:>14}", f(used), f(fixed));
+            sayln!("  {name:<34} {:>14} {:>14}", f(used), f(fixed));
         };
         pair("rotary velocity at full feed", &|x| format!("{:.1} °/s", x.a_velocity_at_constant_feed_deg_s));
         pair("rotary acceleration at full feed", &|x| format!("{:.0} °/s²", x.a_acceleration_at_constant_feed_deg_s2));

@@ -21,6 +21,7 @@ pub mod openings;
 pub mod orient;
 pub mod ply;
 pub mod recognise;
+pub mod rescue;
 pub mod sew;
 pub mod soup;
 pub mod step;
@@ -103,7 +104,7 @@ impl Default for ModelOptions {
 /// # Errors
 /// Those of [`survey()`]. `InputOutput`: no blade was recognised; the size can be no blade's; the part has no volume.
 pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
-    let blade = survey(path, options, observer)?.into_blade(options, observer)?;
+    let blade = survey(path, options, observer)?.into_blade(observer)?;
     for note in &blade.diagnosis.notes {
         observer.warn(Warning { stage: Stage::Model, message: note.clone() });
     }
@@ -116,25 +117,33 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
 /// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body. `Usage`: a deflection or axis that
 /// makes no sense.
 pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
+    let bytes = std::fs::read(path)
+        .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))?;
+    survey_bytes(path, &bytes, options, observer)
+}
+
+/// As [`survey()`], from the bytes of the file; its name decides where the bytes leave the format open.
+///
+/// # Errors
+/// As [`survey()`].
+pub fn survey_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
     if !(options.deflection_mm > 0.0 && options.deflection_mm.is_finite()) {
         return Err(Error::usage(
             Stage::Model,
             format!("deflection {} mm is not greater than 0", options.deflection_mm),
         ));
     }
-    let bytes = std::fs::read(path)
-        .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))?;
     observer.check(Stage::Model)?;
     observer.progress(Stage::Model, 0, 3);
-    let survey = match format::detect(path, &bytes)? {
-        Format::StlBinary => survey::from_soup(path, stl::read_binary(path, &bytes)?, options, observer),
-        Format::StlAscii => survey::from_soup(path, stl::read_ascii(path, &bytes)?, options, observer),
-        Format::Obj => survey::from_soup(path, obj::read(path, &bytes)?, options, observer),
-        Format::Step => survey::from_faces(path, step::read(path, &bytes, options.unit)?, options, observer),
-        Format::Ply => survey::from_soup(path, ply::read(path, &bytes)?, options, observer),
-        Format::Gltf => survey::from_soup(path, gltf::read(path, &bytes)?, options, observer),
-        Format::Iges => survey::from_faces(path, iges::read(path, &bytes, options.unit)?, options, observer),
-        Format::Sections => survey::from_faces(path, table::read(path, &bytes, options.unit)?, options, observer),
+    let survey = match format::detect(path, bytes)? {
+        Format::StlBinary => survey::from_soup(path, stl::read_binary(path, bytes)?, options, observer),
+        Format::StlAscii => survey::from_soup(path, stl::read_ascii(path, bytes)?, options, observer),
+        Format::Obj => survey::from_soup(path, obj::read(path, bytes)?, options, observer),
+        Format::Step => survey::from_faces(path, step::read(path, bytes, options.unit)?, options, observer),
+        Format::Ply => survey::from_soup(path, ply::read(path, bytes)?, options, observer),
+        Format::Gltf => survey::from_soup(path, gltf::read(path, bytes)?, options, observer),
+        Format::Iges => survey::from_faces(path, iges::read(path, bytes, options.unit)?, options, observer),
+        Format::Sections => survey::from_faces(path, table::read(path, bytes, options.unit)?, options, observer),
     }?;
     observer.progress(Stage::Model, 3, 3);
     Ok(survey)

@@ -12,13 +12,13 @@ use super::heal::HealOptions;
 use super::orient;
 use super::recognise::areas::areas;
 use super::recognise::{self, Recognised};
-use super::sew;
+use super::rescue;
 use super::soup::Soup;
 use super::units::{self, Guess};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::boundary::openings;
+use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
@@ -39,6 +39,8 @@ pub struct Survey {
     pub diagnosis: Diagnosis,
     /// Axis and regions, or why they were not found.
     pub found: Result<Recognised>,
+    /// Deflection that the mesh of exact faces was made with, mm.
+    pub deflection_mm: f64,
     /// Names of faces or groups, in the order of their numbers from 1.
     pub face_names: Vec<String>,
     /// Why no plan may be made although a blade may have been found: a unit that was guessed, a part without volume.
@@ -58,16 +60,14 @@ impl Survey {
     ///
     /// # Errors
     /// `InputOutput`: a unit that had to be guessed, a part without volume, no blade recognised.
-    pub fn into_blade(self, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
+    pub fn into_blade(self, observer: &dyn Observer) -> Result<Blade> {
         if let Some(e) = self.obstacle {
             return Err(e);
         }
         let found = self.found?;
         let part = match self.part.brep {
             // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
-            Some(brep) => {
-                Part::from_brep(brep.moved(&found.model_from_blade.inverse()), options.deflection_mm, observer)?
-            }
+            Some(brep) => Part::from_brep(brep.moved(&found.model_from_blade.inverse()), self.deflection_mm, observer)?,
             None => Part::from_mesh(found.mesh),
         };
         Ok(Blade {
@@ -96,7 +96,6 @@ pub fn from_faces(
     if let Guess::Other { unit, .. } = &guess {
         scale(&mut shape.brep, unit.mm() / shape.unit.mm());
     }
-    let sewn = sew::sew(&mut shape.brep, &SEW_MM);
     let mut diagnosis = Diagnosis {
         format: shape.format,
         unit_reason: shape.unit_reason,
@@ -105,10 +104,13 @@ pub fn from_faces(
         notes: shape.notes,
         ..Diagnosis::default()
     };
-    diagnosis.notes.extend(sewn.notes());
-    let (unit, obstacle) = guess.take(shape.unit, &mut diagnosis);
+    let (unit, mut obstacle) = guess.take(shape.unit, &mut diagnosis);
     observer.check(Stage::Model)?;
-    let mut part = Part::from_brep(shape.brep, options.deflection_mm, observer)?;
+    let (mut part, rescued) = rescue::part(shape.brep, options.deflection_mm, &SEW_MM, observer)?;
+    diagnosis.notes.extend(rescued.sewn.notes());
+    diagnosis.notes.extend(rescued.notes);
+    obstacle = obstacle.or(rescued.obstacle);
+    let options = &ModelOptions { deflection_mm: rescued.deflection_mm, ..options.clone() };
     observer.progress(Stage::Model, 1, 3);
     if let Some(mut brep) = part.brep.take() {
         diagnosis.notes.extend(orient::orient(&mut brep, &mut part.mesh));
@@ -172,12 +174,33 @@ fn finish(
             .advise("export the solid, not a surface or a profile");
         obstacle.get_or_insert(e);
     }
-    let found = recognise::recognise(&part.mesh, &face_names, options);
+    let found = recognised(&part.mesh, &face_names, options);
     observer.progress(Stage::Model, 2, 3);
     if let Ok(found) = &found {
         diagnosis.notes.extend(found.doubts.iter().cloned());
     }
-    Ok(Survey { name: stem(path), unit, part, diagnosis, found, face_names, obstacle })
+    Ok(Survey {
+        name: stem(path),
+        unit,
+        part,
+        diagnosis,
+        found,
+        deflection_mm: options.deflection_mm,
+        face_names,
+        obstacle,
+    })
+}
+
+/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings are closed for the search.
+fn recognised(mesh: &Mesh, face_names: &[String], options: &ModelOptions) -> Result<Recognised> {
+    let mut whole = mesh.clone();
+    whole.corner_uv.clear();
+    if boundary::close(&mut whole, f64::INFINITY, face_names.len() as u32) == 0 {
+        return recognise::recognise(mesh, face_names, options);
+    }
+    let mut found = recognise::recognise(&whole, face_names, options)?;
+    found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
+    Ok(found)
 }
 
 /// Openings, edges and pieces of the mesh, model frame.

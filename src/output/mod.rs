@@ -91,6 +91,16 @@ impl RunFolder {
     }
 }
 
+/// Temporary files are for their owner alone; a result is for whom the process' mask lets.
+fn open_to_all<'a, 'b, 'c>(builder: &'c mut tempfile::Builder<'a, 'b>) -> &'c mut tempfile::Builder<'a, 'b> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
 /// Writes one file, whole or not at all.
 ///
 /// # Errors
@@ -99,7 +109,7 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
     use std::io::Write;
     let parent = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let write = || -> std::io::Result<()> {
-        let mut file = tempfile::Builder::new().prefix(".bladewright-").tempfile_in(parent)?;
+        let mut file = open_to_all(tempfile::Builder::new().prefix(".bladewright-")).tempfile_in(parent)?;
         file.write_all(content)?;
         file.as_file().sync_all()?;
         file.persist(path).map_err(|e| e.error)?;

@@ -2,7 +2,8 @@
 //!
 //! In: a closed mesh in the model frame, mm; perhaps the axis, if the user gave it. Out: the blade frame and the
 //! [`Regions`]. Method: every candidate direction (coordinate axes; principal axes of the surface; the direction least
-//! present in the normals, which on a blade is nearly its axis since an airfoil is nearly a generalised cylinder) is cut
+//! present in the normals, which on a blade is nearly its axis since an airfoil is nearly a generalised cylinder; the
+//! normals of flat patches, which may be the blade's ends ([`caps`])) is cut
 //! at [`run::HEIGHTS`] heights. Along the chain of loops that looks most like an airfoil for longest the normals give a
 //! better direction, which is tried in turn. The best direction wins, but a coordinate axis near it wins over it, as
 //! blades are drawn and mounted along datum directions. The root is the side with more of the part beyond the airfoil.
@@ -11,6 +12,7 @@
 //! and up to the preference for coordinate axes). Limits: one airfoil; several blades on a disc are not told apart.
 
 pub mod areas;
+pub mod caps;
 pub mod named;
 pub mod regions;
 pub mod run;
@@ -38,6 +40,15 @@ const DOUBTFUL: f64 = 0.25;
 /// … and below this one they carry something besides an airfoil.
 const PARTLY: f64 = 0.55;
 
+/// Sections that are no airfoils and cover less than this share of the part are no blade either.
+const COVERED: f64 = 0.4;
+/// A lid at an end of the run is worth this much of its score.
+const LID: f64 = 1.0;
+/// A direction farther than this from the chosen one, degrees, that scores this share of it, is told to the user.
+const RIVAL_DEG: f64 = 35.0;
+/// See [`RIVAL_DEG`].
+const RIVAL: f64 = 0.5;
+
 /// What was recognised.
 pub struct Recognised {
     /// Blade frame to model frame.
@@ -59,11 +70,15 @@ pub struct Recognised {
 pub fn recognise(mesh: &Mesh, face_names: &[String], options: &ModelOptions) -> Result<Recognised> {
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
+    let mut doubts = Vec::new();
     let (mut run, reason) = match options.axis {
         Some(a) => given(mesh, a, airfoil)?,
-        None => search(mesh, airfoil)?,
+        None => {
+            let found = search(mesh, airfoil)?;
+            doubts.extend(found.rival);
+            (found.run, found.reason)
+        }
     };
-    let mut doubts = Vec::new();
     if run.likeness < DOUBTFUL {
         doubts.push(format!(
             "no section looks like an airfoil (likeness {:.2}): the longest steady run of sections was taken; \
@@ -91,8 +106,11 @@ pub fn recognise(mesh: &Mesh, face_names: &[String], options: &ModelOptions) -> 
 }
 
 fn no_blade() -> Error {
-    Error::io(Stage::Model, "no airfoil was found in the part: sections in no direction tried continue as one loop")
-        .advise("give the blade axis from root to tip")
+    Error::io(
+        Stage::Model,
+        "no airfoil was found in the part: sections in no direction tried are closed loops that continue",
+    )
+    .advise("close the part, or give the blade axis from root to tip with --axis")
 }
 
 /// The run along the axis that the user gave.
@@ -108,9 +126,25 @@ fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>) -> Result<(Run, St
     Ok((run, format!("axis: {}, as given", words(&direction))))
 }
 
+/// The axis that the search settled on.
+struct Found {
+    run: Run,
+    reason: String,
+    /// A direction far from it that looks nearly as good.
+    rival: Option<String>,
+}
+
 /// The best run of all candidates, its sense from root to tip, and why.
-fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<(Run, String)> {
-    let mut runs: Vec<Run> = candidates(mesh).par_iter().map(|d| run::along(mesh, d, faces)).collect();
+fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
+    let patches = caps::patches(mesh);
+    let along = |d: &Vector| {
+        let mut run = run::along(mesh, d, faces);
+        run.score *= 1.0 + LID * caps::lids(&patches, &run) as f64;
+        run
+    };
+    let mut tried = candidates(mesh);
+    tried.extend(caps::directions(&patches));
+    let mut runs: Vec<Run> = tried.par_iter().map(along).collect();
     // Each good run proposes a better direction; twice, since a better run proposes better.
     let mut from = 0;
     for _ in 0..3 {
@@ -118,7 +152,7 @@ fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<(Run, String)> {
         let next: Vec<Vector> =
             runs[from..].iter().filter(|r| r.score > 0.4 * best && best > 0.0).map(|r| r.least_normal).collect();
         from = runs.len();
-        runs.extend(next.par_iter().map(|d| run::along(mesh, d, faces)).collect::<Vec<_>>());
+        runs.extend(next.par_iter().map(along).collect::<Vec<_>>());
     }
     let top = (0..runs.len())
         .filter(|&i| !runs[i].links.is_empty())
@@ -143,11 +177,43 @@ fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<(Run, String)> {
             ),
         )
     };
+    if runs[chosen].likeness < DOUBTFUL && runs[chosen].covered() < COVERED {
+        return Err(no_single_blade(&runs[chosen]));
+    }
+    let rival = rival(&runs, chosen);
     let (flip, sense) = root_is_high(mesh, &runs[chosen]);
     let run = runs.swap_remove(chosen);
     let direction = if flip { -run.direction } else { run.direction };
     let run = if flip { run::along(mesh, &direction, faces) } else { run };
-    Ok((run, format!("axis: {}, {why}; {sense}", words(&direction))))
+    Ok(Found { run, reason: format!("axis: {}, {why}; {sense}", words(&direction)), rival })
+}
+
+/// The best run far from the chosen one, in words, where it scores nearly as much.
+fn rival(runs: &[Run], chosen: usize) -> Option<String> {
+    let axis = runs[chosen].direction;
+    let far = |r: &&Run| r.direction.dot(&axis).abs() < RIVAL_DEG.to_radians().cos();
+    let best = runs.iter().filter(far).max_by(|a, b| a.score.total_cmp(&b.score))?;
+    (best.score > RIVAL * runs[chosen].score).then(|| {
+        let d = best.direction;
+        format!(
+            "the blade axis is not certain: sections along ({:.2}, {:.2}, {:.2}) look like an airfoil too (score {:.2} against {:.2}); \
+             give it with --axis if it is wrong",
+            d.x, d.y, d.z, best.score, runs[chosen].score
+        )
+    })
+}
+
+fn no_single_blade(run: &Run) -> Error {
+    Error::io(
+        Stage::Model,
+        format!(
+            "no single blade was found: in no direction do sections look like one airfoil for long (at best over {:.0} % of the \
+             part, likeness {:.2}); a whole wheel or several blades look like this",
+            100.0 * run.covered(),
+            run.likeness
+        ),
+    )
+    .advise("export one blade with its platform, or give the blade's axis with --axis")
 }
 
 /// Directions to try: coordinate axes, principal axes of the surface, eigenvectors of its normals' covariance.

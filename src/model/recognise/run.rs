@@ -39,15 +39,28 @@ pub struct Run {
     pub part_mm: [f64; 2],
     /// Sections from low to high; empty where nothing continues.
     pub links: Vec<Link>,
-    /// Airfoil-like surface that the chain sweeps, as a share of the whole surface, less for normals along
-    /// the direction and for areas that sway.
+    /// `share` times `free`, less for normals along the direction and for areas that sway.
     pub score: f64,
+    /// Airfoil-like surface that the chain sweeps over the whole surface.
+    pub share: f64,
+    /// How much the sections' area goes up and down again, over its mean.
+    pub sway: f64,
+    /// 1 to 2: how near the chain comes to an end of the part.
+    pub free: f64,
     /// Mean likeness of the chain's sections.
     pub likeness: f64,
     /// Mean square of the normals' component along the direction on the chain.
     pub along: f64,
     /// Direction least present in the normals of the chain, same hemisphere as `direction`.
     pub least_normal: Vector,
+}
+
+impl Run {
+    /// Share of the part's length that the chain covers.
+    pub fn covered(&self) -> f64 {
+        let length = (self.part_mm[1] - self.part_mm[0]).max(f64::MIN_POSITIVE);
+        self.links.first().zip(self.links.last()).map_or(0.0, |(a, b)| (b.height_mm - a.height_mm) / length)
+    }
 }
 
 /// A rotation whose x axis is the direction; the third axis is chosen deterministically.
@@ -213,5 +226,5 @@ fn summarise(
     let share = swept / mesh.area_mm2().max(f64::MIN_POSITIVE);
     let score = if chain.is_empty() { 0.0 } else { free * share * (1.0 - 4.0 * along).max(0.0) / (1.0 + sway).sqrt() };
     let links = chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
-    Run { direction: *direction, part_mm, links, score, likeness, along, least_normal }
+    Run { direction: *direction, part_mm, links, score, share, sway, free, likeness, along, least_normal }
 }
