@@ -51,6 +51,16 @@ impl Part {
         Part { mesh, bvh, brep: None, deflection_mm: 0.0, exact: None }
     }
 
+    /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
+    ///
+    /// # Errors
+    /// See [`tessellate`].
+    pub fn meshed(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
+        let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
+        let bvh = MeshBvh::new(&t.mesh);
+        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact: None })
+    }
+
     /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
     /// in [`Part::deflection_mm`].
     ///

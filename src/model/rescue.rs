@@ -46,7 +46,7 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
         observer.check(Stage::Model)?;
         let mut brep = original.clone();
         let sewn = sew::sew(&mut brep, &within_mm);
-        let e = match Part::from_brep(brep, finer, observer) {
+        let e = match Part::meshed(brep, finer, observer) {
             Ok(part) => {
                 let note = |e: Error| {
                     format!(
@@ -69,13 +69,13 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
     let mut keep = Vec::with_capacity(brep.faces.len());
     for k in 0..brep.faces.len() {
         observer.check(Stage::Model)?;
-        let Err(e) = Part::from_brep(alone(&brep, brep.faces[k].clone()), deflection_mm, observer) else {
+        let Err(e) = Part::meshed(alone(&brep, brep.faces[k].clone()), deflection_mm, observer) else {
             keep.push(true);
             continue;
         };
         let natural = Face { loops: Vec::new(), ..brep.faces[k].clone() };
         let follows = along_boundary(&brep, &brep.faces[k]);
-        if follows && Part::from_brep(alone(&brep, natural.clone()), deflection_mm, observer).is_ok() {
+        if follows && Part::meshed(alone(&brep, natural.clone()), deflection_mm, observer).is_ok() {
             let name = &natural.name;
             out.notes
                 .push(format!("{name} cannot be trimmed ({}): it was taken up to its natural boundary", e.message));
@@ -94,7 +94,7 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
     }
     sew::sew(&mut brep, sew_mm);
     // Each face can be meshed alone; if not all together, the first error is still the one to tell.
-    Part::from_brep(brep, deflection_mm, observer).map(|p| (p, out)).map_err(|_| first)
+    Part::meshed(brep, deflection_mm, observer).map(|p| (p, out)).map_err(|_| first)
 }
 
 /// A B-rep of one face; edges keep their numbers.
