@@ -23,6 +23,15 @@ corpus-table:
 fuzz seconds="600":
     cargo run --release --example fuzz_readers -- {{seconds}}
 
+# Closest points, inside, area and volume beside OpenCASCADE: Python (PYTHON=...) with `pip install cadquery-ocp numpy`
+occ points="10000" *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
+    cargo build --release --examples --bins
+    "${PYTHON:-python3}" tests/occ/compare.py target/release {{points}} {{models}}
+
+# Closest points a second, beside parry's query to the triangles
+bench:
+    cargo bench --bench closest
+
 # The example program
 plan:
     cargo run --release -- plan models/steam_root.step -o out/steam_root

@@ -243,6 +243,7 @@ pub fn sections() -> Vec<Section> {
             chord_mm: 40.0,
             thickness_mm: 16.0,
             fit_error_mm: 0.001,
+            off_part_mm: 0.0,
             points_mm,
             s_mm,
         }

@@ -46,8 +46,12 @@ pub struct SectionLoop {
     pub chord_mm: f64,
     /// Greatest thickness, mm.
     pub thickness_mm: f64,
-    /// Greatest distance of the smoothing fit that curvature is taken from to the section, mm.
+    /// Greatest distance of the smoothing fit that curvature is taken from to the section, mm; 0 where all curvature is that
+    /// of the exact faces.
     pub fit_error_mm: f64,
+    /// Greatest distance of a point from the part, mm: a bound for each point, not for what lies between; not more than
+    /// rounding where the part is a mesh.
+    pub off_part_mm: f64,
 }
 
 /// All loops at one height.

@@ -44,6 +44,19 @@ pub struct Closest {
     pub triangle: Option<u32>,
 }
 
+/// Area and volume of a part, with what they may be wrong by.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Area, mm².
+    pub area_mm2: f64,
+    /// Estimated error of the area, mm².
+    pub area_error_mm2: f64,
+    /// Signed volume, mm³: positive where the normals of a closed part point outwards.
+    pub volume_mm3: f64,
+    /// Estimated error of the volume, mm³.
+    pub volume_error_mm3: f64,
+}
+
 impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
@@ -89,6 +102,14 @@ impl Part {
         let face = self.brep.as_ref()?.faces.get(at.face as usize)?;
         let found = face.surface.curvature(at.uv[0], at.uv[1])?;
         Some(if face.reversed { found.seen_from_behind() } else { found })
+    }
+
+    /// Area and volume: of the exact faces where the part has them ([`Exact::measure`]), of the triangles otherwise.
+    pub fn measure(&self) -> Measured {
+        match (&self.brep, &self.exact) {
+            (Some(brep), Some(exact)) => exact.measure(brep, &self.mesh),
+            _ => Measured { area_mm2: self.mesh.area_mm2(), volume_mm3: self.mesh.volume_mm3(), ..Measured::default() },
+        }
     }
 
     /// Moves the part.

@@ -35,9 +35,10 @@ pub fn inspect_text(survey: &Survey) -> String {
         out.line("", &format!("to   ({:.3}, {:.3}, {:.3})", b.max.x, b.max.y, b.max.z));
     }
     openings(&mut out, d);
-    out.line("area", &format!("{:.3} mm²", mesh.area_mm2()));
+    let measured = survey.part.measure();
+    out.line("area", &format!("{:.3} mm²{}", measured.area_mm2, within(measured.area_error_mm2, "mm²")));
     if d.closed {
-        out.line("volume", &format!("{:.3} mm³", mesh.volume_mm3()));
+        out.line("volume", &format!("{:.3} mm³{}", measured.volume_mm3, within(measured.volume_error_mm3, "mm³")));
     } else {
         out.line("volume", "none, since the part is open");
     }
@@ -47,6 +48,11 @@ pub fn inspect_text(survey: &Survey) -> String {
     }
     out.list("notes", d.notes.iter().cloned());
     out.text
+}
+
+/// What a figure may be wrong by, if anything that its last digit shows.
+fn within(error: f64, unit: &str) -> String {
+    if error > 5e-4 { format!(", within {error:.1e} {unit}") } else { String::new() }
 }
 
 #[derive(Default)]

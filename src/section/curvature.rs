@@ -1,11 +1,11 @@
-//! Curvature of a closed polygon by local least squares.
+//! Curvature of a closed polygon: that of the exact faces where they are known, else by local least squares.
 //!
 //! About each point, cubics `y(s)`, `z(s)` in arc length are fitted to the points of a window, each weighted with the length it
 //! stands for. The window is the widest (found by doubling and halving) on which no point is farther from the fit than the
 //! tolerance: as wide as a turbine's flank allows, as narrow as its trailing edge asks for. With a window of half width
 //! `w` the tolerance leaves an uncertainty of curvature of the order of `10 · tolerance / w²`.
 
-use super::outline::distance;
+use super::outline::{OnFace, distance};
 
 /// Points on each side that a fit needs.
 const LEAST: usize = 3;
@@ -20,13 +20,18 @@ pub(super) struct Fit {
     pub error_mm: f64,
 }
 
-/// Fits at every point of a closed polygon of the given perimeter.
-pub(super) fn fit(points: &[[f64; 2]], s: &[f64], length: f64, tolerance: f64) -> Fit {
+/// Curvature at every point of a closed polygon of the given perimeter; fits only where the faces say nothing.
+pub(super) fn fit(points: &[[f64; 2]], exact: &[Option<OnFace>], s: &[f64], length: f64, tolerance: f64) -> Fit {
     let ring = Ring { points, s, length };
     let mut out =
         Fit { curvature: Vec::with_capacity(points.len()), normal: Vec::with_capacity(points.len()), error_mm: 0.0 };
     let mut width = 0.02 * length;
     for i in 0..points.len() {
+        if let Some(Some(known)) = exact.get(i) {
+            out.curvature.push(known.curvature);
+            out.normal.push(known.normal);
+            continue;
+        }
         let (local, found) = ring.widest(i, width, tolerance);
         width = found;
         let ([_, a, b, _], [_, c, d, _]) = (local.y, local.z);

@@ -4,13 +4,14 @@
 //! altered points, edges, sides, chord and thickness.
 //!
 //! **Method.** The mesh is cut by planes `x = const` ([`crate::geometry::slice`]). Where the part has exact faces, loops are
-//! made denser and every point is moved within its plane onto the exact surface (`outline`). Curvature comes from local
-//! least-squares cubics in arc length, each over the widest stretch on which it keeps within a stated tolerance, so that
+//! made denser and every point is moved within its plane onto the exact surface, to 10⁻⁸ mm (`outline`); curvature is then the
+//! surface's own (Meusnier). On meshes, and beside creases, curvature comes from local least-squares cubics in arc length, each over the widest stretch on which it keeps within a stated tolerance, so that
 //! facets do not show (`curvature`). Altered points are changes of sign between stretches that bend by more than the
 //! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
 //! extent; the leading edge is the blunter one (`edges`). Thickness is the diameter of the largest inscribed circle.
 //!
-//! **Guaranteed**: loops are closed, counter-clockwise seen from the tip, and `fit_error_mm` is the greatest distance
+//! **Guaranteed**: loops are closed, counter-clockwise seen from the tip; `off_part_mm` is the greatest distance of a point from
+//! the part, and `fit_error_mm` the greatest distance
 //! between a point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has fewer than about
 //! five points round it; which end is the leading edge where both are equally blunt.
 //!
@@ -29,6 +30,7 @@ use crate::artifact::section::{Section, SectionLoop, Side};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
 use crate::observe::{Observer, Warning};
+use outline::Outline;
 
 /// Which sections, and how smooth.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,8 +40,8 @@ pub struct SectionOptions {
     pub count: usize,
     /// Heights along the blade axis, blade frame, mm.
     pub heights_mm: Vec<f64>,
-    /// How far the smooth curve that curvature is taken from may stay off the section's points, mm. Twice the mesh's
-    /// deflection is taken where that is more.
+    /// How far the smooth curve that curvature is taken from may stay off the section's points, mm; used where the part is a
+    /// mesh, and beside creases.
     pub tolerance_mm: f64,
 }
 
@@ -111,15 +113,15 @@ fn section(part: &Part, x_mm: f64, tolerance_mm: f64) -> Result<(Section, usize)
         return Err(Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm has no closed loop"))
             .advise("close the model's mesh"));
     }
-    let tolerance = tolerance_mm.max(2.0 * part.deflection_mm);
-    let loops = outlines.into_iter().map(|points| measured(points, tolerance)).collect();
+    let loops = outlines.into_iter().map(|o| measured(o, tolerance_mm)).collect();
     Ok((Section { x_mm, loops }, dropped))
 }
 
-/// A loop with everything that is measured on it; `points` closed, counter-clockwise, at least three.
-fn measured(points: Vec<[f64; 2]>, tolerance_mm: f64) -> SectionLoop {
+/// A loop with everything that is measured on it; closed, counter-clockwise, at least three points.
+fn measured(outline: Outline, tolerance_mm: f64) -> SectionLoop {
+    let Outline { points, exact, off_part_mm } = outline;
     let (s_mm, length_mm) = outline::arc_length(&points);
-    let fit = curvature::fit(&points, &s_mm, length_mm, tolerance_mm);
+    let fit = curvature::fit(&points, &exact, &s_mm, length_mm, tolerance_mm.max(2.0 * off_part_mm));
     let altered_points = altered::points(&points, &s_mm, length_mm, &fit.curvature, tolerance_mm);
     let ends = edges::find(&points, &s_mm, length_mm, &fit.curvature);
     SectionLoop {
@@ -131,6 +133,7 @@ fn measured(points: Vec<[f64; 2]>, tolerance_mm: f64) -> SectionLoop {
         thickness_mm: edges::thickness(&points, &fit.normal, tolerance_mm),
         fit_error_mm: fit.error_mm,
         area_mm2: outline::area(&points),
+        off_part_mm,
         curvature_per_mm: fit.curvature,
         length_mm,
         s_mm,

@@ -3,19 +3,28 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::Matrix3;
 use proptest::prelude::*;
 
-use super::{SectionOptions, measured, plan};
+use super::outline::Outline;
+use super::{SectionOptions, plan};
 use crate::artifact::Blade;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
 use crate::artifact::section::{SectionLoop, Side};
 use crate::error::ErrorKind;
+use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::nurbs::NurbsSurface;
+use crate::geometry::nurbs::shapes::{cone, cylinder, torus};
 use crate::geometry::part::Part;
-use crate::geometry::{Point, Rigid};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::Silent;
 
 const TOL: f64 = 0.002;
+
+fn measured(points: Vec<[f64; 2]>, tolerance_mm: f64) -> SectionLoop {
+    super::measured(Outline::polygon(points), tolerance_mm)
+}
 
 fn sampled(n: usize, f: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
     (0..n).map(|i| f(i as f64 / n as f64)).collect()
@@ -246,5 +255,74 @@ fn impossible_requests_are_usage_errors() {
         SectionOptions { tolerance_mm: 0.0, ..SectionOptions::default() },
     ] {
         assert_eq!(plan(&blade, &o, &Silent).unwrap_err().kind, ErrorKind::Usage);
+    }
+}
+
+/// An implicit surface: value, gradient, second derivatives; greater than zero outside.
+type Implicit = Box<dyn Fn(&Point) -> (f64, Vector, Matrix3<f64>)>;
+
+/// Oblique exact faces: the shape, where its axis points, and its equation.
+fn oblique() -> Vec<(&'static str, Part, Implicit)> {
+    let turn = Rigid::rotation(Vector::new(0.3, 1.1, 0.2));
+    let axis = turn * Vector::z();
+    let part = |surface: NurbsSurface| {
+        let face = Face { name: "a".into(), kind: SurfaceKind::Other, surface, reversed: false, loops: vec![] };
+        Part::from_brep(Brep { faces: vec![face], edges: vec![] }.moved(&turn), 0.02, &Silent).unwrap()
+    };
+    let across = Matrix3::identity() - axis * axis.transpose();
+    let quadric = move |m: Matrix3<f64>, c: f64| -> Implicit {
+        Box::new(move |p| ((p.coords.transpose() * m * p.coords)[0] - c, m * p.coords * 2.0, m * 2.0))
+    };
+    let torus_f = move |p: &Point| {
+        let (r2, s) = (p.coords.norm_squared() + 100.0 - 9.0, across * p.coords);
+        let value = r2 * r2 - 400.0 * s.norm_squared();
+        let hessian = Matrix3::identity() * (4.0 * r2) + p.coords * p.coords.transpose() * 8.0 - across * 800.0;
+        (value, p.coords * (4.0 * r2) - s * 800.0, hessian)
+    };
+    vec![
+        ("cylinder", part(cylinder(5.0, 60.0)), quadric(across, 25.0)),
+        ("cone", part(cone(6.0, 30.0)), quadric(across - axis * axis.transpose() * 0.04, 0.0)),
+        ("torus", part(torus(10.0, 3.0)), Box::new(torus_f)),
+    ]
+}
+
+/// Curvature of an implicit curve in the plane, positive where convex: second derivative along it over the slope.
+fn implicit_curvature(f: &Implicit, x: f64, p: [f64; 2]) -> f64 {
+    let (_, g, h) = f(&Point::new(x, p[0], p[1]));
+    let slope = g.y.hypot(g.z);
+    let t = Vector::new(0.0, -g.z / slope, g.y / slope);
+    (t.transpose() * h * t)[0] / slope
+}
+
+#[test]
+fn oblique_sections_of_exact_faces_in_closed_form() {
+    for (name, part, f) in oblique() {
+        let b = part.mesh.aabb().unwrap();
+        let mut found = 0;
+        for share in [0.35, 0.5, 0.62] {
+            let x = b.min.x + share * (b.max.x - b.min.x);
+            for outline in super::outline::outlines(&part, x).0 {
+                found += 1;
+                assert!(outline.off_part_mm < 1e-8, "{name}: {}", outline.off_part_mm);
+                for p in &outline.points {
+                    let (value, g, _) = f(&Point::new(x, p[0], p[1]));
+                    assert!((value / g.norm()).abs() < 2e-8, "{name} {p:?}: {}", value / g.norm());
+                }
+                let l = super::measured(outline, TOL);
+                let mut changes = 0;
+                for (i, p) in l.points_mm.iter().enumerate() {
+                    let k = implicit_curvature(&f, x, *p);
+                    assert!((l.curvature_per_mm[i] - k).abs() < 1e-5, "{name} {p:?}: {} {k}", l.curvature_per_mm[i]);
+                    let next = l.points_mm[(i + 1) % l.points_mm.len()];
+                    changes += usize::from(k * implicit_curvature(&f, x, next) < 0.0);
+                }
+                assert_eq!(l.altered_points.len(), changes, "{name}");
+                for a in &l.altered_points {
+                    // Curvature grows by about 0.1 a mm there: zero lies within some hundredths.
+                    assert!(implicit_curvature(&f, x, a.point_mm).abs() < 2e-3, "{name} {a:?}");
+                }
+            }
+        }
+        assert!(found >= 3, "{name}");
     }
 }

@@ -128,6 +128,8 @@ impl Slab {
 pub(super) struct Leaf {
     pub slab: Slab,
     pub rect: Rect,
+    /// A point of the surface, in the middle of the piece.
+    pub centre: Point,
     /// From space to the span's coordinates, to first order, about `slab.middle`.
     pub inverse: [Vector; 2],
     pub start: [f64; 2],
@@ -266,6 +268,7 @@ impl Leaf {
         let mut leaf = Leaf {
             slab,
             rect,
+            centre: centre.p,
             inverse,
             start,
             greater: [f64::INFINITY, f64::NEG_INFINITY],

@@ -18,6 +18,7 @@
 
 mod build;
 mod leaf;
+mod measure;
 mod patch;
 mod search;
 mod sign;

@@ -67,6 +67,10 @@ struct Search<'a> {
     q: Point,
     best: Option<Found>,
     limit2: f64,
+    /// Nothing farther need be looked at: as `limit2`, or less where a point of the part is known to be nearer.
+    reach2: f64,
+    /// Whether points in the middle of pieces lower `reach2`.
+    eager: bool,
     leaves: Vec<(Leaf, u32)>,
     arcs: Vec<(Arc, u32)>,
     cuts: u32,
@@ -79,18 +83,27 @@ pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Opt
     }
     let mut heap = HEAP.take();
     heap.clear();
+    // One ulp or so more keeps a point at the cap itself.
+    let limit2 = (cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON)).min(f64::MAX);
     let mut search = Search {
         exact,
         brep,
         q: *q,
         best: None,
-        // One ulp or so more keeps a point at the cap itself.
-        limit2: (cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON)).min(f64::MAX),
+        limit2,
+        reach2: limit2,
+        eager: true,
         leaves: Vec::new(),
         arcs: Vec::new(),
         cuts: 0,
     };
     search.run(&mut heap);
+    if search.best.is_none() && search.reach2 < limit2 {
+        // A point was promised, but Newton found none as near: once more, without promises.
+        (search.eager, search.reach2) = (false, limit2);
+        heap.clear();
+        search.run(&mut heap);
+    }
     let best = search.best;
     HEAP.set(heap);
     best
@@ -101,7 +114,7 @@ impl Search<'_> {
         let seen = self.exact.tree.see(&self.q);
         self.open(0, &seen, heap);
         while let Some(Reverse((k, id))) = heap.pop() {
-            if f64::from_bits(k & !3) >= self.limit2 {
+            if f64::from_bits(k & !3) >= self.reach2 {
                 break;
             }
             match k & 3 {
@@ -129,31 +142,39 @@ impl Search<'_> {
     }
 
     fn open(&mut self, node: u32, seen: &Seen, heap: &mut BinaryHeap<Entry>) {
-        let (exact, q, limit2) = (self.exact, self.q, self.limit2);
+        let (exact, q, eager) = (self.exact, self.q, self.eager);
+        let reach2 = Cell::new(self.reach2);
         let leaves = exact.leaves.len() as u32;
         exact.tree.open(
             node,
             seen,
-            || limit2,
+            || reach2.get(),
             |child, d2| match child {
                 Child::Node(n) => heap.push(Reverse((key(d2, 0), n))),
                 Child::Item(i) => {
-                    let own = if i < leaves {
-                        exact.leaves[i as usize].slab.distance2(&q)
-                    } else {
-                        exact.arcs[(i - leaves) as usize].distance2(&q)
+                    let own = match exact.leaves.get(i as usize) {
+                        Some(leaf) => {
+                            let known2 = (leaf.centre - q).norm_squared() * (1.0 + 1e-12);
+                            if eager && leaf.border == NO_BORDER && known2 < reach2.get() {
+                                reach2.set(known2);
+                            }
+                            leaf.slab.distance2(&q)
+                        }
+                        None => exact.arcs[(i - leaves) as usize].distance2(&q),
                     };
-                    if own < limit2 {
+                    if own < reach2.get() {
                         heap.push(Reverse((key(own, LEAF), i)));
                     }
                 }
             },
         );
+        self.reach2 = reach2.get();
     }
 
     fn keep(&mut self, d2: f64, point: Point, on: On) {
         if d2 < self.limit2 {
             self.limit2 = d2;
+            self.reach2 = self.reach2.min(d2);
             self.best = Some(Found { d2, point, on });
         }
     }

@@ -234,3 +234,172 @@ fn broken_faces_are_named() {
     assert!(Part::from_brep(brep, 0.05, &Silent).is_err());
     assert!(Part::from_brep(can(5.0, 8.0), 0.0, &Silent).is_err());
 }
+
+/// A straight prism over a counter-clockwise polygon, from z = 0 to `height`; faces do not share edges.
+fn prism(polygon: &[[f64; 2]], height: f64) -> Brep {
+    let mut brep = Brep::default();
+    let mut add = |surface: NurbsSurface, corners: &[Point]| {
+        let base = brep.edges.len();
+        for k in 0..corners.len() {
+            let points = [corners[k], corners[(k + 1) % corners.len()]].map(|p| Vector4::new(p.x, p.y, p.z, 1.0));
+            let curve = NurbsCurve { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], points: points.to_vec() };
+            brep.edges.push(Edge { curve, t: [0.0, 1.0] });
+        }
+        let ring = (base..base + corners.len()).map(|e| used(e, false)).collect();
+        brep.faces.push(face(surface, false, vec![ring]));
+    };
+    let up = Vector::z() * height;
+    let ground: Vec<Point> = polygon.iter().map(|p| Point::new(p[0], p[1], 0.0)).collect();
+    for k in 0..ground.len() {
+        let (a, b) = (ground[k], ground[(k + 1) % ground.len()]);
+        add(plane(a, b - a, up), &[a, b, b + up, a + up]);
+    }
+    let top: Vec<Point> = ground.iter().map(|p| p + up).collect();
+    let bottom: Vec<Point> = ground.iter().rev().copied().collect();
+    add(plane(Point::new(-20.0, -20.0, height), Vector::x() * 40.0, Vector::y() * 40.0), &top);
+    add(plane(Point::new(-20.0, -20.0, 0.0), Vector::y() * 40.0, Vector::x() * 40.0), &bottom);
+    brep
+}
+
+/// Even and odd crossings of a ray along x.
+fn within(polygon: &[[f64; 2]], p: &Point) -> bool {
+    let n = polygon.len();
+    let crossed = |k: &usize| {
+        let (a, b) = (polygon[*k], polygon[(*k + 1) % n]);
+        (a[1] > p.y) != (b[1] > p.y) && p.x < a[0] + (p.y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    };
+    (0..n).filter(crossed).count() % 2 == 1
+}
+
+/// Sharp, blunt and inward corners: about every edge and vertex, as near as 10⁻³ mm, the sign is right.
+#[test]
+fn inside_is_exact_about_edges_and_vertices() {
+    // A dart with a tip of 9° and an inward corner.
+    let arrow = [[-3.0, 0.0], [10.0, 1.0], [-3.0, 2.0], [-1.0, 1.0]];
+    let height = 3.0;
+    let part = Part::from_brep(prism(&arrow, height), 0.02, &Silent).unwrap();
+    assert!(topology(&part.mesh).closed());
+    let corners: Vec<Point> = arrow.iter().flat_map(|p| [0.0, height].map(|z| Point::new(p[0], p[1], z))).collect();
+    let middles: Vec<Point> = (0..arrow.len())
+        .map(|k| Point::new(arrow[k][0], arrow[k][1], 1.3))
+        .chain(corners.iter().zip(&corners[2..]).map(|(a, b)| nalgebra::center(a, b)))
+        .collect();
+    let mut tried = 0;
+    for about in corners.iter().chain(&middles) {
+        for scale in [1e-3, 0.02, 1.0] {
+            for q in points(scale, 40).map(|q| about + q.coords) {
+                let truth = within(&arrow, &q) && q.z > 0.0 && q.z < height;
+                let d = part.closest(&q, f64::INFINITY).unwrap().distance_mm;
+                // Feet may lie 10⁻⁴ mm beyond an edge: nearer than that nothing is promised.
+                if d > 2e-4 {
+                    assert_eq!(part.inside(&q), truth, "{q} at {d}");
+                    tried += 1;
+                }
+            }
+        }
+    }
+    assert!(tried > 1000, "{tried}");
+}
+
+/// A thousandth of the mesh's deflection from the surface the sign is still right.
+#[test]
+fn inside_is_exact_within_the_deflection() {
+    let deflection = 0.1;
+    let (ball, ring) = (part(sphere(10.0), deflection), part(torus(10.0, 3.0), deflection));
+    for q in points(1.0, 400).filter(|q| q.coords.norm() > 0.1) {
+        let direction = q.coords.normalize();
+        let around = Vector::new(q.x, q.y, 0.0).try_normalize(1e-3).unwrap_or_else(Vector::x);
+        for off in [1e-4, -1e-4, 0.05, -0.05, 0.2, -0.2] {
+            assert_eq!(ball.inside(&Point::from(direction * (10.0 + off))), off < 0.0);
+            let tube = (around * q.x + Vector::z() * q.z).try_normalize(1e-3).unwrap_or_else(Vector::z);
+            assert_eq!(ring.inside(&Point::from(around * 10.0 + tube * (3.0 + off))), off < 0.0);
+        }
+    }
+    let can = Part::from_brep(can(5.0, 8.0), deflection, &Silent).unwrap();
+    for q in points(9.0, 2000) {
+        let (r, z) = (q.x.hypot(q.y) - 5.0, (-q.z).max(q.z - 8.0));
+        if r.abs().min(z.abs()) > 2e-4 {
+            assert_eq!(can.inside(&q), r < 0.0 && z < 0.0, "{q}");
+        }
+    }
+}
+
+#[test]
+fn curvature_at_a_foot_in_closed_form() {
+    let ball = part(sphere(10.0), 0.05);
+    let ring = part(torus(10.0, 3.0), 0.05);
+    let wall = cone(3.0, 4.0);
+    let edges = vec![circle(&wall, 1.0)];
+    let funnel = face(wall, false, vec![vec![used(0, true)]]);
+    let funnel = Part::from_brep(Brep { faces: vec![funnel], edges }, 0.05, &Silent).unwrap();
+    let mut inward = can(5.0, 8.0);
+    inward.faces.iter_mut().for_each(|f| f.reversed = !f.reversed);
+    let (can, inward) =
+        (Part::from_brep(can(5.0, 8.0), 0.05, &Silent).unwrap(), Part::from_brep(inward, 0.05, &Silent).unwrap());
+    let is = |part: &Part, q: &Point, a: f64, b: f64| {
+        let c = part.closest(q, f64::INFINITY).unwrap();
+        let p = part.curvature_at(&c).unwrap();
+        assert!((p.curvature[0] - a).abs() < 1e-8 && (p.curvature[1] - b).abs() < 1e-8, "{q}: {p:?} {a} {b}");
+        assert!(p.direction.iter().all(|d| d.dot(&c.normal).abs() < 1e-7 && (d.norm() - 1.0).abs() < 1e-9));
+    };
+    for q in points(12.0, 300).filter(|q| q.x.hypot(q.y) > 0.5) {
+        is(&ball, &q, -0.1, -0.1);
+        let tube = q - Vector::new(q.x, q.y, 0.0).normalize() * 10.0;
+        if tube.coords.norm() > 0.1 {
+            let cosine = (q.x.hypot(q.y) - 10.0) / tube.coords.norm();
+            is(&ring, &q, -cosine / (10.0 + 3.0 * cosine), -1.0 / 3.0);
+        }
+        let (wall, low) = (Point::new(q.x, q.y, 4.0), q.x.hypot(q.y));
+        if low > 4.0 {
+            is(&can, &wall, 0.0, -0.2);
+            is(&inward, &wall, 0.2, 0.0);
+            let c = can.closest(&wall, 100.0).unwrap();
+            let p = can.brep.as_ref().unwrap().faces[c.face as usize].surface.point(c.uv[0], c.uv[1]);
+            assert!((p - c.point).norm() < 1e-10);
+        }
+        // Beside the funnel, at 2.5 along its generatrix: the radius of curvature across is r over the slant's cosine, 4/5.
+        let out = Vector::new(q.x, q.y, 0.0).normalize();
+        let at = Point::from(out * 1.5 + Vector::z() * 2.0) + (out * 0.8 - Vector::z() * 0.6) * 0.3;
+        is(&funnel, &at, 0.0, -0.8 / 1.5);
+    }
+}
+
+/// Area and volume in closed form, each within its stated error, whatever the tessellation.
+#[test]
+fn measures_in_closed_form() {
+    use std::f64::consts::PI;
+    for deflection in [0.2, 0.02] {
+        let cases = [
+            (part(sphere(10.0), deflection), 400.0 * PI, 4000.0 * PI / 3.0, 2e-4),
+            (part(torus(10.0, 3.0), deflection), 120.0 * PI * PI, 180.0 * PI * PI, 1e-6),
+            (Part::from_brep(can(5.0, 8.0), deflection, &Silent).unwrap(), 130.0 * PI, 200.0 * PI, 2e-5),
+            (Part::from_brep(block(Vector::new(3.0, 4.0, 6.0)), deflection, &Silent).unwrap(), 108.0, 72.0, 1e-12),
+        ];
+        for (k, (part, area, volume, share)) in cases.iter().enumerate() {
+            let m = part.measure();
+            let (da, dv) = ((m.area_mm2 - area).abs(), (m.volume_mm3 - volume).abs());
+            assert!(da <= m.area_error_mm2 + 1e-9 * area, "{k} at {deflection}: {m:?} {area}");
+            assert!(dv <= m.volume_error_mm3 + 1e-9 * volume, "{k} at {deflection}: {m:?} {volume}");
+            assert!(da < share * area && dv < share * volume, "{k} at {deflection}: {m:?} {area} {volume}");
+            assert!(m.area_error_mm2 < 0.01 * area);
+        }
+    }
+}
+
+/// From the axis of a cylinder and the centre of a ball everything is equally far: found all the same, and soon.
+#[test]
+fn centres_of_curvature() {
+    let ball = part(sphere(10.0), 0.02);
+    assert!((ball.closest(&Point::origin(), 100.0).unwrap().distance_mm - 10.0).abs() < 1e-9);
+    let can = Part::from_brep(can(5.0, 80.0), 0.02, &Silent).unwrap();
+    for k in 0..50 {
+        let q = Point::new(1e-9 * f64::from(k), 0.0, 20.0 + 0.5 * f64::from(k));
+        assert!((can.closest(&q, 100.0).unwrap().distance_mm - (5.0 - q.x)).abs() < 1.5e-7);
+    }
+    let ring = part(torus(10.0, 3.0), 0.02);
+    for k in 0..50 {
+        let a = 0.1 * f64::from(k);
+        let q = Point::new(10.0 * a.cos(), 10.0 * a.sin(), 0.0);
+        assert!((ring.closest(&q, 100.0).unwrap().distance_mm - 3.0).abs() < 1e-8);
+    }
+}
