@@ -8,6 +8,8 @@ use crate::geometry::nurbs::foot::ParameterSpace;
 const SAMPLES: usize = 33;
 /// No direction gets more lines than this.
 const MOST_LINES: f64 = 4000.0;
+/// No face gets more cells than this: one that asks for them is damaged or in a wrong unit, and a coarser mesh tells its deflection.
+const MOST_CELLS: f64 = 1e6;
 
 /// A monotone map of one parameter: piecewise linear, one unit per line of the grid.
 #[derive(Clone, Debug)]
@@ -75,15 +77,21 @@ pub fn scales(s: &NurbsSurface, space: &ParameterSpace, bounds: [[f64; 2]; 2], o
     }
     let size = [0, 1].map(|a| mean(&speed[a]) * (bounds[a][1] - bounds[a][0]));
     let longest = size[0].max(size[1]).max(f64::MIN_POSITIVE);
-    [0, 1].map(|along| {
+    let mut densities = [0, 1].map(|along| {
         // At least the metric, so that flat directions are neither lost nor stretched.
         let floor = mean(&speed[along]) / longest;
         let total = bounds[along][1] - bounds[along][0];
         let density: Vec<f64> =
             need[along].iter().map(|n| (n.max(floor) * finer).min(MOST_LINES / total.max(f64::MIN_POSITIVE))).collect();
         let floor_all = density.iter().copied().fold(0.0, f64::max) * 0.02;
-        Scale::new(at[along].clone(), &density.iter().map(|d| d.max(floor_all)).collect::<Vec<_>>())
-    })
+        density.iter().map(|d| d.max(floor_all)).collect::<Vec<_>>()
+    });
+    let cells: f64 = (0..2).map(|a| mean(&densities[a]) * (bounds[a][1] - bounds[a][0])).product();
+    if cells > MOST_CELLS {
+        let factor = (MOST_CELLS / cells).sqrt();
+        densities.iter_mut().flatten().for_each(|d| *d *= factor);
+    }
+    [0, 1].map(|a| Scale::new(at[a].clone(), &densities[a]))
 }
 
 /// Lines per unit of one parameter that its own curvature asks for.

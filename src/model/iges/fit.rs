@@ -13,6 +13,8 @@ pub const FIT_MM: f64 = 1e-5;
 const MOST_POINTS: usize = 256;
 /// Times that a range is cut in two: what has not been met then is a jump.
 const DEEPEST: usize = 14;
+/// A curve that needs more pieces than this is noise.
+const MOST_PIECES: usize = 400;
 
 /// Curves over consecutive ranges within [`FIT_MM`] of `at`; `None` where it jumps or is not finite.
 pub fn fit(at: &dyn Fn(f64) -> Point, range: [f64; 2]) -> Option<Vec<NurbsCurve>> {
@@ -30,7 +32,7 @@ fn split_fit(at: &dyn Fn(f64) -> Point, range: [f64; 2], depth: usize, out: &mut
     if !(a - b).norm().is_finite() {
         return None;
     }
-    if depth == DEEPEST {
+    if depth == DEEPEST || out.len() >= MOST_PIECES {
         return None;
     }
     let middle = 0.5 * (range[0] + range[1]);
