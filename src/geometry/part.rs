@@ -3,6 +3,7 @@
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::exact::Exact;
+use super::exact::measure::Loops;
 use super::mesh::Mesh;
 use super::nurbs::Principal;
 use super::tessellate::{Options, tessellate};
@@ -22,8 +23,10 @@ pub struct Part {
     pub brep: Option<Brep>,
     /// Greatest distance between `mesh` and the exact part, mm; 0 where the model is a mesh.
     pub deflection_mm: f64,
-    /// What ties `mesh` to `brep`.
+    /// The index for exact distances.
     exact: Option<Exact>,
+    /// The loops of the faces.
+    loops: Option<Loops>,
 }
 
 /// The closest point of the part to a query point.
@@ -61,7 +64,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0, exact: None }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, exact: None, loops: None }
     }
 
     /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
@@ -71,7 +74,8 @@ impl Part {
     pub fn meshed(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
         let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
         let bvh = MeshBvh::new(&t.mesh);
-        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact: None })
+        let loops = Some(Loops::new(&t));
+        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact: None, loops })
     }
 
     /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
@@ -83,7 +87,8 @@ impl Part {
         let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
         let bvh = MeshBvh::new(&t.mesh);
         let exact = Some(Exact::new(&t));
-        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact })
+        let loops = Some(Loops::new(&t));
+        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact, loops })
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
@@ -104,10 +109,10 @@ impl Part {
         Some(if face.reversed { found.seen_from_behind() } else { found })
     }
 
-    /// Area and volume: of the exact faces where the part has them ([`Exact::measure`]), of the triangles otherwise.
+    /// Area and volume: of the exact faces where the part has them ([`Loops::measure`]), of the triangles otherwise.
     pub fn measure(&self) -> Measured {
-        match (&self.brep, &self.exact) {
-            (Some(brep), Some(exact)) => exact.measure(brep, &self.mesh),
+        match (&self.brep, &self.loops) {
+            (Some(brep), Some(loops)) => loops.measure(brep, &self.mesh),
             _ => Measured { area_mm2: self.mesh.area_mm2(), volume_mm3: self.mesh.volume_mm3(), ..Measured::default() },
         }
     }
@@ -119,7 +124,7 @@ impl Part {
         let bvh = MeshBvh::new(&mesh);
         let brep = self.brep.map(|b| b.moved(to_from));
         let exact = self.exact.zip(brep.as_ref()).map(|(e, b)| e.moved(b, to_from));
-        Part { mesh, bvh, brep, exact, deflection_mm: self.deflection_mm }
+        Part { mesh, bvh, brep, exact, ..self }
     }
 
     /// As [`Self::closest`], to the triangles alone.

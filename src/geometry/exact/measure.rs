@@ -9,13 +9,14 @@
 //! **Stated error**: what the rule of three points (exact for degree 2) gives otherwise, summed without sign, and a quarter of
 //! the slivers.
 
-use super::{Exact, is_pole};
+use super::is_pole;
+use super::trim::Region;
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::part::Measured;
-use crate::geometry::tessellate::NO_CHORD;
+use crate::geometry::tessellate::{Chord, NO_CHORD, Tessellation};
 use crate::geometry::{Point, Vector};
 
 /// Barycentric coordinates and weights: seven points, degree 5 (J. Radon, *Zur mechanischen Kubatur*, 1948).
@@ -37,7 +38,19 @@ const THREE: [([f64; 3], f64); 3] = {
     [([A, B, B], T), ([B, A, B], T), ([B, B, A], T)]
 };
 
-impl Exact {
+/// The loops of all faces: what measuring needs besides faces and mesh.
+#[derive(Clone, Debug)]
+pub struct Loops {
+    regions: Vec<Region>,
+    chords: Vec<Chord>,
+}
+
+impl Loops {
+    /// Those of a tessellation.
+    pub fn new(t: &Tessellation) -> Self {
+        Loops { regions: t.trims.iter().map(|trim| Region::new(trim.clone())).collect(), chords: t.chords.clone() }
+    }
+
     /// Area and volume of the faces that `mesh` is the tessellation of; the volume means something where they enclose one.
     pub fn measure(&self, brep: &Brep, mesh: &Mesh) -> Measured {
         let origin = mesh.aabb().map_or_else(Point::origin, |b| nalgebra::center(&b.min, &b.max));

@@ -18,7 +18,7 @@
 
 mod build;
 mod leaf;
-mod measure;
+pub mod measure;
 mod patch;
 mod search;
 mod sign;
