@@ -177,7 +177,8 @@ fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
             ),
         )
     };
-    if runs[chosen].likeness < DOUBTFUL && runs[chosen].covered() < COVERED {
+    // Faces that the user named are the airfoil, whatever they look like.
+    if faces.is_none() && runs[chosen].likeness < DOUBTFUL && runs[chosen].covered() < COVERED {
         return Err(no_single_blade(&runs[chosen]));
     }
     let rival = rival(&runs, chosen);
