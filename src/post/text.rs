@@ -45,9 +45,21 @@ impl std::fmt::Display for Fixed {
     }
 }
 
-/// Printable ASCII only, so that no control chokes and no text can end a comment.
+/// Printable ASCII only, so that no control chokes and no text can end a comment; signs that our own texts use are spelt out.
 pub(super) fn ascii(text: &str) -> String {
-    text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).collect()
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '²' => out.push_str("^2"),
+            '³' => out.push_str("^3"),
+            '°' => out.push_str(" deg"),
+            'θ' => out.push_str("theta"),
+            '–' | '−' => out.push('-'),
+            c if c.is_ascii_graphic() || c == ' ' => out.push(c),
+            _ => out.push('?'),
+        }
+    }
+    out
 }
 
 /// The lines being written.
