@@ -169,13 +169,7 @@ pub fn line(text: &str, decimal_comma: bool) -> Line {
         return Line::Blank;
     }
     let text = text.trim_end_matches([',', ';']);
-    let separator = if decimal_comma {
-        ';'
-    } else if text.contains(';') {
-        ';'
-    } else {
-        ','
-    };
+    let separator = if decimal_comma || text.contains(';') { ';' } else { ',' };
     let mut numbers = Vec::new();
     for cell in text.split(separator) {
         if cell.trim().is_empty() {

@@ -386,9 +386,7 @@ mod tests {
         let two = format!("{grid}zone t=\"hub\" i=1 j=2\n1 2 3\n4 5 6\n");
         assert!(read(&two, &[]).err().unwrap().contains("\"hub\""));
         assert_eq!(read(&two, &["the blade"]).unwrap().blocks.len(), 2);
-        for (bad, words) in [(two.as_str(), "no zone \"shroud\"")] {
-            assert!(read(bad, &["shroud"]).err().unwrap().contains(words));
-        }
+        assert!(read(&two, &["shroud"]).err().unwrap().contains("no zone \"shroud\""));
         for (bad, words) in [
             ("variables=x,y,z\nzone i=3\n1 2 3\n4 5 6\n", "promises 3"),
             ("variables=x,y,z\nzone i=99999999999999999 j=99999999999999999\n1 2 3\n", "promises"),
