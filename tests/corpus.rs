@@ -190,7 +190,7 @@ fn agrees(table: &Path, unit: Option<Unit>, step: &str, turn: impl Fn(Point) -> 
     let d = from_sides(&read(table, unit), &read(&folder.join(step), None), turn);
     let (greatest, mean) = (d[d.len() - 1], d.iter().sum::<f64>() / d.len() as f64);
     let share = |s: f64| d[((d.len() - 1) as f64 * s) as usize];
-    println!(
+    eprintln!(
         "{}: {} places, mean {mean:.4}, median {:.4}, 90 % {:.4}, 99 % {:.4}, greatest {greatest:.4} mm",
         table.display(),
         d.len(),
@@ -280,7 +280,7 @@ fn corpus_table_case7288() {
     });
     let apart: Vec<f64> = apart.collect();
     let greatest = apart.iter().copied().fold(0.0, f64::max);
-    println!(
+    eprintln!(
         "{} points, mean {:.4}, greatest {greatest:.4} mm from the published STEP",
         apart.len(),
         apart.iter().sum::<f64>() / apart.len() as f64

@@ -239,7 +239,7 @@ impl<'f> Params<'f> {
     /// The next pointer, which must not be 0.
     ///
     /// # Errors
-    /// See [`Self::pointer`].
+    /// See [`Self::int`]; a pointer to nothing.
     pub fn target(&mut self) -> Result<&'f Entity> {
         let n = self.int()?;
         let file = self.file;
