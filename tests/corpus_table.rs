@@ -2,6 +2,8 @@
 //! the file. Fails where a file makes the program panic, takes more than [`SECONDS`] or more than [`MEGABYTES`]; what is
 //! recognised wrongly is shown, not failed. `just corpus-table` prints it.
 
+#![allow(clippy::print_stdout)]
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
