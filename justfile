@@ -17,7 +17,7 @@ corpus:
 
 # What `inspect` and `plan` make of each of them, as a table
 corpus-table:
-    cargo nextest run --release --run-ignored only --no-capture corpus_table
+    cargo nextest run --release --run-ignored only --no-capture --test corpus_table
 
 # Mutated models against every reader, seconds for each
 fuzz seconds="600":

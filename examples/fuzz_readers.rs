@@ -4,6 +4,8 @@
 //! SECONDS. A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
 //! left in `out/fuzz`. The same seconds do not give the same files: the seed of each run is printed.
 
+#![allow(clippy::print_stdout)]
+
 #[path = "../fuzz/mutate.rs"]
 mod mutate;
 

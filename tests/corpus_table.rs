@@ -190,7 +190,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 #[ignore = "real blades, see the file's head"]
-fn corpus_table_of_inspect_and_plan() {
+fn every_blade_inspected_and_planned() {
     let Some(folder) = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from) else {
         eprintln!("BLADEWRIGHT_BLADES is not set: no real blades to test on");
         return;
