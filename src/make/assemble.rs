@@ -117,15 +117,7 @@ fn rectangle(polygon: &[Point], margin: f64) -> NurbsSurface {
     let range = range.map(|[a, b]| [a - margin * (b - a), b + margin * (b - a)]);
     let corner = |a: f64, b: f64| (origin + e1 * a + e2 * b).to_homogeneous();
     let [u, v] = range;
-    NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: vec![0.0, 0.0, 1.0, 1.0],
-        knots_v: vec![0.0, 0.0, 1.0, 1.0],
-        n_u: 2,
-        n_v: 2,
-        points: vec![corner(u[0], v[0]), corner(u[0], v[1]), corner(u[1], v[0]), corner(u[1], v[1])],
-    }
+    NurbsSurface::bilinear([corner(u[0], v[0]), corner(u[0], v[1]), corner(u[1], v[0]), corner(u[1], v[1])])
 }
 
 /// The whole solid; errors if the fillet leaves the platform.

@@ -22,15 +22,7 @@ fn face(surface: NurbsSurface, reversed: bool, loops: Vec<Vec<Coedge>>) -> Face 
 /// A plane through `o` along `u` and `v`.
 fn plane(o: Point, u: Vector, v: Vector) -> NurbsSurface {
     let h = |p: Point| Vector4::new(p.x, p.y, p.z, 1.0);
-    NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: vec![0.0, 0.0, 1.0, 1.0],
-        knots_v: vec![0.0, 0.0, 1.0, 1.0],
-        n_u: 2,
-        n_v: 2,
-        points: vec![h(o), h(o + v), h(o + u), h(o + u + v)],
-    }
+    NurbsSurface::bilinear([h(o), h(o + v), h(o + u), h(o + u + v)])
 }
 
 /// The circle of a cylinder's or cone's end.

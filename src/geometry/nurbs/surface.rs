@@ -91,6 +91,20 @@ impl SurfaceDerivatives {
 }
 
 impl NurbsSurface {
+    /// The bilinear surface over [0, 1]² through S(0,0), S(0,1), S(1,0), S(1,1), homogeneous; flat where they are.
+    pub fn bilinear(corners: [Vector4<f64>; 4]) -> Self {
+        let knots = vec![0.0, 0.0, 1.0, 1.0];
+        NurbsSurface {
+            degree_u: 1,
+            degree_v: 1,
+            knots_u: knots.clone(),
+            knots_v: knots,
+            n_u: 2,
+            n_v: 2,
+            points: corners.to_vec(),
+        }
+    }
+
     /// Checks that the surface can be evaluated: all other methods may panic or give nonsense on one that fails here.
     ///
     /// # Errors

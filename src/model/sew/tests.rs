@@ -28,15 +28,7 @@ fn squares(gap: f64) -> Brep {
         brep.faces.push(Face {
             name: String::new(),
             kind: SurfaceKind::Plane,
-            surface: NurbsSurface {
-                degree_u: 1,
-                degree_v: 1,
-                knots_u: vec![0.0, 0.0, 1.0, 1.0],
-                knots_v: vec![0.0, 0.0, 1.0, 1.0],
-                n_u: 2,
-                n_v: 2,
-                points: vec![point(x, 0.0), point(x, 1.0), point(x + 1.0, 0.0), point(x + 1.0, 1.0)],
-            },
+            surface: NurbsSurface::bilinear([point(x, 0.0), point(x, 1.0), point(x + 1.0, 0.0), point(x + 1.0, 1.0)]),
             reversed: false,
             loops: vec![(first..first + 4).map(|edge| Coedge { edge, reversed: false }).collect()],
         });
@@ -86,15 +78,7 @@ fn panel(brep: &mut Brep, name: &str, c: [[f64; 3]; 4], cuts: &[(usize, f64)]) {
             brep.edges.push(Edge { curve, t: [0.0, 1.0] });
         }
     }
-    let surface = NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: vec![0.0, 0.0, 1.0, 1.0],
-        knots_v: vec![0.0, 0.0, 1.0, 1.0],
-        n_u: 2,
-        n_v: 2,
-        points: vec![pole(c[0]), pole(c[3]), pole(c[1]), pole(c[2])],
-    };
+    let surface = NurbsSurface::bilinear([pole(c[0]), pole(c[3]), pole(c[1]), pole(c[2])]);
     let kind = SurfaceKind::BSpline;
     brep.faces.push(Face { name: name.into(), kind, surface, reversed: false, loops: vec![one] });
 }

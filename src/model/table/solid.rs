@@ -217,13 +217,5 @@ fn plane(polygon: &[Point]) -> Option<NurbsSurface> {
     };
     let (u, v) = (range(&e1), range(&e2));
     let corner = |u: f64, v: f64| (centre + e1 * u + e2 * v).to_homogeneous();
-    Some(NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: vec![0.0, 0.0, 1.0, 1.0],
-        knots_v: vec![0.0, 0.0, 1.0, 1.0],
-        n_u: 2,
-        n_v: 2,
-        points: vec![corner(u[0], v[0]), corner(u[0], v[1]), corner(u[1], v[0]), corner(u[1], v[1])],
-    })
+    Some(NurbsSurface::bilinear([corner(u[0], v[0]), corner(u[0], v[1]), corner(u[1], v[0]), corner(u[1], v[1])]))
 }
