@@ -6,7 +6,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::mesh::Mesh;
+use super::mesh::{EdgeUse, Mesh, edge_uses};
+use super::triangle::area_mm2;
 use super::{Aabb, Point, Vector};
 
 /// Rings of more corners are filled by a fan about their centroid: dynamic programming takes the cube of their number.
@@ -49,18 +50,14 @@ impl Opening {
             return extent;
         }
         let area: f64 = match fill(&p) {
-            Some(triangles) => triangles.iter().map(|t| area(&p[t[0]], &p[t[1]], &p[t[2]])).sum(),
+            Some(triangles) => triangles.iter().map(|t| area_mm2(&t.map(|k| p[k]))).sum(),
             None => {
                 let c = centroid(&p);
-                (0..p.len()).map(|k| area(&c, &p[k], &p[(k + 1) % p.len()])).sum()
+                (0..p.len()).map(|k| area_mm2(&[c, p[k], p[(k + 1) % p.len()]])).sum()
             }
         };
         (4.0 * area / self.length_mm(mesh).max(f64::MIN_POSITIVE)).min(extent)
     }
-}
-
-fn area(a: &Point, b: &Point, c: &Point) -> f64 {
-    0.5 * (b - a).cross(&(c - a)).norm()
 }
 
 /// Mean of the corners.
@@ -89,18 +86,10 @@ pub fn openings(mesh: &Mesh) -> Vec<Opening> {
 
 /// Directed edges with one triangle: vertex → vertices that edges run to, descending.
 fn open_edges(mesh: &Mesh) -> BTreeMap<u32, Vec<u32>> {
-    let mut uses: Vec<(u32, u32, bool)> = Vec::with_capacity(3 * mesh.triangles.len());
-    for c in &mesh.triangles {
-        for k in 0..3 {
-            let (a, b) = (c[k], c[(k + 1) % 3]);
-            uses.push((a.min(b), a.max(b), a < b));
-        }
-    }
-    uses.sort_unstable();
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for group in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-        if let [(low, high, rising)] = group {
-            let (from, to) = if *rising { (*low, *high) } else { (*high, *low) };
+    for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
+        if let [EdgeUse { edge: [low, high], rising, .. }] = *group {
+            let (from, to) = if rising { (low, high) } else { (high, low) };
             next.entry(from).or_default().push(to);
         }
     }
@@ -148,7 +137,7 @@ pub fn fill(ring: &[Point]) -> Option<Vec<[usize; 3]>> {
             let j = i + span;
             let mut least = f64::INFINITY;
             for k in i + 1..j {
-                let total = best[i][k] + best[k][j] + area(&ring[i], &ring[k], &ring[j]);
+                let total = best[i][k] + best[k][j] + area_mm2(&[ring[i], ring[k], ring[j]]);
                 if total < least {
                     (least, by[i][j]) = (total, k);
                 }
@@ -307,7 +296,7 @@ mod tests {
         let ring =
             [[0., 0., 0.], [1., 0., 0.], [1., 0., 1.], [1., 1., 1.], [1., 1., 0.], [0., 1., 0.]].map(Point::from);
         let f = fill(&ring).unwrap();
-        let total: f64 = f.iter().map(|t| area(&ring[t[0]], &ring[t[1]], &ring[t[2]])).sum();
+        let total: f64 = f.iter().map(|t| area_mm2(&t.map(|k| ring[k]))).sum();
         assert!(f.len() == 4 && (total - 2.0).abs() < 1e-12, "{f:?} {total}");
     }
 }

@@ -1,6 +1,7 @@
 //! Triangle meshes.
 use std::collections::HashMap;
 
+use super::triangle::area_mm2;
 use super::{Aabb, Point, Rigid, Vector};
 
 /// An indexed triangle mesh; triangles are counter-clockwise seen from outside the part.
@@ -30,18 +31,17 @@ impl Mesh {
         let [a, b, c] = self.corners(triangle);
         (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_else(Vector::zeros)
     }
+    /// Area of a triangle, mm².
+    pub fn triangle_area_mm2(&self, triangle: usize) -> f64 {
+        area_mm2(&self.corners(triangle))
+    }
     /// Bounding box; `None` without points.
     pub fn aabb(&self) -> Option<Aabb> {
         Aabb::around(&self.points)
     }
     /// Total area, mm².
     pub fn area_mm2(&self) -> f64 {
-        (0..self.triangles.len())
-            .map(|t| {
-                let [a, b, c] = self.corners(t);
-                0.5 * (b - a).cross(&(c - a)).norm()
-            })
-            .sum()
+        (0..self.triangles.len()).map(|t| self.triangle_area_mm2(t)).sum()
     }
     /// Signed volume, mm³, by the divergence theorem; positive for a closed mesh with outward normals.
     pub fn volume_mm3(&self) -> f64 {
@@ -86,27 +86,44 @@ impl Topology {
     }
 }
 
-/// Examines all edges, by index: points that merely coincide are different points ([`weld`] first).
-pub fn topology(mesh: &Mesh) -> Topology {
-    let mut uses: Vec<(u32, u32, bool, u32)> = Vec::with_capacity(3 * mesh.triangles.len());
-    for (t, c) in mesh.triangles.iter().enumerate() {
+/// A use of an edge by a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct EdgeUse {
+    /// The edge's vertices, the lower first.
+    pub edge: [u32; 2],
+    /// The triangle runs from the lower to the higher.
+    pub rising: bool,
+    /// The triangle.
+    pub triangle: u32,
+}
+
+/// All uses of all edges, sorted, so that those of one edge are neighbours: `chunk_by(|a, b| a.edge == b.edge)`.
+pub fn edge_uses(triangles: &[[u32; 3]]) -> Vec<EdgeUse> {
+    let mut all = Vec::with_capacity(3 * triangles.len());
+    for (t, c) in triangles.iter().enumerate() {
         for k in 0..3 {
             let (a, b) = (c[k], c[(k + 1) % 3]);
-            uses.push((a.min(b), a.max(b), a < b, t as u32));
+            all.push(EdgeUse { edge: [a.min(b), a.max(b)], rising: a < b, triangle: t as u32 });
         }
     }
-    uses.sort_unstable();
+    all.sort_unstable();
+    all
+}
+
+/// Examines all edges, by index: points that merely coincide are different points ([`weld`] first).
+pub fn topology(mesh: &Mesh) -> Topology {
+    let uses = edge_uses(&mesh.triangles);
     let mut out = Topology::default();
     let mut parent: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
     out.components = parent.len();
-    let middle = |e: &(u32, u32, bool, u32)| nalgebra::center(&mesh.points[e.0 as usize], &mesh.points[e.1 as usize]);
-    for group in uses.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+    let middle = |e: &EdgeUse| nalgebra::center(&mesh.points[e.edge[0] as usize], &mesh.points[e.edge[1] as usize]);
+    for group in uses.chunk_by(|a, b| a.edge == b.edge) {
         match group {
             [one] => {
                 out.open_edges += 1;
                 out.first_open_edge.get_or_insert(middle(one));
             }
-            [a, b] => out.inconsistent_edges += usize::from(a.2 == b.2),
+            [a, b] => out.inconsistent_edges += usize::from(a.rising == b.rising),
             [a, ..] => {
                 out.nonmanifold_edges += 1;
                 out.first_nonmanifold_edge.get_or_insert(middle(a));
@@ -114,7 +131,7 @@ pub fn topology(mesh: &Mesh) -> Topology {
             [] => {}
         }
         for pair in group.windows(2) {
-            let [a, b] = [pair[0].3, pair[1].3].map(|t| root(&mut parent, t));
+            let [a, b] = [pair[0].triangle, pair[1].triangle].map(|t| root(&mut parent, t));
             if a != b {
                 parent[a.max(b) as usize] = a.min(b);
                 out.components -= 1;
@@ -124,7 +141,8 @@ pub fn topology(mesh: &Mesh) -> Topology {
     out
 }
 
-fn root(parent: &mut [u32], mut i: u32) -> u32 {
+/// The representative of `i` in a forest of parents (union by lower number), whose paths it shortens.
+pub(crate) fn root(parent: &mut [u32], mut i: u32) -> u32 {
     while parent[i as usize] != i {
         parent[i as usize] = parent[parent[i as usize] as usize];
         i = parent[i as usize];

@@ -6,7 +6,7 @@ use super::exact::Exact;
 use super::exact::measure::Loops;
 use super::mesh::Mesh;
 use super::nurbs::Principal;
-use super::tessellate::{Options, tessellate};
+use super::tessellate::{Options, Tessellation, tessellate};
 use super::triangle::angle_at;
 use super::{Point, Vector};
 use crate::error::Result;
@@ -23,10 +23,19 @@ pub struct Part {
     pub brep: Option<Brep>,
     /// Greatest distance between `mesh` and the exact part, mm; 0 where the model is a mesh.
     pub deflection_mm: f64,
-    /// The index for exact distances.
-    exact: Option<Exact>,
-    /// The loops of the faces.
-    loops: Option<Loops>,
+    /// What ties `mesh` to `brep`.
+    tie: Tie,
+}
+
+/// What a part knows of its exact faces besides the faces.
+#[derive(Clone)]
+enum Tie {
+    /// The part is a mesh.
+    None,
+    /// The loops of the faces: enough to look at the part.
+    Loops(Loops),
+    /// The index for exact distances, with the loops in it.
+    Exact(Box<Exact>),
 }
 
 /// The closest point of the part to a query point.
@@ -64,7 +73,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0, exact: None, loops: None }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None }
     }
 
     /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
@@ -73,9 +82,7 @@ impl Part {
     /// See [`tessellate`].
     pub fn meshed(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
         let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
-        let bvh = MeshBvh::new(&t.mesh);
-        let loops = Some(Loops::new(&t));
-        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact: None, loops })
+        Ok(Self::tied(Tie::Loops(Loops::new(&t)), t))
     }
 
     /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
@@ -85,17 +92,19 @@ impl Part {
     /// See [`tessellate`].
     pub fn from_brep(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
         let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
+        Ok(Self::tied(Tie::Exact(Box::new(Exact::new(&t))), t))
+    }
+
+    fn tied(tie: Tie, t: Tessellation) -> Self {
         let bvh = MeshBvh::new(&t.mesh);
-        let exact = Some(Exact::new(&t));
-        let loops = Some(Loops::new(&t));
-        Ok(Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, exact, loops })
+        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie }
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
     /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
-        match (&self.brep, &self.exact) {
-            (Some(brep), Some(exact)) => exact.closest(brep, q, cap_mm),
+        match (&self.brep, &self.tie) {
+            (Some(brep), Tie::Exact(exact)) => exact.closest(brep, q, cap_mm),
             _ => self.closest_on_mesh(q, cap_mm),
         }
     }
@@ -111,8 +120,9 @@ impl Part {
 
     /// Area and volume: of the exact faces where the part has them ([`Loops::measure`]), of the triangles otherwise.
     pub fn measure(&self) -> Measured {
-        match (&self.brep, &self.loops) {
-            (Some(brep), Some(loops)) => loops.measure(brep, &self.mesh),
+        match (&self.brep, &self.tie) {
+            (Some(brep), Tie::Loops(loops)) => loops.measure(brep, &self.mesh),
+            (Some(brep), Tie::Exact(exact)) => exact.loops.measure(brep, &self.mesh),
             _ => Measured { area_mm2: self.mesh.area_mm2(), volume_mm3: self.mesh.volume_mm3(), ..Measured::default() },
         }
     }
@@ -123,8 +133,11 @@ impl Part {
         let mesh = self.mesh.moved(to_from);
         let bvh = MeshBvh::new(&mesh);
         let brep = self.brep.map(|b| b.moved(to_from));
-        let exact = self.exact.zip(brep.as_ref()).map(|(e, b)| e.moved(b, to_from));
-        Part { mesh, bvh, brep, exact, ..self }
+        let tie = match (self.tie, &brep) {
+            (Tie::Exact(exact), Some(b)) => Tie::Exact(Box::new(exact.moved(b, to_from))),
+            (tie, _) => tie,
+        };
+        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie }
     }
 
     /// As [`Self::closest`], to the triangles alone.
@@ -147,7 +160,7 @@ impl Part {
     /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.
     /// A point on the mesh counts as outside.
     pub fn inside(&self, q: &Point) -> bool {
-        if let (Some(brep), Some(exact)) = (&self.brep, &self.exact) {
+        if let (Some(brep), Tie::Exact(exact)) = (&self.brep, &self.tie) {
             return exact.inside(brep, q);
         }
         let Some(near) = self.bvh.closest(&self.mesh, q, f64::INFINITY) else { return false };

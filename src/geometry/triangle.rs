@@ -19,6 +19,11 @@ pub fn closest_on_segment(a: &Point, b: &Point, q: &Point) -> Point {
     }
 }
 
+/// Area of a triangle, mm².
+pub fn area_mm2([a, b, c]: &[Point; 3]) -> f64 {
+    0.5 * (b - a).cross(&(c - a)).norm()
+}
+
 /// The closest point of a triangle to `q`, corners in any sense.
 ///
 /// The projection is taken through the triangle's normal rather than through barycentric coordinates, so

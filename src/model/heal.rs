@@ -85,36 +85,30 @@ fn faults(mesh: &Mesh) -> usize {
 
 fn welded(mesh: Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
     let size = mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
-    let mut best = (mesh, 0.0);
-    match told_mm {
-        Some(tolerance) => best = (weld(&best.0, tolerance), tolerance),
-        None => {
-            let before = best.0.clone();
-            let mut least = faults(&before);
-            for tolerance in WELD.map(|w| w * size) {
-                if least == 0 {
-                    break;
-                }
-                let closer = weld(&before, tolerance);
-                let now = faults(&closer);
-                if now < least {
-                    (least, best) = (now, (closer, tolerance));
-                }
+    let mut best = None;
+    if let Some(tolerance) = told_mm {
+        best = Some((weld(&mesh, tolerance), tolerance));
+    } else {
+        let mut least = faults(&mesh);
+        for tolerance in WELD.map(|w| w * size) {
+            if least == 0 {
+                break;
             }
-            note_weld(&before, &best, notes);
-            return best.0;
+            let closer = weld(&mesh, tolerance);
+            let now = faults(&closer);
+            if now < least {
+                (least, best) = (now, Some((closer, tolerance)));
+            }
         }
     }
-    best.0
-}
-
-fn note_weld(before: &Mesh, best: &(Mesh, f64), notes: &mut Vec<String>) {
-    let merged = before.points.len() - best.0.points.len();
-    let lost = before.triangles.len() - best.0.triangles.len();
+    let Some((closer, tolerance)) = best else { return mesh };
+    let merged = mesh.points.len() - closer.points.len();
+    let lost = mesh.triangles.len() - closer.triangles.len();
     if merged > 0 {
         let lost = if lost > 0 { format!("; {lost} triangles vanished by it") } else { String::new() };
-        notes.push(format!("{merged} vertices closer than {:.2e} mm to another were merged{lost}", best.1));
+        notes.push(format!("{merged} vertices closer than {tolerance:.2e} mm to another were merged{lost}"));
     }
+    closer
 }
 
 /// Drops triangles over the same three vertices as another: repeats always, and both of a pair that is wound against one another

@@ -129,8 +129,7 @@ fn regions(survey: &Survey) -> Vec<String> {
     let mut surface: BTreeMap<Area, f64> = BTreeMap::new();
     let mut by_face: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
     for (t, area) in survey.areas().into_iter().enumerate() {
-        let [a, b, c] = mesh.corners(t);
-        let s = 0.5 * (b - a).cross(&(c - a)).norm();
+        let s = mesh.triangle_area_mm2(t);
         *surface.entry(area).or_default() += s;
         *by_face.entry(mesh.face(t)).or_default().entry(area).or_default() += s;
     }

@@ -5,7 +5,7 @@
 //! where that encloses next to nothing (a sheet). A piece that the file winds inward and that lies wholly inside another closed
 //! piece is a cavity and stays inward.
 
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point};
 
@@ -15,21 +15,6 @@ const SHEET: f64 = 1e-3;
 const SAMPLES: usize = 16;
 /// With more pieces than this, none is taken for a cavity: such a file is a heap of fragments.
 const MOST_PIECES: usize = 64;
-
-/// A use of an edge by a triangle: (low vertex, high vertex, runs from low to high, triangle).
-type Use = (u32, u32, bool, u32);
-
-fn uses(mesh: &Mesh) -> Vec<Use> {
-    let mut all = Vec::with_capacity(3 * mesh.triangles.len());
-    for (t, c) in mesh.triangles.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (c[k], c[(k + 1) % 3]);
-            all.push((a.min(b), a.max(b), a < b, t as u32));
-        }
-    }
-    all.sort_unstable();
-    all
-}
 
 /// Triangles that hang together over edges with two triangles.
 struct Piece {
@@ -83,12 +68,12 @@ fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
     let n = mesh.triangles.len();
     let mut neighbours: Vec<Vec<(u32, bool)>> = vec![Vec::new(); n];
     let mut full = vec![0u8; n];
-    for pair in uses(mesh).chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(|g| g.len() == 2) {
-        let against = pair[0].2 == pair[1].2;
-        neighbours[pair[0].3 as usize].push((pair[1].3, against));
-        neighbours[pair[1].3 as usize].push((pair[0].3, against));
-        full[pair[0].3 as usize] += 1;
-        full[pair[1].3 as usize] += 1;
+    for pair in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge).filter(|g| g.len() == 2) {
+        let against = pair[0].rising == pair[1].rising;
+        for (own, other) in [(pair[0].triangle, pair[1].triangle), (pair[1].triangle, pair[0].triangle)] {
+            neighbours[own as usize].push((other, against));
+            full[own as usize] += 1;
+        }
     }
     let mut turn: Vec<Option<bool>> = vec![None; n];
     let mut out = Vec::new();
@@ -135,7 +120,7 @@ fn signed_volume(mesh: &Mesh, piece: &Piece) -> f64 {
         let p = corners(t);
         let [u, v, w] = p.map(|q| q - apex);
         volume += u.dot(&v.cross(&w)) / 6.0;
-        area += 0.5 * (p[1] - p[0]).cross(&(p[2] - p[0])).norm();
+        area += mesh.triangle_area_mm2(t);
         for q in p {
             (b.min, b.max) = (b.min.inf(&q), b.max.sup(&q));
         }
@@ -145,15 +130,12 @@ fn signed_volume(mesh: &Mesh, piece: &Piece) -> f64 {
 
 /// Mean of the middles of the piece's open edges.
 fn middle_of_openings(mesh: &Mesh, piece: &Piece) -> Point {
-    let part = Mesh {
-        points: mesh.points.clone(),
-        triangles: piece.triangles.iter().map(|&t| mesh.triangles[t]).collect(),
-        ..Mesh::default()
-    };
-    let points: Vec<Point> = uses(&part)
-        .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+    let triangles: Vec<[u32; 3]> = piece.triangles.iter().map(|&t| mesh.triangles[t]).collect();
+    let points: Vec<Point> = edge_uses(&triangles)
+        .chunk_by(|a, b| a.edge == b.edge)
         .filter(|g| g.len() != 2)
-        .map(|g| nalgebra::center(&mesh.points[g[0].0 as usize], &mesh.points[g[0].1 as usize]))
+        .map(|g| g[0].edge.map(|v| mesh.points[v as usize]))
+        .map(|[a, b]| nalgebra::center(&a, &b))
         .collect();
     crate::geometry::boundary::centroid(&points)
 }

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::sweep::Sweep;
 use crate::geometry::part::Part;
+use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
 
 /// A point of the surface with its outward unit normal.
@@ -24,8 +25,7 @@ struct Piece {
 
 impl Piece {
     fn area(&self) -> f64 {
-        let [a, b, c] = self.corners;
-        0.5 * (b - a).cross(&(c - a)).norm()
+        area_mm2(&self.corners)
     }
     fn middle(&self) -> Point {
         let [a, b, c] = self.corners;

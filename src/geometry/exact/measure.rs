@@ -38,11 +38,11 @@ const THREE: [([f64; 3], f64); 3] = {
     [([A, B, B], T), ([B, A, B], T), ([B, B, A], T)]
 };
 
-/// The loops of all faces: what measuring needs besides faces and mesh.
+/// The loops of all faces: what measuring needs besides faces and mesh, and part of what exact distances need.
 #[derive(Clone, Debug)]
 pub struct Loops {
-    regions: Vec<Region>,
-    chords: Vec<Chord>,
+    pub(super) regions: Vec<Region>,
+    pub(super) chords: Vec<Chord>,
 }
 
 impl Loops {

@@ -32,20 +32,20 @@ use super::brep::Brep;
 use super::nurbs::foot::{ParameterSpace, SurfaceFoot};
 use super::nurbs::{NurbsSurface, SurfaceDerivatives};
 use super::part::Closest;
-use super::tessellate::{Chord, Tessellation};
+use super::tessellate::Tessellation;
 use super::{Aabb, Point, Vector};
 use leaf::{Arc, Leaf, Shape};
+use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
 use search::{Found, On};
 use sign::Corners;
 use tree::Tree;
-use trim::{Border, Region};
+use trim::Border;
 
 /// Everything that queries to exact faces need besides the faces.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    regions: Vec<Region>,
-    chords: Vec<Chord>,
+    pub(super) loops: Loops,
     tables: Vec<Option<SurfaceTable>>,
     curves: Vec<CurveTable>,
     leaves: Vec<Leaf>,
@@ -58,23 +58,23 @@ pub struct Exact {
 impl Exact {
     /// From a tessellation, for its faces.
     pub fn new(t: &Tessellation) -> Self {
-        let regions: Vec<Region> = t.trims.iter().map(|trim| Region::new(trim.clone())).collect();
-        let corners = Corners::new(t, &regions);
-        Self::cut(&t.brep, regions, t.chords.clone(), corners)
+        let loops = Loops::new(t);
+        let corners = Corners::new(t, &loops.regions);
+        Self::cut(&t.brep, loops, corners)
     }
 
     /// For the same faces after a rigid motion; `brep` is the moved one.
     #[must_use]
     pub fn moved(self, brep: &Brep, to_from: &super::Rigid) -> Self {
-        Self::cut(brep, self.regions, self.chords, self.corners.moved(to_from))
+        Self::cut(brep, self.loops, self.corners.moved(to_from))
     }
 
-    fn cut(brep: &Brep, regions: Vec<Region>, chords: Vec<Chord>, corners: Corners) -> Self {
+    fn cut(brep: &Brep, loops: Loops, corners: Corners) -> Self {
         use rayon::prelude::*;
         let tables: Vec<Option<SurfaceTable>> = brep.faces.par_iter().map(|f| SurfaceTable::new(&f.surface)).collect();
         let curves: Vec<CurveTable> = brep.edges.iter().map(|e| CurveTable::new(&e.curve)).collect();
         let diagonal_mm = size(brep);
-        let pieces = build::faces(brep, &tables, &regions, diagonal_mm);
+        let pieces = build::faces(brep, &tables, &loops.regions, diagonal_mm);
         let mut arcs = Vec::new();
         for (e, edge) in brep.edges.iter().enumerate() {
             if corners.bounds_faces(e) {
@@ -84,7 +84,7 @@ impl Exact {
         let mut boxes = pieces.boxes;
         boxes.extend(arcs.iter().map(build::arc_box));
         let tree = Tree::new(&boxes);
-        Exact { regions, chords, tables, curves, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
+        Exact { loops, tables, curves, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
     }
 
     fn shape<'a>(&'a self, brep: &'a Brep, face: u32) -> Shape<'a> {
@@ -134,7 +134,7 @@ impl Exact {
     /// Parameters and outward normal on a face of a point that lies on it, from a guess at the parameters.
     fn normal_on(&self, brep: &Brep, face: u32, guess: [f64; 2], at: &Point) -> ([f64; 2], Option<Vector>) {
         let f = &brep.faces[face as usize];
-        let space = &self.regions[face as usize].trim.space;
+        let space = &self.loops.regions[face as usize].trim.space;
         let foot: SurfaceFoot = f.surface.foot(at, guess, space);
         let uv = space.normal_form(foot.uv);
         let pole = is_pole(&foot.at, space);

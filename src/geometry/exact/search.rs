@@ -243,11 +243,11 @@ impl Search<'_> {
         if !pole && (slope(&foot.at.du) || slope(&foot.at.dv)) {
             return false;
         }
-        let region = &self.exact.regions[leaf.rect.face as usize];
+        let region = &self.exact.loops.regions[leaf.rect.face as usize];
         let [hu, hv] = [0, 1].map(|a| shape.frame(a, leaf.rect.span[a])[1]);
         let at = SurfaceDerivatives { p: foot.point, du: foot.at.du / hu, dv: foot.at.dv / hv, ..foot.at };
         let uv = shape.uv(leaf.rect.span, foot.st);
-        region.holds(self.brep, &self.exact.chords, &self.exact.borders[leaf.border as usize], uv, &at)
+        region.holds(self.brep, &self.exact.loops.chords, &self.exact.borders[leaf.border as usize], uv, &at)
     }
 
     /// Looks for the closest point of a piece of an edge.

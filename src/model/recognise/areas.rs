@@ -72,8 +72,7 @@ fn take_whole(found: &Recognised, out: &mut [Area]) {
     let mesh = &found.mesh;
     let mut surface: std::collections::BTreeMap<u32, std::collections::BTreeMap<Area, f64>> = Default::default();
     for (t, area) in out.iter().enumerate() {
-        let [a, b, c] = mesh.corners(t);
-        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += 0.5 * (b - a).cross(&(c - a)).norm();
+        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
     }
     let whole: std::collections::BTreeMap<u32, Area> = surface
         .iter()

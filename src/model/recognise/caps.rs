@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::run::{Link, Run, frame_along};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, edge_uses, root};
 use crate::geometry::{Point, Vector};
 
 /// Neighbouring triangles whose normals differ by more belong to different patches, degrees.
@@ -33,15 +33,12 @@ pub struct Patch {
 pub fn patches(mesh: &Mesh) -> Vec<Patch> {
     let n = mesh.triangles.len();
     let normals: Vec<Vector> = (0..n).map(|t| mesh.normal(t)).collect();
-    let mut sides: Vec<(u32, u32, u32)> = Vec::with_capacity(3 * n);
-    for (t, c) in mesh.triangles.iter().enumerate() {
-        sides.extend((0..3).map(|k| (c[k].min(c[(k + 1) % 3]), c[k].max(c[(k + 1) % 3]), t as u32)));
-    }
-    sides.sort_unstable();
+    let mut sides = edge_uses(&mesh.triangles);
+    sides.sort_unstable_by_key(|s| (s.edge, s.triangle));
     let cos = CREASE_DEG.to_radians().cos();
     let mut parent: Vec<u32> = (0..n as u32).collect();
-    for pair in sides.windows(2).filter(|w| (w[0].0, w[0].1) == (w[1].0, w[1].1)) {
-        let [a, b] = [pair[0].2, pair[1].2];
+    for pair in sides.windows(2).filter(|w| w[0].edge == w[1].edge) {
+        let [a, b] = [pair[0].triangle, pair[1].triangle];
         if normals[a as usize].dot(&normals[b as usize]) > cos {
             let (a, b) = (root(&mut parent, a), root(&mut parent, b));
             parent[a.max(b) as usize] = a.min(b);
@@ -50,7 +47,7 @@ pub fn patches(mesh: &Mesh) -> Vec<Patch> {
     let mut sums: BTreeMap<u32, (f64, Vector, Vector)> = BTreeMap::new();
     for t in 0..n {
         let [a, b, c] = mesh.corners(t);
-        let area = 0.5 * (b - a).cross(&(c - a)).norm();
+        let area = mesh.triangle_area_mm2(t);
         let s = sums.entry(root(&mut parent, t as u32)).or_insert((0.0, Vector::zeros(), Vector::zeros()));
         s.0 += area;
         s.1 += area * normals[t];
@@ -68,14 +65,6 @@ pub fn patches(mesh: &Mesh) -> Vec<Patch> {
         .collect();
     out.sort_by(|a, b| b.area_mm2.total_cmp(&a.area_mm2));
     out
-}
-
-fn root(parent: &mut [u32], mut i: u32) -> u32 {
-    while parent[i as usize] != i {
-        parent[i as usize] = parent[parent[i as usize] as usize];
-        i = parent[i as usize];
-    }
-    i
 }
 
 /// Directions in which the largest patches face.

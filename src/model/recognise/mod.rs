@@ -223,7 +223,7 @@ fn candidates(mesh: &Mesh) -> Vec<Vector> {
     let (mut area, mut centre) = (0.0, Vector::zeros());
     for t in 0..mesh.triangles.len() {
         let [a, b, c] = mesh.corners(t);
-        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        let w = mesh.triangle_area_mm2(t);
         area += w;
         centre += w * (a.coords + b.coords + c.coords) / 3.0;
     }
@@ -234,7 +234,7 @@ fn candidates(mesh: &Mesh) -> Vec<Vector> {
     let (mut spread, mut normals) = (Matrix3::zeros(), Matrix3::zeros());
     for t in 0..mesh.triangles.len() {
         let [a, b, c] = mesh.corners(t);
-        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        let w = mesh.triangle_area_mm2(t);
         let r = (a.coords + b.coords + c.coords) / 3.0 - centre;
         let n = mesh.normal(t);
         spread += w * r * r.transpose();
@@ -254,7 +254,7 @@ fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
     for t in 0..mesh.triangles.len() {
         let [a, b, c] = mesh.corners(t);
         let h = (a.coords + b.coords + c.coords).dot(&run.direction) / 3.0;
-        let w = 0.5 * (b - a).cross(&(c - a)).norm();
+        let w = mesh.triangle_area_mm2(t);
         if h < low.height_mm {
             below += w;
         } else if h > high.height_mm {
