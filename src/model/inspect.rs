@@ -36,9 +36,9 @@ pub fn inspect_text(survey: &Survey) -> String {
     }
     openings(&mut out, d);
     let measured = survey.part.measure();
-    out.line("area", &format!("{:.3} mm²{}", measured.area_mm2, within(measured.area_error_mm2, "mm²")));
+    out.line("area", &format!("{:.3} mm²{}", measured.area_mm2, about(measured.area_error_mm2, "mm²")));
     if d.closed {
-        out.line("volume", &format!("{:.3} mm³{}", measured.volume_mm3, within(measured.volume_error_mm3, "mm³")));
+        out.line("volume", &format!("{:.3} mm³{}", measured.volume_mm3, about(measured.volume_error_mm3, "mm³")));
     } else {
         out.line("volume", "none, since the part is open");
     }
@@ -50,9 +50,9 @@ pub fn inspect_text(survey: &Survey) -> String {
     out.text
 }
 
-/// What a figure may be wrong by, if anything that its last digit shows.
-fn within(error: f64, unit: &str) -> String {
-    if error > 5e-4 { format!(", within {error:.1e} {unit}") } else { String::new() }
+/// By about how much a figure is wrong, if anything that its last digit shows: an estimate, not a bound.
+fn about(error: f64, unit: &str) -> String {
+    if error > 5e-4 { format!(", error about {error:.1e} {unit}") } else { String::new() }
 }
 
 #[derive(Default)]

@@ -6,7 +6,7 @@
 //! parabolic segments. Where a triangle touches a pole, which is a whole side of the parameter rectangle, the strip between its opposite
 //! side and that one is taken.
 //!
-//! **Stated error**: what the rule of three points (exact for degree 2) gives otherwise, summed without sign, and a quarter of
+//! **Error, estimated**: what the rule of three points (exact for degree 2) gives otherwise, summed without sign, and a quarter of
 //! the slivers.
 
 use super::is_pole;
