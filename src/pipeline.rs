@@ -123,7 +123,12 @@ impl Setup {
 
     fn schedule_options(&self) -> ScheduleOptions {
         let s = &self.job.schedule;
-        ScheduleOptions { margin_deg: s.margin_deg, lead_deg: s.lead_deg, ..ScheduleOptions::default() }
+        ScheduleOptions {
+            margin_deg: s.margin_deg,
+            lead_deg: s.lead_deg,
+            beyond_wall_deg: s.beyond_wall_deg,
+            ..ScheduleOptions::default()
+        }
     }
 
     fn feed_options(&self) -> FeedOptions {

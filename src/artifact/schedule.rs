@@ -10,6 +10,10 @@ pub enum ScheduleKind {
     Fixed,
     /// The paper's piecewise decoupled schedule.
     Piecewise,
+    /// Along the lower wall of the channel: to try the channel, not to machine.
+    LowerWall,
+    /// Along the upper wall of the channel: to try the channel, not to machine.
+    UpperWall,
 }
 
 /// A cubic Bézier piece in the (s, θ) plane; `s` is arc length from the start of the whole path, mm; θ in rad.

@@ -118,6 +118,7 @@ impl Draft {
                 kind: schedule.kind.unwrap_or(ScheduleKind::Piecewise),
                 margin_deg: schedule.margin_deg.unwrap_or(0.5),
                 lead_deg: schedule.lead_deg.unwrap_or(15.0),
+                beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(0.0),
             },
             feed: FeedJob { feed_mm_min: t.feed.and_then(|f| f.feed_mm_min).unwrap_or(2000.0) },
             post: PostJob {

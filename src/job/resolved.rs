@@ -142,6 +142,13 @@ pub struct ScheduleJob {
     pub margin_deg: f64,
     /// Lead of kind `fixed`, degrees. Default 15: what CAM users choose to keep the tip off the surface.
     pub lead_deg: f64,
+    /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees. Default, left out: 0.
+    #[serde(default, skip_serializing_if = "nothing")]
+    pub beyond_wall_deg: f64,
+}
+
+fn nothing(value: &f64) -> bool {
+    *value == 0.0
 }
 
 /// `[feed]`
@@ -224,6 +231,7 @@ impl Job {
             ("machine.b_deg", self.machine.b_deg, -85.0, 85.0),
             ("schedule.margin_deg", self.schedule.margin_deg, 0.0, 45.0),
             ("schedule.lead_deg", self.schedule.lead_deg, -85.0, 85.0),
+            ("schedule.beyond_wall_deg", self.schedule.beyond_wall_deg, 0.0, 45.0),
             ("feed.feed_mm_min", self.feed.feed_mm_min, 0.01, 1e6),
             ("verify.gouge_mm", v.gouge_mm, TINY, 10.0),
             ("verify.scallop_ratio", v.scallop_ratio, 0.01, 1000.0),

@@ -181,6 +181,8 @@ keys! {
         margin_deg: f64,
         /// Lead of kind `fixed`: angle of the tool axis ahead of the surface normal, degrees.
         lead_deg: f64,
+        /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees; for trying the channel.
+        beyond_wall_deg: f64,
     }
 }
 keys! {

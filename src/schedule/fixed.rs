@@ -49,12 +49,11 @@ pub(super) fn plan(
         });
     }
     let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let rates: Vec<f64> = theta.windows(2).zip(s.windows(2)).map(|(t, s)| (t[1] - t[0]) / (s[1] - s[0])).collect();
-    let second = rates.windows(2).zip(s.windows(3)).map(|(r, s)| ((r[1] - r[0]) / (0.5 * (s[2] - s[0]))).abs());
+    let (peak_rate, peak_acceleration) = super::sampled_peaks(&s, &theta);
     Ok(Schedule {
         kind: ScheduleKind::Fixed,
-        peak_rate: rates.iter().fold(0.0, |m, r| r.abs().max(m)),
-        peak_acceleration: second.fold(0.0, f64::max),
+        peak_rate,
+        peak_acceleration,
         pieces: Vec::new(),
         key_points: Vec::new(),
         reversals: turns_back,

@@ -6,6 +6,7 @@
 //! * `fixed`: the baseline. θ is the azimuth of the surface normal about the blade axis plus a constant lead in the
 //!   feed direction, as CAM systems give within the four-axis constraint. It knows nothing of the channel and may
 //!   leave it or turn back: that is counted and reported, never an error.
+//! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`: to try the channel.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
 //!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
@@ -40,6 +41,7 @@ mod options;
 mod piecewise;
 mod taut;
 mod turn;
+mod wall;
 
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
@@ -79,7 +81,15 @@ pub fn plan(
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
         ScheduleKind::Piecewise => piecewise::plan(path, channel, options, observer),
+        ScheduleKind::LowerWall | ScheduleKind::UpperWall => wall::plan(kind, path, channel, options, observer),
     }
+}
+
+/// Greatest |dθ/ds| and |d²θ/ds²| as differences of samples.
+fn sampled_peaks(s: &[f64], theta: &[f64]) -> (f64, f64) {
+    let rates: Vec<f64> = theta.windows(2).zip(s.windows(2)).map(|(t, s)| (t[1] - t[0]) / (s[1] - s[0])).collect();
+    let second = rates.windows(2).zip(s.windows(3)).map(|(r, s)| ((r[1] - r[0]) / (0.5 * (s[2] - s[0]))).abs());
+    (rates.iter().fold(0.0, |m, r| r.abs().max(m)), second.fold(0.0, f64::max))
 }
 
 /// Number of places where a sequence turns back, with differences below `tolerance` taken as standing still.

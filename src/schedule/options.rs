@@ -16,6 +16,8 @@ pub struct ScheduleOptions {
     /// Angle by which a `fixed` schedule leads the surface normal in the feed direction, degrees. 15 is in the
     /// middle of what CAM systems offer for ball-end finishing.
     pub lead_deg: f64,
+    /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees: to see that a channel is tight.
+    pub beyond_wall_deg: f64,
     /// Length over which θ stands still on either side of a base point, mm; absent: the best of a few shares of the
     /// turn's length.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -24,7 +26,7 @@ pub struct ScheduleOptions {
 
 impl Default for ScheduleOptions {
     fn default() -> Self {
-        ScheduleOptions { margin_deg: 0.5, lead_deg: 15.0, level_stretch_mm: None }
+        ScheduleOptions { margin_deg: 0.5, lead_deg: 15.0, beyond_wall_deg: 0.0, level_stretch_mm: None }
     }
 }
 
@@ -40,6 +42,9 @@ impl ScheduleOptions {
         }
         if !(-90.0..=90.0).contains(&self.lead_deg) {
             return bad(format!("schedule.lead_deg is {}, it must be from -90 to 90", self.lead_deg));
+        }
+        if !(0.0..=45.0).contains(&self.beyond_wall_deg) {
+            return bad(format!("schedule.beyond_wall_deg is {}, it must be from 0 to 45", self.beyond_wall_deg));
         }
         match self.level_stretch_mm {
             Some(l) if !(l > 0.0 && l.is_finite()) => {

@@ -285,3 +285,19 @@ proptest! {
         assert_sound(&s, &p, &c);
     }
 }
+
+#[test]
+fn walls_are_followed_and_passed_by_what_was_asked() {
+    let (path, channel) = (path(2, 60), channel(&blade_like(2, 60, 0.6, 0.3)));
+    let along = |kind, beyond_wall_deg| {
+        let options = ScheduleOptions { beyond_wall_deg, ..ScheduleOptions::default() };
+        plan(kind, &path, &channel, &options, &Silent).unwrap().theta
+    };
+    let (low, high) = (along(ScheduleKind::LowerWall, 0.0), along(ScheduleKind::UpperWall, 0.2));
+    for ((l, h), r) in low.iter().zip(&high).zip(&channel.rows) {
+        assert_eq!(*l, r.theta_min);
+        assert!((h - r.theta_max - 0.2f64.to_radians()).abs() < 1e-12);
+    }
+    let bad = ScheduleOptions { beyond_wall_deg: -1.0, ..ScheduleOptions::default() };
+    assert_eq!(plan(ScheduleKind::LowerWall, &path, &channel, &bad, &Silent).unwrap_err().kind, ErrorKind::Usage);
+}

@@ -1,0 +1,51 @@
+//! Along a wall of the channel: schedules that try the channel, not the machine.
+//!
+//! The tool is kept as near to the part as the channel says it may come, at every location. Where the channel is right,
+//! such a schedule touches nothing; moved outwards by a fraction of a degree it does, at the places that the channel names.
+
+use super::{ScheduleOptions, reversals};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::error::Result;
+use crate::observe::{Observer, Warning};
+use crate::{Error, Stage};
+
+/// `theta_min` (kind `lower-wall`) or `theta_max` (`upper-wall`) of every row, moved outwards by `beyond_wall_deg`.
+pub(super) fn plan(
+    kind: ScheduleKind,
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    observer.check(Stage::Schedule)?;
+    let beyond = options.beyond_wall_deg.to_radians();
+    let wall = |r: &crate::artifact::channel::ChannelRow| match kind {
+        ScheduleKind::LowerWall => r.theta_min - beyond,
+        _ => r.theta_max + beyond,
+    };
+    let theta: Vec<f64> = channel.rows.iter().map(wall).collect();
+    if !theta.iter().all(|t| t.is_finite()) {
+        return Err(Error::usage(Stage::Schedule, "the channel has walls that are not finite"));
+    }
+    let turns_back = reversals(&theta, 1e-9);
+    observer.warn(Warning {
+        stage: Stage::Schedule,
+        message: format!(
+            "the schedule runs along a wall of the channel{}, to try the channel: it turns back {turns_back} times and is \
+             not to be machined",
+            if beyond == 0.0 { String::new() } else { format!(", {}° outside it", options.beyond_wall_deg) }
+        ),
+    });
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let (peak_rate, peak_acceleration) = super::sampled_peaks(&s, &theta);
+    Ok(Schedule {
+        kind,
+        peak_rate,
+        peak_acceleration,
+        pieces: Vec::new(),
+        key_points: Vec::new(),
+        reversals: turns_back,
+        theta,
+    })
+}
