@@ -53,6 +53,7 @@ fn helix(count: usize) -> Toolpath {
         })
         .collect();
     Toolpath {
+        kind: bladewright::artifact::toolpath::PathKind::default(),
         radius_mm: RADIUS_MM,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -99,6 +99,7 @@ impl Setup {
     fn path_options(&self) -> PathOptions {
         let (p, r) = (&self.job.path, &self.job.region);
         PathOptions {
+            kind: p.kind,
             radius_mm: self.job.tool.radius_mm,
             scallop_mm: p.scallop_mm,
             chord_mm: p.chord_mm,

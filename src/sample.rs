@@ -106,6 +106,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
     let locations: Vec<_> = (0..count).map(location).collect();
     let theta: Vec<f64> = (0..count).map(|i| i as f64 * step + LEAD_RAD).collect();
     let toolpath = Toolpath {
+        kind: crate::artifact::toolpath::PathKind::default(),
         radius_mm: radius,
         scallop_mm: 0.01,
         chord_mm: 0.002,

@@ -1,6 +1,27 @@
 //! Cutter locations of one continuous helix.
 use crate::geometry::{Point, Vector};
 
+/// How the turns of the helix lie.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum PathKind {
+    /// Every turn falls by the same height all the way round, as much as the scallop allows at its worst place (planar
+    /// turns).
+    #[default]
+    ConstantHeight,
+}
+
 /// One cutter location.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CutterLocation {
@@ -32,6 +53,8 @@ pub struct Turn {
 /// The helix. Locations run so that the angle about the blade axis increases (counter-clockwise seen from the tip).
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Toolpath {
+    /// How the turns lie.
+    pub kind: PathKind,
     /// Ball radius, mm.
     pub radius_mm: f64,
     /// Scallop asked for, mm.

@@ -22,7 +22,7 @@ pub use resolved::{
     ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
 };
 pub use typed::{
-    ChannelKeys, FeedKeys, JobFile, MachineKeys, ModelKeys, PathKeys, PathKind, PostKeys, RegionKeys, RegionReference,
+    ChannelKeys, FeedKeys, JobFile, MachineKeys, ModelKeys, PathKeys, PostKeys, RegionKeys, RegionReference,
     ScheduleKeys, SectionKeys, ToolKeys, VerifyKeys,
 };
 

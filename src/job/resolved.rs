@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::axis::AxisChoice;
-use super::typed::PathKind;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::PathKind;
 use crate::error::{Error, Result, Stage};
 use crate::tool::Tool;
 
@@ -92,7 +92,7 @@ pub struct RegionJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathJob {
-    /// Kind of path. Default `helix`.
+    /// How the turns lie. Default `constant-height`.
     pub kind: PathKind,
     /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
     pub scallop_mm: f64,

@@ -7,6 +7,7 @@ use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::PathKind;
 use crate::tool::HolderStage;
 
 /// The job file. A key that is left out takes its default (see [`super::Job`]); a section that is left out, all of its.
@@ -124,19 +125,10 @@ keys! {
     }
 }
 
-/// Kind of path.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum PathKind {
-    /// One continuous helix round the airfoil.
-    #[default]
-    Helix,
-}
-
 keys! {
     /// `[path]`
     PathKeys {
-        /// Kind of path.
+        /// How the turns lie.
         kind: PathKind,
         /// Greatest scallop between neighbouring turns, mm.
         scallop_mm: f64,

@@ -113,6 +113,7 @@ pub fn blend(
     let by_turn = ridges.into_iter().map(|r| decisive_mm(level, r)).collect();
     let (turns, locations) = number(&turns, end);
     let path = Toolpath {
+        kind: options.kind,
         radius_mm: options.radius_mm,
         scallop_mm: options.scallop_mm,
         chord_mm: options.chord_mm,

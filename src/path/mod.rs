@@ -5,11 +5,13 @@
 //! ## Method
 //! The centre of a ball that touches the part without cutting into it lies on the `R` level set of the distance to
 //! the whole part: airfoil, fillet and platform alike. *Rings* are that set's closed curves at constant height
-//! (`ring`). From ring to ring the pitch is as large as the scallop allows at the worst place of the turn, the scallop
-//! being measured on the part (`stepover`), not derived from curvature. The helix runs from each ring to the next:
-//! turn `k` at the fraction `u` of the way round lies at the height `(1 − u) x_k + u x_{k+1}`, and every one of its
-//! locations is brought onto the level set again, so the rings only guide it.
-//! It runs down from the airfoil towards the platform, counter-clockwise seen from the tip.
+//! (`ring`). The helix (`helix`) runs from each of a stack of curves to the next, at the fraction `u` of the way round
+//! `(1 − u)` of the one and `u` of the other, and every one of its locations is brought onto the level set again, so the
+//! curves only guide it. It runs down from the airfoil towards the platform, counter-clockwise seen from the tip. How the
+//! curves of the stack lie is the [`PathKind`], one file each:
+//!
+//! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop allows at the worst place
+//!   of the turn, the scallop being measured on the part (`stepover`), not derived from curvature.
 //!
 //! Turns begin at a *base point*, the concave–convex altered point where the path enters the greatest concave stretch
 //! (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade milling); on a convex airfoil, at the point
@@ -24,6 +26,7 @@
 //! Turns at (nearly) constant height leave too much where a wall leans over: the helix ends where the lean exceeds
 //! [`PathOptions::max_lean_rad`]. The scallop is at or under the limit everywhere, not constant along a turn.
 
+mod constant_height;
 mod helix;
 mod level;
 mod options;
@@ -37,6 +40,7 @@ mod tests;
 pub use options::PathOptions;
 pub use stepover::flat_stepover_mm;
 
+use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -52,56 +56,8 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
     validate(blade, options)?;
     let level = LevelSet { part: &blade.part, radius_mm: options.radius_mm };
     let start_x = start_height(blade, options);
-    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more than its own ring pair
-    // promised: aim lower, measure the helix itself, and aim lower still at the heights where that was not enough.
-    let mut aim = Aim { target_mm: 0.95 * options.scallop_mm, caps: Vec::new() };
-    let mut kept = Vec::new();
-    let mut best: Option<Toolpath> = None;
-    for _ in 0..MOST_AIMS {
-        let stack = rings::lay(blade, &level, options, start_x, kept, &aim, observer)?;
-        let (path, ridges) = helix::blend(&level, &stack, options, observer)?;
-        // Two hundredths are left for what another measure of the same ridge may see.
-        let most = 0.98 * options.scallop_mm;
-        let high: Vec<usize> = (0..ridges.len()).filter(|&k| ridges[k] > most).collect();
-        let enough = path.planned_scallop_mm <= most || high.is_empty();
-        if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) {
-            best = Some(path);
-        }
-        if enough {
-            break;
-        }
-        for &k in &high {
-            let lower = stack.rings[(k + 2).min(stack.rings.len() - 1)].x_mm;
-            aim.cap([lower, stack.rings[k].x_mm], (0.95 * options.scallop_mm / ridges[k]).clamp(0.3, 0.97));
-        }
-        let first = high[0] + 1;
-        kept = stack.rings;
-        kept.truncate(first);
-    }
-    best.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid"))
-}
-
-/// How often the helix is laid anew, closer where its ridges were too high.
-const MOST_AIMS: usize = 8;
-
-/// The scallop that the pitch aims at, by height.
-struct Aim {
-    target_mm: f64,
-    /// Heights (lower, upper) and the factor there.
-    caps: Vec<([f64; 2], f64)>,
-}
-
-impl Aim {
-    /// Aims lower by `factor` between two heights, on top of what is asked for there already.
-    fn cap(&mut self, heights: [f64; 2], factor: f64) {
-        let so_far = self.at(heights) / self.target_mm;
-        self.caps.push((heights, factor * so_far));
-    }
-
-    /// What to aim at for passes between two heights, mm.
-    fn at(&self, [lower, upper]: [f64; 2]) -> f64 {
-        let there = self.caps.iter().filter(|([lo, hi], _)| *lo < upper && *hi > lower);
-        self.target_mm * there.map(|(_, f)| *f).fold(1.0, f64::min)
+    match options.kind {
+        PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
     }
 }
 

@@ -1,8 +1,12 @@
 //! Options of the path stage.
 
+use crate::artifact::toolpath::PathKind;
+
 /// What the helix should be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathOptions {
+    /// How the turns lie.
+    pub kind: PathKind,
     /// Ball radius, mm.
     pub radius_mm: f64,
     /// Greatest scallop between neighbouring turns, mm.
@@ -24,6 +28,7 @@ impl PathOptions {
     /// steps of at most a quarter of the ball radius and 1 mm, lean up to 60°.
     pub fn new(radius_mm: f64, scallop_mm: f64) -> Self {
         PathOptions {
+            kind: PathKind::default(),
             radius_mm,
             scallop_mm,
             chord_mm: 0.001,

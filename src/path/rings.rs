@@ -2,11 +2,12 @@
 
 use rayon::prelude::*;
 
+use super::constant_height::Aim;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
-use super::{Aim, place, seed};
+use super::{place, seed};
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;

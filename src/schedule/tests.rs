@@ -33,6 +33,7 @@ fn path(turns: usize, per: usize) -> Toolpath {
         .map(|k| Turn { first: k * per, count: per + usize::from(k + 1 == turns), length_mm: per as f64 })
         .collect();
     Toolpath {
+        kind: crate::artifact::toolpath::PathKind::default(),
         radius_mm: 2.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -104,6 +104,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
     let zeros = vec![[0.0; 5]; n];
     with_motion(Plan {
         toolpath: Toolpath {
+            kind: crate::artifact::toolpath::PathKind::default(),
             radius_mm: BALL,
             scallop_mm: 0.01,
             chord_mm: 0.001,

@@ -139,6 +139,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         .map(|(&(first, at), end)| Turn { first, count: per_turn, length_mm: end - at })
         .collect();
     Toolpath {
+        kind: crate::artifact::toolpath::PathKind::default(),
         radius_mm,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -1,0 +1,70 @@
+//! Turns at constant height: a stack of rings, each as far below the last as the scallop allows at the worst place of the
+//! turn, and the helix that runs from each ring to the next.
+
+use super::level::LevelSet;
+use super::options::PathOptions;
+use super::{helix, rings};
+use crate::artifact::{Blade, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::observe::Observer;
+
+/// Lays the helix from the height `start_x` down.
+pub(super) fn plan(
+    blade: &Blade,
+    level: &LevelSet,
+    options: &PathOptions,
+    start_x: f64,
+    observer: &dyn Observer,
+) -> Result<Toolpath> {
+    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more than its own ring pair
+    // promised: aim lower, measure the helix itself, and aim lower still at the heights where that was not enough.
+    let mut aim = Aim { target_mm: 0.95 * options.scallop_mm, caps: Vec::new() };
+    let mut kept = Vec::new();
+    let mut best: Option<Toolpath> = None;
+    for _ in 0..MOST_AIMS {
+        let stack = rings::lay(blade, level, options, start_x, kept, &aim, observer)?;
+        let (path, ridges) = helix::blend(level, &stack, options, observer)?;
+        // Two hundredths are left for what another measure of the same ridge may see.
+        let most = 0.98 * options.scallop_mm;
+        let high: Vec<usize> = (0..ridges.len()).filter(|&k| ridges[k] > most).collect();
+        let enough = path.planned_scallop_mm <= most || high.is_empty();
+        if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) {
+            best = Some(path);
+        }
+        if enough {
+            break;
+        }
+        for &k in &high {
+            let lower = stack.rings[(k + 2).min(stack.rings.len() - 1)].x_mm;
+            aim.cap([lower, stack.rings[k].x_mm], (0.95 * options.scallop_mm / ridges[k]).clamp(0.3, 0.97));
+        }
+        let first = high[0] + 1;
+        kept = stack.rings;
+        kept.truncate(first);
+    }
+    best.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid"))
+}
+
+/// How often the helix is laid anew, closer where its ridges were too high.
+const MOST_AIMS: usize = 8;
+
+/// The scallop that the pitch aims at, by height.
+pub(super) struct Aim {
+    pub(super) target_mm: f64,
+    /// Heights (lower, upper) and the factor there.
+    caps: Vec<([f64; 2], f64)>,
+}
+
+impl Aim {
+    /// Aims lower by `factor` between two heights, on top of what is asked for there already.
+    fn cap(&mut self, heights: [f64; 2], factor: f64) {
+        let so_far = self.at(heights) / self.target_mm;
+        self.caps.push((heights, factor * so_far));
+    }
+
+    /// What to aim at for passes between two heights, mm.
+    pub(super) fn at(&self, [lower, upper]: [f64; 2]) -> f64 {
+        let there = self.caps.iter().filter(|([lo, hi], _)| *lo < upper && *hi > lower);
+        self.target_mm * there.map(|(_, f)| *f).fold(1.0, f64::min)
+    }
+}
