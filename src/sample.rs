@@ -161,6 +161,7 @@ fn schedule(theta: &[f64], ds: f64) -> Schedule {
         reversals: 0,
         peak_rate: (theta[1] - theta[0]) / ds,
         peak_acceleration: 0.0,
+        quality: crate::artifact::schedule::Quality::default(),
     }
 }
 

@@ -8,12 +8,58 @@
 pub enum ScheduleKind {
     /// Fixed lead and tilt to the surface normal, as CAM systems give.
     Fixed,
+    /// Spherical interpolation between key orientations.
+    Quaternion,
     /// The paper's piecewise decoupled schedule.
     Piecewise,
+    /// The least peak, or least square, of the second or third derivative of θ(S) in the channel.
+    Optimal,
     /// Along the lower wall of the channel: to try the channel, not to machine.
     LowerWall,
     /// Along the upper wall of the channel: to try the channel, not to machine.
     UpperWall,
+}
+
+/// What an `optimal` schedule makes least.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measure {
+    /// Greatest |θ''|.
+    #[default]
+    PeakSecond,
+    /// Greatest |θ'''|.
+    PeakThird,
+    /// ∫ θ''² ds.
+    SquareSecond,
+    /// ∫ θ'''² ds.
+    SquareThird,
+}
+
+/// How good a schedule is, beside its peaks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
+pub struct Quality {
+    /// Greatest distance by which the curve itself leaves the channel between straight walls, rad; 0: nowhere.
+    pub outside_rad: f64,
+    /// Greatest |d³θ/ds³|, rad/mm³; absent where the second derivative jumps.
+    pub peak_third: Option<f64>,
+    /// Whether the second derivative is continuous everywhere.
+    pub curvature_continuous: bool,
+    /// No curve that never turns back and stays in the channel has a lesser greatest |θ''|, rad/mm².
+    pub bound_second: Option<f64>,
+    /// What an `optimal` schedule was made for, its value, and a value that no other curve falls below; rad, mm.
+    pub measure: Option<(Measure, f64, f64)>,
 }
 
 /// A cubic Bézier piece in the (s, θ) plane; `s` is arc length from the start of the whole path, mm; θ in rad.
@@ -26,7 +72,7 @@ pub struct Schedule {
     pub kind: ScheduleKind,
     /// θ at each cutter location, rad, unwrapped over the whole path.
     pub theta: Vec<f64>,
-    /// The curve itself, pieces in order, covering the whole path (empty for `fixed`, which is only sampled).
+    /// The curve itself, pieces in order, covering the whole path. A piece whose four `s` are evenly spaced is a cubic in `s`.
     pub pieces: Vec<BezierPiece>,
     /// Key points of the linear schedule before smoothing (s in mm, θ in rad).
     pub key_points: Vec<[f64; 2]>,
@@ -36,4 +82,7 @@ pub struct Schedule {
     pub peak_rate: f64,
     /// Greatest |d²θ/ds²|, rad/mm².
     pub peak_acceleration: f64,
+    /// How good it is.
+    #[serde(default)]
+    pub quality: Quality,
 }

@@ -43,6 +43,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         reversals: 0,
         peak_rate: 0.0,
         peak_acceleration: 0.0,
+        quality: crate::artifact::schedule::Quality::default(),
     };
     (toolpath, schedule)
 }

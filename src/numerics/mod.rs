@@ -1,3 +1,4 @@
-//! Numbers only: roots, splines, banded systems. No geometry.
+//! Numbers only: splines, banded systems, convex problems along a line of stages. No geometry.
 pub mod banded;
 pub mod spline;
+pub mod stages;

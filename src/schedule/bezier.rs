@@ -91,10 +91,14 @@ pub(super) fn parameter(piece: &BezierPiece, s_mm: f64) -> f64 {
     t
 }
 
-/// Greatest |d²θ/ds²| of a piece, rad/mm²: a scan and a golden-section search around its greatest value.
+/// Greatest |d²θ/ds²| of a piece, rad/mm².
 pub(super) fn peak_acceleration(piece: &BezierPiece) -> f64 {
+    greatest(|t| derivatives(piece, t)[2].abs())
+}
+
+/// The greatest value on 0..1: a scan and a golden-section search around its greatest value.
+fn greatest(f: impl Fn(f64) -> f64) -> f64 {
     const STEPS: usize = 24;
-    let f = |t: f64| derivatives(piece, t)[2].abs();
     let mut best = (0, 0.0);
     for i in 0..=STEPS {
         let v = f(i as f64 / STEPS as f64);
@@ -110,6 +114,37 @@ pub(super) fn peak_acceleration(piece: &BezierPiece) -> f64 {
         if f(t1) >= f(t2) { b = t2 } else { a = t1 }
     }
     best.1.max(f(0.5 * (a + b)))
+}
+
+/// Greatest |dθ/ds| of a piece.
+pub(super) fn peak_rate(piece: &BezierPiece) -> f64 {
+    greatest(|t| derivatives(piece, t)[1].abs())
+}
+
+/// Greatest |d³θ/ds³| of a piece, rad/mm³.
+pub(super) fn peak_third(piece: &BezierPiece) -> f64 {
+    // d/ds of θ'' = (θ₂ s₁ − s₂ θ₁) / s₁³, numbers being derivatives by the parameter.
+    greatest(|t| {
+        let [_, s1, s2] = cubic(piece.map(|p| p[0]), t);
+        let [_, q1, q2] = cubic(piece.map(|p| p[1]), t);
+        let third = |c: [f64; 4]| 6.0 * (c[3] - 3.0 * c[2] + 3.0 * c[1] - c[0]);
+        let (s3, q3) = (third(piece.map(|p| p[0])), third(piece.map(|p| p[1])));
+        let n = q2 * s1 - s2 * q1;
+        (((q3 * s1 - s3 * q1) * s1 - 3.0 * n * s2) / s1.powi(5)).abs()
+    })
+}
+
+/// θ at increasing `s_mm` of a curve that may turn back.
+pub(super) fn sample_freely(pieces: &[BezierPiece], s_mm: &[f64]) -> Vec<f64> {
+    let mut k = 0;
+    let mut out = Vec::with_capacity(s_mm.len());
+    for &s in s_mm {
+        while k + 1 < pieces.len() && pieces[k][3][0] < s {
+            k += 1;
+        }
+        out.extend(pieces.get(k).map(|p| cubic(p.map(|p| p[1]), parameter(p, s))[0]));
+    }
+    out
 }
 
 /// θ at increasing `s_mm`; pieces in order, without gaps, with control points whose θ does not fall.

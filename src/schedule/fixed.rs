@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{ScheduleOptions, reversals};
+use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
@@ -11,14 +11,8 @@ use crate::observe::{Observer, Warning};
 /// Normals closer to the blade axis than this have no azimuth worth following (sine of the angle to the axis).
 const ALONG_AXIS: f64 = 1e-6;
 
-/// See the module's page. Rates are differences at the locations.
-pub(super) fn plan(
-    path: &Toolpath,
-    channel: &Channel,
-    options: &ScheduleOptions,
-    observer: &dyn Observer,
-) -> Result<Schedule> {
-    observer.check(Stage::Schedule)?;
+/// θ at every location.
+pub(super) fn angles(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<f64> {
     let lead = options.lead_deg.to_radians();
     let near = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
     let mut last = if near.is_finite() { near } else { 0.0 };
@@ -31,32 +25,36 @@ pub(super) fn plan(
         }
         theta.push(last);
     }
+    theta
+}
+
+/// See the module's page. The curve is the natural cubic spline through the angles at the locations.
+pub(super) fn plan(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    observer.check(Stage::Schedule)?;
+    let theta = angles(path, channel, options);
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
     let outside = theta
         .iter()
         .zip(&channel.rows)
         .filter(|(t, r)| !(**t >= r.theta_min - channel.tolerance_rad && **t <= r.theta_max + channel.tolerance_rad))
         .count();
-    let turns_back = reversals(&theta, 1e-9);
-    if outside > 0 || turns_back > 0 {
+    let out = curve::through(ScheduleKind::Fixed, s, theta, channel)?;
+    if outside > 0 || out.reversals > 0 {
         observer.warn(Warning {
             stage: Stage::Schedule,
             message: format!(
                 "the fixed schedule (lead {} deg) is outside the channel at {outside} of {} locations and turns back \
-                 {turns_back} times; it is a baseline to compare with, not to be machined",
+                 {} times; it is a baseline to compare with, not to be machined",
                 options.lead_deg,
-                theta.len()
+                out.theta.len(),
+                out.reversals
             ),
         });
     }
-    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let (peak_rate, peak_acceleration) = super::sampled_peaks(&s, &theta);
-    Ok(Schedule {
-        kind: ScheduleKind::Fixed,
-        peak_rate,
-        peak_acceleration,
-        pieces: Vec::new(),
-        key_points: Vec::new(),
-        reversals: turns_back,
-        theta,
-    })
+    Ok(out)
 }

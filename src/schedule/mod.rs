@@ -7,6 +7,10 @@
 //!   feed direction, as CAM systems give within the four-axis constraint. It knows nothing of the channel and may
 //!   leave it or turn back: that is counted and reported, never an error.
 //! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`: to try the channel.
+//! * `quaternion`: spherical interpolation between key orientations (Ho et al. 2003), the rival that the piecewise method was
+//!   published against; may leave the channel or turn back, like `fixed` (`quaternion` module).
+//! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
+//!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
 //!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
@@ -22,6 +26,15 @@
 //!   6. *Choice*: the insets of 3 and 4 and the length of the level stretch are taken from a short fixed list so that
 //!      the greatest |d²θ/ds²| is least.
 //!
+//! ## The curve
+//! Every schedule is a curve of cubic pieces ([`Schedule::pieces`]). Turning points, peaks and the greatest distance outside the
+//! channel are those of the curve itself: extremes of each piece and of each piece less each straight stretch of wall
+//! (`curve` module), not of samples.
+//!
+//! ## Guarantees of `optimal`
+//! θ never falls, is inside the hull walls everywhere and is twice continuously differentiable. Its measure is within 1 % of
+//! the least for the walls less the margin, which [`crate::artifact::schedule::Quality::measure`] proves for each run.
+//!
 //! ## Guarantees of `piecewise`
 //! θ never falls; it is inside the hull walls everywhere (also between cutter locations, for walls taken as straight
 //! there); the curve is G2: slope and curvature are continuous, with zero curvature at all joints. The result is
@@ -33,12 +46,16 @@
 //! level stretch had to be shortened, and where two turns had to be scheduled as one because no level stretch fits.
 
 mod bezier;
+mod bound;
 mod check;
 mod corridor;
+mod curve;
 mod fixed;
 mod keys;
+mod optimal;
 mod options;
 mod piecewise;
+mod quaternion;
 mod taut;
 mod turn;
 mod wall;
@@ -80,33 +97,14 @@ pub fn plan(
     }
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
+        ScheduleKind::Quaternion => quaternion::plan(path, channel, options, observer),
+        ScheduleKind::Optimal => optimal::plan(path, channel, options, observer),
         ScheduleKind::Piecewise => piecewise::plan(path, channel, options, observer),
         ScheduleKind::LowerWall | ScheduleKind::UpperWall => wall::plan(kind, path, channel, options, observer),
     }
 }
 
-/// Greatest |dθ/ds| and |d²θ/ds²| as differences of samples.
-fn sampled_peaks(s: &[f64], theta: &[f64]) -> (f64, f64) {
-    let rates: Vec<f64> = theta.windows(2).zip(s.windows(2)).map(|(t, s)| (t[1] - t[0]) / (s[1] - s[0])).collect();
-    let second = rates.windows(2).zip(s.windows(3)).map(|(r, s)| ((r[1] - r[0]) / (0.5 * (s[2] - s[0]))).abs());
-    (rates.iter().fold(0.0, |m, r| r.abs().max(m)), second.fold(0.0, f64::max))
-}
-
-/// Number of places where a sequence turns back, with differences below `tolerance` taken as standing still.
-fn reversals(theta: &[f64], tolerance: f64) -> usize {
-    let mut count = 0;
-    let mut sense = 0.0;
-    for w in theta.windows(2) {
-        let d = w[1] - w[0];
-        if d.abs() > tolerance {
-            if sense * d < 0.0 {
-                count += 1;
-            }
-            sense = d.signum();
-        }
-    }
-    count
-}
-
+#[cfg(test)]
+mod optimal_tests;
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::artifact::schedule::Measure;
 use crate::error::{Error, Result, Stage};
 
 /// Options of [`super::plan`].
@@ -22,11 +23,19 @@ pub struct ScheduleOptions {
     /// turn's length.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub level_stretch_mm: Option<f64>,
+    /// What an `optimal` schedule makes least.
+    pub measure: Measure,
 }
 
 impl Default for ScheduleOptions {
     fn default() -> Self {
-        ScheduleOptions { margin_deg: 0.5, lead_deg: 15.0, beyond_wall_deg: 0.0, level_stretch_mm: None }
+        ScheduleOptions {
+            margin_deg: 0.5,
+            lead_deg: 15.0,
+            beyond_wall_deg: 0.0,
+            level_stretch_mm: None,
+            measure: Measure::default(),
+        }
     }
 }
 

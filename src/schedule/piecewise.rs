@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use super::bezier;
 use super::check;
-use super::corridor::{Corridor, Node, slope};
+use super::corridor::{Corridor, Node};
 use super::turn::{self, End, MOST, Smoothed, Stretch};
-use super::{ScheduleOptions, reversals};
+use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
@@ -45,16 +45,9 @@ pub(super) fn plan(
     observer.progress(Stage::Schedule, 1, 1);
     let theta = bezier::sample(&pieces, hull.s.iter().copied());
     check::inside(&pieces, &theta, &hull, path)?;
-    Ok(Schedule {
-        kind: ScheduleKind::Piecewise,
-        reversals: reversals(&theta, 0.0),
-        // Within a piece the slope is monotone, so its greatest value is at an end.
-        peak_rate: pieces.iter().flat_map(|p| [slope(p[0], p[1]), slope(p[2], p[3])]).fold(0.0, f64::max),
-        peak_acceleration: pieces.iter().map(bezier::peak_acceleration).fold(0.0, f64::max),
-        theta,
-        pieces,
-        key_points: keys,
-    })
+    let mut out = curve::schedule(ScheduleKind::Piecewise, pieces, theta, &hull);
+    out.key_points = keys;
+    Ok(out)
 }
 
 /// `turn 3, S = 12.5 mm` of a location.
@@ -71,7 +64,7 @@ fn describe(binding: &Binding) -> String {
 }
 
 /// The monotone hull as a corridor.
-fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
+pub(super) fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
     let rows = &channel.rows;
     for (i, r) in rows.iter().enumerate() {
         if !(r.hull_min.is_finite() && r.hull_max.is_finite()) {
@@ -121,7 +114,7 @@ fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
     )
 }
 
-fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn Observer) {
+pub(super) fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn Observer) {
     let width = |i: usize| hull.hi[i] - hull.lo[i];
     let narrow = (0..hull.s.len()).filter(|i| width(*i) < 4.0 * margin).count();
     let Some(worst) = (0..hull.s.len()).min_by(|a, b| width(*a).total_cmp(&width(*b))) else { return };

@@ -3,7 +3,7 @@
 //! The tool is kept as near to the part as the channel says it may come, at every location. Where the channel is right,
 //! such a schedule touches nothing; moved outwards by a fraction of a degree it does, at the places that the channel names.
 
-use super::{ScheduleOptions, reversals};
+use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::Result;
@@ -28,7 +28,9 @@ pub(super) fn plan(
     if !theta.iter().all(|t| t.is_finite()) {
         return Err(Error::usage(Stage::Schedule, "the channel has walls that are not finite"));
     }
-    let turns_back = reversals(&theta, 1e-9);
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let out = curve::through(kind, s, theta, channel)?;
+    let turns_back = out.reversals;
     observer.warn(Warning {
         stage: Stage::Schedule,
         message: format!(
@@ -37,15 +39,5 @@ pub(super) fn plan(
             if beyond == 0.0 { String::new() } else { format!(", {}° outside it", options.beyond_wall_deg) }
         ),
     });
-    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let (peak_rate, peak_acceleration) = super::sampled_peaks(&s, &theta);
-    Ok(Schedule {
-        kind,
-        peak_rate,
-        peak_acceleration,
-        pieces: Vec::new(),
-        key_points: Vec::new(),
-        reversals: turns_back,
-        theta,
-    })
+    Ok(out)
 }

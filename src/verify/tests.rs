@@ -131,6 +131,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             reversals: 0,
             peak_rate: 0.0,
             peak_acceleration: 0.0,
+            quality: crate::artifact::schedule::Quality::default(),
         },
         motion: AxisMotion {
             t_s: s.iter().map(|s| s / 30.0).collect(),

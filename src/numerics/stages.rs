@@ -1,0 +1,546 @@
+//! Convex problems along a line of stages, in linear time: a primal–dual interior-point method whose linear systems are
+//! solved by a Riccati recursion.
+//!
+//! ```text
+//! minimise  Σ ½ vᵀ H v + fᵀ v      v = (x, u) at every stage, X state components, V − X controls
+//! such that x(next) = D v          (linear dynamics)
+//!           g · v ≤ most           (any number of rows at every stage)
+//! ```
+//!
+//! In: [`Stage`]s, a trajectory that follows the dynamics. Out: [`Solution`]: the trajectory, the multipliers of the rows and
+//! the costates. Method: Mehrotra's predictor and corrector (Nocedal and Wright, *Numerical Optimization*, ch. 16) on slacks
+//! of the rows; each Newton system is a linear-quadratic problem (Rao, Wright and Rawlings 1998, "Application of
+//! interior-point methods to model predictive control", JOTA 99). Because states are kept beside their differences, the
+//! systems stay well conditioned where second differences of thousands of values would not.
+//!
+//! [`Model::refresh`] may change `H`, `f` and the rows after every step: a convex objective that is not quadratic, or
+//! rows that are tangents of curved ones, are then solved by Newton's method in the same iterations.
+//!
+//! Guaranteed: the trajectory follows the dynamics; linear time and memory per iteration; the same result on any number of
+//! threads (there is one). Not guaranteed: that rows hold where no trajectory satisfies all: [`Solution::excess`] tells
+//! by how much the worst row is missed.
+
+/// One inequality `g · v ≤ most`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row<const V: usize> {
+    /// Coefficients.
+    pub g: [f64; V],
+    /// Right-hand side.
+    pub most: f64,
+}
+
+/// One stage.
+#[derive(Clone, Debug)]
+pub struct Stage<const X: usize, const V: usize> {
+    /// The next stage's state is `dynamics · v`.
+    pub dynamics: [[f64; V]; X],
+    /// Second derivative of the objective, symmetric, positive semidefinite.
+    pub hessian: [[f64; V]; V],
+    /// Linear part of the objective.
+    pub gradient: [f64; V],
+    /// Inequalities.
+    pub rows: Vec<Row<V>>,
+}
+
+impl<const X: usize, const V: usize> Default for Stage<X, V> {
+    fn default() -> Self {
+        Stage { dynamics: [[0.0; V]; X], hessian: [[0.0; V]; V], gradient: [0.0; V], rows: Vec::new() }
+    }
+}
+
+/// Changes stages between iterations; `()` changes nothing.
+pub trait Model<const X: usize, const V: usize> {
+    /// Brings stage `index` up to date at `v`; the number of rows must stay.
+    fn refresh(&self, index: usize, v: &[f64; V], stage: &mut Stage<X, V>);
+}
+
+impl<const X: usize, const V: usize> Model<X, V> for () {
+    fn refresh(&self, _: usize, _: &[f64; V], _: &mut Stage<X, V>) {}
+}
+
+/// Options of [`solve`].
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Components of the first state that keep their value.
+    pub fixed: [bool; 8],
+    /// Iterations at most.
+    pub iterations: usize,
+    /// Ends where the mean of slack × multiplier is below this (objective and rows of size 1).
+    pub tolerance: f64,
+    /// Least slack at the start.
+    pub slack: f64,
+    /// Slack × multiplier at the start.
+    pub barrier: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { fixed: [false; 8], iterations: 80, tolerance: 1e-10, slack: 1e-2, barrier: 1e-2 }
+    }
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Solution<const X: usize, const V: usize> {
+    /// State and controls at every stage.
+    pub v: Vec<[f64; V]>,
+    /// Multipliers of the rows, stage by stage.
+    pub multipliers: Vec<f64>,
+    /// Costates: derivative of the least objective by the state of each stage.
+    pub costates: Vec<[f64; X]>,
+    /// Iterations done.
+    pub iterations: usize,
+    /// Mean of slack × multiplier at the end.
+    pub complementarity: f64,
+    /// Greatest amount by which a row is missed.
+    pub excess: f64,
+    /// Ended within the tolerance.
+    pub converged: bool,
+}
+
+fn dot<const V: usize>(a: &[f64; V], b: &[f64; V]) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..V {
+        sum += a[i] * b[i];
+    }
+    sum
+}
+
+/// What the recursion keeps of one stage.
+#[derive(Clone, Copy)]
+struct Gain<const X: usize, const V: usize> {
+    /// Cost to go at this stage's state.
+    cost: [[f64; X]; X],
+    /// Rows `X..V`: controls as linear functions of the state.
+    feedback: [[f64; X]; V],
+    /// Inverse of the controls' block, in the places of the controls.
+    inverse: [[f64; V]; V],
+}
+
+/// Working memory of one run.
+struct Work<const X: usize, const V: usize> {
+    first: Vec<usize>,
+    slack: Vec<f64>,
+    multiplier: Vec<f64>,
+    residual: Vec<f64>,
+    d_slack: Vec<f64>,
+    d_multiplier: Vec<f64>,
+    gains: Vec<Gain<X, V>>,
+    /// Right-hand sides, then `p` of the cost to go in the state's places.
+    side: Vec<[f64; V]>,
+    d: Vec<[f64; V]>,
+}
+
+/// Solves; `start` must follow the dynamics (for the last stage only its own state and controls count).
+///
+/// Returns `None` where lengths do not fit, a number is not finite or the systems cannot be solved.
+pub fn solve<const X: usize, const V: usize>(
+    stages: &mut [Stage<X, V>],
+    start: &[[f64; V]],
+    model: &impl Model<X, V>,
+    options: &Options,
+) -> Option<Solution<X, V>> {
+    let n = stages.len();
+    if n == 0 || start.len() != n || X > V || X > options.fixed.len() {
+        return None;
+    }
+    let mut v = start.to_vec();
+    for (i, s) in stages.iter_mut().enumerate() {
+        model.refresh(i, &v[i], s);
+    }
+    let mut w = Work::new(stages, &v, options);
+    let rows = w.slack.len();
+    let mut out = Solution {
+        v: Vec::new(),
+        multipliers: Vec::new(),
+        costates: vec![[0.0; X]; n],
+        iterations: 0,
+        complementarity: f64::INFINITY,
+        excess: f64::INFINITY,
+        converged: false,
+    };
+    let mut stationarity = 1.0;
+    for iteration in 0..options.iterations {
+        let mu = w.mean_product();
+        let excess = w.residuals(stages, &v);
+        (out.iterations, out.complementarity, out.excess) = (iteration, mu, excess);
+        if rows > 0 && mu < options.tolerance && excess < 1e-9 && stationarity < 1e-8 || rows == 0 && iteration > 1 {
+            out.converged = true;
+            break;
+        }
+        w.factor(stages)?;
+        w.step(stages, &v, 0.0, false, options)?;
+        let length = w.length(1.0);
+        let predicted = w.predicted(length);
+        let ratio = if mu > 0.0 { predicted / mu } else { 0.0 };
+        let centre = mu * ratio * ratio * ratio;
+        w.step(stages, &v, centre, true, options)?;
+        let length = w.length(if mu < 1e-6 { 0.999 } else { 0.99 });
+        for (a, d) in v.iter_mut().zip(&w.d) {
+            for k in 0..V {
+                a[k] += length * d[k];
+            }
+        }
+        for k in 0..rows {
+            w.slack[k] += length * w.d_slack[k];
+            w.multiplier[k] += length * w.d_multiplier[k];
+        }
+        stationarity *= 1.0 - length;
+        if !v.iter().all(|a| a.iter().all(|x| x.is_finite())) {
+            return None;
+        }
+        for i in 0..n {
+            let gain = &w.gains[i];
+            for a in 0..X {
+                out.costates[i][a] = w.side[i][a] + (0..X).map(|b| gain.cost[a][b] * w.d[i][b]).sum::<f64>();
+            }
+            model.refresh(i, &v[i], &mut stages[i]);
+        }
+        if length < 1e-9 {
+            break;
+        }
+    }
+    (out.v, out.multipliers) = (v, w.multiplier);
+    Some(out)
+}
+
+impl<const X: usize, const V: usize> Work<X, V> {
+    fn new(stages: &[Stage<X, V>], v: &[[f64; V]], options: &Options) -> Self {
+        let mut first = Vec::with_capacity(stages.len() + 1);
+        first.push(0);
+        let mut slack = Vec::new();
+        for (s, v) in stages.iter().zip(v) {
+            slack.extend(s.rows.iter().map(|r| (r.most - dot(&r.g, v)).max(options.slack)));
+            first.push(slack.len());
+        }
+        let multiplier = slack.iter().map(|t| options.barrier / t).collect();
+        let (m, n) = (slack.len(), stages.len());
+        Work {
+            first,
+            slack,
+            multiplier,
+            residual: vec![0.0; m],
+            d_slack: vec![0.0; m],
+            d_multiplier: vec![0.0; m],
+            gains: vec![Gain { cost: [[0.0; X]; X], feedback: [[0.0; X]; V], inverse: [[0.0; V]; V] }; n],
+            side: vec![[0.0; V]; n],
+            d: vec![[0.0; V]; n],
+        }
+    }
+
+    fn mean_product(&self) -> f64 {
+        let sum: f64 = self.slack.iter().zip(&self.multiplier).map(|(t, l)| t * l).sum();
+        sum / self.slack.len().max(1) as f64
+    }
+
+    /// Residuals of the rows; the greatest amount by which a row is missed.
+    fn residuals(&mut self, stages: &[Stage<X, V>], v: &[[f64; V]]) -> f64 {
+        let mut worst = 0.0f64;
+        for (i, s) in stages.iter().enumerate() {
+            for (k, r) in (self.first[i]..).zip(&s.rows) {
+                let room = r.most - dot(&r.g, &v[i]);
+                self.residual[k] = room - self.slack[k];
+                worst = worst.max(-room);
+            }
+        }
+        worst
+    }
+
+    /// The backward recursion on `H + Gᵀ (λ/t) G`.
+    fn factor(&mut self, stages: &[Stage<X, V>]) -> Option<()> {
+        let mut cost = [[0.0; X]; X];
+        for (i, s) in stages.iter().enumerate().rev() {
+            let mut m = s.hessian;
+            for (k, r) in (self.first[i]..).zip(&s.rows) {
+                let weight = self.multiplier[k] / self.slack[k];
+                for a in 0..V {
+                    let g = weight * r.g[a];
+                    if g != 0.0 {
+                        for b in 0..=a {
+                            m[a][b] += g * r.g[b];
+                        }
+                    }
+                }
+            }
+            let last = i + 1 == stages.len();
+            if !last {
+                // P D, then Dᵀ P D; the lower half is enough.
+                let mut pd = [[0.0; V]; X];
+                for a in 0..X {
+                    for c in 0..X {
+                        let p = cost[a][c];
+                        for b in 0..V {
+                            pd[a][b] += p * s.dynamics[c][b];
+                        }
+                    }
+                }
+                for c in 0..X {
+                    for a in 0..V {
+                        let d = s.dynamics[c][a];
+                        if d != 0.0 {
+                            for b in 0..=a {
+                                m[a][b] += d * pd[c][b];
+                            }
+                        }
+                    }
+                }
+            }
+            for a in X..V {
+                m[a][a] += if last { 1.0 } else { 1e-13 };
+            }
+            let gain = &mut self.gains[i];
+            gain.inverse = invert_controls::<X, V>(&m)?;
+            for u in X..V {
+                for x in 0..X {
+                    gain.feedback[u][x] = -(X..V).map(|w| gain.inverse[u][w] * m[w][x]).sum::<f64>();
+                }
+            }
+            for a in 0..X {
+                for b in 0..=a {
+                    let p = m[a][b] + (X..V).map(|u| m[u][a] * gain.feedback[u][b]).sum::<f64>();
+                    (cost[a][b], cost[b][a]) = (p, p);
+                }
+            }
+            gain.cost = cost;
+        }
+        Some(())
+    }
+
+    /// A Newton step towards slack × multiplier = `centre`, with the second-order term of the step before if asked.
+    fn step(
+        &mut self,
+        stages: &[Stage<X, V>],
+        v: &[[f64; V]],
+        centre: f64,
+        correct: bool,
+        options: &Options,
+    ) -> Option<()> {
+        let n = stages.len();
+        let mut next = [0.0; X];
+        for (i, s) in stages.iter().enumerate().rev() {
+            let mut g = s.gradient;
+            for a in 0..V {
+                g[a] += dot(&s.hessian[a], &v[i]);
+            }
+            for (k, r) in (self.first[i]..).zip(&s.rows) {
+                let target = self.target(k, centre, correct);
+                let force = target / self.slack[k] - self.multiplier[k] / self.slack[k] * self.residual[k];
+                for a in 0..V {
+                    g[a] += force * r.g[a];
+                }
+            }
+            if i + 1 < n {
+                for c in 0..X {
+                    for a in 0..V {
+                        g[a] += s.dynamics[c][a] * next[c];
+                    }
+                }
+            }
+            let gain = &self.gains[i];
+            for x in 0..X {
+                next[x] = g[x] + (X..V).map(|u| gain.feedback[u][x] * g[u]).sum::<f64>();
+            }
+            let mut side = [0.0; V];
+            side[..X].copy_from_slice(&next);
+            for u in X..V {
+                side[u] = -(X..V).map(|w| gain.inverse[u][w] * g[w]).sum::<f64>();
+            }
+            self.side[i] = side;
+        }
+        let mut x = first_state::<X, V>(&self.gains[0].cost, &self.side[0], options)?;
+        for (i, s) in stages.iter().enumerate() {
+            let mut d = [0.0; V];
+            d[..X].copy_from_slice(&x);
+            for u in X..V {
+                d[u] = self.side[i][u] + (0..X).map(|a| self.gains[i].feedback[u][a] * x[a]).sum::<f64>();
+            }
+            for c in 0..X {
+                x[c] = dot(&s.dynamics[c], &d);
+            }
+            for (k, r) in (self.first[i]..).zip(&s.rows) {
+                let target = self.target(k, centre, correct);
+                let d_slack = self.residual[k] - dot(&r.g, &d);
+                self.d_multiplier[k] = (target - self.multiplier[k] * (self.slack[k] + d_slack)) / self.slack[k];
+                self.d_slack[k] = d_slack;
+            }
+            self.d[i] = d;
+        }
+        Some(())
+    }
+
+    fn target(&self, k: usize, centre: f64, correct: bool) -> f64 {
+        if correct { centre - self.d_slack[k] * self.d_multiplier[k] } else { centre }
+    }
+
+    /// The share `most` of the longest step that keeps slacks and multipliers positive, at most 1.
+    fn length(&self, most: f64) -> f64 {
+        let mut length = 1.0f64;
+        for k in 0..self.slack.len() {
+            if self.d_slack[k] < 0.0 {
+                length = length.min(-most * self.slack[k] / self.d_slack[k]);
+            }
+            if self.d_multiplier[k] < 0.0 {
+                length = length.min(-most * self.multiplier[k] / self.d_multiplier[k]);
+            }
+        }
+        length
+    }
+
+    fn predicted(&self, length: f64) -> f64 {
+        let mut sum = 0.0;
+        for k in 0..self.slack.len() {
+            sum += (self.slack[k] + length * self.d_slack[k]) * (self.multiplier[k] + length * self.d_multiplier[k]);
+        }
+        sum / self.slack.len().max(1) as f64
+    }
+}
+
+/// The inverse of the controls' block of a matrix whose lower half is given; at most two controls.
+fn invert_controls<const X: usize, const V: usize>(m: &[[f64; V]; V]) -> Option<[[f64; V]; V]> {
+    let mut out = [[0.0; V]; V];
+    match V - X {
+        0 => {}
+        1 => {
+            out[X][X] = 1.0 / m[X][X];
+            if !(m[X][X] > 0.0 && out[X][X].is_finite()) {
+                return None;
+            }
+        }
+        2 => {
+            let (a, b, c) = (m[X][X], m[X + 1][X], m[X + 1][X + 1]);
+            let rest = c - b * b / a;
+            if !(a > 0.0 && rest > 0.0 && (a * rest).is_finite()) {
+                return None;
+            }
+            out[X + 1][X + 1] = 1.0 / rest;
+            out[X][X + 1] = -b / (a * rest);
+            out[X + 1][X] = out[X][X + 1];
+            out[X][X] = (1.0 + b * b / (a * rest)) / a;
+        }
+        _ => return None,
+    }
+    Some(out)
+}
+
+/// The change of the first state that minimises the cost to go: `P x = −p` over its free components.
+fn first_state<const X: usize, const V: usize>(cost: &[[f64; X]; X], side: &[f64; V], o: &Options) -> Option<[f64; X]> {
+    let mut a = *cost;
+    let mut b = [0.0; X];
+    for i in 0..X {
+        b[i] = if o.fixed[i] { 0.0 } else { -side[i] };
+        for j in 0..X {
+            if o.fixed[i] || o.fixed[j] {
+                a[i][j] = f64::from(u8::from(i == j));
+            }
+        }
+    }
+    // Cholesky; a component that nothing holds stays where it is.
+    let size = (0..X).fold(0.0f64, |m, i| m.max(a[i][i]));
+    let mut held = [true; X];
+    for j in 0..X {
+        for k in 0..j {
+            a[j][j] -= a[j][k] * a[j][k];
+        }
+        held[j] = a[j][j] > 1e-15 * size;
+        let root = if held[j] { a[j][j].sqrt() } else { 1.0 };
+        a[j][j] = root;
+        for i in j + 1..X {
+            for k in 0..j {
+                a[i][j] -= a[i][k] * a[j][k];
+            }
+            a[i][j] = if held[j] { a[i][j] / root } else { 0.0 };
+        }
+    }
+    for i in 0..X {
+        for k in 0..i {
+            b[i] -= a[i][k] * b[k];
+        }
+        b[i] = if held[i] { b[i] / a[i][i] } else { 0.0 };
+    }
+    for i in (0..X).rev() {
+        for k in i + 1..X {
+            b[i] -= a[k][i] * b[k];
+        }
+        b[i] /= a[i][i];
+    }
+    b.iter().all(|x| x.is_finite()).then_some(b)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    /// A double integrator over `n` steps of length 1/n: state (place, speed), control speed change per unit.
+    fn integrator(n: usize) -> Vec<Stage<2, 3>> {
+        let h = 1.0 / n as f64;
+        let mut all = vec![
+            Stage {
+                dynamics: [[1.0, h, 0.5 * h * h], [0.0, 1.0, h]],
+                hessian: [[0.0; 3]; 3],
+                gradient: [0.0; 3],
+                rows: vec![]
+            };
+            n + 1
+        ];
+        for s in all.iter_mut().take(n) {
+            s.hessian[2][2] = 2.0 * h;
+        }
+        all
+    }
+
+    fn pin(stage: &mut Stage<2, 3>, place: f64) {
+        stage.rows.push(Row { g: [1.0, 0.0, 0.0], most: place });
+        stage.rows.push(Row { g: [-1.0, 0.0, 0.0], most: -place });
+    }
+
+    #[test]
+    fn least_squared_acceleration_between_two_rests_is_a_cubic() {
+        // ∫ u² is least for x = 3 t² − 2 t³: 12. From rest (fixed) to place 1 at rest.
+        let n = 200;
+        let mut stages = integrator(n);
+        pin(&mut stages[n], 1.0);
+        stages[n].rows.push(Row { g: [0.0, 1.0, 0.0], most: 0.0 });
+        stages[n].rows.push(Row { g: [0.0, -1.0, 0.0], most: 0.0 });
+        let mut o = Options::default();
+        (o.fixed[0], o.fixed[1]) = (true, true);
+        let found = solve(&mut stages, &vec![[0.0; 3]; n + 1], &(), &o).unwrap();
+        let h = 1.0 / n as f64;
+        let cost: f64 = found.v[..n].iter().map(|v| h * v[2] * v[2]).sum();
+        assert!((cost - 12.0).abs() < 2e-3, "{cost} {}", found.iterations);
+        assert!((found.v[n / 2][0] - 0.5).abs() < 1e-6);
+    }
+
+    #[test]
+    fn least_time_is_bang_bang() {
+        // Greatest place at the end with |u| ≤ 2 and speed ≤ 0.5 from rest: 0.25 s of acceleration.
+        let n = 100;
+        let mut stages = integrator(n);
+        for s in &mut stages {
+            s.hessian = [[0.0; 3]; 3];
+            s.rows.push(Row { g: [0.0, 0.0, 1.0], most: 2.0 });
+            s.rows.push(Row { g: [0.0, 0.0, -1.0], most: 2.0 });
+            s.rows.push(Row { g: [0.0, 1.0, 0.0], most: 0.5 });
+        }
+        stages[n].gradient[0] = -1.0;
+        let mut o = Options::default();
+        (o.fixed[0], o.fixed[1]) = (true, true);
+        let found = solve(&mut stages, &vec![[0.0; 3]; n + 1], &(), &o).unwrap();
+        assert!(found.converged && found.excess < 1e-9);
+        assert!((found.v[n][0] - (0.5 - 0.0625)).abs() < 1e-7, "{}", found.v[n][0]);
+        // The costate of the last place is the gradient.
+        assert!((found.costates[n][0] + 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_cannot_be_is_told() {
+        let mut stages = integrator(4);
+        pin(&mut stages[2], 1.0);
+        stages[2].rows.push(Row { g: [1.0, 0.0, 0.0], most: 0.0 });
+        let found = solve(&mut stages, &[[0.0; 3]; 5], &(), &Options::default());
+        assert!(found.is_none_or(|f| !f.converged && f.excess > 0.1));
+        assert!(solve(&mut stages, &[[0.0; 3]; 3], &(), &Options::default()).is_none());
+        stages[0].rows.push(Row { g: [f64::NAN, 0.0, 0.0], most: 0.0 });
+        assert!(solve(&mut stages, &[[0.0; 3]; 5], &(), &Options::default()).is_none());
+    }
+}

@@ -1,0 +1,283 @@
+//! The schedule with the least peak, or least square, of its second or third derivative.
+//!
+//! θ is a cubic on every interval between cutter locations, twice continuously differentiable: state (θ, θ', θ'', γ), control the
+//! rise of θ'' over the interval. Angles are taken relative to a straight line and arc length in units of a turn, so that all
+//! numbers are of size 1. Rows at every interval: the four Bézier ordinates of θ between the straight walls, the three of
+//! θ' not negative (so that the cubic itself, not samples of it, satisfies both), and `|θ''| ≤ γ` or `|θ'''| ≤ γ`.
+//!
+//! *Peaks* take two rounds. The first finds the least γ of the whole path. Most of the path can do with less, and what it
+//! does is left open; the second round has a γ for each turn, none above the first round's by more than [`SPARE`], and makes their mean
+//! least, with a small share of `∫ θ''²` that makes the answer unique: it then follows the walls continuously.
+//! *Squares* take one round.
+
+use super::bound;
+use super::corridor::Corridor;
+use super::{ScheduleOptions, bezier, check, curve, piecewise};
+use crate::artifact::schedule::{Measure, Schedule, ScheduleKind};
+use crate::artifact::{Channel, Toolpath};
+use crate::error::{Error, Result, Stage as Room};
+use crate::numerics::stages::{self, Options, Row, Solution, Stage};
+use crate::observe::Observer;
+
+/// State (θ, θ', θ'', γ) and controls (rise of θ'' over the interval, rise of γ after it).
+const X: usize = 4;
+const V: usize = 6;
+/// What the second round may add to the least peak, as a share.
+const SPARE: f64 = 1e-3;
+/// Weight of the mean square against the mean of the turns' peaks in the second round.
+const ROUND: f64 = 3e-3;
+/// Samples of the trial that finds the size of the numbers.
+const TRIAL: usize = 3000;
+
+/// See the module's page.
+pub(super) fn plan(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<Schedule> {
+    observer.check(Room::Schedule)?;
+    let hull = piecewise::hull(path, channel)?;
+    let margin = options.margin_deg.to_radians();
+    let walls = hull.shrunk(margin, 0.25);
+    piecewise::warn_of_margin(&hull, margin, path, observer);
+    let (pieces, proof) = match walls.straight() {
+        Some([p, q]) => (vec![bezier::straight(p, q)], None),
+        None => {
+            let found = solve(path, &walls, options.measure, observer)?;
+            (curve::hermite(&walls.s, &found.theta, &found.slope), Some(found.weight))
+        }
+    };
+    observer.progress(Room::Schedule, 1, 1);
+    let theta = bezier::sample(&pieces, hull.s.iter().copied());
+    check::inside(&pieces, &theta, &hull, path)?;
+    let mut out = curve::schedule(ScheduleKind::Optimal, pieces, theta, &hull);
+    let prove = |measure, walls: &Corridor| {
+        proof.as_ref().map_or(0.0, |y| {
+            let other: Vec<f64> = y.iter().map(|v| -v).collect();
+            bound::prove(measure, walls, y).max(bound::prove(measure, walls, &other))
+        })
+    };
+    let value = match options.measure {
+        Measure::PeakSecond => out.peak_acceleration,
+        Measure::PeakThird => out.quality.peak_third.unwrap_or(0.0),
+        Measure::SquareSecond => curve::squares(&out.pieces)[0],
+        Measure::SquareThird => curve::squares(&out.pieces)[1],
+    };
+    out.quality.measure = Some((options.measure, value, prove(options.measure, &walls).min(value)));
+    out.quality.bound_second = match options.measure {
+        Measure::PeakSecond => Some(prove(Measure::PeakSecond, &hull)),
+        _ => least_second(path, channel),
+    };
+    Ok(out)
+}
+
+/// A lower bound of the greatest |θ''| of any schedule in the channel that never turns back, rad/mm²: proved on a part of the
+/// samples, which is quick and valid for all. `None` where there is no channel.
+pub(super) fn least_second(path: &Toolpath, channel: &Channel) -> Option<f64> {
+    let hull = piecewise::hull(path, channel).ok()?;
+    if hull.straight().is_some() {
+        return Some(0.0);
+    }
+    let (thin, rows) = thinned(&hull, 8 * TRIAL);
+    let scale = Scale::of(&thin, path.turns.len());
+    let first = round(&thin, &scale, &Goal::Peak { third: false }, &rows, 1e-5)?;
+    let y: Vec<f64> = first.costates.iter().map(|c| c[1]).collect();
+    let other: Vec<f64> = y.iter().map(|v| -v).collect();
+    let prove = |y: &[f64]| bound::prove(Measure::PeakSecond, &thin, y);
+    Some(prove(&y).max(prove(&other)))
+}
+
+/// What the solver came to.
+struct Found {
+    theta: Vec<f64>,
+    slope: Vec<f64>,
+    /// The weight of the bound's proof.
+    weight: Vec<f64>,
+}
+
+/// Units of the solver.
+#[derive(Clone, Copy, Debug)]
+struct Scale {
+    /// Length of a turn, mm.
+    length: f64,
+    /// θ at the start and slope (rad/mm) of the straight line that angles are relative to.
+    base: [f64; 2],
+    /// θ'' of size 1, rad per turn².
+    second: f64,
+    /// θ''' of size 1, in `second` per turn.
+    third: f64,
+}
+
+impl Scale {
+    fn of(walls: &Corridor, turns: usize) -> Scale {
+        let n = walls.s.len() - 1;
+        let middle = |i: usize| 0.5 * (walls.lo[i] + walls.hi[i]);
+        let whole = walls.s[n] - walls.s[0];
+        let slope = (middle(n) - middle(0)) / whole;
+        Scale { length: whole / turns.max(1) as f64, base: [middle(0), slope], second: 1000.0, third: 30.0 }
+    }
+
+    fn line(&self, walls: &Corridor, i: usize) -> f64 {
+        self.base[0] + self.base[1] * (walls.s[i] - walls.s[0])
+    }
+}
+
+/// What a round makes least.
+enum Goal {
+    /// One γ for all.
+    Peak { third: bool },
+    /// A γ for each turn, at most `cap`; turns begin at `borders`.
+    Turns { third: bool, cap: f64, borders: Vec<bool> },
+    /// The integral of the square.
+    Square { third: bool },
+}
+
+/// Every so many samples of the walls that about `most` are left, with the first and the last; and their indices.
+fn thinned(walls: &Corridor, most: usize) -> (Corridor, Vec<usize>) {
+    let n = walls.s.len();
+    let step = n.div_ceil(most).max(1);
+    let mut rows: Vec<usize> = (0..n).step_by(step).collect();
+    if rows.last() != Some(&(n - 1)) {
+        rows.push(n - 1);
+    }
+    let pick = |v: &[f64]| rows.iter().map(|i| v[*i]).collect();
+    (Corridor { s: pick(&walls.s), lo: pick(&walls.lo), hi: pick(&walls.hi) }, rows)
+}
+
+/// The least over the whole path.
+fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Observer) -> Result<Found> {
+    let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
+    let stuck = || {
+        Error::infeasible(Room::Schedule, "the channel leaves no room for a smooth schedule that never turns back")
+            .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
+    };
+    let mut scale = Scale::of(walls, path.turns.len());
+    let (thin, rows) = thinned(walls, TRIAL);
+    // Twice, since the first trial may be far off in size.
+    for _ in 0..2 {
+        let trial = round(&thin, &scale, &Goal::Peak { third: false }, &rows, 1e-4).ok_or_else(stuck)?;
+        scale.second *= trial.v[0][3].clamp(1e-4, 1e4);
+    }
+    if third {
+        let trial = round(&thin, &scale, &Goal::Peak { third: true }, &rows, 1e-4).ok_or_else(stuck)?;
+        scale.third *= trial.v[0][3].clamp(1e-4, 1e4);
+    }
+    let all: Vec<usize> = (0..walls.s.len()).collect();
+    observer.check(Room::Schedule)?;
+    let (last, weight) = match measure {
+        Measure::PeakSecond | Measure::PeakThird => {
+            let first = round(walls, &scale, &Goal::Peak { third }, &all, 1e-5).ok_or_else(stuck)?;
+            observer.check(Room::Schedule)?;
+            let cap = first.v[0][3] * (1.0 + SPARE);
+            let borders = path.locations.windows(2).map(|w| w[0].turn != w[1].turn).collect();
+            let second = round(walls, &scale, &Goal::Turns { third, cap, borders }, &all, 1e-4);
+            let weight = first.costates.iter().map(|c| c[1]).collect();
+            (second.unwrap_or(first), weight)
+        }
+        Measure::SquareSecond | Measure::SquareThird => {
+            let found = round(walls, &scale, &Goal::Square { third }, &all, 1e-6).ok_or_else(stuck)?;
+            let weight = if third {
+                found.costates.iter().map(|c| c[1]).collect()
+            } else {
+                found.v.iter().map(|v| v[2]).collect()
+            };
+            (found, weight)
+        }
+    };
+    let slope = last.v.iter().map(|v| scale.base[1] + v[1] / scale.length).collect();
+    let theta = last.v.iter().enumerate().map(|(i, v)| scale.line(walls, i) + v[0]).collect();
+    Ok(Found { theta, slope, weight })
+}
+
+/// One run of the solver. `None` where the rows cannot be met.
+fn round(walls: &Corridor, scale: &Scale, goal: &Goal, rows: &[usize], gap: f64) -> Option<Solution<X, V>> {
+    let n = walls.s.len();
+    let mut all = Vec::with_capacity(n);
+    for i in 0..n {
+        all.push(stage(walls, scale, goal, i, rows));
+    }
+    let count: usize = all.iter().map(|s: &Stage<X, V>| s.rows.len()).sum();
+    let mut start = [0.0; V];
+    start[3] = 1.0;
+    let options = Options {
+        tolerance: gap / count as f64,
+        slack: 0.1,
+        barrier: 10.0 / count as f64,
+        iterations: 150,
+        ..Options::default()
+    };
+    let found = stages::solve(&mut all, &vec![start; n], &(), &options)?;
+    (found.excess < 1e-8 && found.complementarity * (count as f64) < 1e3 * gap).then_some(found)
+}
+
+/// Dynamics, objective and rows of one interval (of the last sample: what holds there alone).
+fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize, rows: &[usize]) -> Stage<X, V> {
+    let last = i + 1 == walls.s.len();
+    let (k, h) = if last { (i, 0.0) } else { (i + 1, (walls.s[i + 1] - walls.s[i]) / scale.length) };
+    let u = scale.second;
+    let mut out = Stage::<X, V> {
+        dynamics: [
+            [1.0, h, 0.5 * u * h * h, 0.0, u * h * h / 6.0, 0.0],
+            [0.0, 1.0, u * h, 0.0, 0.5 * u * h, 0.0],
+            [0.0, 0.0, 1.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        ],
+        ..Stage::default()
+    };
+    out.hessian[5][5] = 1.0;
+    let level = [walls.lo[i] - scale.line(walls, i), walls.hi[i] - scale.line(walls, i)];
+    let next = [walls.lo[k] - scale.line(walls, k), walls.hi[k] - scale.line(walls, k)];
+    let mut between = |g: [f64; V], share: f64| {
+        let wall = [0, 1].map(|w| level[w] + share * (next[w] - level[w]));
+        out.rows.push(Row { g, most: wall[1] });
+        out.rows.push(Row { g: g.map(|v| -v), most: -wall[0] });
+    };
+    between([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0);
+    if !last {
+        between([1.0, h / 3.0, 0.0, 0.0, 0.0, 0.0], 1.0 / 3.0);
+        between([1.0, 2.0 * h / 3.0, u * h * h / 6.0, 0.0, 0.0, 0.0], 2.0 / 3.0);
+        out.rows.push(Row { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most: scale.base[1] * scale.length });
+    }
+    out.rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most: scale.base[1] * scale.length });
+    let (third, square) = match goal {
+        Goal::Peak { third } | Goal::Turns { third, .. } => (*third, 0.0),
+        Goal::Square { third } => (*third, 1.0),
+    };
+    let whole = (walls.s[walls.s.len() - 1] - walls.s[0]) / scale.length;
+    if !matches!(goal, Goal::Square { .. }) {
+        for sign in [1.0, -1.0] {
+            let mut g = [0.0; V];
+            (g[3], g[2]) = (-1.0, sign);
+            if third {
+                (g[2], g[4]) = (0.0, if last { 0.0 } else { sign / (h * scale.third) });
+            }
+            out.rows.push(Row { g, most: 0.0 });
+        }
+    } else {
+        // γ is not used; something must hold it.
+        out.hessian[3][3] = h.max(1e-9);
+    }
+    match goal {
+        Goal::Peak { .. } => out.gradient[3] = h / whole,
+        Goal::Turns { cap, borders, .. } => {
+            out.gradient[3] = h / whole;
+            out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
+            if rows.get(i).and_then(|r| borders.get(*r)).is_some_and(|b| *b) {
+                out.dynamics[3][5] = 1.0;
+                out.hessian[5][5] = 0.0;
+            }
+        }
+        Goal::Square { .. } => {}
+    }
+    let weight = if matches!(goal, Goal::Turns { .. }) { ROUND } else { square } * h / whole;
+    if third {
+        out.hessian[4][4] += if last { 0.0 } else { 2.0 * weight / (h * scale.third).powi(2) };
+    } else {
+        out.hessian[2][2] += 2.0 * weight;
+        out.hessian[2][4] += weight;
+        out.hessian[4][2] += weight;
+        out.hessian[4][4] += 2.0 * weight / 3.0;
+    }
+    out
+}

@@ -1,0 +1,136 @@
+#![allow(clippy::unwrap_used)]
+use super::tests::{blade_like, channel, path};
+use super::*;
+use crate::artifact::schedule::Measure;
+use crate::error::ErrorKind;
+use crate::observe::Silent;
+
+const MEASURES: [Measure; 4] = [Measure::PeakSecond, Measure::PeakThird, Measure::SquareSecond, Measure::SquareThird];
+
+fn options(measure: Measure) -> ScheduleOptions {
+    ScheduleOptions { margin_deg: 0.0, measure, ..ScheduleOptions::default() }
+}
+
+fn optimal(p: &Toolpath, limits: &[[f64; 2]], measure: Measure) -> Schedule {
+    plan(ScheduleKind::Optimal, p, &channel(limits), &options(measure), &Silent).unwrap()
+}
+
+/// What every optimal schedule must be.
+fn assert_sound(s: &Schedule) {
+    assert_eq!(s.reversals, 0);
+    assert!(s.quality.outside_rad < 1e-9 && s.quality.curvature_continuous);
+    let (_, value, bound) = s.quality.measure.unwrap();
+    assert!(bound <= value * (1.0 + 1e-9), "{value} {bound}");
+    assert!(s.theta.windows(2).all(|w| w[1] >= w[0]));
+}
+
+/// At rest at 0 up to `from`, at rest at 1 from `to` on, anything between.
+fn step(n: usize, from: usize, to: usize, width: f64) -> Vec<[f64; 2]> {
+    (0..=n)
+        .map(|i| match i {
+            _ if i <= from => [0.0, width],
+            _ if i >= to => [1.0 - width, 1.0],
+            _ => [0.0, 1.0],
+        })
+        .collect()
+}
+
+#[test]
+fn from_rest_to_rest_the_least_peaks_have_closed_forms() {
+    // Over a length T: θ'' 4/T² (bang-bang), θ''' 32/T³, ∫ θ''² 12/T³, ∫ θ'''² 720/T⁵.
+    let (p, walls) = (path(2, 150), step(300, 100, 200, 0.0));
+    let t = 100f64;
+    let wants = [4.0 / t.powi(2), 32.0 / t.powi(3), 12.0 / t.powi(3), 720.0 / t.powi(5)];
+    for (m, want) in MEASURES.into_iter().zip(wants) {
+        let s = optimal(&p, &walls, m);
+        assert_sound(&s);
+        let (_, value, bound) = s.quality.measure.unwrap();
+        assert!(value > 0.98 * want && value < 1.03 * want, "{m:?} {value} {want}");
+        assert!(bound > 0.95 * want, "{m:?} {bound} {want}");
+    }
+}
+
+#[test]
+fn each_measure_is_least_in_its_own_and_near_its_bound() {
+    let (p, walls) = (path(4, 90), blade_like(4, 90, 0.35, 0.2));
+    let all = MEASURES.map(|m| optimal(&p, &walls, m));
+    let value = |s: &Schedule| {
+        let [second, third] = curve::squares(&s.pieces);
+        [s.peak_acceleration, s.quality.peak_third.unwrap(), second, third]
+    };
+    for (k, s) in all.iter().enumerate() {
+        assert_sound(s);
+        let (_, v, bound) = s.quality.measure.unwrap();
+        assert!(v < 1.03 * bound, "{k} {v} {bound}");
+        assert!(all.iter().all(|o| v <= value(o)[k] * 1.005), "{k}");
+    }
+    // The bound of the second derivative holds for all of them, and the thin one nearly as well.
+    let bound = all[0].quality.bound_second.unwrap();
+    assert!(all.iter().all(|s| s.peak_acceleration >= bound));
+    assert!(all[1].quality.bound_second.unwrap() > 0.97 * bound);
+}
+
+#[test]
+fn never_worse_than_piecewise() {
+    for (width, dip) in [(0.6, 0.0), (0.4, 0.1), (0.8, 0.5)] {
+        let (p, walls) = (path(3, 120), blade_like(3, 120, width, dip));
+        let o = ScheduleOptions::default();
+        let piecewise = plan(ScheduleKind::Piecewise, &p, &channel(&walls), &o, &Silent).unwrap();
+        let best = plan(ScheduleKind::Optimal, &p, &channel(&walls), &o, &Silent).unwrap();
+        assert!(best.peak_acceleration <= piecewise.peak_acceleration, "{width} {dip}");
+    }
+}
+
+#[test]
+fn a_straight_line_that_fits_is_the_answer() {
+    let walls: Vec<[f64; 2]> = (0..=180).map(|i| 0.05 * f64::from(i)).map(|t| [t, t]).collect();
+    for m in MEASURES {
+        let s = optimal(&path(2, 90), &walls, m);
+        assert_eq!((s.pieces.len(), s.reversals), (1, 0));
+        assert!(s.peak_acceleration < 1e-12 && s.quality.measure.unwrap().2 == 0.0);
+    }
+}
+
+#[test]
+fn a_channel_that_touches_itself_is_passed() {
+    let mut walls = blade_like(3, 60, 0.5, 0.3);
+    for i in [45, 46, 47, 100] {
+        let middle = 0.5 * (walls[i][0] + walls[i][1]);
+        walls[i] = if i == 100 { [middle, middle] } else { [middle - 1e-7, middle + 1e-7] };
+    }
+    let p = path(3, 60);
+    let s = optimal(&p, &walls, Measure::PeakSecond);
+    assert_sound(&s);
+    let (_, value, bound) = s.quality.measure.unwrap();
+    assert!(value < 1.05 * bound, "{value} {bound}");
+}
+
+#[test]
+fn a_channel_of_no_width_with_a_corner_is_refused() {
+    // lo = hi everywhere, with a corner: no twice differentiable curve.
+    let walls: Vec<[f64; 2]> = (0..=60).map(|i| f64::from((i - 30).max(0))).map(|t| [t, t]).collect();
+    let e = plan(ScheduleKind::Optimal, &path(1, 60), &channel(&walls), &options(Measure::PeakSecond), &Silent)
+        .unwrap_err();
+    assert_eq!(e.kind, ErrorKind::Infeasible);
+}
+
+#[test]
+fn the_shortest_path_is_planned() {
+    for n in [2, 3, 4] {
+        let walls: Vec<[f64; 2]> = (0..=n).map(|i| f64::from(i).powi(2)).map(|t| [t, t + 0.1]).collect();
+        assert_sound(&optimal(&path(1, n as usize), &walls, Measure::SquareSecond));
+    }
+}
+
+#[test]
+fn locations_moved_by_rounding_move_it_by_as_little() {
+    let (p, walls) = (path(3, 90), blade_like(3, 90, 0.4, 0.25));
+    let before = optimal(&p, &walls, Measure::PeakSecond);
+    let mut moved = p.clone();
+    for (i, l) in moved.locations.iter_mut().enumerate() {
+        l.s_mm += 1e-10 * (i as f64).sin();
+    }
+    let after = optimal(&moved, &walls, Measure::PeakSecond);
+    let worst = before.theta.iter().zip(&after.theta).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-6, "{worst}");
+}
