@@ -133,11 +133,8 @@ impl Setup {
     }
 
     fn feed_options(&self) -> FeedOptions {
-        FeedOptions {
-            feed_mm_min: self.job.feed.feed_mm_min,
-            b_rad: self.job.machine.b_deg.to_radians(),
-            gauge_length_mm: self.job.tool.length_mm(),
-        }
+        let (feed, b) = (self.job.feed.feed_mm_min, self.job.machine.b_deg.to_radians());
+        FeedOptions { chord_mm: self.job.path.chord_mm, ..FeedOptions::new(feed, b, self.job.tool.length_mm()) }
     }
 
     /// Limits of the checks, as the job has them.

@@ -192,8 +192,7 @@ fn schedule_feed_and_checks() {
     assert!((fixed.peak_rate - steepest).abs() < 0.02 * steepest, "{} {steepest}", fixed.peak_rate);
     assert!(used.peak_rate < 0.75 * fixed.peak_rate);
 
-    let feed_options =
-        FeedOptions { feed_mm_min: FEED_MM_MIN, b_rad: options.b_rad, gauge_length_mm: tool.length_mm() };
+    let feed_options = FeedOptions::new(FEED_MM_MIN, options.b_rad, tool.length_mm());
     let motion = feed::plan(&path, &used, &machine, &feed_options, &Silent).expect("a motion");
     let full = FEED_MM_MIN / 60.0;
     // From rest at v²/a and to rest again; no limit binds in between.

@@ -14,7 +14,7 @@ pub struct AxisMotion {
     pub velocity: Vec<[f64; 5]>,
     /// Axis accelerations.
     pub acceleration: Vec<[f64; 5]>,
-    /// Axis jerks (difference quotients of the accelerations; reported, not limited).
+    /// Axis jerks just after each location (difference quotients of the accelerations where jerk was not limited).
     pub jerk: Vec<[f64; 5]>,
     /// Feed of the ball centre towards each location, mm/s.
     pub feed: Vec<f64>,

@@ -17,19 +17,30 @@
 //! `u` is constant between locations. Unlike the published scheme, which imposes the limits at the locations only, they
 //! are imposed on the Bernstein coefficients of every interval, which bound it as a whole.
 //!
+//! With limits of jerk (the default) `w = u'` is constant between points of a grid instead, `u` and so every axis' acceleration is
+//! continuous, and the least time is found by an interior-point method (`jerk` module).
+//!
+//! Further limits of ṡ: the *contact point* is not to run faster over the part than the programmed feed (in a concave corner of
+//! radius `r` it runs `r/(r − R)` times as fast as the ball centre), and the *tool tip's chord*: over one period `T` of the
+//! control's interpolation a path of curvature κ is left by `κ (v T)²/8`, which is kept below the chord tolerance.
+//!
 //! ## Guarantees
-//! On the spline, at every location and anywhere between two, no limit of feed, velocity or acceleration is exceeded by
-//! more than rounding (1e-6 relative). Same output for any number of threads (the passes are sequential, and linear in
-//! the number of locations).
+//! On the spline, at every location and anywhere between two, no limit of feed, velocity, acceleration or (where limited)
+//! jerk is exceeded by more than rounding (1e-6 relative): what is left of the solver's tolerance is taken out by running the whole slower.
+//! Same output for any number of threads (the passes are sequential, and linear in the number of locations).
 //!
 //! ## Limits of the method
-//! Jerk is not limited, only reported, as difference quotients. Where the path has a corner (a crease of the level set,
-//! where a ball leaves a fillet uncut) the spline rounds it within about one interval and its great second derivative
-//! slows the motion there, as the machine itself would have to.
+//! Where the path has a corner (a crease of the level set, where a ball leaves a fillet uncut) the spline rounds it within
+//! about one interval and its great derivatives slow the motion there, as the machine itself would have to. Without limits of jerk
+//! the profile is exactly the fastest for the spline; with them it is the fastest up to the solver's tolerance among profiles with
+//! constant `w` between points of the grid, a local optimum of a problem that is not convex. Where the solver finds no
+//! way (a warning says so), jerk is not limited.
 //!
 //! ## Failure
 //! Kind `Usage` for bad options or inputs that do not belong together.
 
+mod caps;
+mod jerk;
 mod peaks;
 mod topp;
 
@@ -37,7 +48,7 @@ use crate::artifact::{AxisMotion, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
-use crate::observe::Observer;
+use crate::observe::{Observer, Warning};
 
 pub use peaks::{AxisPeaks, peaks};
 
@@ -51,9 +62,30 @@ pub struct FeedOptions {
     pub b_rad: f64,
     /// From the ball centre to the spindle's gauge line, mm ([`crate::tool::Tool::length_mm`]).
     pub gauge_length_mm: f64,
+    /// Keep every axis' jerk within its limit.
+    pub limit_jerk: bool,
+    /// Greatest distance between the tool tip's path and its chord over one period of the control, mm.
+    pub chord_mm: f64,
+    /// Period of the control's interpolation, s. Default 0.002: what common controls have or better.
+    pub period_s: f64,
+    /// Keep the contact point's speed over the part within the programmed feed, too.
+    pub limit_contact: bool,
 }
 
 impl FeedOptions {
+    /// All limits in force, chord 0.001 mm over 0.002 s.
+    pub fn new(feed_mm_min: f64, b_rad: f64, gauge_length_mm: f64) -> Self {
+        FeedOptions {
+            feed_mm_min,
+            b_rad,
+            gauge_length_mm,
+            limit_jerk: true,
+            chord_mm: 0.001,
+            period_s: 0.002,
+            limit_contact: true,
+        }
+    }
+
     fn validate(&self) -> Result<()> {
         let bad = |m: String| Err(Error::usage(Stage::Feed, m));
         if !(self.feed_mm_min > 0.0 && self.feed_mm_min.is_finite()) {
@@ -64,6 +96,12 @@ impl FeedOptions {
         }
         if !(self.gauge_length_mm >= 0.0 && self.gauge_length_mm.is_finite()) {
             return bad(format!("the tool's length is {} mm, it must be at least 0", self.gauge_length_mm));
+        }
+        if !(self.chord_mm > 0.0 && self.period_s > 0.0 && (self.chord_mm + self.period_s).is_finite()) {
+            return bad(format!(
+                "the chord ({} mm) and the period ({} s) must be greater than 0",
+                self.chord_mm, self.period_s
+            ));
         }
         Ok(())
     }
@@ -83,8 +121,22 @@ pub fn plan(
 ) -> Result<AxisMotion> {
     let curve = axis_curve(path, schedule, machine, options)?;
     observer.check(Stage::Feed)?;
-    let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
-    let profile = topp::fastest(&curve, &limits, options.feed_mm_min / 60.0, observer)?;
+    let caps = caps::of_path(path, schedule, options);
+    let limits = machine.limits();
+    observer.progress(Stage::Feed, 0, path.locations.len());
+    if options.limit_jerk {
+        let all = limits.map(|l| [l.velocity, l.acceleration, l.jerk]);
+        if let Some(profile) = jerk::fastest(&curve, &all, options.feed_mm_min / 60.0, &caps) {
+            observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
+            return Ok(smooth_motion(&curve, &profile));
+        }
+        observer.warn(Warning {
+            stage: Stage::Feed,
+            message: "no motion within the limits of jerk was found; velocity and acceleration are kept, jerk is not"
+                .into(),
+        });
+    }
+    let profile = topp::fastest(&curve, &limits.map(|l| [l.velocity, l.acceleration]), &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
     Ok(motion(&curve, &profile))
 }
@@ -148,6 +200,45 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     };
     let jerk = (0..n).map(|i| quotient(i.min(n - 2))).collect();
     AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
+}
+
+/// The motion of a profile with continuous acceleration, at the locations. Jerks are those just after each.
+fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
+    let s = curve.abscissae();
+    let n = s.len();
+    let mut out = AxisMotion {
+        t_s: Vec::with_capacity(n),
+        position: Vec::with_capacity(n),
+        velocity: Vec::with_capacity(n),
+        acceleration: Vec::with_capacity(n),
+        jerk: Vec::with_capacity(n),
+        feed: vec![0.0; n],
+        time_s: 0.0,
+    };
+    let mut g = 0;
+    for i in 0..n {
+        while g + 1 < profile.s.len() && profile.s[g] < s[i] {
+            g += 1;
+        }
+        let interval = i.min(n - 2);
+        let d = at(curve, interval, s[i] - s[interval]);
+        let third = |k: usize| curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);
+        let (x, u, w) = (profile.x[g], profile.u[g], profile.w.get(g).or(profile.w.last()).copied().unwrap_or(0.0));
+        let v = x.sqrt();
+        out.t_s.push(profile.t[g]);
+        out.position.push(d.map(|q| q[0]));
+        out.velocity.push(d.map(|q| q[1] * v));
+        out.acceleration.push(d.map(|q| q[1] * u + q[2] * x));
+        // At rest the jerk along the path itself is given.
+        let along = if x > 0.0 { v * w } else { w };
+        out.jerk.push(std::array::from_fn(|k| third(k) * x * v + 3.0 * d[k][2] * v * u + d[k][1] * along));
+    }
+    for i in 1..n {
+        out.feed[i] = (s[i] - s[i - 1]) / (out.t_s[i] - out.t_s[i - 1]);
+    }
+    out.feed[0] = out.feed[1];
+    out.time_s = out.t_s[n - 1];
+    out
 }
 
 #[cfg(test)]

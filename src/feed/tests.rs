@@ -49,7 +49,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
 }
 
 fn options(feed_mm_min: f64) -> FeedOptions {
-    FeedOptions { feed_mm_min, b_rad: 0.1, gauge_length_mm: 120.0 }
+    FeedOptions { limit_jerk: false, chord_mm: 10.0, ..FeedOptions::new(feed_mm_min, 0.1, 120.0) }
 }
 
 /// Every limit, at the locations (both sides) and densely between them.
@@ -57,8 +57,8 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
     let curve = axis_curve(p, s, machine, o).unwrap();
     let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
     let feed = o.feed_mm_min / 60.0;
-    let profile = topp::fastest(&curve, &limits, feed, &Silent).unwrap();
     let at_s = curve.abscissae();
+    let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()], &Silent).unwrap();
     for i in 0..at_s.len() - 1 {
         let h = at_s[i + 1] - at_s[i];
         for k in 0..=8 {

@@ -91,22 +91,23 @@ fn halves(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], out: &mut Vec<H
     }
 }
 
-/// Greatest ṡ² by feed and axis velocities over the whole of interval `i`, with `q'` bounded like the acceleration.
-fn cap(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], feed: f64) -> f64 {
+/// Greatest ṡ² by its own cap and axis velocities over the whole of interval `i`, with `q'` bounded like the acceleration.
+fn cap(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> f64 {
     let s = curve.abscissae();
     let h = s[i + 1] - s[i];
     let [start, middle, end] = [0.0, 0.5 * h, h].map(|t| super::at(curve, i, t).map(|q| q[1]));
-    limits.iter().enumerate().fold(feed * feed, |m, (k, [most, _])| {
+    limits.iter().enumerate().fold(most.get(i).copied().unwrap_or(f64::INFINITY), |m, (k, [most, _])| {
         let inner = 2.0 * middle[k] - 0.5 * (start[k] + end[k]);
         m.min((most / start[k].abs().max(inner.abs()).max(end[k].abs())).powi(2))
     })
 }
 
-/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `feed` in mm/s.
+/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`: greatest
+/// ṡ² in each interval.
 pub(super) fn fastest(
     curve: &CubicSpline,
     limits: &[[f64; 2]; 5],
-    feed: f64,
+    most: &[f64],
     observer: &dyn Observer,
 ) -> Result<Profile> {
     let s = curve.abscissae();
@@ -120,7 +121,7 @@ pub(super) fn fastest(
         }
         let h = s[i + 1] - s[i];
         halves(curve, i, limits, &mut lines);
-        let here = cap(curve, i, limits, feed);
+        let here = cap(curve, i, limits, most);
         lines.push(Half { a: 2.0 * h, b: 1.0, c: reach[i + 1].min(here) });
         lines.push(Half { a: -2.0 * h, b: -1.0, c: 0.0 });
         reach[i] = greatest(&lines, here);
@@ -130,7 +131,7 @@ pub(super) fn fastest(
     for i in 0..n - 1 {
         let h = s[i + 1] - s[i];
         halves(curve, i, limits, &mut lines);
-        let most = reach[i + 1].min(cap(curve, i, limits, feed));
+        let most = reach[i + 1].min(cap(curve, i, limits, most));
         x[i + 1] = (x[i] + 2.0 * h * range(&lines, x[i]).high).clamp(0.0, most);
         u[i] = (x[i + 1] - x[i]) / (2.0 * h);
         if x[i].max(x[i + 1]) <= 0.0 {

@@ -67,6 +67,8 @@ pub struct Options {
     pub iterations: usize,
     /// Ends where the mean of slack × multiplier is below this (objective and rows of size 1).
     pub tolerance: f64,
+    /// … and no row is missed by more than this.
+    pub excess: f64,
     /// Least slack at the start.
     pub slack: f64,
     /// Slack × multiplier at the start.
@@ -75,7 +77,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { fixed: [false; 8], iterations: 80, tolerance: 1e-10, slack: 1e-2, barrier: 1e-2 }
+        Options { fixed: [false; 8], iterations: 80, tolerance: 1e-10, excess: 1e-9, slack: 1e-2, barrier: 1e-2 }
     }
 }
 
@@ -164,7 +166,9 @@ pub fn solve<const X: usize, const V: usize>(
         let mu = w.mean_product();
         let excess = w.residuals(stages, &v);
         (out.iterations, out.complementarity, out.excess) = (iteration, mu, excess);
-        if rows > 0 && mu < options.tolerance && excess < 1e-9 && stationarity < 1e-8 || rows == 0 && iteration > 1 {
+        if rows > 0 && mu < options.tolerance && excess <= options.excess && stationarity < 1e-6
+            || rows == 0 && iteration > 1
+        {
             out.converged = true;
             break;
         }

@@ -8,7 +8,7 @@ use crate::artifact::schedule::BezierPiece;
 use crate::error::{Error, Result, Stage};
 
 /// Rounding that is no finding, rad.
-const ROUNDING: f64 = 1e-10;
+const ROUNDING: f64 = 1e-8;
 
 /// The curve has no gaps, never falls, and is inside the hull at all locations and half-way between.
 ///

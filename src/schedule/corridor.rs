@@ -41,6 +41,12 @@ impl Corridor {
         [mix(&self.lo), mix(&self.hi)]
     }
 
+    /// The walls at other places, in order.
+    pub fn at_all(&self, s: &[f64]) -> Corridor {
+        let walls: Vec<[f64; 2]> = s.iter().map(|s| self.at(*s)).collect();
+        Corridor { s: s.to_vec(), lo: walls.iter().map(|w| w[0]).collect(), hi: walls.iter().map(|w| w[1]).collect() }
+    }
+
     /// Indices of the samples strictly between `a` and `b`.
     pub fn inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
         let first = self.s.partition_point(|x| *x <= a);

@@ -210,7 +210,7 @@ mod tests {
         let [rate, second, third] = peaks(&p);
         assert!((rate - 9.0).abs() < 1e-12 && (second - 12.0).abs() < 1e-12 && (third - 6.0).abs() < 1e-9);
         assert!(is_continuous(&p, second));
-        assert!(!is_continuous(&hermite(&[0.0, 1.0, 2.0], &[0.0, 1.0, 0.0], &[0.0; 3]), 6.0));
+        assert!(!is_continuous(&hermite(&[0.0, 1.0, 2.0], &[0.0, 1.0, 1.0], &[0.0; 3]), 6.0));
         assert_eq!(reversals(&hermite(&[0.0, 1.0, 2.0], &[0.0, 1.0, 2.0], &[1.0; 3])), 0);
     }
 

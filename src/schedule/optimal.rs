@@ -15,7 +15,7 @@ use super::corridor::Corridor;
 use super::{ScheduleOptions, bezier, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind};
 use crate::artifact::{Channel, Toolpath};
-use crate::error::{Error, Result, Stage as Room};
+use crate::error::{Error, ErrorKind, Result, Stage as Room};
 use crate::numerics::stages::{self, Options, Row, Solution, Stage};
 use crate::observe::Observer;
 
@@ -28,6 +28,9 @@ const SPARE: f64 = 1e-3;
 const ROUND: f64 = 3e-3;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
+/// Intervals at least, and at most where locations are too far apart.
+const FEWEST: usize = 200;
+const MOST: usize = 300_000;
 
 /// See the module's page.
 pub(super) fn plan(
@@ -44,18 +47,18 @@ pub(super) fn plan(
     let (pieces, proof) = match walls.straight() {
         Some([p, q]) => (vec![bezier::straight(p, q)], None),
         None => {
-            let found = solve(path, &walls, options.measure, observer)?;
-            (curve::hermite(&walls.s, &found.theta, &found.slope), Some(found.weight))
+            let found = refining(path, &walls, options.measure, observer)?;
+            (curve::hermite(&found.walls.s, &found.theta, &found.slope), Some(found))
         }
     };
     observer.progress(Room::Schedule, 1, 1);
     let theta = bezier::sample(&pieces, hull.s.iter().copied());
     check::inside(&pieces, &theta, &hull, path)?;
     let mut out = curve::schedule(ScheduleKind::Optimal, pieces, theta, &hull);
-    let prove = |measure, walls: &Corridor| {
-        proof.as_ref().map_or(0.0, |y| {
-            let other: Vec<f64> = y.iter().map(|v| -v).collect();
-            bound::prove(measure, walls, y).max(bound::prove(measure, walls, &other))
+    let prove = |measure, whole: bool| {
+        proof.as_ref().map_or(0.0, |f| {
+            let walls = if whole { hull.at_all(&f.walls.s) } else { f.walls.clone() };
+            f.weights.iter().map(|y| either_sign(measure, &walls, y)).fold(0.0, f64::max)
         })
     };
     let value = match options.measure {
@@ -64,9 +67,9 @@ pub(super) fn plan(
         Measure::SquareSecond => curve::squares(&out.pieces)[0],
         Measure::SquareThird => curve::squares(&out.pieces)[1],
     };
-    out.quality.measure = Some((options.measure, value, prove(options.measure, &walls).min(value)));
+    out.quality.measure = Some((options.measure, value, prove(options.measure, false).min(value)));
     out.quality.bound_second = match options.measure {
-        Measure::PeakSecond => Some(prove(Measure::PeakSecond, &hull)),
+        Measure::PeakSecond => Some(prove(Measure::PeakSecond, true)),
         _ => least_second(path, channel),
     };
     Ok(out)
@@ -79,21 +82,28 @@ pub(super) fn least_second(path: &Toolpath, channel: &Channel) -> Option<f64> {
     if hull.straight().is_some() {
         return Some(0.0);
     }
-    let (thin, rows) = thinned(&hull, 8 * TRIAL);
+    let thin = thinned(&hull, 8 * TRIAL);
     let scale = Scale::of(&thin, path.turns.len());
-    let first = round(&thin, &scale, &Goal::Peak { third: false }, &rows, 1e-5)?;
+    let first = round(&thin, &scale, &Goal::Peak { third: false }, 1e-5)?;
     let y: Vec<f64> = first.costates.iter().map(|c| c[1]).collect();
+    let other = pressure(&thin, &first);
+    Some(either_sign(Measure::PeakSecond, &thin, &y).max(either_sign(Measure::PeakSecond, &thin, &other)))
+}
+
+/// The better of the bounds that a weight and its negative prove.
+fn either_sign(measure: Measure, walls: &Corridor, y: &[f64]) -> f64 {
     let other: Vec<f64> = y.iter().map(|v| -v).collect();
-    let prove = |y: &[f64]| bound::prove(Measure::PeakSecond, &thin, y);
-    Some(prove(&y).max(prove(&other)))
+    bound::prove(measure, walls, y).max(bound::prove(measure, walls, &other))
 }
 
 /// What the solver came to.
 struct Found {
+    /// The walls, at the joints of the curve.
+    walls: Corridor,
     theta: Vec<f64>,
     slope: Vec<f64>,
-    /// The weight of the bound's proof.
-    weight: Vec<f64>,
+    /// Weights that may prove the bound.
+    weights: Vec<Vec<f64>>,
 }
 
 /// Units of the solver.
@@ -133,16 +143,45 @@ enum Goal {
     Square { third: bool },
 }
 
-/// Every so many samples of the walls that about `most` are left, with the first and the last; and their indices.
-fn thinned(walls: &Corridor, most: usize) -> (Corridor, Vec<usize>) {
+/// Every so many samples of the walls that about `most` are left, with the first and the last.
+fn thinned(walls: &Corridor, most: usize) -> Corridor {
     let n = walls.s.len();
-    let step = n.div_ceil(most).max(1);
-    let mut rows: Vec<usize> = (0..n).step_by(step).collect();
-    if rows.last() != Some(&(n - 1)) {
-        rows.push(n - 1);
+    let mut s: Vec<f64> = walls.s.iter().step_by(n.div_ceil(most).max(1)).copied().collect();
+    if let Some(&end) = walls.s.last() {
+        if s.last() != Some(&end) {
+            s.push(end);
+        }
     }
-    let pick = |v: &[f64]| rows.iter().map(|i| v[*i]).collect();
-    (Corridor { s: pick(&walls.s), lo: pick(&walls.lo), hi: pick(&walls.hi) }, rows)
+    walls.at_all(&s)
+}
+
+/// The walls with every interval cut into `parts`.
+fn refined(walls: &Corridor, parts: usize) -> Corridor {
+    let mut s = Vec::with_capacity(walls.s.len() * parts);
+    for w in walls.s.windows(2) {
+        s.extend((0..parts).map(|k| w[0] + (w[1] - w[0]) * k as f64 / parts as f64));
+    }
+    s.extend(walls.s.last());
+    walls.at_all(&s)
+}
+
+/// The least over the whole path, with joints at the locations; where they are too far apart to bend between walls that bend, with joints
+/// between.
+fn refining(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Observer) -> Result<Found> {
+    let n = walls.s.len().saturating_sub(1).max(1);
+    let mut parts = FEWEST.div_ceil(n);
+    loop {
+        let found = if parts == 1 {
+            solve(path, walls, measure, observer)
+        } else {
+            solve(path, &refined(walls, parts), measure, observer)
+        };
+        parts *= 4;
+        match found {
+            Err(e) if e.kind == ErrorKind::Infeasible && parts <= 64 && n * parts <= MOST => {}
+            found => return found,
+        }
+    }
 }
 
 /// The least over the whole path.
@@ -153,49 +192,80 @@ fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Obs
             .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
     };
     let mut scale = Scale::of(walls, path.turns.len());
-    let (thin, rows) = thinned(walls, TRIAL);
+    let thin = thinned(walls, TRIAL);
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
-        let trial = round(&thin, &scale, &Goal::Peak { third: false }, &rows, 1e-4).ok_or_else(stuck)?;
+        let trial = round(&thin, &scale, &Goal::Peak { third: false }, 1e-4).ok_or_else(stuck)?;
         scale.second *= trial.v[0][3].clamp(1e-4, 1e4);
     }
     if third {
-        let trial = round(&thin, &scale, &Goal::Peak { third: true }, &rows, 1e-4).ok_or_else(stuck)?;
+        let trial = round(&thin, &scale, &Goal::Peak { third: true }, 1e-4).ok_or_else(stuck)?;
         scale.third *= trial.v[0][3].clamp(1e-4, 1e4);
     }
-    let all: Vec<usize> = (0..walls.s.len()).collect();
     observer.check(Room::Schedule)?;
-    let (last, weight) = match measure {
+    let (last, weights) = match measure {
         Measure::PeakSecond | Measure::PeakThird => {
-            let first = round(walls, &scale, &Goal::Peak { third }, &all, 1e-5).ok_or_else(stuck)?;
+            let first = round(walls, &scale, &Goal::Peak { third }, 1e-5).ok_or_else(stuck)?;
             observer.check(Room::Schedule)?;
             let cap = first.v[0][3] * (1.0 + SPARE);
-            let borders = path.locations.windows(2).map(|w| w[0].turn != w[1].turn).collect();
-            let second = round(walls, &scale, &Goal::Turns { third, cap, borders }, &all, 1e-4);
-            let weight = first.costates.iter().map(|c| c[1]).collect();
-            (second.unwrap_or(first), weight)
+            let borders = borders(path, walls);
+            let second = round(walls, &scale, &Goal::Turns { third, cap, borders }, 1e-4);
+            let mut weights = vec![first.costates.iter().map(|c| c[1]).collect()];
+            if !third {
+                weights.push(pressure(walls, &first));
+            }
+            (second.unwrap_or(first), weights)
         }
         Measure::SquareSecond | Measure::SquareThird => {
-            let found = round(walls, &scale, &Goal::Square { third }, &all, 1e-6).ok_or_else(stuck)?;
+            let found = round(walls, &scale, &Goal::Square { third }, 1e-6).ok_or_else(stuck)?;
             let weight = if third {
                 found.costates.iter().map(|c| c[1]).collect()
             } else {
                 found.v.iter().map(|v| v[2]).collect()
             };
-            (found, weight)
+            (found, vec![weight])
         }
     };
     let slope = last.v.iter().map(|v| scale.base[1] + v[1] / scale.length).collect();
     let theta = last.v.iter().enumerate().map(|(i, v)| scale.line(walls, i) + v[0]).collect();
-    Ok(Found { theta, slope, weight })
+    Ok(Found { walls: walls.clone(), theta, slope, weights })
+}
+
+/// The multipliers of `|θ''| ≤ γ` per length: the other form of the weight, better where walls without width leave the costates open.
+fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
+    let n = walls.s.len();
+    let mut at = 0;
+    let mut out = Vec::with_capacity(n);
+    for i in 0..n {
+        // Rows of walls and slope come first, see `stage`.
+        let before = if i + 1 == n { 3 } else { 8 };
+        let [up, down] = [0, 1].map(|k| found.multipliers.get(at + before + k).copied().unwrap_or(0.0));
+        let length = walls.s[(i + 1).min(n - 1)] - walls.s[i.saturating_sub(1)];
+        out.push((up - down) / length);
+        at += before + 2;
+    }
+    out
+}
+
+/// Whether a turn begins between a sample of the walls and the next.
+fn borders(path: &Toolpath, walls: &Corridor) -> Vec<bool> {
+    let mut bases = path.turns.iter().skip(1).filter_map(|t| path.locations.get(t.first)).map(|l| l.s_mm).peekable();
+    let mut begins = |w: &[f64]| {
+        let mut any = false;
+        while bases.next_if(|b| *b <= w[1]).is_some() {
+            any = true;
+        }
+        any
+    };
+    walls.s.windows(2).map(|w| begins(w)).collect()
 }
 
 /// One run of the solver. `None` where the rows cannot be met.
-fn round(walls: &Corridor, scale: &Scale, goal: &Goal, rows: &[usize], gap: f64) -> Option<Solution<X, V>> {
+fn round(walls: &Corridor, scale: &Scale, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
     let n = walls.s.len();
     let mut all = Vec::with_capacity(n);
     for i in 0..n {
-        all.push(stage(walls, scale, goal, i, rows));
+        all.push(stage(walls, scale, goal, i));
     }
     let count: usize = all.iter().map(|s: &Stage<X, V>| s.rows.len()).sum();
     let mut start = [0.0; V];
@@ -212,7 +282,7 @@ fn round(walls: &Corridor, scale: &Scale, goal: &Goal, rows: &[usize], gap: f64)
 }
 
 /// Dynamics, objective and rows of one interval (of the last sample: what holds there alone).
-fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize, rows: &[usize]) -> Stage<X, V> {
+fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> {
     let last = i + 1 == walls.s.len();
     let (k, h) = if last { (i, 0.0) } else { (i + 1, (walls.s[i + 1] - walls.s[i]) / scale.length) };
     let u = scale.second;
@@ -263,7 +333,7 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize, rows: &[usize])
         Goal::Turns { cap, borders, .. } => {
             out.gradient[3] = h / whole;
             out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
-            if rows.get(i).and_then(|r| borders.get(*r)).is_some_and(|b| *b) {
+            if borders.get(i).is_some_and(|b| *b) {
                 out.dynamics[3][5] = 1.0;
                 out.hessian[5][5] = 0.0;
             }

@@ -1,0 +1,53 @@
+//! Greatest speed of the ball centre by what does not depend on the machine: feed, contact, chord of the tool tip.
+
+use super::FeedOptions;
+use crate::artifact::{Schedule, Toolpath};
+use crate::geometry::{Point, Vector};
+use crate::tool;
+
+/// Slopes are taken over at least this many ball radii: contacts on facets jump.
+const SPAN: f64 = 0.05;
+
+/// Greatest ṡ² (mm²/s²) in each interval between locations.
+pub(super) fn of_path(path: &Toolpath, schedule: &Schedule, options: &FeedOptions) -> Vec<f64> {
+    let l = &path.locations;
+    let n = l.len();
+    let feed = options.feed_mm_min / 60.0;
+    let tips: Vec<Point> = l
+        .iter()
+        .zip(&schedule.theta)
+        .map(|(l, t)| tool::tip(&l.centre, &tool::axis(options.b_rad, *t), path.radius_mm))
+        .collect();
+    let (mut a, mut b) = (0, 0);
+    let mut at = Vec::with_capacity(n);
+    for i in 0..n {
+        let half = 0.5 * SPAN * path.radius_mm;
+        while a + 1 < i && l[i].s_mm - l[a + 1].s_mm >= half {
+            a += 1;
+        }
+        b = b.max((i + 1).min(n - 1));
+        while b + 1 < n && l[b].s_mm - l[i].s_mm < half {
+            b += 1;
+        }
+        let ds = l[b].s_mm - l[a].s_mm;
+        let mut most = feed;
+        if options.limit_contact && ds > 0.0 {
+            most = most.min(feed * ds / (l[b].contact - l[a].contact).norm().max(1e-3 * ds));
+        }
+        if a < i && i < b {
+            let (p, q) = (tips[i] - tips[a], tips[b] - tips[i]);
+            let per_s = (p.norm() + q.norm()) / ds;
+            // Turning per length of the tip's path.
+            let bend = curvature(&p, &q);
+            most = most.min((8.0 * options.chord_mm / bend).sqrt() / (options.period_s * per_s));
+        }
+        at.push(if most.is_finite() { most * most } else { feed * feed });
+    }
+    at.windows(2).map(|w| w[0].min(w[1])).collect()
+}
+
+/// Curvature of the circle through the ends of two steps, 1/mm; 0 where they do not make one.
+fn curvature(p: &Vector, q: &Vector) -> f64 {
+    let size = p.norm() * q.norm() * (p + q).norm();
+    if size > 0.0 { 2.0 * p.cross(q).norm() / size } else { 0.0 }
+}
