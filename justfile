@@ -28,6 +28,11 @@ occ points="10000" *models="models/steam_root.step models/compressor_twist.step 
     cargo build --release --examples --bins
     "${PYTHON:-python3}" tests/occ/compare.py target/release {{points}} {{models}}
 
+# Loading time beside OpenCASCADE
+occ-load *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
+    cargo build --release --examples
+    "${PYTHON:-python3}" tests/occ/load.py target/release {{models}}
+
 # Closest points a second, beside parry's query to the triangles
 bench:
     cargo bench --bench closest

@@ -1,12 +1,8 @@
 #![no_main]
 //! Any bytes as a file `a.ply`: a survey or an error.
 
-use std::path::Path;
+#[macro_use]
+#[path = "../target.rs"]
+mod target;
 
-use bladewright::model::{self, ModelOptions};
-use bladewright::observe::Silent;
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| {
-    let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };
-    let _ = model::survey_bytes(Path::new("a.ply"), data, &options, &Silent);
-});
+reader!("a.ply");

@@ -1,5 +1,7 @@
 //! A plane section of the blade, perpendicular to its axis.
 
+use crate::geometry::nurbs::NurbsCurve;
+
 /// Which part of a section's airfoil loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -52,6 +54,15 @@ pub struct SectionLoop {
     /// Greatest distance of a point from the part, mm: a bound for each point, not for what lies between; not more than
     /// rounding where the part is a mesh.
     pub off_part_mm: f64,
+}
+
+/// One closed loop of a section as curves in its plane.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct SectionCurves {
+    /// Cubic B-splines (straight ones of lower degree), C² inside, each beginning where the one before it ends; blade frame, mm.
+    pub pieces: Vec<NurbsCurve>,
+    /// Greatest distance of the curves from the section, mm, as measured between the interpolated points, and a quarter more.
+    pub off_mm: f64,
 }
 
 /// All loops at one height.

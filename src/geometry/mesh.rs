@@ -31,6 +31,13 @@ impl Mesh {
         let [a, b, c] = self.corners(triangle);
         (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_else(Vector::zeros)
     }
+    /// Winds a triangle the other way round.
+    pub fn turn(&mut self, triangle: usize) {
+        self.triangles[triangle].swap(1, 2);
+        if let Some(uv) = self.corner_uv.get_mut(triangle) {
+            uv.swap(1, 2);
+        }
+    }
     /// Area of a triangle, mm².
     pub fn triangle_area_mm2(&self, triangle: usize) -> f64 {
         area_mm2(&self.corners(triangle))

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::sample::blade;
+use super::sample::{Random, blade};
 use super::*;
 use crate::error::ErrorKind;
 use crate::geometry::mesh::Mesh;
@@ -298,18 +298,6 @@ fn damaged_files_are_refused_with_a_sentence() {
     let promise = format!(r#""componentType":5126,{sparse},"count":99999999"#);
     let zeros = json.replacen(r#""bufferView":0,"componentType":5126,"count":"#, &promise, 1);
     refused("zeros.gltf", &with(&zeros), &["elements"]);
-}
-
-/// A small generator of the xorshift family (Marsaglia, 2003): the same files on every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % n.max(1) as u64) as usize
-    }
 }
 
 /// A copy with a few places overwritten, taken out, doubled or cut off.

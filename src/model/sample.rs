@@ -6,6 +6,19 @@ use std::fmt::Write;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid};
 
+/// A small generator of the xorshift family (Marsaglia, *Xorshift RNGs*, 2003): the same files on every run.
+pub struct Random(pub u64);
+
+impl Random {
+    /// The next number below `n`; 0 for `n` of 0.
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % n.max(1) as u64) as usize
+    }
+}
+
 /// Points around one section.
 const AROUND: usize = 96;
 

@@ -34,7 +34,7 @@ pub fn orient(mesh: &mut Mesh) -> Vec<String> {
     let (mut turned, mut whole) = (0, 0);
     for p in &pieces {
         if signed_volume(mesh, p) < 0.0 {
-            p.triangles.iter().for_each(|&t| mesh.triangles[t].swap(1, 2));
+            p.triangles.iter().for_each(|&t| mesh.turn(t));
             if p.turned == 0 {
                 whole += p.triangles.len();
             } else {
@@ -46,7 +46,7 @@ pub fn orient(mesh: &mut Mesh) -> Vec<String> {
     }
     let cavities = cavities(mesh, &pieces, &inward);
     for &i in &cavities {
-        pieces[i].triangles.iter().for_each(|&t| mesh.triangles[t].swap(1, 2));
+        pieces[i].triangles.iter().for_each(|&t| mesh.turn(t));
         whole -= if pieces[i].turned == 0 { pieces[i].triangles.len() } else { 0 };
     }
     if turned > 0 {
@@ -101,7 +101,7 @@ fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
         p.given_mm3 = signed_volume(mesh, &p);
         for &t in &p.triangles {
             if turn[t] == Some(!most) {
-                mesh.triangles[t].swap(1, 2);
+                mesh.turn(t);
                 p.turned += 1;
             }
         }

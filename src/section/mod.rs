@@ -10,6 +10,8 @@
 //! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
 //! extent; the leading edge is the blunter one (`edges`). Thickness is the diameter of the largest inscribed circle.
 //!
+//! The same loops as smooth curves, for who needs more than points: [`smooth`].
+//!
 //! **Guaranteed**: loops are closed, counter-clockwise seen from the tip; `off_part_mm` is the greatest distance of a point from
 //! the part, and `fit_error_mm` the greatest distance
 //! between a point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has fewer than about
@@ -22,6 +24,7 @@ mod altered;
 mod curvature;
 mod edges;
 mod outline;
+pub mod smooth;
 
 use rayon::prelude::*;
 

@@ -5,9 +5,9 @@ use crate::geometry::slice::slice;
 use crate::geometry::{Point, Vector};
 
 /// Points that a loop of an exact part gets at least.
-const POINTS: f64 = 400.0;
+pub(super) const POINTS: f64 = 400.0;
 /// A point counts as on the exact surface below this, mm.
-const ON_SURFACE_MM: f64 = 1e-8;
+pub(super) const ON_SURFACE_MM: f64 = 1e-8;
 /// Newton's steps; smooth places need three.
 const MOST_STEPS: usize = 12;
 /// A turn between neighbouring points by more than this, besides what curvature explains, is a crease, rad.
@@ -79,15 +79,15 @@ fn refined(part: &Part, x_mm: f64, points: &[[f64; 2]]) -> Outline {
 }
 
 /// A point of a section of exact faces.
-struct Placed {
-    at: [f64; 2],
-    exact: Option<OnFace>,
-    off_mm: f64,
+pub(super) struct Placed {
+    pub at: [f64; 2],
+    pub exact: Option<OnFace>,
+    pub off_mm: f64,
 }
 
 /// Newton's method within the section's plane for the point where the surface meets it, `S(u, v) · e_x = x`: each step goes to the
 /// tangent plane of the closest point. Keeps the guess where that leads away (walls along the plane).
-fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
+pub(super) fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
     let cap = 10.0 * part.deflection_mm + 1e-3;
     let stays = || {
         let foot = part.closest(&Point::new(x_mm, guess[0], guess[1]), f64::INFINITY);

@@ -1,4 +1,4 @@
-"""Compares bladewright with OpenCASCADE: closest points, inside and outside, area and volume.
+"""Compares bladewright with OpenCASCADE: closest points, inside and outside, area and volume, of STEP and IGES files.
 
     python compare.py PROGRAM_FOLDER POINTS MODEL...
 
@@ -20,29 +20,54 @@ import numpy as np
 from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepBndLib import BRepBndLib
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_MakeVertex, BRepBuilderAPI_Sewing
 from OCP.BRepClass3d import BRepClass3d_SolidClassifier
 from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.BRepGProp import BRepGProp
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.gp import gp_Pnt
 from OCP.GProp import GProp_GProps
+from OCP.IGESControl import IGESControl_Reader
+from OCP.BRepLib import BRepLib
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_FACE, TopAbs_IN, TopAbs_REVERSED
+from OCP.TopAbs import TopAbs_FACE, TopAbs_IN, TopAbs_REVERSED, TopAbs_SHELL
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound
 
 MICRON = 1e-3
 SHARE = 1e-3
+# Between these tolerances loose faces are sewn, the first that closes them, mm.
+SEW = (1e-3, 1e-2, 0.05)
 
 
 def read(path):
-    reader = STEPControl_Reader()
+    iges = path.suffix.lower() in (".igs", ".iges")
+    reader = IGESControl_Reader() if iges else STEPControl_Reader()
     if reader.ReadFile(str(path)) != 1:
         sys.exit(f"{path}: OpenCASCADE does not read it")
     reader.TransferRoots()
-    return reader.OneShape()
+    shape = reader.OneShape()
+    return sewn(shape) if iges else shape
+
+
+def sewn(shape):
+    """Loose faces as one solid, wound outwards; as they are where they do not close."""
+    for tolerance in SEW:
+        sewing = BRepBuilderAPI_Sewing(tolerance)
+        sewing.Add(shape)
+        sewing.Perform()
+        shells = TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL)
+        if sewing.NbFreeEdges() == 0 and shells.More():
+            solid = BRepBuilderAPI_MakeSolid(as_shell(shells.Current())).Solid()
+            BRepLib.OrientClosedSolid_s(solid)
+            return solid
+    return shape
+
+
+# The names of the casts differ between versions of the bindings.
+as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
+as_shell = getattr(TopoDS, "Shell_s", None) or TopoDS.Shell
 
 
 def faces_of(shape):
@@ -70,7 +95,7 @@ def triangles(shape):
     out = []
     for face in faces_of(shape):
         where = TopLoc_Location()
-        mesh = BRep_Tool.Triangulation_s(TopoDS.Face_s(face), where)
+        mesh = BRep_Tool.Triangulation_s(as_face(face), where)
         if mesh is None:
             continue
         move = where.Transformation()

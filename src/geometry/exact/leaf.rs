@@ -1,8 +1,8 @@
-//! Small pieces of faces and of edges, each with bounds: a box turned along it, in which it lies, and its curvature.
+//! Small pieces of faces and of edges, each with a box turned along it, in which it lies, and the range of its curvature.
 //!
 //! The box of a polynomial piece is that of its Bézier control points, in whose convex hull it lies (*The NURBS Book* P4.10): a
 //! true bound. Curvature and the turn of the normal are taken at 3 × 3 places, with half of what they differ by as a margin: a
-//! measured bound.
+//! measured range, right where they change steadily over a piece, and no proof.
 
 use super::patch::{CurveTable, SurfaceTable};
 use crate::geometry::nurbs::{NurbsSurface, SurfaceDerivatives};
@@ -70,6 +70,11 @@ pub(super) struct Rect {
 impl Rect {
     pub fn middle(&self) -> [f64; 2] {
         self.range.map(|[a, b]| 0.5 * (a + b))
+    }
+    /// The places at which what is not bounded by control points is measured: corners, middles of the sides, middle.
+    pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let [s, t] = self.range.map(|[a, b]| [a, 0.5 * (a + b), b]);
+        s.into_iter().flat_map(move |s| t.map(|t| [s, t]))
     }
     /// The two halves along one direction.
     pub fn halves(&self, along: usize) -> [Rect; 2] {
@@ -289,22 +294,16 @@ impl Leaf {
         }
         let n = self.slab.axes[2];
         let mut cosine = 1.0f64;
-        for i in 0..3 {
-            for j in 0..3 {
-                let at = |a: usize, k: usize| {
-                    let [from, to] = self.rect.range[a];
-                    from + (to - from) * 0.5 * k as f64
-                };
-                let d = shape.local(self.rect.span, [at(0, i), at(1, j)]);
-                let (Some(m), Some(p)) = (d.normal(), d.principal()) else {
-                    self.wild = true;
-                    return;
-                };
-                cosine = cosine.min(m.dot(&n));
-                let [k1, k2] = p.curvature;
-                self.greater = [self.greater[0].min(k1), self.greater[1].max(k1)];
-                self.lesser = [self.lesser[0].min(k2), self.lesser[1].max(k2)];
-            }
+        for st in self.rect.places() {
+            let d = shape.local(self.rect.span, st);
+            let (Some(m), Some(p)) = (d.normal(), d.principal()) else {
+                self.wild = true;
+                return;
+            };
+            cosine = cosine.min(m.dot(&n));
+            let [k1, k2] = p.curvature;
+            self.greater = [self.greater[0].min(k1), self.greater[1].max(k1)];
+            self.lesser = [self.lesser[0].min(k2), self.lesser[1].max(k2)];
         }
         for range in [&mut self.greater, &mut self.lesser] {
             let margin = 0.5 * (range[1] - range[0]);

@@ -26,7 +26,7 @@ mod tree;
 mod trim;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use super::brep::Brep;
 use super::nurbs::foot::{ParameterSpace, SurfaceFoot};

@@ -2,8 +2,8 @@
 //!
 //! A piece is left out when the box in which it lies is no nearer than the best point known, or when it bends towards the query
 //! point more than a sphere about it everywhere (then it has no local minimum inside). Otherwise Newton finds its minimum. That
-//! is the only one if the distance is convex there, which follows from the bounds on the piece's curvature; if that does
-//! not follow, the Hessian's bound says by how much another one could be nearer, and where that is more than
+//! is the only one if the distance is convex there, which follows if the piece's curvature lies in the range measured on it; if it
+//! does not follow, the least eigenvalue of the Hessian says by how much another one could be nearer, and where that is more than
 //! [`NEGLIGIBLE_MM`] the piece is halved and its halves are searched.
 
 use std::cell::Cell;
@@ -322,18 +322,12 @@ impl Leaf {
     fn bend_sampled(&self, shape: &Shape, q: &Point) -> Bend {
         // The greatest eigenvalue of the product of curvature and height, at its least and at its greatest.
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for i in 0..3 {
-            for j in 0..3 {
-                let at = |a: usize, k: usize| {
-                    let [from, to] = self.rect.range[a];
-                    from + (to - from) * 0.5 * k as f64
-                };
-                let d = shape.local(self.rect.span, [at(0, i), at(1, j)]);
-                let (Some(n), Some(p)) = (d.normal(), d.principal()) else { return Bend::Unsure(f64::INFINITY) };
-                let s = (q - d.p).dot(&n);
-                let here = (p.curvature[0] * s).max(p.curvature[1] * s);
-                (least, most) = (least.min(here), most.max(here));
-            }
+        for st in self.rect.places() {
+            let d = shape.local(self.rect.span, st);
+            let (Some(n), Some(p)) = (d.normal(), d.principal()) else { return Bend::Unsure(f64::INFINITY) };
+            let s = (q - d.p).dot(&n);
+            let here = (p.curvature[0] * s).max(p.curvature[1] * s);
+            (least, most) = (least.min(here), most.max(here));
         }
         let margin = 0.5 * (most - least);
         if most + margin < 1.0 {

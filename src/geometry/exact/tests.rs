@@ -36,7 +36,7 @@ fn used(edge: usize, reversed: bool) -> Coedge {
 }
 
 /// A cylinder with caps; its wall has two loops and no seam. The caps' planes are larger than their circles.
-fn can(radius: f64, height: f64) -> Brep {
+pub fn can(radius: f64, height: f64) -> Brep {
     let wall = cylinder(radius, height);
     let edges = vec![circle(&wall, 0.0), circle(&wall, 1.0)];
     let (x, y) = (Vector::x() * 3.0 * radius, Vector::y() * 3.0 * radius);

@@ -150,19 +150,16 @@ impl Region {
     /// How far, in parameters, a side may be from a rectangle and yet matter in it.
     fn margins(&self, shape: &Shape, rect: &Rect, size: [f64; 2]) -> [f64; 2] {
         let mut least = [f64::INFINITY; 2];
-        for i in 0..3 {
-            for j in 0..3 {
-                let at = |a: usize, k: usize| rect.range[a][0] + 0.5 * k as f64 * (rect.range[a][1] - rect.range[a][0]);
-                let d = shape.local(rect.span, [at(0, i), at(1, j)]);
-                // Heights of the parallelogram of the derivatives: distance between lines of one parameter.
-                let area = d.du.cross(&d.dv).norm();
-                let length = [d.du.norm(), d.dv.norm()];
-                for along in 0..2 {
-                    // Where the other parameter moves nothing (a pole), the length itself.
-                    let (own, other) = (length[along], length[1 - along]);
-                    let h = if other > 1e-9 * own { area / other } else { own };
-                    least[along] = least[along].min(h);
-                }
+        for st in rect.places() {
+            let d = shape.local(rect.span, st);
+            // Heights of the parallelogram of the derivatives: distance between lines of one parameter.
+            let area = d.du.cross(&d.dv).norm();
+            let length = [d.du.norm(), d.dv.norm()];
+            for along in 0..2 {
+                // Where the other parameter moves nothing (a pole), the length itself.
+                let (own, other) = (length[along], length[1 - along]);
+                let h = if other > 1e-9 * own { area / other } else { own };
+                least[along] = least[along].min(h);
             }
         }
         [0, 1].map(|a| {

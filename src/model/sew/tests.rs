@@ -97,11 +97,19 @@ fn loose_box(size: [f64; 3], off: f64) -> Brep {
     b
 }
 
+/// The volume that the faces enclose once they are turned alike; area and volume of the turned faces themselves must agree with
+/// those of their triangles.
 fn volume(brep: &Brep) -> Option<f64> {
     let options = crate::geometry::tessellate::Options::with_deflection(0.01);
-    let mut mesh = crate::geometry::tessellate::tessellate(brep, &options, &crate::observe::Silent).unwrap().mesh;
-    crate::model::orient::orient(&mut brep.clone(), &mut mesh);
-    crate::geometry::mesh::topology(&mesh).closed().then(|| mesh.volume_mm3())
+    let t = crate::geometry::tessellate::tessellate(brep, &options, &crate::observe::Silent).unwrap();
+    let loops = crate::geometry::exact::measure::Loops::new(&t);
+    let (mut brep, mut mesh) = (t.brep, t.mesh);
+    crate::model::orient::orient(&mut brep, &mut mesh);
+    let volume = crate::geometry::mesh::topology(&mesh).closed().then(|| mesh.volume_mm3())?;
+    let measured = loops.measure(&brep, &mesh);
+    assert!((measured.area_mm2 / mesh.area_mm2() - 1.0).abs() < 1e-2, "{measured:?}");
+    assert!((measured.volume_mm3 / volume - 1.0).abs() < 2e-2, "{measured:?}");
+    Some(volume)
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::error::ErrorKind;
 use crate::geometry::brep::{Brep, SurfaceKind};
 use crate::geometry::mesh::topology;
 use crate::geometry::part::Part;
+use crate::model::sample::Random;
 use crate::observe::Silent;
 
 /// Half axes of the elliptical sections, mm.
@@ -395,18 +396,6 @@ fn a_collapsed_end_is_left_out() {
     let text = format!("variables=x,y,z\nzone i=40, j=6\n{}", joined(&s, |_| String::new()));
     let shape = is_ideal("collapsed", read_files(&[("a.dat", text)]), 0.02);
     assert!(shape.notes.iter().any(|n| n.contains("left out at the end")), "{:?}", shape.notes);
-}
-
-/// A small generator of the xorshift family (Marsaglia, 2003): the same files on every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % n.max(1) as u64) as usize
-    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::shapes::{box_of_144, solid_box};
 use super::sheet::Sheet;
 use super::*;
 use crate::error::ErrorKind;
+use crate::model::sample::Random;
 
 fn refused(text: &str, words: &[&str]) {
     let e = shape(text).err().unwrap_or_else(|| panic!("accepted, though expected {words:?}"));
@@ -81,25 +82,13 @@ fn repeating_one_curve_does_not_fill_the_memory() {
     refused(&sheet.text(), &["more often than a model of this size can need"]);
 }
 
-/// A xorshift generator: the same changes on every run.
-struct Dice(u64);
-
-impl Dice {
-    fn roll(&mut self, sides: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % sides as u64) as usize
-    }
-}
-
-fn mutated(text: &str, dice: &mut Dice) -> Vec<u8> {
+fn mutated(text: &str, random: &mut Random) -> Vec<u8> {
     let mut bytes = text.as_bytes().to_vec();
-    for _ in 0..=dice.roll(4) {
-        let at = dice.roll(bytes.len());
-        match dice.roll(7) {
-            0 => bytes[at] = dice.roll(256) as u8,
-            1 => bytes[at] = b"0123456789.,;-+EDH"[dice.roll(18)],
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len());
+        match random.below(7) {
+            0 => bytes[at] = random.below(256) as u8,
+            1 => bytes[at] = b"0123456789.,;-+EDH"[random.below(18)],
             2 => bytes.truncate(at + 1),
             3 => {
                 bytes.remove(at);
@@ -110,7 +99,7 @@ fn mutated(text: &str, dice: &mut Dice) -> Vec<u8> {
                 bytes.drain(at..(at + 81).min(bytes.len()));
             }
             5 => {
-                let (a, b) = (at / 81 * 81, dice.roll(text.len()) / 81 * 81);
+                let (a, b) = (at / 81 * 81, random.below(text.len()) / 81 * 81);
                 let line = text.as_bytes()[b..(b + 64).min(text.len())].to_vec();
                 let end = (a + line.len()).min(bytes.len());
                 bytes[a..end].copy_from_slice(&line[..end - a]);
@@ -119,7 +108,7 @@ fn mutated(text: &str, dice: &mut Dice) -> Vec<u8> {
             _ => {
                 for k in at..(at + 400).min(bytes.len()) {
                     if bytes[k].is_ascii_digit() && k % 81 < 64 {
-                        bytes[k] = b'0' + dice.roll(10) as u8;
+                        bytes[k] = b'0' + random.below(10) as u8;
                         break;
                     }
                 }
@@ -151,12 +140,12 @@ fn bases() -> Vec<String> {
 
 #[test]
 fn mutations_give_a_part_or_a_sentence() {
-    let mut dice = Dice(0x9e37_79b9_7f4a_7c15);
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let (mut good, mut bad) = (0, 0);
     for text in bases() {
         assert!(shape(&text).is_ok());
         for _ in 0..250 {
-            let bytes = mutated(&text, &mut dice);
+            let bytes = mutated(&text, &mut random);
             match read(Path::new("t.igs"), &bytes, None) {
                 Ok(s) => {
                     good += 1;
@@ -177,10 +166,10 @@ fn mutations_give_a_part_or_a_sentence() {
 
 #[test]
 fn mutations_go_the_whole_way_without_panic() {
-    let mut dice = Dice(0x1234_5678_9abc_def1);
+    let mut random = Random(0x1234_5678_9abc_def1);
     for text in bases() {
         for _ in 0..12 {
-            let bytes = mutated(&text, &mut dice);
+            let bytes = mutated(&text, &mut random);
             if let Ok(mut s) = read(Path::new("t.igs"), &bytes, None) {
                 sew::sew(&mut s.brep, &[0.005, 0.02]);
                 if let Ok(t) = tessellate(&s.brep, &Options::with_deflection(0.1), &Silent) {

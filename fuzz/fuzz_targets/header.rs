@@ -1,0 +1,8 @@
+#![no_main]
+//! Any bytes as a file `a.toml`: a survey or an error.
+
+#[macro_use]
+#[path = "../target.rs"]
+mod target;
+
+reader!("a.toml");
