@@ -6,9 +6,9 @@ use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
-use super::Point;
 use super::mesh::Mesh;
 use super::triangle::closest_on_triangle;
+use super::{Point, Vector};
 
 /// The tree; leaf data are triangle indices.
 #[derive(Clone)]
@@ -79,6 +79,60 @@ impl MeshBvh {
             TraversalAction::Continue
         });
     }
+}
+
+/// Directions of rays, along nothing that a part is aligned with; the first that meets no edge is taken.
+const RAYS: [[f64; 3]; 4] =
+    [[0.713, 0.527, 0.463], [-0.619, 0.377, 0.689], [0.231, -0.857, 0.461], [-0.349, -0.571, -0.743]];
+/// Volumes smaller than this share of the greatest count as zero.
+const ON_EDGE: f64 = 1e-10;
+
+impl MeshBvh {
+    /// How often a closed mesh goes round `q`: 1 inside, 0 outside, more where bodies overlap, less than 0 where they are inside out; right
+    /// for meshes that cross or fold over themselves too. Triangles that a ray leaves through count 1, those that it enters
+    /// through −1. `None` where every ray tried runs through an edge.
+    pub fn winding(&self, mesh: &Mesh, q: &Point) -> Option<i32> {
+        RAYS.iter().find_map(|d| self.crossings(mesh, q, &Vector::from(*d)))
+    }
+
+    fn crossings(&self, mesh: &Mesh, q: &Point, d: &Vector) -> Option<i32> {
+        let (mut sum, mut sure) = (0, true);
+        self.tree.traverse(|node| {
+            if !sure || !meets(node, q, d) {
+                return TraversalAction::Prune;
+            }
+            if let Some(t) = node.leaf_data() {
+                let [a, b, c] = mesh.corners(t as usize).map(|p| p - q);
+                // Volumes of the ray with each side: all of one sign where it passes through.
+                let v = [b.cross(&c).dot(d), c.cross(&a).dot(d), a.cross(&b).dot(d)];
+                let size = v[0].abs().max(v[1].abs()).max(v[2].abs());
+                let signs = v.map(|x| if x.abs() <= ON_EDGE * size { 0 } else { x.signum() as i32 });
+                let whole = v[0] + v[1] + v[2];
+                let apart = signs.contains(&1) && signs.contains(&-1);
+                if !apart && a.cross(&b).dot(&c) * whole > 0.0 {
+                    sure &= !signs.contains(&0);
+                    sum += whole.signum() as i32;
+                } else if !apart && whole == 0.0 {
+                    // Seen from its edge, or without area: its neighbours are met there too.
+                    sure &= size == 0.0 && a.cross(&b).dot(&c) == 0.0;
+                }
+            }
+            TraversalAction::Continue
+        });
+        sure.then_some(sum)
+    }
+}
+
+/// Whether the ray from `q` along `d` (no component zero) meets the box of a node.
+fn meets(node: &BvhNode, q: &Point, d: &Vector) -> bool {
+    let (lo, hi) = (node.mins(), node.maxs());
+    let (mut from, mut to) = (0.0f64, f64::INFINITY);
+    for (lo, hi, q, d) in [(lo.x, hi.x, q.x, d.x), (lo.y, hi.y, q.y, d.y), (lo.z, hi.z, q.z, d.z)] {
+        let slack = 1e-12 * (lo.abs() + hi.abs() + q.abs());
+        let (a, b) = ((lo - slack - q) / d, (hi + slack - q) / d);
+        (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+    }
+    from <= to
 }
 
 /// Squared distance from `q` to the box of a node, mm².

@@ -27,6 +27,9 @@ pub struct Part {
     tie: Tie,
 }
 
+/// Farther from the exact faces than so many times the deflection their mesh does not lie between them and a point.
+const FAR: f64 = 2.0;
+
 /// What a part knows of its exact faces besides the faces.
 #[derive(Clone)]
 enum Tie {
@@ -153,15 +156,19 @@ impl Part {
         })
     }
 
-    /// Whether `q` lies inside the part; meaningful for a closed part with outward normals. Where the part has exact faces they
-    /// decide, up to the part itself ([`Exact::inside`]); on a mesh its triangles do:
+    /// Whether `q` lies inside the part; meaningful for a closed part with outward normals. Where the part has exact faces their
+    /// normals decide near them, up to the part itself ([`Exact::inside`]); farther from them than the mesh is, how often the
+    /// mesh goes round the point ([`MeshBvh::winding`]): that stays right where faces fold over themselves, and beside cusps, where
+    /// faces have no normal. On a mesh its triangles decide:
     ///
     /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and Aanæs, *Signed distance
     /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.
     /// A point on the mesh counts as outside.
     pub fn inside(&self, q: &Point) -> bool {
         if let (Some(brep), Tie::Exact(exact)) = (&self.brep, &self.tie) {
-            return exact.inside(brep, q);
+            let far = exact.closest(brep, q, f64::INFINITY).is_some_and(|c| c.distance_mm > FAR * self.deflection_mm);
+            let winding = if far { self.bvh.winding(&self.mesh, q) } else { None };
+            return winding.map_or_else(|| exact.inside(brep, q), |w| w > 0);
         }
         let Some(near) = self.bvh.closest(&self.mesh, q, f64::INFINITY) else { return false };
         let direction = q - near.foot;
@@ -208,6 +215,37 @@ mod tests {
             prop_assert_eq!(part.inside(&q), inside);
             prop_assert!(part.closest(&q, expected * 0.999).is_none());
             prop_assert!(part.closest(&q, expected * 1.001 + 1e-12).is_some());
+        }
+    }
+
+    #[test]
+    fn winding_counts_bodies() {
+        // Two cubes that overlap, and one that is inside out.
+        let one = cube().mesh;
+        let mut all = one.clone();
+        for (shift, turned) in [([0.5, 0.4, 0.3], false), ([3.0, 0.0, 0.0], true)] {
+            let base = all.points.len() as u32;
+            all.points.extend(one.points.iter().map(|p| p + Vector::from(shift)));
+            all.triangles.extend(one.triangles.iter().map(|t| t.map(|i| i + base)));
+            if turned {
+                (24..36).for_each(|t| all.turn(t));
+            }
+        }
+        let bvh = MeshBvh::new(&all);
+        let winding = |x: f64, y: f64, z: f64| bvh.winding(&all, &Point::new(x, y, z));
+        assert_eq!(winding(0.2, 0.2, 0.2), Some(1));
+        assert_eq!(winding(0.7, 0.6, 0.5), Some(2));
+        assert_eq!(winding(1.2, 1.2, 1.1), Some(1));
+        assert_eq!(winding(3.5, 0.5, 0.5), Some(-1));
+        assert_eq!(winding(-0.3, 0.5, 0.5), Some(0));
+        // The first ray runs through a corner: another decides.
+        let cube = MeshBvh::new(&one);
+        for s in [0.1, 0.4, 2.0] {
+            for (k, corner) in one.points.iter().enumerate() {
+                let q = corner - Vector::new(0.713, 0.527, 0.463) * s;
+                let inside = q.coords.iter().all(|x| *x > 0.0 && *x < 1.0);
+                assert_eq!(cube.winding(&one, &q), Some(i32::from(inside)), "corner {k}, {s}");
+            }
         }
     }
 
