@@ -1,5 +1,5 @@
 //! Damage to model files: a seeded, structure-aware mutation. Used by `examples/fuzz_readers.rs`, by the short form in the test
-//! suite, and as a custom mutator's fallback by the targets of this folder.
+//! suite, and by the mutator of the targets of this folder.
 
 /// SplitMix64 (Steele, Lea, Flood 2014): small, seeded, good enough to choose faults.
 pub struct Random(pub u64);

@@ -68,7 +68,7 @@ pub struct ModelOptions {
     pub deflection_mm: f64,
     /// Vertices of a mesh this near to one another are the same, mm; `None`: found.
     pub weld_mm: Option<f64>,
-    /// Holes of a mesh up to this extent are closed, mm; `None`: none.
+    /// Holes of a mesh up to this extent are closed, mm; `None`: none. Openings between exact faces stay, and that is noted.
     pub close_holes_mm: Option<f64>,
     /// Heights between which the airfoil lies, mm along the blade axis; `None`: found.
     pub airfoil_mm: Option<[f64; 2]>,

@@ -117,7 +117,15 @@ pub fn from_faces(
         part.brep = Some(brep);
     }
     let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
-    finish(path, unit, part, names, diagnosis, obstacle, options, observer)
+    let mut survey = finish(path, unit, part, names, diagnosis, obstacle, options, observer)?;
+    if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
+        survey.diagnosis.notes.push(
+            "openings between exact faces are not closed, close_holes_mm acts on meshes: an invented face would pass for the \
+             designer's; add the face in the CAD system, or export a mesh"
+                .into(),
+        );
+    }
+    Ok(survey)
 }
 
 /// Scales exact faces about the origin.

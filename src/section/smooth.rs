@@ -325,7 +325,7 @@ mod tests {
 
     #[test]
     fn planes_through_round_shapes_in_closed_form() {
-        for lean in [0.0, 0.35, 0.8] {
+        for lean in [0.0, 0.6] {
             let to = leaning(lean, -20.0);
             check(&part(cylinder(5.0, 40.0), &to), &to, -2.0, 1, |p| p.x.hypot(p.y) - 5.0);
             let to = leaning(0.4 * lean, -20.0);
