@@ -24,6 +24,9 @@ use crate::schedule::{self, ScheduleOptions};
 use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 
+pub mod compare;
+mod schedules;
+
 /// How often the helix is laid anew to end higher before the channel's error stands.
 const MOST_ENDS: usize = 12;
 
@@ -268,11 +271,17 @@ fn plan(
         return Ok(None);
     }
     let options = setup.schedule_options();
-    let (schedule, fixed) = clock.time(Stage::Schedule, || {
-        let fixed = schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer)?;
-        let used = schedule::plan(job.schedule.kind, &toolpath, &channel, &options, observer)?;
-        Ok((used, fixed))
-    })?;
+    let fixed =
+        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
+    // The least time needs the feed to be judged, so both come together.
+    let (schedule, motion) = match job.schedule.kind {
+        ScheduleKind::Time => clock.time(Stage::Schedule, || {
+            let (s, m) = schedules::least_time(setup, &toolpath, &channel, observer)?;
+            Ok((s, Some(m)))
+        })?,
+        kind => clock
+            .time(Stage::Schedule, || Ok((schedule::plan(kind, &toolpath, &channel, &options, observer)?, None)))?,
+    };
     if course.ends_at(Stage::Schedule) {
         folder.add_json("toolpath.json", &toolpath)?;
         folder.add_json("channel.json", &channel)?;
@@ -280,7 +289,10 @@ fn plan(
         return Ok(None);
     }
     let feed = |s: &Schedule| feed::plan(&toolpath, s, &setup.machine, &setup.feed_options(), observer);
-    let (motion, fixed_motion) = clock.time(Stage::Feed, || Ok((feed(&schedule)?, feed(&fixed)?)))?;
+    let (motion, fixed_motion) = clock.time(Stage::Feed, || {
+        let own = motion.map_or_else(|| feed(&schedule), Ok)?;
+        Ok((own, feed(&fixed)?))
+    })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
     Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
 }

@@ -14,6 +14,8 @@ pub enum ScheduleKind {
     Piecewise,
     /// The least peak, or least square, of the second or third derivative of θ(S) in the channel.
     Optimal,
+    /// The least machining time found, θ(S) and feed together.
+    Time,
     /// Along the lower wall of the channel: to try the channel, not to machine.
     LowerWall,
     /// Along the upper wall of the channel: to try the channel, not to machine.

@@ -37,6 +37,8 @@ pub enum Verb {
     Make(Make),
     /// Plan a blade-root program from a model or a job file, check it and write everything.
     Plan(Plan),
+    /// All schedules of a job side by side, over a sweep of machine limits: table, JSON, picture.
+    Compare(Compare),
     /// Check a finished run again, from its files.
     Verify(Again),
     /// Write the NC program of a finished run for a control.
@@ -182,6 +184,25 @@ pub struct Plan {
     /// Write programs even if the checks failed; their headers say so.
     #[arg(long)]
     pub force: bool,
+}
+
+/// `compare`.
+#[derive(Debug, clap::Args)]
+pub struct Compare {
+    /// The model (every option has a default), or a job file (TOML).
+    pub input: PathBuf,
+    /// Folder for compare.json, compare.csv and compare.svg.
+    #[arg(short, long, value_name = "OUT")]
+    pub out: PathBuf,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Change a key of the job, as in --set tool.radius_mm=4; may be given more than once.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// Limit velocity and acceleration only: quicker to compute.
+    #[arg(long)]
+    pub no_jerk: bool,
 }
 
 fn parse_stage(text: &str) -> Result<Stage, String> {

@@ -13,7 +13,7 @@ use crate::pipeline::{self, Course, Outcome};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
-    let draft = draft(args)?;
+    let draft = draft_of(&args.input, &args.reading, &args.set)?;
     let terminal = Terminal::new(quiet);
     let course = Course { until: args.until, force: args.force };
     let outcome = pipeline::run(&draft, &args.out, course, &terminal);
@@ -25,15 +25,15 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
 }
 
 /// The job as typed: a job file, or a model with defaults; then the flags.
-fn draft(args: &Plan) -> Result<Draft> {
-    let is_toml = args.input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    let is_job = is_toml && !model::table::is_header_file(&args.input);
-    let mut file = if is_job { job::load(&args.input)? } else { JobFile::from_model(&args.input) };
-    read_as(&mut file, &args.reading)?;
-    for assignment in &args.set {
+pub(super) fn draft_of(input: &Path, reading: &Reading, set: &[String]) -> Result<Draft> {
+    let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    let is_job = is_toml && !model::table::is_header_file(input);
+    let mut file = if is_job { job::load(input)? } else { JobFile::from_model(input) };
+    read_as(&mut file, reading)?;
+    for assignment in set {
         file.set(assignment)?;
     }
-    let base = if is_job { args.input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
+    let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
     job::resolve(file, base)
 }
 

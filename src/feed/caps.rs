@@ -8,14 +8,27 @@ use crate::tool;
 /// Slopes are taken over at least this many ball radii: contacts on facets jump.
 const SPAN: f64 = 0.05;
 
+/// No feed takes less along the path, whatever the schedule and the machine, s: every length at the greatest speed that the
+/// programmed feed and the contact allow.
+pub fn least_time(path: &Toolpath, options: &FeedOptions) -> f64 {
+    let no_chord = FeedOptions { chord_mm: f64::INFINITY, ..*options };
+    let still = vec![0.0; path.locations.len()];
+    let caps = caps(path, &still, &no_chord);
+    path.locations.windows(2).zip(caps).map(|(w, x)| (w[1].s_mm - w[0].s_mm) / x.sqrt()).sum()
+}
+
 /// Greatest ṡ² (mm²/s²) in each interval between locations.
 pub(super) fn of_path(path: &Toolpath, schedule: &Schedule, options: &FeedOptions) -> Vec<f64> {
+    caps(path, &schedule.theta, options)
+}
+
+fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     let l = &path.locations;
     let n = l.len();
     let feed = options.feed_mm_min / 60.0;
     let tips: Vec<Point> = l
         .iter()
-        .zip(&schedule.theta)
+        .zip(theta)
         .map(|(l, t)| tool::tip(&l.centre, &tool::axis(options.b_rad, *t), path.radius_mm))
         .collect();
     let (mut a, mut b) = (0, 0);

@@ -26,6 +26,9 @@ const FLOOR: f64 = 1e-10;
 /// Intervals of the grid at least.
 const LEAST_INTERVALS: usize = 24;
 
+/// Greater barriers that are tried where the solver loses its way.
+const RETRIES: [f64; 3] = [1.0, 1e2, 1e4];
+
 /// Limits of all axes: velocity, acceleration, jerk.
 pub(super) type Limits = [[f64; 3]; AXES];
 
@@ -76,9 +79,20 @@ pub(super) fn fastest(curve: &CubicSpline, limits: &Limits, feed: f64, cap: &[f6
         [v / rate, a / rate.powi(2), j / rate.powi(3)]
     });
     let (first, last) = (pieces.first()?, pieces.last()?);
-    let (up, down) = (ramp(first, &scaled, false), ramp(last, &scaled, true));
+    let (mut up, mut down) = (ramp(first, &scaled, false), ramp(last, &scaled, true));
     let inner = pieces.get(1..pieces.len() - 1)?;
-    let found = inner_profile(inner, &scaled, up.end(), down.end())?;
+    // A constant speed that keeps all limits.
+    let steady = inner.iter().map(|p| steady(p, &scaled)).fold(1.0, f64::min) * 0.5;
+    let mut found = inner_profile(inner, &scaled, [up.end(), down.end()], steady, 1.0);
+    for barrier in RETRIES {
+        if found.is_none() {
+            // From a start that keeps all limits, ends included, and from farther inside.
+            let x = steady.min(up.end()).min(down.end());
+            (up, down) = (Ramp::to(first.h, x), Ramp::to(last.h, x));
+            found = inner_profile(inner, &scaled, [x, x], x, barrier);
+        }
+    }
+    let found = found?;
     let mut out = assemble(&grid, inner, &found, up, down, units);
     slow_down(&mut out, &pieces, &scaled, units);
     Some(out)
@@ -136,6 +150,11 @@ impl Ramp {
     /// The ramp of a jerk over a length: `length = jerk half³`.
     fn over(length: f64, jerk: f64) -> Ramp {
         Ramp { jerk, half: (length / jerk).cbrt() }
+    }
+
+    /// The ramp over a length to a speed squared.
+    fn to(length: f64, x: f64) -> Ramp {
+        Ramp::over(length, x.powf(1.5) / (length * length))
     }
 
     /// Length, speed, acceleration and jerk at a time.
@@ -279,14 +298,15 @@ impl Model<2, 3> for Profile<'_> {
         stage.gradient[0] = first - second * v[0];
         let Some(p) = here else { return };
         let bernstein = of_x(p.h);
-        let at = (v[0] + p.h * v[1]).max(0.2 * v[0]).max(FLOOR);
+        let at = bernstein.map(|g| (g[0] * v[0] + g[1] * v[1] + g[2] * v[2]).max(FLOOR));
         let mut row = stage.rows.len() - 6 * self.active[i].iter().filter(|a| **a).count();
-        let f = at.sqrt();
+        let root = at.map(f64::sqrt);
         let count = self.active[i].iter().filter(|a| **a).count();
         for bracket in self.brackets.iter().skip(self.first[i]).take(count) {
-            for (g, x) in bracket.iter().zip(&bernstein) {
-                for sign in [f, -f] {
-                    let row_g = std::array::from_fn(|c| sign * g[c] + 0.5 / at * x[c]);
+            for b in 0..3 {
+                let (g, x) = (&bracket[b], &bernstein[b]);
+                for sign in [root[b], -root[b]] {
+                    let row_g = std::array::from_fn(|c| sign * g[c] + 0.5 / at[b] * x[c]);
                     if let Some(r) = stage.rows.get_mut(row) {
                         *r = Row { g: row_g, most: 1.5 };
                     }
@@ -325,7 +345,13 @@ fn decisive(p: &Piece, limits: &Limits) -> [bool; AXES] {
 }
 
 /// The fastest profile between given speeds² at constant speed on either side.
-fn inner_profile(pieces: &[Piece], limits: &Limits, from: f64, to: f64) -> Option<(Vec<[f64; 3]>, usize)> {
+fn inner_profile(
+    pieces: &[Piece],
+    limits: &Limits,
+    ends: [f64; 2],
+    start: f64,
+    barrier: f64,
+) -> Option<(Vec<[f64; 3]>, usize)> {
     let whole = pieces.iter().map(|p| p.h).sum();
     let active: Vec<[bool; AXES]> = pieces.iter().map(|p| decisive(p, limits)).collect();
     let brackets = pieces
@@ -342,7 +368,7 @@ fn inner_profile(pieces: &[Piece], limits: &Limits, from: f64, to: f64) -> Optio
     let model = Profile { pieces, limits, active, brackets, first, whole };
     let n = pieces.len();
     let mut stages: Vec<Stage<2, 3>> = (0..=n).map(|i| model.stage(i)).collect();
-    for (i, x) in [(0, from), (n, to)] {
+    for (i, x) in [(0, ends[0]), (n, ends[1])] {
         for (k, value) in [(0, x), (1, 0.0)] {
             let mut g = [0.0; 3];
             g[k] = 1.0;
@@ -352,18 +378,16 @@ fn inner_profile(pieces: &[Piece], limits: &Limits, from: f64, to: f64) -> Optio
         }
     }
     let count: usize = stages.iter().map(|s| s.rows.len()).sum();
-    // A constant speed that keeps all limits.
-    let start = pieces.iter().map(|p| steady(p, limits)).fold(1.0, f64::min) * 0.5;
     let options = Options {
         tolerance: 5e-5 / count as f64,
         excess: 2e-4,
         slack: 0.05,
-        barrier: 1.0 / count as f64,
+        barrier: barrier / count as f64,
         iterations: 120,
         ..Options::default()
     };
     let found = stages::solve(&mut stages, &vec![[start, 0.0, 0.0]; n + 1], &model, &options)?;
-    (found.excess < 1e-3).then_some((found.v, found.iterations))
+    (found.excess < 1e-3 && found.complementarity * (count as f64) < 1e-3).then_some((found.v, found.iterations))
 }
 
 /// Greatest constant speed squared over a piece.

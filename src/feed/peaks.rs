@@ -5,7 +5,7 @@ use crate::artifact::{Schedule, Toolpath};
 use crate::error::Result;
 use crate::machine::Machine;
 
-/// Greatest absolute velocity and acceleration of each axis, in the order of [`crate::artifact::axis_motion::AXES`];
+/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`crate::artifact::axis_motion::AXES`];
 /// mm or rad, and s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisPeaks {
@@ -13,9 +13,11 @@ pub struct AxisPeaks {
     pub velocity: [f64; 5],
     /// Accelerations, mm/s² or rad/s².
     pub acceleration: [f64; 5],
+    /// Jerks, mm/s³ or rad/s³.
+    pub jerk: [f64; 5],
 }
 
-/// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F` and `q'' F²`.
+/// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F`, `q'' F²` and `q''' F³`.
 ///
 /// # Errors
 /// As [`super::plan`].
@@ -29,6 +31,8 @@ pub fn peaks(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &
         for (k, [_, q1, q2]) in super::at(&curve, interval, s[i] - s[interval]).into_iter().enumerate() {
             out.velocity[k] = out.velocity[k].max((q1 * feed).abs());
             out.acceleration[k] = out.acceleration[k].max((q2 * feed * feed).abs());
+            let third = curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);
+            out.jerk[k] = out.jerk[k].max((third * feed * feed * feed).abs());
         }
     }
     Ok(out)

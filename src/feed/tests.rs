@@ -239,3 +239,96 @@ proptest! {
         assert_within_limits(&p, &s, &machine, &options(feed));
     }
 }
+
+/// Divided differences of the written positions: averages of the derivative, so none may exceed its limit. As anybody would
+/// take them from `axes.csv`.
+fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
+    let limits = machine.limits();
+    for k in 0..5 {
+        let mut values: Vec<f64> = m.position.iter().map(|q| q[k]).collect();
+        for (order, most) in [limits[k].velocity, limits[k].acceleration, limits[k].jerk].into_iter().enumerate() {
+            let span = order + 1;
+            values = (0..values.len() - 1)
+                .map(|i| span as f64 * (values[i + 1] - values[i]) / (m.t_s[i + span] - m.t_s[i]))
+                .collect();
+            for (i, v) in values.iter().enumerate() {
+                // Positions of some hundred mm are known to 1e-13.
+                let step = (m.t_s[i + span] - m.t_s[i]) / span as f64;
+                let rounding = 1e-11 / step.powi(span as i32);
+                assert!(v.abs() <= most * 1.001 + rounding, "axis {k}, derivative {span} at {i}: {v} {most}");
+            }
+        }
+    }
+}
+
+#[test]
+fn within_jerk_a_straight_line_takes_the_time_of_its_s_curve() {
+    let machine = Machine::demo().unwrap();
+    let (length, feed, jerk) = (100.0, 100.0, machine.axes.x.jerk_mm_s3);
+    let points: Vec<_> = (0..=800)
+        .map(|i| (length * f64::from(i) / 800.0, Point::new(length * f64::from(i) / 800.0, 5.0, 7.0), 1.0))
+        .collect();
+    let (p, s) = path(&points);
+    let o = FeedOptions { limit_jerk: true, ..options(feed * 60.0) };
+    let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
+    // Up to speed in 2 √(v/j) without reaching the acceleration's limit; at half speed on average.
+    let want = length / feed + 2.0 * (feed / jerk).sqrt();
+    // Each end costs some hundredths of a second, since its first interval ends at constant speed.
+    assert!(m.time_s >= want * (1.0 - 1e-4) && m.time_s < want + 0.04, "{} {want}", m.time_s);
+    assert_differences_within_limits(&m, &machine);
+}
+
+#[test]
+fn within_jerk_acceleration_is_continuous_and_time_hardly_more() {
+    let (p, s) = path(&wavy(1500, 0.1, 2.0));
+    let machine = Machine::demo().unwrap();
+    let fast = plan(&p, &s, &machine, &options(3000.0), &Silent).unwrap();
+    let m = plan(&p, &s, &machine, &FeedOptions { limit_jerk: true, ..options(3000.0) }, &Silent).unwrap();
+    assert!(m.time_s > 0.998 * fast.time_s && m.time_s < 1.1 * fast.time_s, "{} {}", m.time_s, fast.time_s);
+    assert_differences_within_limits(&m, &machine);
+    let limits = machine.limits();
+    for i in 1..m.t_s.len() {
+        let dt = m.t_s[i] - m.t_s[i - 1];
+        for k in 0..5 {
+            let jump = (m.acceleration[i][k] - m.acceleration[i - 1][k]).abs();
+            assert!(jump <= limits[k].jerk * dt * 1.001 + 1e-9, "{i} {k}");
+        }
+    }
+}
+
+#[test]
+fn the_contact_point_is_not_to_outrun_the_feed() {
+    // Inside a circle of radius 3 with a ball of radius 1, the contact runs 1.5 times as fast as the centre.
+    let points: Vec<_> = (0..=600)
+        .map(|i| {
+            let f = TAU * f64::from(i) / 300.0;
+            (2.0 * f, Point::new(2.0 * f.cos(), 2.0 * f.sin(), 0.0), FRAC_PI_2)
+        })
+        .collect();
+    let (mut p, s) = path(&points);
+    for l in &mut p.locations {
+        l.contact = Point::from(l.centre.coords * 1.5);
+    }
+    let o = options(600.0);
+    let m = plan(&p, &s, &Machine::demo().unwrap(), &o, &Silent).unwrap();
+    assert!((m.feed[300] - 10.0 / 1.5).abs() < 1e-2, "{}", m.feed[300]);
+    let free = FeedOptions { limit_contact: false, ..o };
+    assert!((plan(&p, &s, &Machine::demo().unwrap(), &free, &Silent).unwrap().feed[300] - 10.0).abs() < 1e-6);
+    // The tip's chord over one period: v² T² / 8 r.
+    let chord = FeedOptions { chord_mm: 1e-5, ..free };
+    let slow = plan(&p, &s, &Machine::demo().unwrap(), &chord, &Silent).unwrap();
+    let want = (8.0 * 1e-5 * 2.0f64).sqrt() / chord.period_s;
+    assert!((slow.feed[300] / want.min(10.0) - 1.0).abs() < 0.02, "{} {want}", slow.feed[300]);
+    assert!(least_time(&p, &o) <= m.time_s && least_time(&p, &o) > 0.99 * m.time_s);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+    #[test]
+    fn no_difference_of_the_motion_exceeds_a_limit(step in 0.05..1.0f64, wave in 0.0..3.0f64, feed in 300.0..8000.0f64, scale in 0.25..4.0f64) {
+        let (p, s) = path(&wavy(250, step, wave));
+        let machine = Machine::demo().unwrap().with_limits_scaled(scale);
+        let o = FeedOptions { limit_jerk: true, ..options(feed) };
+        assert_differences_within_limits(&plan(&p, &s, &machine, &o, &Silent).unwrap(), &machine);
+    }
+}

@@ -11,6 +11,8 @@
 //!   published against; may leave the channel or turn back, like `fixed` (`quaternion` module).
 //! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
 //!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
+//! * `time`: one candidate for the least machining time: the least mean over short blocks of the factor by which the rotary axis
+//!   would have to run slower than at full feed ([`Pace`]). Whoever knows the machine compares it with the others.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
 //!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
@@ -65,7 +67,7 @@ use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 
-pub use options::ScheduleOptions;
+pub use options::{Pace, ScheduleOptions};
 
 /// Makes a schedule of the kind asked for; see the module's page.
 ///
@@ -98,7 +100,7 @@ pub fn plan(
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
         ScheduleKind::Quaternion => quaternion::plan(path, channel, options, observer),
-        ScheduleKind::Optimal => optimal::plan(path, channel, options, observer),
+        ScheduleKind::Optimal | ScheduleKind::Time => optimal::plan(kind, path, channel, options, observer),
         ScheduleKind::Piecewise => piecewise::plan(path, channel, options, observer),
         ScheduleKind::LowerWall | ScheduleKind::UpperWall => wall::plan(kind, path, channel, options, observer),
     }

@@ -12,7 +12,7 @@
 
 use super::bound;
 use super::corridor::Corridor;
-use super::{ScheduleOptions, bezier, check, curve, piecewise};
+use super::{Pace, ScheduleOptions, bezier, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind};
 use crate::artifact::{Channel, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage as Room};
@@ -28,12 +28,15 @@ const SPARE: f64 = 1e-3;
 const ROUND: f64 = 3e-3;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
+/// Blocks of a turn with a factor of their own, for the least time.
+const BLOCKS: f64 = 48.0;
 /// Intervals at least, and at most where locations are too far apart.
 const FEWEST: usize = 200;
 const MOST: usize = 300_000;
 
 /// See the module's page.
 pub(super) fn plan(
+    kind: ScheduleKind,
     path: &Toolpath,
     channel: &Channel,
     options: &ScheduleOptions,
@@ -44,23 +47,34 @@ pub(super) fn plan(
     let margin = options.margin_deg.to_radians();
     let walls = hull.shrunk(margin, 0.25);
     piecewise::warn_of_margin(&hull, margin, path, observer);
+    let pace = match (kind, options.pace) {
+        (ScheduleKind::Time, None) => {
+            let message = "a schedule of kind time needs the machine's limits: options.pace is missing";
+            return Err(Error::usage(Room::Schedule, message));
+        }
+        (ScheduleKind::Time, pace) => pace,
+        _ => None,
+    };
     let (pieces, proof) = match walls.straight() {
         Some([p, q]) => (vec![bezier::straight(p, q)], None),
         None => {
-            let found = refining(path, &walls, options.measure, observer)?;
+            let found = refining(path, &walls, options.measure, pace, observer)?;
             (curve::hermite(&found.walls.s, &found.theta, &found.slope), Some(found))
         }
     };
     observer.progress(Room::Schedule, 1, 1);
     let theta = bezier::sample(&pieces, hull.s.iter().copied());
     check::inside(&pieces, &theta, &hull, path)?;
-    let mut out = curve::schedule(ScheduleKind::Optimal, pieces, theta, &hull);
+    let mut out = curve::schedule(kind, pieces, theta, &hull);
     let prove = |measure, whole: bool| {
         proof.as_ref().map_or(0.0, |f| {
             let walls = if whole { hull.at_all(&f.walls.s) } else { f.walls.clone() };
             f.weights.iter().map(|y| either_sign(measure, &walls, y)).fold(0.0, f64::max)
         })
     };
+    if kind == ScheduleKind::Time {
+        return Ok(out);
+    }
     let value = match options.measure {
         Measure::PeakSecond => out.peak_acceleration,
         Measure::PeakThird => out.quality.peak_third.unwrap_or(0.0),
@@ -141,6 +155,8 @@ enum Goal {
     Turns { third: bool, cap: f64, borders: Vec<bool> },
     /// The integral of the square.
     Square { third: bool },
+    /// The mean over blocks of the factor γ ≥ 1 by which θ' and θ'' exceed these (rad/mm, rad/mm²).
+    Pace { pace: [f64; 2], borders: Vec<bool> },
 }
 
 /// Every so many samples of the walls that about `most` are left, with the first and the last.
@@ -167,14 +183,20 @@ fn refined(walls: &Corridor, parts: usize) -> Corridor {
 
 /// The least over the whole path, with joints at the locations; where they are too far apart to bend between walls that bend, with joints
 /// between.
-fn refining(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Observer) -> Result<Found> {
+fn refining(
+    path: &Toolpath,
+    walls: &Corridor,
+    measure: Measure,
+    pace: Option<Pace>,
+    observer: &dyn Observer,
+) -> Result<Found> {
     let n = walls.s.len().saturating_sub(1).max(1);
     let mut parts = FEWEST.div_ceil(n);
     loop {
         let found = if parts == 1 {
-            solve(path, walls, measure, observer)
+            solve(path, walls, measure, pace, observer)
         } else {
-            solve(path, &refined(walls, parts), measure, observer)
+            solve(path, &refined(walls, parts), measure, pace, observer)
         };
         parts *= 4;
         match found {
@@ -185,7 +207,13 @@ fn refining(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn 
 }
 
 /// The least over the whole path.
-fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Observer) -> Result<Found> {
+fn solve(
+    path: &Toolpath,
+    walls: &Corridor,
+    measure: Measure,
+    pace: Option<Pace>,
+    observer: &dyn Observer,
+) -> Result<Found> {
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
         Error::infeasible(Room::Schedule, "the channel leaves no room for a smooth schedule that never turns back")
@@ -204,6 +232,11 @@ fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, observer: &dyn Obs
     }
     observer.check(Room::Schedule)?;
     let (last, weights) = match measure {
+        _ if pace.is_some() => {
+            let pace = pace.map_or([0.0; 2], |p| [p.rate, p.second]);
+            let found = round(walls, &scale, &Goal::Pace { pace, borders: blocks(walls, &scale) }, 1e-4);
+            (found.ok_or_else(stuck)?, Vec::new())
+        }
         Measure::PeakSecond | Measure::PeakThird => {
             let first = round(walls, &scale, &Goal::Peak { third }, 1e-5).ok_or_else(stuck)?;
             observer.check(Room::Schedule)?;
@@ -260,6 +293,12 @@ fn borders(path: &Toolpath, walls: &Corridor) -> Vec<bool> {
     walls.s.windows(2).map(|w| begins(w)).collect()
 }
 
+/// Borders of blocks of equal length, about [`BLOCKS`] to a turn.
+fn blocks(walls: &Corridor, scale: &Scale) -> Vec<bool> {
+    let block = |s: f64| ((s - walls.s[0]) / scale.length * BLOCKS).floor();
+    walls.s.windows(2).map(|w| block(w[0]) != block(w[1])).collect()
+}
+
 /// One run of the solver. `None` where the rows cannot be met.
 fn round(walls: &Corridor, scale: &Scale, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
     let n = walls.s.len();
@@ -313,9 +352,16 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> 
     let (third, square) = match goal {
         Goal::Peak { third } | Goal::Turns { third, .. } => (*third, 0.0),
         Goal::Square { third } => (*third, 1.0),
+        Goal::Pace { .. } => (false, 0.0),
     };
     let whole = (walls.s[walls.s.len() - 1] - walls.s[0]) / scale.length;
-    if !matches!(goal, Goal::Square { .. }) {
+    if let Goal::Pace { pace, .. } = goal {
+        let [rate, second] = [1.0 / (scale.length * pace[0]), u / (scale.length.powi(2) * pace[1])];
+        out.rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace[0] });
+        out.rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
+        out.rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
+        out.rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 });
+    } else if !matches!(goal, Goal::Square { .. }) {
         for sign in [1.0, -1.0] {
             let mut g = [0.0; V];
             (g[3], g[2]) = (-1.0, sign);
@@ -330,6 +376,13 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> 
     }
     match goal {
         Goal::Peak { .. } => out.gradient[3] = h / whole,
+        Goal::Pace { borders, .. } => {
+            out.gradient[3] = h / whole;
+            if borders.get(i).is_some_and(|b| *b) {
+                out.dynamics[3][5] = 1.0;
+                out.hessian[5][5] = 0.0;
+            }
+        }
         Goal::Turns { cap, borders, .. } => {
             out.gradient[3] = h / whole;
             out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
@@ -340,7 +393,7 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> 
         }
         Goal::Square { .. } => {}
     }
-    let weight = if matches!(goal, Goal::Turns { .. }) { ROUND } else { square } * h / whole;
+    let weight = if matches!(goal, Goal::Turns { .. } | Goal::Pace { .. }) { ROUND } else { square } * h / whole;
     if third {
         out.hessian[4][4] += if last { 0.0 } else { 2.0 * weight / (h * scale.third).powi(2) };
     } else {

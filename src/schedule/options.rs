@@ -25,6 +25,18 @@ pub struct ScheduleOptions {
     pub level_stretch_mm: Option<f64>,
     /// What an `optimal` schedule makes least.
     pub measure: Measure,
+    /// For kind `time`: what the rotary axis can follow at the programmed feed.
+    #[serde(skip)]
+    pub pace: Option<Pace>,
+}
+
+/// What the rotary axis can follow at full feed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Greatest velocity over the feed, rad/mm.
+    pub rate: f64,
+    /// Greatest acceleration over the square of the feed, rad/mm².
+    pub second: f64,
 }
 
 impl Default for ScheduleOptions {
@@ -35,6 +47,7 @@ impl Default for ScheduleOptions {
             beyond_wall_deg: 0.0,
             level_stretch_mm: None,
             measure: Measure::default(),
+            pace: None,
         }
     }
 }

@@ -1,0 +1,67 @@
+//! `compare`: all schedules of a job side by side.
+
+use super::args::Compare;
+use super::out::sayln;
+use super::plan::draft_of;
+use super::progress::Terminal;
+use crate::error::Result;
+use crate::pipeline::compare::{Comparison, compare};
+
+/// Runs the verb; the exit code.
+pub fn run(args: &Compare, quiet: bool) -> Result<u8> {
+    let draft = draft_of(&args.input, &args.reading, &args.set)?;
+    let terminal = Terminal::new(quiet);
+    let found = compare(&draft, &args.out, !args.no_jerk, &terminal);
+    terminal.finish();
+    let (found, files) = found?;
+    print(&found);
+    sayln!();
+    for file in files {
+        sayln!("{}", file.display());
+    }
+    Ok(0)
+}
+
+fn print(c: &Comparison) {
+    let jerk = if c.limit_jerk { "velocity, acceleration and jerk" } else { "velocity and acceleration" };
+    sayln!("{}: {} locations, {:.1} mm, feed {} mm/min", c.name, c.cutter_locations, c.path_length_mm, c.feed_mm_min);
+    sayln!("\nat the same constant feed:");
+    sayln!(
+        "  {:<22} {:>9} {:>9} {:>11} {:>13} {:>9} {:>10} {:>9} {:>9}",
+        "",
+        "reversals",
+        "outside °",
+        "A °/s",
+        "A °/s²",
+        "Y mm/s",
+        "Y mm/s²",
+        "Z mm/s",
+        "Z mm/s²"
+    );
+    for s in &c.schedules {
+        let [_, y, z, a, ..] = &s.at_constant_feed[..] else { continue };
+        sayln!(
+            "  {:<22} {:>9} {:>9.3} {:>11.2} {:>13.2} {:>9.2} {:>10.1} {:>9.2} {:>9.1}",
+            s.name,
+            s.reversals,
+            s.outside_deg,
+            a.velocity,
+            a.acceleration,
+            y.velocity,
+            y.acceleration,
+            z.velocity,
+            z.acceleration
+        );
+    }
+    sayln!("\nmachining time in s at its own best feed ({jerk} limited), for multiples of the machine's limits:");
+    let heads: String = c.sweep.iter().map(|l| format!("{:>12}", format!("x{}", l.scale))).collect();
+    sayln!("  {:<22}{heads}", "");
+    let Some(first) = c.sweep.first() else { return };
+    for (k, r) in first.runs.iter().enumerate() {
+        let times: String =
+            c.sweep.iter().filter_map(|l| l.runs.get(k)).map(|r| format!("{:>12.2}", r.time_s)).collect();
+        sayln!("  {:<22}{times}", r.name);
+    }
+    let bounds: String = c.sweep.iter().map(|l| format!("{:>12.2}", l.bound_s)).collect();
+    sayln!("  {:<22}{bounds}", "lower bound");
+}

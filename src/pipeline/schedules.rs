@@ -1,0 +1,72 @@
+//! Schedules that need the feed to be judged.
+
+use super::Setup;
+use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::{AxisMotion, Channel, Schedule, Toolpath};
+use crate::error::Result;
+use crate::feed::{self, FeedOptions};
+use crate::machine::Machine;
+use crate::observe::{Observer, Silent};
+use crate::schedule::{self, Pace, ScheduleOptions};
+
+/// The rotary axis' place in [`crate::artifact::axis_motion::AXES`].
+const A: usize = 3;
+
+/// The fastest of all schedules that are planned for the machine, and its motion: the schedule for the least time by the rotary axis
+/// alone, the optimal ones and the others. Candidates that turn back or leave the channel do not take part.
+pub(super) fn least_time(
+    setup: &Setup,
+    path: &Toolpath,
+    channel: &Channel,
+    observer: &dyn Observer,
+) -> Result<(Schedule, AxisMotion)> {
+    let (options, feed) = (setup.schedule_options(), setup.feed_options());
+    // Warnings of candidates that are not used would mislead.
+    let first = paced(&setup.machine, &feed, path, channel, &options)?;
+    let mut best = (feed::plan(path, &first, &setup.machine, &feed, observer)?, first);
+    for other in rivals(path, channel, &options) {
+        observer.check(crate::Stage::Schedule)?;
+        let motion = feed::plan(path, &other, &setup.machine, &feed, &Silent)?;
+        if motion.time_s < best.0.time_s {
+            best = (motion, other);
+        }
+    }
+    let (motion, mut schedule) = best;
+    schedule.kind = ScheduleKind::Time;
+    Ok((schedule, motion))
+}
+
+/// The schedule for the least time by the rotary axis alone.
+pub(super) fn paced(
+    machine: &Machine,
+    feed: &FeedOptions,
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+) -> Result<Schedule> {
+    let (limits, f) = (machine.limits()[A], feed.feed_mm_min / 60.0);
+    let pace = Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f) };
+    schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace: Some(pace), ..*options }, &Silent)
+}
+
+/// Schedules that may be faster on some machine. One that cannot be made is left out.
+fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
+    let optimal = |measure| (ScheduleKind::Optimal, ScheduleOptions { measure, ..*options });
+    let kinds = [
+        optimal(options.measure),
+        optimal(Measure::SquareSecond),
+        (ScheduleKind::Piecewise, *options),
+        (ScheduleKind::Quaternion, *options),
+        (ScheduleKind::Fixed, *options),
+    ];
+    kinds
+        .iter()
+        .filter_map(|(kind, options)| schedule::plan(*kind, path, channel, options, &Silent).ok())
+        .filter(|s| machinable(s, channel))
+        .collect()
+}
+
+/// Never turns back and stays in the channel.
+pub(super) fn machinable(schedule: &Schedule, channel: &Channel) -> bool {
+    schedule.reversals == 0 && schedule.quality.outside_rad <= channel.tolerance_rad
+}
