@@ -25,6 +25,44 @@ pub struct Check {
     pub note: String,
 }
 
+/// What a limit was computed from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LimitSource {
+    /// The true curvature of the exact faces.
+    Curvature,
+    /// The measured ridges, where the part is a mesh.
+    #[default]
+    Ridges,
+}
+
+/// The inner turns of a path (all but the first and the last) beside the least length that their area needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct LimitFigures {
+    /// Area that the inner turns machine, mm².
+    pub area_mm2: f64,
+    /// Length of the inner turns along their contacts, mm.
+    pub path_length_mm: f64,
+    /// `∬ dA / d(h, ρ)` over that area: no path of this scallop is shorter, mm.
+    pub limit_length_mm: f64,
+    /// Length over limit.
+    pub ratio: f64,
+    /// What the limit was computed from.
+    pub source: LimitSource,
+    /// The same ratio from the measured ridges: a second opinion.
+    pub ratio_by_ridges: f64,
+    /// Ridges between the inner turns, each counting by the area that it stands on, mm: 5th percentile.
+    pub ridge_p05_mm: f64,
+    /// Median, mm.
+    pub ridge_p50_mm: f64,
+    /// 95th percentile, mm.
+    pub ridge_p95_mm: f64,
+    /// 99th percentile, mm.
+    pub ridge_p99_mm: f64,
+    /// Greatest, mm.
+    pub ridge_max_mm: f64,
+}
+
 /// All checks of a run.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CheckReport {
@@ -42,7 +80,7 @@ pub struct CheckReport {
     pub scallop_p05_mm: f64,
     /// Number of surface points in the machined band that the scallop was measured at.
     pub scallop_samples: usize,
-    /// Heights of the ridges between neighbouring turns, mm: greatest, 99th, 50th, 5th percentile.
+    /// Heights of the ridges between neighbouring turns, each counting by the area that it stands on, mm: greatest.
     pub ridge_max_mm: f64,
     /// 99th percentile, mm.
     pub ridge_p99_mm: f64,
@@ -50,6 +88,8 @@ pub struct CheckReport {
     pub ridge_p50_mm: f64,
     /// 5th percentile, mm.
     pub ridge_p05_mm: f64,
+    /// Length of the inner turns beside the limit, and the ridges between them.
+    pub limit: LimitFigures,
     /// Samples of the machined band that no ball of this radius can reach: inner corners that stay uncut.
     pub uncut_samples: usize,
     /// Deepest gouge, mm.

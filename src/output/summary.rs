@@ -1,6 +1,7 @@
 //! `summary.json`: the figures of a run.
 
 use crate::artifact::axis_motion::{AXES, AxisMotion};
+use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule};
 
@@ -71,6 +72,8 @@ pub struct Summary {
     pub scallop_p50_mm: f64,
     /// 5th percentile, mm.
     pub scallop_p05_mm: f64,
+    /// Length of the inner turns along their contacts beside the least that their area needs, with the ridges between them.
+    pub limit: LimitFigures,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance of taper, shank and holder, mm.
@@ -148,6 +151,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         scallop_p95_mm: report.scallop_p95_mm,
         scallop_p50_mm: report.scallop_p50_mm,
         scallop_p05_mm: report.scallop_p05_mm,
+        limit: report.limit,
         gouge_mm: report.gouge_mm,
         clearance_mm: report.clearance_mm,
         channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),

@@ -22,8 +22,10 @@
 
 mod clearance;
 mod gouge;
+mod limit;
 mod limits;
 mod options;
+mod ridge;
 mod samples;
 mod scallop;
 mod schedule;
@@ -33,6 +35,7 @@ mod sweep;
 mod tests;
 mod verdict;
 
+pub use limit::limit;
 pub use options::VerifyOptions;
 pub use verdict::{Rejected, Verdict, Verified};
 

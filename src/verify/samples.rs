@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::sweep::Sweep;
-use crate::geometry::part::Part;
+use crate::geometry::part::{Closest, Part};
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
 
@@ -14,6 +14,16 @@ pub(super) struct Sample {
     pub point: Point,
     /// Outward unit normal.
     pub normal: Vector,
+    /// The place on the exact face, where the part has them.
+    pub on_face: Option<Closest>,
+}
+
+/// Points of the surface that stand for equal areas.
+pub(super) struct Samples {
+    /// The points.
+    pub points: Vec<Sample>,
+    /// Area that each of them stands for, mm².
+    pub area_mm2: f64,
 }
 
 /// A piece of a mesh triangle.
@@ -50,14 +60,14 @@ impl Piece {
 /// About `count` points, evenly by area over the pieces of the part whose ball centres could lie within `reach_mm` of
 /// the path. Deterministic: a low-discrepancy sequence (Roberts' R2, 2018) runs over all pieces in order. Where
 /// the part is NURBS, each point is moved to the exact surface, with the exact normal there.
-pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize) -> Vec<Sample> {
+pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
     let pieces: Vec<Piece> = (0..part.mesh.triangles.len())
         .into_par_iter()
         .flat_map_iter(|t| pieces_near(part, sweep, reach_mm, t))
         .collect();
     let area: f64 = pieces.iter().map(Piece::area).sum();
     if !(area > 0.0) || count == 0 {
-        return Vec::new();
+        return Samples { points: Vec::new(), area_mm2: 0.0 };
     }
     let spacing = area / count as f64;
     let mut raw = Vec::with_capacity(count);
@@ -76,7 +86,8 @@ pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize)
             next += spacing;
         }
     }
-    raw.into_par_iter().filter_map(|(t, p)| on_surface(part, t, p)).collect()
+    let points = raw.into_par_iter().filter_map(|(t, p)| on_surface(part, t, p)).collect();
+    Samples { points, area_mm2: spacing }
 }
 
 /// The pieces of a triangle that lie near the path, none much larger than `reach_mm`.
@@ -98,8 +109,8 @@ fn pieces_near(part: &Part, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Ve
 
 fn on_surface(part: &Part, triangle: usize, p: Point) -> Option<Sample> {
     if part.brep.is_none() {
-        return Some(Sample { point: p, normal: part.mesh.normal(triangle) });
+        return Some(Sample { point: p, normal: part.mesh.normal(triangle), on_face: None });
     }
     let exact = part.closest(&p, 4.0 * part.deflection_mm + 1e-6)?;
-    Some(Sample { point: exact.point, normal: exact.normal })
+    Some(Sample { point: exact.point, normal: exact.normal, on_face: Some(exact) })
 }

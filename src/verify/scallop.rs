@@ -7,22 +7,19 @@
 //!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
 //!   valley) no ball of this radius can reach `p`: what it must be lifted by is uncut for good, whatever the stepover,
 //!   and taken off the height; gouges are judged on heights as measured.
-//! * **Ridges**: two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius
-//!   `sqrt(R² − d²/4)` about their middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to
-//!   the part; its distance from the part is the cusp's height.
+//! * **Ridges** ([`super::ridge`]), each counting by the area that it stands on.
 
 use rayon::prelude::*;
 
+use super::limit;
 use super::options::VerifyOptions;
+use super::ridge;
 use super::samples;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
-
-/// Ridges are measured at most at so many places.
-const MOST_RIDGES: usize = 6000;
 
 /// A height and where it was measured.
 #[derive(Clone, Copy, Debug)]
@@ -33,17 +30,27 @@ pub(super) struct Height {
     pub point: Point,
     /// Row of the path.
     pub row: usize,
+    /// Area that it stands for, in any unit.
+    pub weight: f64,
 }
 
-/// Percentile `q` (0 to 1) of sorted heights, interpolated linearly; 0 of none.
+/// Percentile `q` (0 to 1) by area of sorted heights, interpolated linearly between the middles of their areas; 0 of none.
 pub(super) fn percentile(sorted: &[Height], q: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else { return 0.0 };
-    let at = q * last as f64;
-    let (lo, hi) = (sorted[at.floor() as usize].height_mm, sorted[(at.ceil() as usize).min(last)].height_mm);
-    lo + (hi - lo) * at.fract()
+    let (Some(first), Some(last)) = (sorted.first(), sorted.last()) else { return 0.0 };
+    let total: f64 = sorted.iter().map(|h| h.weight).sum();
+    let at = 0.5 * first.weight + q * (total - 0.5 * (first.weight + last.weight));
+    let mut middle = 0.5 * first.weight;
+    for pair in sorted.windows(2) {
+        let next = middle + 0.5 * (pair[0].weight + pair[1].weight);
+        if next >= at && next > middle {
+            return pair[0].height_mm + (pair[1].height_mm - pair[0].height_mm) * (at - middle) / (next - middle);
+        }
+        middle = next;
+    }
+    last.height_mm
 }
 
-fn sort(mut heights: Vec<Height>) -> Vec<Height> {
+pub(super) fn sort(mut heights: Vec<Height>) -> Vec<Height> {
     heights.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.row.cmp(&b.row)));
     heights
 }
@@ -55,7 +62,7 @@ fn flat_stepover(radius: f64, scallop: f64) -> f64 {
 
 /// How far a ball that touches the part at `p` must be lifted along `n` until it cuts in nowhere by more than `slack_mm`:
 /// 0 where it may touch. What it leaves under itself then, mm, is no fault of the stepover.
-fn lift(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
+pub(super) fn lift(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
     let mut up = 0.0;
     // A distance changes no faster than its point moves, so each step is safe; in a corner the steps grow geometrically few.
     for _ in 0..60 {
@@ -69,9 +76,9 @@ fn lift(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f6
 
 /// How much a ball may cut in elsewhere and still count as touching, as a share of the scallop: rounding and exactness of
 /// the distance only.
-const REACH_SLACK: f64 = 0.02;
+pub(super) const REACH_SLACK: f64 = 0.02;
 /// A place counts as uncut where the ball must be lifted by this share of the scallop.
-const UNCUT: f64 = 0.5;
+pub(super) const UNCUT: f64 = 0.5;
 
 /// What was measured over the machined band.
 pub(super) struct Band {
@@ -120,72 +127,21 @@ pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize)
         }
         let height_mm = sweep.entry(&s.point, &s.normal, reach)?;
         let up = lift(part, &s.point, &s.normal, sweep.radius_mm, REACH_SLACK * scallop_mm);
-        Some((Height { height_mm, point: s.point, row }, up))
+        Some((Height { height_mm, point: s.point, row, weight: 1.0 }, up))
     };
     let all = samples::near_path(part, sweep, reach, count);
-    let measured: Vec<(Height, f64)> = all.into_par_iter().filter_map(height).collect();
+    let measured: Vec<(Height, f64)> = all.points.into_par_iter().filter_map(height).collect();
     let uncut = measured.iter().filter(|(_, up)| *up > UNCUT * scallop_mm).count();
     let lowest = sort(measured.iter().map(|(h, _)| *h).collect()).first().copied();
     let judged = |(h, up): &(Height, f64)| Height { height_mm: h.height_mm.min((h.height_mm - up).max(0.0)), ..*h };
     Band { heights: sort(measured.iter().map(judged).collect()), lowest, uncut }
 }
 
-/// Ridges between each turn and the next, sorted.
-pub(super) fn ridges(part: &Part, sweep: &Sweep, scallop_mm: f64) -> Vec<Height> {
-    let n = sweep.centres.len();
-    let every = n.div_ceil(MOST_RIDGES);
-    let rows: Vec<usize> = (0..n).step_by(every).collect();
-    sort(rows.into_par_iter().filter_map(|row| ridge_at(part, sweep, row, REACH_SLACK * scallop_mm)).collect())
-}
-
-fn ridge_at(part: &Part, sweep: &Sweep, row: usize, slack_mm: f64) -> Option<Height> {
-    let (radius, turn) = (sweep.radius_mm, sweep.turns[row]);
-    let c1 = sweep.centres[row];
-    let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == turn + 1 && sweep.turns[i + 1] == turn + 1)?;
-    let (i, d) = (next.segment, next.distance_mm);
-    // An end of the next turn is not its nearest pass.
-    let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&(turn + 1));
-    let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&(turn + 1));
-    if at_start || at_end || d < 1e-3 {
-        return None;
-    }
-    let middle = c1 + (next.centre - c1) * 0.5;
-    let e = (next.centre - c1) / d;
-    let foot = part.closest(&middle, 2.0 * radius)?.point;
-    let g = (middle - foot) - e * (middle - foot).dot(&e);
-    let g = g.try_normalize(1e-9)?;
-    let side = e.cross(&g);
-    let circle = (radius * radius - 0.25 * d * d).sqrt();
-    let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
-    let (height_mm, point) = lowest(part, point, radius)?;
-    let under = part.closest(&point, radius)?;
-    // A ridge over a corner that no ball can reach is not one of the stepover's.
-    let up = lift(part, &under.point, &under.normal, radius, slack_mm);
-    (up == 0.0).then_some(Height { height_mm, point, row })
-}
-
-/// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
-fn lowest(part: &Part, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
-    const WIDTH: f64 = 0.02;
-    let height = |angle: f64| {
-        let q = point(angle);
-        part.closest(&q, radius).map(|c| signed(&(q - c.point), &c.normal, c.distance_mm)).map(|h| (h, q))
-    };
-    let (lo, at, hi) = (height(-WIDTH)?.0, height(0.0)?.0, height(WIDTH)?.0);
-    let bend = lo - 2.0 * at + hi;
-    let best = if bend > 1e-9 { (0.5 * (lo - hi) / bend).clamp(-2.0, 2.0) * WIDTH } else { 0.0 };
-    height(best)
-}
-
-fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
-    if from_foot.dot(normal) < 0.0 { -distance } else { distance }
-}
-
 /// Measures and judges the scallop; the percentiles go into `report`.
 pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyOptions, report: &mut CheckReport) {
     let Band { heights: samples, lowest, uncut } =
         heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
-    let ridges = ridges(&blade.part, sweep, options.scallop_mm);
+    let ridges = ridge::all(&blade.part, sweep, options.scallop_mm, false);
     report.uncut_samples = uncut;
     report.scallop_samples = samples.len();
     report.scallop_max_mm = percentile(&samples, 1.0);
@@ -197,6 +153,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
     report.ridge_p99_mm = percentile(&ridges, 0.99);
     report.ridge_p50_mm = percentile(&ridges, 0.50);
     report.ridge_p05_mm = percentile(&ridges, 0.05);
+    report.limit = limit::measure(&blade.part, sweep, options.scallop_mm, options.surface_samples);
     let limit = options.scallop_ratio * options.scallop_mm;
     let judge = |name: &str, quantity: &str, sorted: &[Height], enough: bool| {
         let p99 = percentile(sorted, 0.99);

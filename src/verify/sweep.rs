@@ -12,12 +12,18 @@ use crate::geometry::{Point, Vector};
 pub(super) struct Sweep {
     /// Ends of the moves: centre `i` to centre `i + 1`.
     pub centres: Vec<Point>,
+    /// Contact points of the ends.
+    pub contacts: Vec<Point>,
     /// Turn of the move: that of its first location.
     pub turns: Vec<u32>,
     /// Ball radius, mm.
     pub radius_mm: f64,
     tree: Bvh,
 }
+
+/// A contact that moves this many times as far as its ball centre has jumped: a ball that fits so closely into a concave place
+/// (within a tenth of its radius) is hardly ever met.
+const MOST_STRETCH: f64 = 10.0;
 
 /// The place on the path nearest to a point.
 #[derive(Clone, Copy, Debug)]
@@ -48,13 +54,14 @@ impl Sweep {
     /// Over a path with at least two locations.
     pub fn new(path: &Toolpath) -> Self {
         let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
+        let contacts = path.locations.iter().map(|l| l.contact).collect();
         let turns = path.locations.iter().map(|l| l.turn).collect();
         let boxes = centres.windows(2).enumerate().map(|(i, w)| {
             let (lo, hi) = (w[0].inf(&w[1]), w[0].sup(&w[1]));
             (i, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, turns, radius_mm: path.radius_mm, tree }
+        Sweep { centres, contacts, turns, radius_mm: path.radius_mm, tree }
     }
 
     /// Nearest place of the path within `cap_mm` of `q`, among the moves that `allowed` lets through.
@@ -70,6 +77,14 @@ impl Sweep {
             },
         );
         found.map(|(i, (d2, (t, centre)))| Nearest { segment: i as usize, t, centre, distance_mm: d2.sqrt() })
+    }
+
+    /// Length of the contacts' way over the part in move `i`, mm. Where the ball runs along an inner corner, its contact jumps between
+    /// the two walls while the centre hardly moves: there the way of the centre counts.
+    pub fn contact_way_mm(&self, i: usize) -> f64 {
+        let centre = (self.centres[i + 1] - self.centres[i]).norm();
+        let contact = (self.contacts[i + 1] - self.contacts[i]).norm();
+        if contact > MOST_STRETCH * centre { centre } else { contact }
     }
 
     /// The centre at part `t` of move `segment`.

@@ -1,0 +1,94 @@
+//! Ridges between neighbouring turns.
+//!
+//! Two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius `sqrt(R² − d²/4)` about their
+//! middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to the part; its distance from the
+//! part is the cusp's height. Each ridge counts by the area between the two passes that it stands for: the length of the
+//! contacts' way there times `d`.
+
+use rayon::prelude::*;
+
+use super::scallop::{Height, REACH_SLACK, lift, sort};
+use super::sweep::Sweep;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+
+/// Ridges are measured at most at so many places.
+const MOST_RIDGES: usize = 6000;
+
+/// First and last turn, which have a neighbour on one side only.
+pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
+    (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0))
+}
+
+/// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are neither the first nor the last,
+/// where there are any.
+pub(super) fn all(part: &Part, sweep: &Sweep, scallop_mm: f64, inner: bool) -> Vec<Height> {
+    let n = sweep.centres.len();
+    let every = n.div_ceil(MOST_RIDGES);
+    let (first, last) = outer_turns(sweep);
+    let inner = inner && last >= first + 3;
+    let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
+    let rows: Vec<usize> = (0..n).step_by(every).filter(|row| counts(*row)).collect();
+    let slack_mm = REACH_SLACK * scallop_mm;
+    let ridge = |row: usize| between(part, sweep, row, sweep.turns[row] + 1, every, slack_mm);
+    sort(rows.into_par_iter().filter_map(ridge).collect())
+}
+
+/// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every` moves. `None` where the other turn
+/// has no pass beside this one, or no ball reaches the part under the ridge by more than `slack_mm`.
+pub(super) fn between(
+    part: &Part,
+    sweep: &Sweep,
+    row: usize,
+    other: u32,
+    every: usize,
+    slack_mm: f64,
+) -> Option<Height> {
+    let radius = sweep.radius_mm;
+    let c1 = sweep.centres[row];
+    let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == other && sweep.turns[i + 1] == other)?;
+    let (i, d) = (next.segment, next.distance_mm);
+    // An end of the other turn is not its nearest pass.
+    let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
+    let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
+    if at_start || at_end || d < 1e-3 {
+        return None;
+    }
+    let middle = c1 + (next.centre - c1) * 0.5;
+    let e = (next.centre - c1) / d;
+    let foot = part.closest(&middle, 2.0 * radius)?.point;
+    let g = (middle - foot) - e * (middle - foot).dot(&e);
+    let g = g.try_normalize(1e-9)?;
+    let side = e.cross(&g);
+    let circle = (radius * radius - 0.25 * d * d).sqrt();
+    let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
+    let (height_mm, point) = lowest(part, point, radius)?;
+    let under = part.closest(&point, radius)?;
+    // A ridge over a corner that no ball can reach is not one of the stepover's.
+    let up = lift(part, &under.point, &under.normal, radius, slack_mm);
+    let weight = d * stretch_mm(sweep, row, every);
+    (up == 0.0).then_some(Height { height_mm, point, row, weight })
+}
+
+/// Half the way of the contacts from `every` moves before the row to as many after it, mm.
+pub(super) fn stretch_mm(sweep: &Sweep, row: usize, every: usize) -> f64 {
+    let (from, to) = (row.saturating_sub(every), (row + every).min(sweep.centres.len() - 1));
+    0.5 * (from..to).map(|i| sweep.contact_way_mm(i)).sum::<f64>()
+}
+
+/// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
+fn lowest(part: &Part, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
+    const WIDTH: f64 = 0.02;
+    let height = |angle: f64| {
+        let q = point(angle);
+        part.closest(&q, radius).map(|c| signed(&(q - c.point), &c.normal, c.distance_mm)).map(|h| (h, q))
+    };
+    let (lo, at, hi) = (height(-WIDTH)?.0, height(0.0)?.0, height(WIDTH)?.0);
+    let bend = lo - 2.0 * at + hi;
+    let best = if bend > 1e-9 { (0.5 * (lo - hi) / bend).clamp(-2.0, 2.0) * WIDTH } else { 0.0 };
+    height(best)
+}
+
+fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
+    if from_foot.dot(normal) < 0.0 { -distance } else { distance }
+}
