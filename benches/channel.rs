@@ -54,6 +54,7 @@ fn helix(count: usize) -> Toolpath {
         .collect();
     Toolpath {
         kind: bladewright::artifact::toolpath::PathKind::default(),
+        stock_mm: 0.0,
         radius_mm: RADIUS_MM,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -2,8 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
+
 use crate::artifact::blade::Blade;
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::PathKind;
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Section, Toolpath};
 use crate::channel::{self, ChannelOptions};
 use crate::error::{Result, Stage};
@@ -14,7 +17,7 @@ use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
-use crate::output::summary::{self, ScheduleFigures, Summary};
+use crate::output::summary::{self, PathFigures, ScheduleFigures, Summary};
 use crate::output::{self, RunFolder, tables};
 use crate::path::{self, PathOptions};
 use crate::post::{self, PostOptions};
@@ -104,6 +107,7 @@ impl Setup {
         PathOptions {
             kind: p.kind,
             radius_mm: self.job.tool.radius_mm,
+            stock_mm: p.stock_mm,
             scallop_mm: p.scallop_mm,
             chord_mm: p.chord_mm,
             max_step_mm: p.max_step_mm,
@@ -361,7 +365,11 @@ fn check_and_write(
     let report = verdict.report().clone();
     folder.add_json("verify.json", &report)?;
     let figures = compare(setup, verdict.value(), baseline)?;
-    let summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
+    let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
+    if setup.job.path.compare {
+        let others = clock.time(Stage::Path, || other_paths(setup, &verdict.value().toolpath, &report, observer))?;
+        summary.other_paths = others;
+    }
     folder.add_json("summary.json", &summary)?;
     if course.ends_at(Stage::Verify) {
         return Ok(Checked { summary: Some(summary), report });
@@ -371,6 +379,27 @@ fn check_and_write(
         clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
     }
     Ok(Checked { summary: Some(summary), report })
+}
+
+/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop.
+fn other_paths(
+    setup: &Setup,
+    path: &Toolpath,
+    report: &CheckReport,
+    observer: &dyn Observer,
+) -> Result<Vec<PathFigures>> {
+    let kinds = PathKind::value_variants().iter().filter(|k| **k != path.kind);
+    let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
+    kinds
+        .map(|kind| {
+            let region_x_mm = path.region_x_mm.map(Some);
+            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm: worst_mm, ..setup.path_options() };
+            let other = path::plan(&setup.blade, &options, observer)?;
+            let samples = setup.job.verify.surface_samples as usize;
+            let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
+            Ok(summary::path_figures(&other, limit, &report.limit))
+        })
+        .collect()
 }
 
 /// The plan as evidence: passed, or failed and forced.

@@ -107,6 +107,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
     let theta: Vec<f64> = (0..count).map(|i| i as f64 * step + LEAD_RAD).collect();
     let toolpath = Toolpath {
         kind: crate::artifact::toolpath::PathKind::default(),
+        stock_mm: 0.0,
         radius_mm: radius,
         scallop_mm: 0.01,
         chord_mm: 0.002,

@@ -33,7 +33,7 @@ pub struct CutterLocation {
     pub s_mm: f64,
     /// Ball centre, mm.
     pub centre: Point,
-    /// Contact point on the part, mm.
+    /// Contact point on the part, or on the stock that is left on it, mm.
     pub contact: Point,
     /// Outward unit normal at the contact: from contact to centre.
     pub normal: Vector,
@@ -57,6 +57,8 @@ pub struct Toolpath {
     pub kind: PathKind,
     /// Ball radius, mm.
     pub radius_mm: f64,
+    /// Stock left on the part for a later pass, mm; contacts lie on its surface.
+    pub stock_mm: f64,
     /// Scallop asked for, mm.
     pub scallop_mm: f64,
     /// Chord tolerance between locations, mm.

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use clap::ValueEnum;
+
 use super::args::{Faces, Plan, Reading, Region};
 use super::out::sayln;
 use super::progress::Terminal;
@@ -88,6 +90,12 @@ fn print_summary(s: &Summary) {
     row("worst gouge", format!("{:.4} mm", s.gouge_mm));
     row("worst scallop", format!("{:.4} mm (asked {} mm)", s.scallop_max_mm, s.scallop_asked_mm));
     row("scallop, 99th percentile", format!("{:.4} mm", s.scallop_p99_mm));
+    row("ridges, 5 % to 95 %", format!("{:.4} to {:.4} mm", s.limit.ridge_p05_mm, s.limit.ridge_p95_mm));
+    row("length over the limit", format!("{:.4} (inner turns)", s.limit.ratio));
+    for other in &s.other_paths {
+        let kind = other.kind.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default();
+        row(&format!("  as {kind}, same scallop"), format!("{:.4}", other.ratio_at_same_scallop));
+    }
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
     row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
     if let [used, fixed, ..] = &s.schedules[..] {

@@ -26,6 +26,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
     let theta = points.iter().map(|p| p.2).collect();
     let toolpath = Toolpath {
         kind: crate::artifact::toolpath::PathKind::default(),
+        stock_mm: 0.0,
         radius_mm: 1.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,

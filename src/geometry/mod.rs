@@ -1,6 +1,7 @@
 //! Geometry shared by all stages: points, meshes, NURBS, boundary representation, distance to a part.
 //! Millimetres and radians throughout.
 
+pub mod allowance;
 pub mod boundary;
 pub mod brep;
 pub mod bvh;

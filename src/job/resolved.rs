@@ -102,6 +102,10 @@ pub struct PathJob {
     pub max_step_mm: f64,
     /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform.
     pub max_lean_deg: f64,
+    /// Stock left on the part, mm. Default 0: a finishing pass.
+    pub stock_mm: f64,
+    /// Lay the paths of the other kinds too and compare lengths. Default false: it takes about as long again as path and checks.
+    pub compare: bool,
 }
 
 /// `[channel]`
@@ -220,6 +224,7 @@ impl Job {
             ("region.end_mm", self.region.end_mm.unwrap_or(0.0), -1e6, 1e6),
             ("tool.radius_mm", self.tool.radius_mm, TINY, 1000.0),
             ("path.scallop_mm", p.scallop_mm, TINY, 0.5 * self.tool.radius_mm),
+            ("path.stock_mm", p.stock_mm, 0.0, 100.0),
             ("path.chord_mm", p.chord_mm, 1e-5, 1.0),
             ("path.max_step_mm", p.max_step_mm, 1e-3, 100.0),
             ("path.max_lean_deg", p.max_lean_deg, 1.0, 85.0),

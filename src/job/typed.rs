@@ -138,6 +138,10 @@ keys! {
         max_step_mm: f64,
         /// The helix ends where the wall leans more than this from the blade axis, degrees.
         max_lean_deg: f64,
+        /// Stock left on the part for a later pass, mm.
+        stock_mm: f64,
+        /// Lay the paths of the other kinds too, of the same worst scallop, and compare lengths in the summary.
+        compare: bool,
     }
 }
 keys! {

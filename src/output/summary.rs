@@ -3,6 +3,7 @@
 use crate::artifact::axis_motion::{AXES, AxisMotion};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::{PathKind, Toolpath};
 use crate::artifact::{CheckReport, Plan, Schedule};
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
@@ -41,6 +42,22 @@ pub struct ScheduleFigures {
     pub a_acceleration_at_constant_feed_deg_s2: f64,
 }
 
+/// A path of another kind over the same region, laid for comparison alone.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PathFigures {
+    /// How its turns lie.
+    pub kind: PathKind,
+    /// Turns.
+    pub turns: usize,
+    /// Length of the path of ball centres, mm.
+    pub path_length_mm: f64,
+    /// Inner turns beside the limit, judged by the scallop asked for.
+    pub limit: LimitFigures,
+    /// Its ratio of length to limit if its worst ridge (99th percentile) were the same as that of the path in use: a length falls as the
+    /// root of the scallop.
+    pub ratio_at_same_scallop: f64,
+}
+
 /// The summary.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Summary {
@@ -60,6 +77,8 @@ pub struct Summary {
     pub machining_time_s: f64,
     /// Scallop asked for, mm.
     pub scallop_asked_mm: f64,
+    /// Stock left on the part for a later pass, mm.
+    pub stock_mm: f64,
     /// Greatest scallop that the planner foresaw, mm.
     pub scallop_planned_mm: f64,
     /// Scallop measured by the checks, mm.
@@ -74,6 +93,8 @@ pub struct Summary {
     pub scallop_p05_mm: f64,
     /// Length of the inner turns along their contacts beside the least that their area needs, with the ridges between them.
     pub limit: LimitFigures,
+    /// Paths of the other kinds with the same worst scallop; empty without `path.compare`.
+    pub other_paths: Vec<PathFigures>,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance of taper, shank and holder, mm.
@@ -132,6 +153,18 @@ pub fn schedule_figures(
     }
 }
 
+/// Figures of a path laid for comparison with the one whose figures are `used`.
+pub fn path_figures(path: &Toolpath, limit: LimitFigures, used: &LimitFigures) -> PathFigures {
+    let scale = if used.ridge_p99_mm > 0.0 { (limit.ridge_p99_mm / used.ridge_p99_mm).sqrt() } else { 1.0 };
+    PathFigures {
+        kind: path.kind,
+        turns: path.turns.len(),
+        path_length_mm: path.locations.last().map_or(0.0, |l| l.s_mm),
+        limit,
+        ratio_at_same_scallop: limit.ratio * scale,
+    }
+}
+
 /// The summary of a checked plan.
 pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<ScheduleFigures>) -> Summary {
     let path = &plan.toolpath;
@@ -145,6 +178,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         end_reason: path.end_reason.clone(),
         machining_time_s: plan.motion.time_s,
         scallop_asked_mm: path.scallop_mm,
+        stock_mm: path.stock_mm,
         scallop_planned_mm: path.planned_scallop_mm,
         scallop_max_mm: report.scallop_max_mm,
         scallop_p99_mm: report.scallop_p99_mm,
@@ -152,6 +186,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         scallop_p50_mm: report.scallop_p50_mm,
         scallop_p05_mm: report.scallop_p05_mm,
         limit: report.limit,
+        other_paths: Vec::new(),
         gouge_mm: report.gouge_mm,
         clearance_mm: report.clearance_mm,
         channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),

@@ -12,6 +12,9 @@ use crate::tool;
 pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
     let mut out = String::with_capacity(260 * plan.toolpath.locations.len() + 400);
     out.push_str("# bladewright cutter locations; model frame, mm; angles in degrees about the blade axis\n");
+    if plan.toolpath.stock_mm > 0.0 {
+        let _ = writeln!(out, "# contacts p lie on {} mm of stock that stay on the part", plan.toolpath.stock_mm);
+    }
     out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");
     let to_model = &blade.model_from_blade;
     let b = plan.channel.b_rad;

@@ -18,7 +18,7 @@ pub(super) fn plan(
 ) -> Result<Toolpath> {
     // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more than its own ring pair
     // promised: aim lower, measure the helix itself, and aim lower still at the heights where that was not enough.
-    let mut aim = Aim { target_mm: 0.95 * options.scallop_mm, caps: Vec::new() };
+    let mut aim = Aim::new(0.95 * options.scallop_mm);
     let mut kept = Vec::new();
     let mut best: Option<Toolpath> = None;
     for _ in 0..MOST_AIMS {
@@ -56,6 +56,11 @@ pub(super) struct Aim {
 }
 
 impl Aim {
+    /// The same everywhere.
+    pub(super) fn new(target_mm: f64) -> Self {
+        Aim { target_mm, caps: Vec::new() }
+    }
+
     /// Aims lower by `factor` between two heights, on top of what is asked for there already.
     fn cap(&mut self, heights: [f64; 2], factor: f64) {
         let so_far = self.at(heights) / self.target_mm;

@@ -115,6 +115,7 @@ pub fn blend(
     let path = Toolpath {
         kind: options.kind,
         radius_mm: options.radius_mm,
+        stock_mm: options.stock_mm,
         scallop_mm: options.scallop_mm,
         chord_mm: options.chord_mm,
         region_x_mm: [rings[0].x_mm, rings[pairs].x_mm],

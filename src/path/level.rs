@@ -1,6 +1,6 @@
 //! Points of the `R` level set of the distance to the whole part, sought in planes across the blade axis.
 
-use crate::geometry::part::Part;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 
 /// A ball that touches the part.
@@ -32,8 +32,8 @@ impl Touch {
 /// The level set of one part and one radius.
 #[derive(Clone, Copy)]
 pub struct LevelSet<'a> {
-    /// The part.
-    pub part: &'a Part,
+    /// The part, with the stock that is to stay on it.
+    pub part: Allowed<'a>,
     /// Level, mm: the ball's radius.
     pub radius_mm: f64,
 }

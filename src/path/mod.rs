@@ -44,6 +44,7 @@ use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
+use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
 use level::LevelSet;
 
@@ -54,7 +55,7 @@ use level::LevelSet;
 /// with the place; kind `Cancelled`.
 pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     validate(blade, options)?;
-    let level = LevelSet { part: &blade.part, radius_mm: options.radius_mm };
+    let level = LevelSet { part: Allowed::new(&blade.part, options.stock_mm), radius_mm: options.radius_mm };
     let start_x = start_height(blade, options);
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -91,6 +92,9 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
                 o.scallop_mm, o.radius_mm
             ),
         ));
+    }
+    if !(o.stock_mm >= 0.0 && o.stock_mm.is_finite()) {
+        return Err(Error::usage(Stage::Path, format!("path.stock_mm is {}, it must be at least 0", o.stock_mm)));
     }
     let [lo, hi] = blade.regions.part_x_mm;
     for (key, x) in [("region.start_mm", o.region_x_mm[0]), ("region.end_mm", o.region_x_mm[1])] {

@@ -9,6 +9,8 @@ pub struct PathOptions {
     pub kind: PathKind,
     /// Ball radius, mm.
     pub radius_mm: f64,
+    /// Stock left on the part for a later pass, mm: everything is planned against the part with so much on it.
+    pub stock_mm: f64,
     /// Greatest scallop between neighbouring turns, mm.
     pub scallop_mm: f64,
     /// Greatest distance of the straight move between two locations from the exact path of ball centres, mm.
@@ -30,6 +32,7 @@ impl PathOptions {
         PathOptions {
             kind: PathKind::default(),
             radius_mm,
+            stock_mm: 0.0,
             scallop_mm,
             chord_mm: 0.001,
             max_step_mm: (0.25 * radius_mm).min(1.0),

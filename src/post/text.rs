@@ -118,6 +118,9 @@ pub(super) fn header(run: &Run, lines: &mut Lines, control: &str) {
         path.region_x_mm[0],
         path.region_x_mm[1]
     ));
+    if path.stock_mm > 0.0 {
+        lines.comment(&format!("Stock    {} mm stay on the part", path.stock_mm));
+    }
     lines.comment(&format!("Scallop  {} mm asked for, chord tolerance {} mm", path.scallop_mm, path.chord_mm));
     lines.comment(&format!("Time     {:.1} s of cutting", run.plan.motion.time_s));
     checks(run, lines);

@@ -34,6 +34,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         .collect();
     Toolpath {
         kind: crate::artifact::toolpath::PathKind::default(),
+        stock_mm: 0.0,
         radius_mm: 2.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -15,6 +15,7 @@ use super::sweep::Sweep;
 use crate::artifact::Blade;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
@@ -56,7 +57,7 @@ fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
 }
 
 /// Deepest gouge of the whole sweep, measured to `resolution_mm`.
-pub(super) fn measure(part: &Part, sweep: &Sweep, resolution_mm: f64) -> Gouge {
+pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Gouge {
     let n = sweep.centres.len() - 1;
     let chunks: Vec<Gouge> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
@@ -65,7 +66,7 @@ pub(super) fn measure(part: &Part, sweep: &Sweep, resolution_mm: f64) -> Gouge {
     chunks.into_iter().fold(Gouge::none(), Gouge::and)
 }
 
-fn measure_moves(part: &Part, sweep: &Sweep, moves: std::ops::Range<usize>, resolution: f64) -> Gouge {
+fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, resolution: f64) -> Gouge {
     let radius = sweep.radius_mm;
     // Farther than this no move can gouge; a distance capped there is a true lower bound.
     let longest = moves.clone().map(|i| (sweep.centres[i + 1] - sweep.centres[i]).norm()).fold(0.0, f64::max);
@@ -106,8 +107,7 @@ fn measure_moves(part: &Part, sweep: &Sweep, moves: std::ops::Range<usize>, reso
 }
 
 /// The check `gouge`.
-pub(super) fn check(blade: &Blade, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
-    let part = &blade.part;
+pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
     let mut g = measure(part, sweep, options.resolution_mm);
     // The path is connected: if it starts outside and never comes near the surface, all of it is outside.
     // Openings near the path are refused before planning, so the nearest surface tells the side of an open part too.
@@ -122,6 +122,7 @@ pub(super) fn check(blade: &Blade, sweep: &Sweep, options: &VerifyOptions) -> (C
     let face = at.map(|c| face_name(part, c.face)).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
     let inside = if inside { "the path lies inside the part; " } else { "" };
+    let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
     let check = Check {
         name: "gouge".into(),
         quantity: "depth of the swept ball in the part, between locations too".into(),
@@ -132,7 +133,7 @@ pub(super) fn check(blade: &Blade, sweep: &Sweep, options: &VerifyOptions) -> (C
         row: Some(g.segment),
         turn: sweep.turns.get(g.segment).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!("{inside}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0)),
+        note: format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0)),
     };
     (check, g)
 }

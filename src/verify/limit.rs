@@ -23,7 +23,7 @@ use super::sweep::Sweep;
 use crate::artifact::report::{LimitFigures, LimitSource};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::part::Part;
+use crate::geometry::allowance::Allowed;
 use crate::tool::scallop::width_on_part_mm;
 
 /// Passes are compared with their neighbours at most at so many places.
@@ -38,7 +38,8 @@ pub fn limit(blade: &Blade, path: &Toolpath, scallop_mm: f64, samples: usize) ->
     if path.locations.len() < 2 {
         return Err(Error::usage(Stage::Verify, "the path has fewer than 2 cutter locations"));
     }
-    Ok(measure(&blade.part, &Sweep::new(path), scallop_mm, samples))
+    let part = Allowed::new(&blade.part, path.stock_mm);
+    Ok(measure(&part, &Sweep::new(path), scallop_mm, samples))
 }
 
 /// Whether a row belongs to a turn with neighbours on both sides; every row where there are fewer than three turns.
@@ -48,7 +49,7 @@ fn inner(sweep: &Sweep, row: usize) -> bool {
 }
 
 /// See [`limit`].
-pub(super) fn measure(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> LimitFigures {
+pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> LimitFigures {
     let n = sweep.centres.len();
     let path_length_mm: f64 = (0..n - 1).filter(|i| inner(sweep, *i)).map(|i| sweep.contact_way_mm(i)).sum();
     let (area_mm2, by_curvature_mm) = over_area(part, sweep, scallop_mm, count);
@@ -73,7 +74,7 @@ pub(super) fn measure(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize)
 }
 
 /// Area of the inner turns, mm², and `∬ dA / d` over it, mm (0 on a mesh).
-fn over_area(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f64, f64) {
+fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f64, f64) {
     let radius = sweep.radius_mm;
     let reach = (2.5 * (8.0 * radius * scallop_mm).sqrt()).max(0.4);
     let all = samples::near_path(part, sweep, reach, count);
@@ -87,18 +88,22 @@ fn over_area(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f64,
         let travel = sweep.centres[near.segment + 1] - sweep.centres[near.segment];
         let bend = s.on_face.as_ref().and_then(|at| part.curvature_at(at));
         let width = bend.and_then(|bend| width_on_part_mm(radius, scallop_mm, &bend, &travel));
-        Some(width.map_or(0.0, |w| 1.0 / w))
+        Some((part.area_ratio(s.on_face.as_ref()), width.map_or(0.0, |w| 1.0 / w)))
     };
-    let shares: Vec<f64> = all.points.par_iter().filter_map(share).collect();
+    let shares: Vec<(f64, f64)> = all.points.par_iter().filter_map(share).collect();
     // At a pole, or where the ball fits only just, there is no width: such samples count as the mean of the others.
-    let known = shares.iter().filter(|s| **s > 0.0).count();
-    let sum: f64 = shares.iter().sum();
-    let area = shares.len() as f64 * all.area_mm2;
-    (area, if known > 0 { area * sum / known as f64 } else { 0.0 })
+    let (mut area, mut known, mut sum) = (0.0, 0.0, 0.0);
+    for (ratio, share) in shares {
+        area += ratio;
+        known += if share > 0.0 { ratio } else { 0.0 };
+        sum += ratio * share;
+    }
+    let area_mm2 = area * all.area_mm2;
+    (area_mm2, if known > 0.0 { area_mm2 * sum / known } else { 0.0 })
 }
 
 /// `Σ ℓ sqrt(c/h) / Σ ℓ` over the inner turns, half for the ridge on each side; 0 where no ridge was met.
-fn share_of_ridges(part: &Part, sweep: &Sweep, scallop_mm: f64) -> f64 {
+fn share_of_ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> f64 {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_PLACES);
     let rows: Vec<usize> = (0..n).step_by(every).filter(|row| inner(sweep, *row)).collect();

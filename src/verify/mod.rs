@@ -15,6 +15,8 @@
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
 //!
+//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave.
+//!
 //! A check whose bound holds between samples reports the bound as its worst value and the measured value in its note.
 //!
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
@@ -41,6 +43,7 @@ pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::allowance::Allowed;
 use crate::machine::Machine;
 use crate::observe::Observer;
 use crate::tool::Tool;
@@ -67,11 +70,12 @@ pub fn check(
     };
     step(0)?;
     let sweep = sweep::Sweep::new(&plan.toolpath);
-    let (check, deepest) = gouge::check(blade, &sweep, options);
+    let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
+    let (check, deepest) = gouge::check(blade, &part, &sweep, options);
     report.gouge_mm = deepest.found_mm.max(0.0);
     report.checks.push(check);
     step(1)?;
-    scallop::check(&plan, blade, &sweep, options, &mut report);
+    scallop::check(&plan, blade, &part, &sweep, options, &mut report);
     step(2)?;
     let (checks, least) = clearance::check(&plan, blade, tool, options);
     report.clearance_mm = least;

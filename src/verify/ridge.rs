@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::scallop::{Height, REACH_SLACK, lift, sort};
 use super::sweep::Sweep;
-use crate::geometry::part::Part;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 
 /// Ridges are measured at most at so many places.
@@ -22,7 +22,7 @@ pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
 
 /// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are neither the first nor the last,
 /// where there are any.
-pub(super) fn all(part: &Part, sweep: &Sweep, scallop_mm: f64, inner: bool) -> Vec<Height> {
+pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -> Vec<Height> {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_RIDGES);
     let (first, last) = outer_turns(sweep);
@@ -37,7 +37,7 @@ pub(super) fn all(part: &Part, sweep: &Sweep, scallop_mm: f64, inner: bool) -> V
 /// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every` moves. `None` where the other turn
 /// has no pass beside this one, or no ball reaches the part under the ridge by more than `slack_mm`.
 pub(super) fn between(
-    part: &Part,
+    part: &Allowed,
     sweep: &Sweep,
     row: usize,
     other: u32,
@@ -77,7 +77,7 @@ pub(super) fn stretch_mm(sweep: &Sweep, row: usize, every: usize) -> f64 {
 }
 
 /// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
-fn lowest(part: &Part, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
+fn lowest(part: &Allowed, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
     const WIDTH: f64 = 0.02;
     let height = |angle: f64| {
         let q = point(angle);

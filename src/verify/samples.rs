@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::sweep::Sweep;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::part::{Closest, Part};
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
@@ -60,7 +61,7 @@ impl Piece {
 /// About `count` points, evenly by area over the pieces of the part whose ball centres could lie within `reach_mm` of
 /// the path. Deterministic: a low-discrepancy sequence (Roberts' R2, 2018) runs over all pieces in order. Where
 /// the part is NURBS, each point is moved to the exact surface, with the exact normal there.
-pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
+pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
     let pieces: Vec<Piece> = (0..part.mesh.triangles.len())
         .into_par_iter()
         .flat_map_iter(|t| pieces_near(part, sweep, reach_mm, t))
@@ -91,14 +92,14 @@ pub(super) fn near_path(part: &Part, sweep: &Sweep, reach_mm: f64, count: usize)
 }
 
 /// The pieces of a triangle that lie near the path, none much larger than `reach_mm`.
-fn pieces_near(part: &Part, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Vec<Piece> {
+fn pieces_near(part: &Allowed, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Vec<Piece> {
     let normal = part.mesh.normal(triangle);
     // On a curved face the normals of a facet's points differ from the facet's own.
     let slack = if part.brep.is_some() { 0.5 * sweep.radius_mm } else { 0.0 };
     let mut open = vec![Piece { triangle, corners: part.mesh.corners(triangle) }];
     let mut near = Vec::new();
     while let Some(piece) = open.pop() {
-        let (middle, size) = (piece.middle() + normal * sweep.radius_mm, piece.reach());
+        let (middle, size) = (piece.middle() + normal * (sweep.radius_mm + part.stock_mm), piece.reach());
         if normal.norm_squared() == 0.0 || sweep.nearest(&middle, reach_mm + size + slack, |_| true).is_none() {
             continue;
         }
@@ -107,10 +108,12 @@ fn pieces_near(part: &Part, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Ve
     near
 }
 
-fn on_surface(part: &Part, triangle: usize, p: Point) -> Option<Sample> {
+fn on_surface(part: &Allowed, triangle: usize, p: Point) -> Option<Sample> {
     if part.brep.is_none() {
-        return Some(Sample { point: p, normal: part.mesh.normal(triangle), on_face: None });
+        let normal = part.mesh.normal(triangle);
+        return Some(Sample { point: p + normal * part.stock_mm, normal, on_face: None });
     }
-    let exact = part.closest(&p, 4.0 * part.deflection_mm + 1e-6)?;
-    Some(Sample { point: exact.point, normal: exact.normal, on_face: Some(exact) })
+    let face: &Part = part;
+    let exact = face.closest(&p, 4.0 * part.deflection_mm + 1e-6)?;
+    Some(Sample { point: exact.point + exact.normal * part.stock_mm, normal: exact.normal, on_face: Some(exact) })
 }

@@ -18,7 +18,7 @@ use super::samples;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
-use crate::geometry::part::Part;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 
 /// A height and where it was measured.
@@ -62,7 +62,7 @@ fn flat_stepover(radius: f64, scallop: f64) -> f64 {
 
 /// How far a ball that touches the part at `p` must be lifted along `n` until it cuts in nowhere by more than `slack_mm`:
 /// 0 where it may touch. What it leaves under itself then, mm, is no fault of the stepover.
-pub(super) fn lift(part: &Part, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
+pub(super) fn lift(part: &Allowed, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
     let mut up = 0.0;
     // A distance changes no faster than its point moves, so each step is safe; in a corner the steps grow geometrically few.
     for _ in 0..60 {
@@ -115,7 +115,7 @@ fn inner_rows(sweep: &Sweep, reach: f64) -> std::ops::Range<usize> {
 }
 
 /// Heights at samples of the machined band.
-pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
+pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
     // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
     let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
     let inner = inner_rows(sweep, reach);
@@ -138,10 +138,16 @@ pub(super) fn heights(part: &Part, sweep: &Sweep, scallop_mm: f64, count: usize)
 }
 
 /// Measures and judges the scallop; the percentiles go into `report`.
-pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyOptions, report: &mut CheckReport) {
-    let Band { heights: samples, lowest, uncut } =
-        heights(&blade.part, sweep, options.scallop_mm, options.surface_samples);
-    let ridges = ridge::all(&blade.part, sweep, options.scallop_mm, false);
+pub(super) fn check(
+    plan: &Plan,
+    blade: &Blade,
+    part: &Allowed,
+    sweep: &Sweep,
+    options: &VerifyOptions,
+    report: &mut CheckReport,
+) {
+    let Band { heights: samples, lowest, uncut } = heights(part, sweep, options.scallop_mm, options.surface_samples);
+    let ridges = ridge::all(part, sweep, options.scallop_mm, false);
     report.uncut_samples = uncut;
     report.scallop_samples = samples.len();
     report.scallop_max_mm = percentile(&samples, 1.0);
@@ -153,7 +159,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, sweep: &Sweep, options: &VerifyO
     report.ridge_p99_mm = percentile(&ridges, 0.99);
     report.ridge_p50_mm = percentile(&ridges, 0.50);
     report.ridge_p05_mm = percentile(&ridges, 0.05);
-    report.limit = limit::measure(&blade.part, sweep, options.scallop_mm, options.surface_samples);
+    report.limit = limit::measure(part, sweep, options.scallop_mm, options.surface_samples);
     let limit = options.scallop_ratio * options.scallop_mm;
     let judge = |name: &str, quantity: &str, sorted: &[Height], enough: bool| {
         let p99 = percentile(sorted, 0.99);

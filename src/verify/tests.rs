@@ -105,6 +105,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
     with_motion(Plan {
         toolpath: Toolpath {
             kind: crate::artifact::toolpath::PathKind::default(),
+            stock_mm: 0.0,
             radius_mm: BALL,
             scallop_mm: 0.01,
             chord_mm: 0.001,

@@ -140,6 +140,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         .collect();
     Toolpath {
         kind: crate::artifact::toolpath::PathKind::default(),
+        stock_mm: 0.0,
         radius_mm,
         scallop_mm: 0.01,
         chord_mm: 0.01,

@@ -3,6 +3,7 @@
 use super::{ReportInput, escape, number};
 use crate::artifact::AxisMotion;
 use crate::artifact::axis_motion::AXES;
+use crate::artifact::report::LimitSource;
 
 fn card(out: &mut String, label: &str, value: &str, note: &str) {
     out.push_str(&format!(
@@ -24,6 +25,9 @@ pub(super) fn figures(input: &ReportInput) -> String {
             &format!("{} mm", number(length)),
             &format!("{} turns, {} locations", path.turns.len(), path.locations.len()),
         );
+        if path.stock_mm > 0.0 {
+            card(&mut cards, "Stock", &format!("{} mm", number(path.stock_mm)), "stay on the part");
+        }
         let [from, to] = path.region_x_mm;
         card(
             &mut cards,
@@ -173,6 +177,16 @@ pub(super) fn scallop(input: &ReportInput) -> String {
             number(value)
         ));
     }
-    out.push_str("</tbody></table></section>\n");
+    out.push_str("</tbody></table>\n");
+    let l = &r.limit;
+    out.push_str(&format!(
+        "<p>Inner turns: {} mm along the contacts over {} mm²; the least for that area and scallop is {} mm (from the {}), so the \
+         path is {} times as long as it must be.</p></section>\n",
+        number(l.path_length_mm),
+        number(l.area_mm2),
+        number(l.limit_length_mm),
+        if l.source == LimitSource::Curvature { "curvature of the faces" } else { "measured ridges" },
+        number(l.ratio)
+    ));
     out
 }

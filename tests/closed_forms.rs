@@ -1,0 +1,301 @@
+//! Paths on surfaces of revolution, whose scallop and limit have closed forms, and what must not depend on how a part lies.
+
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+
+use bladewright::artifact::blade::{Blade, Diagnosis, Regions, Unit};
+use bladewright::artifact::report::{LimitFigures, LimitSource};
+use bladewright::artifact::toolpath::{PathKind, Toolpath};
+use bladewright::geometry::brep::{Brep, Face, SurfaceKind};
+use bladewright::geometry::nurbs::NurbsSurface;
+use bladewright::geometry::part::Part;
+use bladewright::geometry::{Point, Rigid, Vector};
+use bladewright::observe::Silent;
+use bladewright::path::{self, PathOptions};
+use bladewright::verify;
+use nalgebra::{Matrix4, Vector4};
+
+const RADIUS: f64 = 3.0;
+const SCALLOP: f64 = 0.01;
+/// Samples of the surface: enough for a tenth of a per cent of area.
+const SAMPLES: usize = 20_000;
+
+/// The profile `(x, r, weight)` turned about x, degree and knots given; normals outwards.
+fn revolved(profile: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> NurbsSurface {
+    let w = FRAC_1_SQRT_2;
+    let corner = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (-1.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (0.0, -1.0), (1.0, -1.0)];
+    let circle = (0..9).map(|k| (corner[k % 8], if k % 2 == 1 { w } else { 1.0 }));
+    let points = circle
+        .flat_map(|((y, z), wc)| {
+            profile.iter().map(move |(x, r, wp)| {
+                let w = wc * wp;
+                Vector4::new(w * x, w * r * y, w * r * z, w)
+            })
+        })
+        .collect();
+    let turn = vec![0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0];
+    NurbsSurface { degree_u: 2, degree_v: degree, knots_u: turn, knots_v: knots, n_u: 9, n_v: profile.len(), points }
+}
+
+/// A straight profile from `(x0, r0)` to `(x1, r1)`.
+fn straight(x0: f64, r0: f64, x1: f64, r1: f64) -> NurbsSurface {
+    revolved(&[(x0, r0, 1.0), (x1, r1, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
+}
+
+/// A circular profile about `(0, middle)` of radius `bend` (negative: its far side is the part's, a waist), over `±half` radians.
+fn arched(middle: f64, bend: f64, half: f64) -> NurbsSurface {
+    let (s, c) = half.sin_cos();
+    let (b, w) = (bend, half.cos());
+    let profile = [(-b.abs() * s, middle + b * c, 1.0), (0.0, middle + b / c, w), (b.abs() * s, middle + b * c, 1.0)];
+    revolved(&profile, 2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0])
+}
+
+/// A blade of one open face.
+fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
+    let face = Face { name: "wall".into(), kind: SurfaceKind::Revolution, surface, reversed: false, loops: vec![] };
+    let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.01, &Silent).expect("a face can be meshed");
+    Blade {
+        name: "form".into(),
+        unit: Unit::Mm,
+        part,
+        model_from_blade: Rigid::identity(),
+        regions: Regions {
+            part_x_mm: airfoil,
+            airfoil_x_mm: airfoil,
+            platform_x_mm: None,
+            fillet_x_mm: None,
+            reasons: vec![],
+        },
+        diagnosis: Diagnosis::default(),
+    }
+}
+
+fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
+    PathOptions { kind, region_x_mm: [Some(region[0]), Some(region[1])], ..PathOptions::new(RADIUS, SCALLOP) }
+}
+
+/// A closed form: the part, where its path runs, and the signed curvature across it (positive: convex).
+struct Form {
+    name: &'static str,
+    blade: Blade,
+    region: [f64; 2],
+    bend: f64,
+    /// Radius of the part at a height, and length along the profile per height.
+    radius: fn(f64) -> f64,
+    slope: fn(f64) -> f64,
+    /// Kinds whose turns are the constant-scallop ones on this form.
+    constant: &'static [PathKind],
+}
+
+const SLOPE: f64 = 0.25;
+
+fn forms() -> Vec<Form> {
+    let both = &[PathKind::ConstantHeight];
+    let free: &[PathKind] = &[];
+    vec![
+        Form {
+            name: "cylinder",
+            blade: blade(straight(-4.0, 10.0, 24.0, 10.0), [-4.0, 24.0]),
+            region: [14.0, 6.0],
+            bend: 0.0,
+            radius: |_| 10.0,
+            slope: |_| 1.0,
+            constant: both,
+        },
+        Form {
+            name: "cone",
+            blade: blade(straight(-4.0, 16.0 + 4.0 * SLOPE, 24.0, 16.0 - 24.0 * SLOPE), [-4.0, 24.0]),
+            region: [14.0, 6.0],
+            bend: 0.0,
+            radius: |x| 16.0 - SLOPE * x,
+            slope: |_| (1.0 + SLOPE * SLOPE).sqrt(),
+            constant: both,
+        },
+        Form {
+            name: "sphere zone",
+            blade: blade(arched(0.0, 15.0, 1.2), [-13.0, 13.0]),
+            region: [8.0, -3.0],
+            bend: 1.0 / 15.0,
+            radius: |x| (225.0 - x * x).sqrt(),
+            slope: |x| 15.0 / (225.0 - x * x).sqrt(),
+            constant: free,
+        },
+        Form {
+            name: "torus zone, a waist",
+            blade: blade(arched(30.0, -20.0, 0.9), [-15.0, 15.0]),
+            region: [8.0, -3.0],
+            bend: -1.0 / 20.0,
+            radius: |x| 30.0 - (400.0 - x * x).sqrt(),
+            slope: |x| 20.0 / (400.0 - x * x).sqrt(),
+            constant: free,
+        },
+        Form {
+            name: "torus zone, a belly",
+            blade: blade(arched(-8.0, 20.0, 0.9), [-15.0, 15.0]),
+            region: [8.0, -3.0],
+            bend: 1.0 / 20.0,
+            radius: |x| (400.0 - x * x).sqrt() - 8.0,
+            slope: |x| 20.0 / (400.0 - x * x).sqrt(),
+            constant: free,
+        },
+    ]
+}
+
+/// Distance of two contacts that leave `h` on a circle of this curvature: the two-ball formula as it is usually written, solved by
+/// halving.
+fn textbook_width(h: f64, bend: f64) -> f64 {
+    if bend == 0.0 {
+        return 2.0 * (2.0 * RADIUS * h - h * h).sqrt();
+    }
+    let r = 1.0 / bend.abs();
+    let rho = if bend > 0.0 { r + RADIUS } else { r - RADIUS };
+    let left = |alpha: f64| {
+        let root = (RADIUS * RADIUS - (rho * alpha.sin()).powi(2)).sqrt();
+        if bend > 0.0 { rho * alpha.cos() - root - r } else { r - rho * alpha.cos() - root }
+    };
+    let (mut lo, mut hi) = (0.0, 0.9 * (RADIUS / rho).min(1.0).asin());
+    for _ in 0..80 {
+        let mid = 0.5 * (lo + hi);
+        if left(mid) < h { lo = mid } else { hi = mid }
+    }
+    2.0 * r * lo
+}
+
+/// Area of the strip of the inner turns: on each meridian from half a width before the first inner turn to half a width before the
+/// last turn.
+fn strip_area(form: &Form, path: &Toolpath, width: f64) -> f64 {
+    let at = |turn: usize| path.locations[path.turns[turn].first].contact.x;
+    let (first, last) = (at(1), at(path.turns.len() - 1));
+    let steps = 4000;
+    let mut area = 0.0;
+    for k in 0..40 {
+        // Both ends of the strip go down by one width in one turn.
+        let share = (f64::from(k) + 0.5) / 40.0 - 0.5;
+        let from = first - share * width / (form.slope)(first);
+        let to = last - share * width / (form.slope)(last);
+        for i in 0..steps {
+            let x = from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
+            area += TAU / 40.0 * (form.radius)(x) * (form.slope)(x) * (from - to) / f64::from(steps);
+        }
+    }
+    area
+}
+
+fn figures(form: &Form, kind: PathKind) -> (Toolpath, LimitFigures) {
+    let path = path::plan(&form.blade, &options(kind, form.region), &Silent).expect(form.name);
+    let figures = verify::limit(&form.blade, &path, SCALLOP, SAMPLES).expect(form.name);
+    (path, figures)
+}
+
+#[test]
+fn limit_is_that_of_the_closed_form() {
+    for form in forms() {
+        let (path, f) = figures(&form, PathKind::ConstantHeight);
+        let width = textbook_width(SCALLOP, form.bend);
+        assert_eq!(f.source, LimitSource::Curvature);
+        // The curvature across the path is the same everywhere on these forms.
+        let closed = f.area_mm2 / width;
+        assert!((f.limit_length_mm / closed - 1.0).abs() < 1e-3, "{}: {} {closed}", form.name, f.limit_length_mm);
+        let area = strip_area(&form, &path, width);
+        assert!((f.area_mm2 / area - 1.0).abs() < 5e-3, "{}: area {} {area}", form.name, f.area_mm2);
+        // The ridges say the same of the length as the curvature does.
+        assert!((f.ratio_by_ridges / f.ratio - 1.0).abs() < 5e-3, "{}: {} {}", form.name, f.ratio_by_ridges, f.ratio);
+    }
+}
+
+#[test]
+fn turns_of_constant_scallop_are_constant_and_as_short_as_the_closed_form() {
+    for form in forms() {
+        for kind in form.constant {
+            let (_, f) = figures(&form, *kind);
+            let name = format!("{}, {kind:?}", form.name);
+            assert!(f.ridge_p95_mm - f.ridge_p05_mm < 0.005 * f.ridge_p50_mm, "{name}: {f:?}");
+            // Judged by the scallop that it leaves: how near to the limit it aims is another matter.
+            let width = textbook_width(f.ridge_p50_mm, form.bend);
+            let least = f.area_mm2 / width;
+            assert!((f.path_length_mm / least - 1.0).abs() < 0.01, "{name}: {} {least}", f.path_length_mm);
+        }
+    }
+}
+
+/// A wall that is round nowhere: an elliptic cone, leaning, moved as told.
+fn leaning(to: Matrix4<f64>) -> Blade {
+    let mut lean = Matrix4::identity();
+    (lean[(1, 0)], lean[(2, 0)], lean[(2, 2)]) = (0.15, -0.1, 0.45);
+    let mut surface = straight(-4.0, 14.0, 24.0, 11.0);
+    for p in &mut surface.points {
+        *p = to * (lean * *p);
+    }
+    blade(surface, [-4.0, 24.0])
+}
+
+fn leaning_figures(to: Matrix4<f64>, flip: bool) -> LimitFigures {
+    let mut blade = leaning(to);
+    if flip {
+        let mut brep = blade.part.brep.take().expect("has faces");
+        brep.faces[0].reversed = true;
+        blade.part = Part::from_brep(brep, 0.01, &Silent).expect("a face can be meshed");
+    }
+    let path = path::plan(&blade, &options(PathKind::ConstantHeight, [14.0, 8.0]), &Silent).expect("a path");
+    verify::limit(&blade, &path, SCALLOP, SAMPLES).expect("figures")
+}
+
+#[test]
+fn rotated_and_mirrored_parts_have_the_same_figures() {
+    let straight = leaning_figures(Matrix4::identity(), false);
+    let (s, c) = 1.1f64.sin_cos();
+    let mut turned = Matrix4::identity();
+    (turned[(1, 1)], turned[(1, 2)], turned[(2, 1)], turned[(2, 2)]) = (c, -s, s, c);
+    let mut mirror = Matrix4::identity();
+    mirror[(2, 2)] = -1.0;
+    for (name, f) in [("turned", leaning_figures(turned, false)), ("mirrored", leaning_figures(mirror, true))] {
+        for (what, a, b) in [
+            ("ratio", straight.ratio, f.ratio),
+            ("area", straight.area_mm2, f.area_mm2),
+            ("ridges", straight.ridge_p50_mm, f.ridge_p50_mm),
+        ] {
+            // Turns begin elsewhere, so one more or less may fit.
+            assert!((a / b - 1.0).abs() < 0.03, "{name}, {what}: {a} {b}");
+        }
+    }
+}
+
+/// Greatest distance of the straight moves from the surface of ball centres, and the error of the whole length, mm.
+fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
+    let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, form.region) };
+    let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
+    let off = |a: &Point, b: &Point| {
+        let inside = (1..8).map(|k| a + (b - a) * (f64::from(k) / 8.0));
+        inside
+            .filter_map(|q| form.blade.part.closest(&q, 2.0 * RADIUS))
+            .map(|c| (c.distance_mm - RADIUS).abs())
+            .fold(0.0, f64::max)
+    };
+    let worst = path.locations.windows(2).map(|w| off(&w[0].centre, &w[1].centre)).fold(0.0, f64::max);
+    let length = path.locations.last().map_or(0.0, |l| l.s_mm);
+    (worst, (length / path.turns.len() as f64 - exact_mm).abs())
+}
+
+#[test]
+fn halving_the_chord_tolerance_halves_the_errors_or_better() {
+    let form = forms().remove(0);
+    // A turn on the cylinder of ball centres; its fall is 2e-5 of it.
+    let fall = 8.0 / (8.0 / (0.9 * textbook_width(SCALLOP, 0.0))).ceil();
+    let exact = (TAU * 13.0).hypot(fall);
+    let chords = [0.016, 0.008, 0.004, 0.002, 0.001];
+    let found: Vec<_> = chords.iter().map(|c| errors(&form, *c, exact)).collect();
+    for ((worst, _), chord) in found.iter().zip(chords) {
+        assert!(*worst <= chord + 1e-6, "{worst} at a chord tolerance of {chord}");
+    }
+    // Moves are halved, so an error falls by four or not at all: over four halvings by sixteen, less one step.
+    let (first, last) = (found[0], found[4]);
+    assert!(last.0 <= first.0 / 8.0 && last.1 <= first.1 / 8.0 + 2e-3, "{found:?}");
+}
+
+#[test]
+fn normals_of_the_forms_look_outwards() {
+    for form in forms() {
+        let q = Point::new(1.0, 60.0, 0.0);
+        let c = form.blade.part.closest(&q, f64::INFINITY).expect("near");
+        assert!(c.normal.dot(&Vector::y()) > 0.5, "{}", form.name);
+    }
+}
