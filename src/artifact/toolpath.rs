@@ -20,6 +20,53 @@ pub enum PathKind {
     /// turns).
     #[default]
     ConstantHeight,
+    /// Equal parts, at each place round the blade, of the way along the surface from the start of the region to its end.
+    IsoParametric,
+}
+
+/// On which side of the cutter the material is, with a spindle that turns clockwise seen from above (M3). The helix runs
+/// counter-clockwise seen from the tip in either case, so this is also its hand.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Direction {
+    /// Climb milling: from the start of the region down towards the platform; a left-handed helix.
+    #[default]
+    Climb,
+    /// Conventional (up-cut) milling: from the end of the region up; a right-handed helix.
+    Conventional,
+}
+
+/// Where turns begin.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Start {
+    /// Where the path enters its greatest concave stretch.
+    #[default]
+    Concave,
+    /// At the altered point nearest to the trailing edge.
+    TrailingEdge,
 }
 
 /// One cutter location.

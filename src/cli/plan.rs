@@ -84,7 +84,7 @@ fn print_summary(s: &Summary) {
     let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
     row("turns", s.turns.to_string());
     row("cutter locations", s.cutter_locations.to_string());
-    row("ball centres at heights", format!("{:.3} down to {:.3} mm", s.region_x_mm[0], s.region_x_mm[1]));
+    row("ball centres at heights", format!("{:.3} to {:.3} mm", s.region_x_mm[0], s.region_x_mm[1]));
     row("path length", format!("{:.1} mm", s.path_length_mm));
     row("machining time", minutes(s.machining_time_s));
     row("worst gouge", format!("{:.4} mm", s.gouge_mm));

@@ -70,6 +70,17 @@ pub struct Brep {
 }
 
 impl Brep {
+    /// The mirror image across the plane z = 0: exact, since NURBS are invariant under affine maps of their control points.
+    #[must_use]
+    pub fn mirrored(mut self) -> Self {
+        for face in &mut self.faces {
+            face.reversed = !face.reversed;
+            face.surface.points.iter_mut().for_each(|p| p.z = -p.z);
+        }
+        self.edges.iter_mut().flat_map(|e| e.curve.points.iter_mut()).for_each(|p| p.z = -p.z);
+        self
+    }
+
     /// Moves everything: exact, since NURBS are invariant under rigid motion of their control points.
     #[must_use]
     pub fn moved(mut self, to_from: &Rigid) -> Self {

@@ -143,6 +143,25 @@ impl Part {
         Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie }
     }
 
+    /// The mirror image across the plane z = 0.
+    ///
+    /// # Errors
+    /// See [`tessellate`]: a part of exact faces is meshed and indexed anew.
+    pub fn mirrored(&self, observer: &dyn Observer) -> Result<Self> {
+        if let Some(brep) = &self.brep {
+            let mirrored = brep.clone().mirrored();
+            return match self.tie {
+                Tie::Exact(_) => Part::from_brep(mirrored, self.deflection_mm, observer),
+                _ => Part::meshed(mirrored, self.deflection_mm, observer),
+            };
+        }
+        let mut mesh = self.mesh.clone();
+        mesh.points.iter_mut().for_each(|p| p.z = -p.z);
+        mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        mesh.corner_uv.iter_mut().for_each(|t| t.swap(1, 2));
+        Ok(Part::from_mesh(mesh))
+    }
+
     /// As [`Self::closest`], to the triangles alone.
     pub fn closest_on_mesh(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
         let near = self.bvh.closest(&self.mesh, q, cap_mm)?;
@@ -262,6 +281,24 @@ mod tests {
             .collect();
         assert!(found.len() > 2 && found.len() < 12);
         assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn mirror_image_has_mirrored_answers() {
+        use crate::geometry::brep::{Face, SurfaceKind};
+        use crate::geometry::nurbs::shapes::loft;
+        let face =
+            Face { name: "f".into(), kind: SurfaceKind::BSpline, surface: loft(), reversed: false, loops: vec![] };
+        let sheet = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.05, &crate::observe::Silent).unwrap();
+        for part in [sheet, cube()] {
+            let image = part.mirrored(&crate::observe::Silent).unwrap();
+            for q in [Point::new(1.0, 3.0, 2.0), Point::new(-4.0, 0.5, 30.0), Point::new(0.2, 0.7, 1.4)] {
+                let (a, b) =
+                    (part.closest(&q, 100.0).unwrap(), image.closest(&Point::new(q.x, q.y, -q.z), 100.0).unwrap());
+                assert!((a.distance_mm - b.distance_mm).abs() < 1e-9);
+                assert!((Vector::new(a.normal.x, a.normal.y, -a.normal.z) - b.normal).norm() < 1e-6);
+            }
+        }
     }
 
     #[test]

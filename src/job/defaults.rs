@@ -102,6 +102,8 @@ impl Draft {
                 chord_mm,
                 max_step_mm: path.max_step_mm.unwrap_or((0.25 * radius).min(1.0)),
                 max_lean_deg: path.max_lean_deg.unwrap_or(60.0),
+                direction: path.direction.unwrap_or_default(),
+                start: path.start.unwrap_or_default(),
                 stock_mm: path.stock_mm.unwrap_or(0.0),
                 compare: path.compare.unwrap_or(false),
             },

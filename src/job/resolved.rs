@@ -8,7 +8,7 @@ use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::PathKind;
+use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::error::{Error, Result, Stage};
 use crate::tool::Tool;
 
@@ -102,6 +102,10 @@ pub struct PathJob {
     pub max_step_mm: f64,
     /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform.
     pub max_lean_deg: f64,
+    /// Climb or conventional milling. Default `climb`: down towards the platform, usual for finishing.
+    pub direction: Direction,
+    /// Where turns begin. Default `concave`: where the path enters its greatest concave stretch, where the channel is narrowest next.
+    pub start: Start,
     /// Stock left on the part, mm. Default 0: a finishing pass.
     pub stock_mm: f64,
     /// Lay the paths of the other kinds too and compare lengths. Default false: it takes about as long again as path and checks.

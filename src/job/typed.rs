@@ -7,7 +7,7 @@ use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::PathKind;
+use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::tool::HolderStage;
 
 /// The job file. A key that is left out takes its default (see [`super::Job`]); a section that is left out, all of its.
@@ -138,6 +138,10 @@ keys! {
         max_step_mm: f64,
         /// The helix ends where the wall leans more than this from the blade axis, degrees.
         max_lean_deg: f64,
+        /// Climb or conventional milling.
+        direction: Direction,
+        /// Where turns begin.
+        start: Start,
         /// Stock left on the part for a later pass, mm.
         stock_mm: f64,
         /// Lay the paths of the other kinds too, of the same worst scallop, and compare lengths in the summary.

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::chords;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
@@ -11,9 +12,6 @@ use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::observe::Observer;
-
-/// Halvings of the first spacing before a corner is taken as it is.
-const MOST_HALVINGS: u32 = 10;
 
 /// One turn, from ring `a` to ring `b`.
 struct Blend<'a> {
@@ -45,46 +43,9 @@ impl Blend<'_> {
     /// Touches of the turn from `u = 0` up to, not including, `u = 1`.
     fn touches(&self) -> Result<Vec<Touch>> {
         let n = (self.a.length_mm.max(self.b.length_mm) / self.options.max_step_mm).ceil().max(8.0) as usize;
-        let mut out = Vec::with_capacity(2 * n);
-        let mut left = self.at(0.0)?;
-        for i in 0..n {
-            let (u0, u1) = (i as f64 / n as f64, (i + 1) as f64 / n as f64);
-            let right = self.at(u1)?;
-            out.push(left);
-            self.refine((u0, &left), (u1, &right), 0, &mut out)?;
-            left = right;
-        }
-        Ok(out)
+        let places: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
+        chords::fill(|u| self.at(u), &places, self.options)
     }
-
-    /// Adds touches strictly between two, as many as the chord tolerance asks for.
-    fn refine(&self, l: (f64, &Touch), r: (f64, &Touch), depth: u32, out: &mut Vec<Touch>) -> Result<()> {
-        let length = (r.1.centre - l.1.centre).norm();
-        // No convex bend of the path is tighter than the ball: so short a chord is within the tolerance as it is.
-        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm;
-        if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
-            return Ok(());
-        }
-        let u = 0.5 * (l.0 + r.0);
-        let mid = self.at(u)?;
-        let off = |t: &Touch| distance_to_segment(&t.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm;
-        // A long chord over facets may leave the path at its quarters and meet it again in the middle.
-        let split = off(&mid)
-            || (!safe && (off(&self.at(0.75 * l.0 + 0.25 * r.0)?) || off(&self.at(0.25 * l.0 + 0.75 * r.0)?)));
-        if split {
-            self.refine(l, (u, &mid), depth + 1, out)?;
-            out.push(mid);
-            self.refine((u, &mid), r, depth + 1, out)?;
-        }
-        Ok(())
-    }
-}
-
-/// Distance of a point to a segment, mm.
-fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
-    let d = b - a;
-    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
-    (q - (a + d * f)).norm()
 }
 
 /// Makes the helix through at least two rings; also the decisive ridge between each turn and the next, mm.
@@ -108,27 +69,41 @@ pub fn blend(
         })
         .collect::<Result<_>>()?;
     let end = Blend { level, a: &rings[pairs - 1], b: &rings[pairs], options }.at(1.0)?;
-    let ridges = ridges(level, &turns);
+    let region_x_mm = [rings[0].x_mm, rings[pairs].x_mm];
+    let (path, ridges) = assemble(level, options, &turns, end, region_x_mm, stack.end_reason.clone());
+    Ok((path, ridges.into_iter().map(|r| decisive_mm(level, r)).collect()))
+}
+
+/// The toolpath of finished turns, each without the touch that the next begins with, and the ridges between each turn and
+/// the next, mm.
+pub fn assemble(
+    level: &LevelSet,
+    options: &PathOptions,
+    turns: &[Vec<Touch>],
+    end: Touch,
+    region_x_mm: [f64; 2],
+    end_reason: String,
+) -> (Toolpath, Vec<Vec<f64>>) {
+    let ridges = ridges(level, turns);
     let planned_scallop_mm = decisive_mm(level, ridges.concat());
-    let by_turn = ridges.into_iter().map(|r| decisive_mm(level, r)).collect();
-    let (turns, locations) = number(&turns, end);
+    let (turns, locations) = number(turns, end);
     let path = Toolpath {
         kind: options.kind,
         radius_mm: options.radius_mm,
         stock_mm: options.stock_mm,
         scallop_mm: options.scallop_mm,
         chord_mm: options.chord_mm,
-        region_x_mm: [rings[0].x_mm, rings[pairs].x_mm],
-        end_reason: stack.end_reason.clone(),
+        region_x_mm,
+        end_reason,
         planned_scallop_mm,
         turns,
         locations,
     };
-    Ok((path, by_turn))
+    (path, ridges)
 }
 
 /// Arc lengths and turn numbers; the path's last touch closes the last turn.
-fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<CutterLocation>) {
+pub(super) fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<CutterLocation>) {
     let mut locations: Vec<CutterLocation> = Vec::with_capacity(turns.iter().map(Vec::len).sum::<usize>() + 1);
     let mut heads = Vec::with_capacity(turns.len());
     let mut s = 0.0;

@@ -12,10 +12,14 @@
 //!
 //! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop allows at the worst place
 //!   of the turn, the scallop being measured on the part (`stepover`), not derived from curvature.
+//! * [`PathKind::IsoParametric`] (`iso_parametric`): equal parts of the way from start to end at each place round the blade.
+//!
+//! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`). With
+//! [`PathOptions::stock_mm`], all this is on the part with so much stock on it ([`crate::geometry::allowance`]).
 //!
 //! Turns begin at a *base point*, the concave–convex altered point where the path enters the greatest concave stretch
-//! (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade milling); on a convex airfoil, at the point
-//! furthest along `y`.
+//! (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade milling), or the altered point nearest to the trailing edge
+//! ([`PathOptions::start_near`]); on a convex airfoil, at the point furthest along `y`, or the one nearest to the trailing edge.
 //!
 //! ## Guarantees
 //! Every location is within 1e-6 mm of the level set. The straight move between two locations stays within
@@ -26,8 +30,11 @@
 //! Turns at (nearly) constant height leave too much where a wall leans over: the helix ends where the lean exceeds
 //! [`PathOptions::max_lean_rad`]. The scallop is at or under the limit everywhere, not constant along a turn.
 
+mod chords;
 mod constant_height;
+mod direction;
 mod helix;
+mod iso_parametric;
 mod level;
 mod options;
 mod ring;
@@ -40,7 +47,7 @@ mod tests;
 pub use options::PathOptions;
 pub use stepover::flat_stepover_mm;
 
-use crate::artifact::toolpath::PathKind;
+use crate::artifact::toolpath::{Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -55,10 +62,19 @@ use level::LevelSet;
 /// with the place; kind `Cancelled`.
 pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     validate(blade, options)?;
+    match options.direction {
+        Direction::Climb => downwards(blade, options, observer),
+        Direction::Conventional => direction::reversed(blade, options, |b, o| downwards(b, o, observer)),
+    }
+}
+
+/// Lays the helix from the start height down to the end.
+fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     let level = LevelSet { part: Allowed::new(&blade.part, options.stock_mm), radius_mm: options.radius_mm };
     let start_x = start_height(blade, options);
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
+        PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
     }
 }
 

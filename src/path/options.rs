@@ -1,6 +1,6 @@
 //! Options of the path stage.
 
-use crate::artifact::toolpath::PathKind;
+use crate::artifact::toolpath::{Direction, PathKind};
 
 /// What the helix should be.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +9,11 @@ pub struct PathOptions {
     pub kind: PathKind,
     /// Ball radius, mm.
     pub radius_mm: f64,
+    /// Climb or conventional milling.
+    pub direction: Direction,
+    /// Turns begin at the altered point nearest to this point, blade frame, mm (on a convex airfoil, at the point nearest to it);
+    /// `None`: where the path enters the greatest concave stretch.
+    pub start_near: Option<[f64; 3]>,
     /// Stock left on the part for a later pass, mm: everything is planned against the part with so much on it.
     pub stock_mm: f64,
     /// Greatest scallop between neighbouring turns, mm.
@@ -32,6 +37,8 @@ impl PathOptions {
         PathOptions {
             kind: PathKind::default(),
             radius_mm,
+            direction: Direction::Climb,
+            start_near: None,
             stock_mm: 0.0,
             scallop_mm,
             chord_mm: 0.001,

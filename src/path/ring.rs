@@ -95,6 +95,19 @@ impl Ring {
         Ring::new(self.touches)
     }
 
+    /// Where concave stretches, in which the normal turns back by `least_turn_rad` at least, begin and end.
+    pub fn altered_points(&self, least_turn_rad: f64) -> Vec<usize> {
+        let n = self.touches.len();
+        let mut found: Vec<usize> = self.concave_entries(least_turn_rad).into_iter().map(|(i, _)| i).collect();
+        // Run backwards, a stretch begins where it ends.
+        let mirrored = |t: &Touch| Touch { normal: Vector::new(t.normal.x, t.normal.y, -t.normal.z), ..*t };
+        let backwards = Ring::new(self.touches.iter().rev().map(mirrored).collect());
+        found.extend(backwards.concave_entries(least_turn_rad).into_iter().map(|(i, _)| n - 1 - i));
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// Where the path enters a concave stretch, with how far the normal turns back there, rad (at least
     /// `least_turn_rad`): the touches with the locally greatest azimuth. These are the papers' concave–convex altered
     /// points, met from the convex side.

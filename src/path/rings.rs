@@ -42,7 +42,7 @@ pub fn lay(
         min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
         min_cos_lean: options.max_lean_rad.cos(),
     };
-    let mut rings = if kept.is_empty() { vec![first_ring(blade, level, start_x, &how)?] } else { kept };
+    let mut rings = if kept.is_empty() { vec![first_ring(blade, level, options, start_x, &how)?] } else { kept };
     let lowest = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
     let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
     let mut pitch = match rings[..] {
@@ -112,7 +112,7 @@ fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
 }
 
 /// The ring at the start height, beginning at its base point.
-fn first_ring(blade: &Blade, level: &LevelSet, x_mm: f64, how: &Tracing) -> Result<Ring> {
+fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
     let (airfoil, others) = seed::airfoil_loop(blade, x_mm)?;
     let too_tight = |why: String| {
         Error::infeasible(
@@ -132,12 +132,19 @@ fn first_ring(blade: &Blade, level: &LevelSet, x_mm: f64, how: &Tracing) -> Resu
     if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
         return Err(too_tight(format!("it touches another body at {}", place(blade, &p))));
     }
-    let base = base_point(&ring);
+    let base = base_point(&ring, options.start_near.map(Point::from));
     Ok(ring.starting_at(base))
 }
 
-/// The altered point before the greatest concave stretch, else the touch furthest along y.
-fn base_point(ring: &Ring) -> usize {
+/// The altered point before the greatest concave stretch, else the touch furthest along y; with a point to be `near`, the altered
+/// point nearest to it, else the touch nearest to it.
+fn base_point(ring: &Ring, near: Option<Point>) -> usize {
+    if let Some(q) = near {
+        let away = |i: &usize| (ring.touches[*i].contact - q).norm();
+        let nearest = |places: &mut dyn Iterator<Item = usize>| places.min_by(|a, b| away(a).total_cmp(&away(b)));
+        let altered = nearest(&mut ring.altered_points(CONCAVE_TURN_RAD).into_iter());
+        return altered.or_else(|| nearest(&mut (0..ring.touches.len()))).unwrap_or(0);
+    }
     let furthest = || {
         (0..ring.touches.len())
             .max_by(|a, b| ring.touches[*a].centre.y.total_cmp(&ring.touches[*b].centre.y))

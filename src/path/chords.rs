@@ -1,0 +1,65 @@
+//! Locations along a curve of touches, as many as the chord tolerance asks for.
+
+use super::level::Touch;
+use super::options::PathOptions;
+use crate::error::Result;
+use crate::geometry::Point;
+
+/// Halvings of the first spacing before a corner is taken as it is.
+const MOST_HALVINGS: u32 = 10;
+
+/// A curve of touches and the tolerance of its chords.
+struct Chords<'a, F> {
+    at: F,
+    options: &'a PathOptions,
+}
+
+/// Touches at the places given, which grow, the last one left out, and between them as many as keep the chords within
+/// [`PathOptions::chord_mm`] of the curve `at`.
+///
+/// # Errors
+/// Those of `at`.
+pub fn fill(at: impl Fn(f64) -> Result<Touch>, places: &[f64], options: &PathOptions) -> Result<Vec<Touch>> {
+    let Some(first) = places.first() else { return Ok(Vec::new()) };
+    let chords = Chords { at, options };
+    let mut out = Vec::with_capacity(2 * places.len());
+    let mut left = (chords.at)(*first)?;
+    for w in places.windows(2) {
+        let right = (chords.at)(w[1])?;
+        out.push(left);
+        chords.refine((w[0], &left), (w[1], &right), 0, &mut out)?;
+        left = right;
+    }
+    Ok(out)
+}
+
+impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
+    /// Adds touches strictly between two.
+    fn refine(&self, l: (f64, &Touch), r: (f64, &Touch), depth: u32, out: &mut Vec<Touch>) -> Result<()> {
+        let length = (r.1.centre - l.1.centre).norm();
+        // No convex bend of the path is tighter than the ball: so short a chord is within the tolerance as it is.
+        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm;
+        if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
+            return Ok(());
+        }
+        let u = 0.5 * (l.0 + r.0);
+        let mid = (self.at)(u)?;
+        let off = |t: &Touch| distance_to_segment(&t.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm;
+        // A long chord over facets may leave the path at its quarters and meet it again in the middle.
+        let split = off(&mid)
+            || (!safe && (off(&(self.at)(0.75 * l.0 + 0.25 * r.0)?) || off(&(self.at)(0.25 * l.0 + 0.75 * r.0)?)));
+        if split {
+            self.refine(l, (u, &mid), depth + 1, out)?;
+            out.push(mid);
+            self.refine((u, &mid), r, depth + 1, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// Distance of a point to a segment, mm.
+fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
+    let d = b - a;
+    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+    (q - (a + d * f)).norm()
+}
