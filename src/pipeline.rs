@@ -440,7 +440,10 @@ fn write_preview(
     observer: &Recorder,
 ) -> Result<()> {
     let (blade, tool, plan) = (&setup.blade, &setup.job.tool, verdict.value());
-    folder.add("preview.glb", preview::gltf(Some(plan), blade, tool, &GltfOptions::default())?)?;
+    let report = verdict.report();
+    let options =
+        GltfOptions { uncut: report.uncut.clone(), uncut_cell_mm2: report.uncut_cell_mm2, ..GltfOptions::default() };
+    folder.add("preview.glb", preview::gltf(Some(plan), blade, tool, &options)?)?;
     let model = &setup.inputs[0];
     let provenance = [
         ("Program".to_owned(), format!("bladewright {}", env!("CARGO_PKG_VERSION"))),

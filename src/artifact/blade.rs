@@ -102,6 +102,9 @@ pub struct Diagnosis {
     pub first_nonmanifold_edge: Option<[f64; 3]>,
     /// Edges whose two triangles wind against one another.
     pub inconsistent_edges: usize,
+    /// This is the mirror image of what the file holds, across z = 0 of the blade frame, made to plan in.
+    #[serde(skip)]
+    pub mirrored: bool,
     /// What was changed or looks odd.
     pub notes: Vec<String>,
 }

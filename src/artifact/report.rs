@@ -1,5 +1,7 @@
 //! What the checks found.
 
+use crate::geometry::{Point, Vector};
+
 /// One check.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Check {
@@ -63,6 +65,17 @@ pub struct LimitFigures {
     pub ridge_max_mm: f64,
 }
 
+/// A place of the part that no ball of the tool's radius can reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UncutPlace {
+    /// The place, blade frame, mm.
+    pub point: Point,
+    /// Outward unit normal there.
+    pub normal: Vector,
+    /// What is left over it, mm.
+    pub left_mm: f64,
+}
+
 /// All checks of a run.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CheckReport {
@@ -92,6 +105,16 @@ pub struct CheckReport {
     pub limit: LimitFigures,
     /// Samples of the machined band that no ball of this radius can reach: inner corners that stay uncut.
     pub uncut_samples: usize,
+    /// Area beside the path that no ball of this radius can reach, mm².
+    pub uncut_area_mm2: f64,
+    /// Most that is left there, mm.
+    pub uncut_height_mm: f64,
+    /// The places, for the preview; found anew by each check.
+    #[serde(skip)]
+    pub uncut: Vec<UncutPlace>,
+    /// Area that each place stands for, mm².
+    #[serde(skip)]
+    pub uncut_cell_mm2: f64,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance between tool (without ball) and part, mm.

@@ -76,10 +76,14 @@ impl Reporter<'_> {
         .region_may_end(self.above(crossing.high_row))
     }
 
-    /// The height at which the turn of this location begins, mm: the turns above do without the location. `None` where fewer
-    /// than two whole turns are left.
+    /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the turns above do without the
+    /// location. `None` where fewer than two whole turns are left.
     fn above(&self, row: usize) -> Option<f64> {
         let turn = self.path.locations.get(row)?.turn as usize;
+        if self.path.region_x_mm[1] > self.path.region_x_mm[0] {
+            let next = self.path.turns.get(turn + 1).filter(|_| turn + 3 <= self.path.turns.len())?.first;
+            return self.path.locations.get(next).map(|l| l.centre.x);
+        }
         let first = self.path.turns.get(turn).filter(|_| turn >= 2)?.first;
         self.path.locations.get(first).map(|l| l.centre.x)
     }

@@ -96,6 +96,7 @@ fn print_summary(s: &Summary) {
         let kind = other.kind.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default();
         row(&format!("  as {kind}, same scallop"), format!("{:.4}", other.ratio_at_same_scallop));
     }
+    row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
     row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
     if let [used, fixed, ..] = &s.schedules[..] {

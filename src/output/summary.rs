@@ -95,6 +95,10 @@ pub struct Summary {
     pub limit: LimitFigures,
     /// Paths of the other kinds with the same worst scallop; empty without `path.compare`.
     pub other_paths: Vec<PathFigures>,
+    /// Area beside the path that no ball of this radius can reach, mm², and the most that is left there, mm.
+    pub uncut_area_mm2: f64,
+    /// Most that is left there, mm.
+    pub uncut_height_mm: f64,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance of taper, shank and holder, mm.
@@ -187,6 +191,8 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         scallop_p05_mm: report.scallop_p05_mm,
         limit: report.limit,
         other_paths: Vec::new(),
+        uncut_area_mm2: report.uncut_area_mm2,
+        uncut_height_mm: report.uncut_height_mm,
         gouge_mm: report.gouge_mm,
         clearance_mm: report.clearance_mm,
         channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),

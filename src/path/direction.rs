@@ -7,6 +7,7 @@
 use super::helix;
 use super::level::Touch;
 use super::options::PathOptions;
+use crate::artifact::blade::Diagnosis;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
@@ -21,7 +22,8 @@ pub fn reversed(
     options: &PathOptions,
     downwards: impl Fn(&Blade, &PathOptions) -> Result<Toolpath>,
 ) -> Result<Toolpath> {
-    let image = Blade { part: blade.part.mirrored(&Silent)?, ..blade.clone() };
+    let diagnosis = Diagnosis { mirrored: !blade.diagnosis.mirrored, ..blade.diagnosis.clone() };
+    let image = Blade { part: blade.part.mirrored(&Silent)?, diagnosis, ..blade.clone() };
     let start_near = options.start_near.map(|[x, y, z]| [x, y, -z]);
     let path = downwards(&image, &PathOptions { start_near, ..options.clone() })?;
     Ok(turned_round(path))

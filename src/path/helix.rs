@@ -48,6 +48,15 @@ impl Blend<'_> {
     }
 }
 
+/// The locations of one ring by itself.
+pub fn closed(level: &LevelSet, ring: &Ring, options: &PathOptions) -> Result<Vec<CutterLocation>> {
+    let touches = Blend { level, a: ring, b: ring, options }.touches()?;
+    let Some(first) = touches.first().copied() else { return Ok(Vec::new()) };
+    let (_, mut locations) = number(&[touches], first);
+    locations.pop();
+    Ok(locations)
+}
+
 /// Makes the helix through at least two rings; also the decisive ridge between each turn and the next, mm.
 pub fn blend(
     level: &LevelSet,

@@ -47,7 +47,7 @@ mod tests;
 pub use options::PathOptions;
 pub use stepover::flat_stepover_mm;
 
-use crate::artifact::toolpath::{Direction, PathKind};
+use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -76,6 +76,18 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
     }
+}
+
+/// One closed loop of ball centres round the airfoil at the height `x_mm`, counter-clockwise seen from the tip, its chords within
+/// the tolerance; the first location is not repeated.
+///
+/// # Errors
+/// As [`plan`].
+pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
+    validate(blade, options)?;
+    let level = LevelSet { part: Allowed::new(&blade.part, options.stock_mm), radius_mm: options.radius_mm };
+    let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
+    helix::closed(&level, &ring, options)
 }
 
 /// Where the path begins, mm along the blade axis: given, or far enough above the platform for the root region.
@@ -158,6 +170,7 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
 
 /// A point of the blade frame in words, with its place in the model.
 fn place(blade: &Blade, p: &Point) -> String {
-    let m = blade.model_from_blade * p;
+    let turned = if blade.diagnosis.mirrored { Point::new(p.x, p.y, -p.z) } else { *p };
+    let m = blade.model_from_blade * turned;
     format!("height {:.3} mm, model point ({:.3}, {:.3}, {:.3})", p.x, m.x, m.y, m.z)
 }

@@ -36,12 +36,7 @@ pub fn lay(
     aim: &Aim,
     observer: &dyn Observer,
 ) -> Result<Stack> {
-    let how = Tracing {
-        max_step_mm: options.max_step_mm,
-        max_turn_rad: 0.12,
-        min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
-        min_cos_lean: options.max_lean_rad.cos(),
-    };
+    let how = tracing(options);
     let mut rings = if kept.is_empty() { vec![first_ring(blade, level, options, start_x, &how)?] } else { kept };
     let lowest = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
     let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
@@ -71,6 +66,16 @@ pub fn lay(
         }
     };
     finish(blade, options, rings, end, observer)
+}
+
+/// How finely rings are traced for a path.
+pub fn tracing(options: &PathOptions) -> Tracing {
+    Tracing {
+        max_step_mm: options.max_step_mm,
+        max_turn_rad: 0.12,
+        min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
+        min_cos_lean: options.max_lean_rad.cos(),
+    }
 }
 
 /// Says why the stack ended and refuses one that is too short.
@@ -112,7 +117,7 @@ fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
 }
 
 /// The ring at the start height, beginning at its base point.
-fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
+pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
     let (airfoil, others) = seed::airfoil_loop(blade, x_mm)?;
     let too_tight = |why: String| {
         Error::infeasible(

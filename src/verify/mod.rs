@@ -35,6 +35,7 @@ mod solid;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod uncut;
 mod verdict;
 
 pub use limit::limit;

@@ -16,6 +16,7 @@ use super::options::VerifyOptions;
 use super::ridge;
 use super::samples;
 use super::sweep::Sweep;
+use super::uncut;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::geometry::allowance::Allowed;
@@ -146,9 +147,14 @@ pub(super) fn check(
     options: &VerifyOptions,
     report: &mut CheckReport,
 ) {
-    let Band { heights: samples, lowest, uncut } = heights(part, sweep, options.scallop_mm, options.surface_samples);
+    let Band { heights: samples, lowest, uncut: unreached } =
+        heights(part, sweep, options.scallop_mm, options.surface_samples);
     let ridges = ridge::all(part, sweep, options.scallop_mm, false);
-    report.uncut_samples = uncut;
+    report.uncut_samples = unreached;
+    (report.uncut, report.uncut_cell_mm2) =
+        uncut::measure(part, sweep, options.scallop_mm, options.surface_samples / 2);
+    report.uncut_area_mm2 = report.uncut.len() as f64 * report.uncut_cell_mm2;
+    report.uncut_height_mm = report.uncut.iter().map(|p| p.left_mm).fold(0.0, f64::max);
     report.scallop_samples = samples.len();
     report.scallop_max_mm = percentile(&samples, 1.0);
     report.scallop_p99_mm = percentile(&samples, 0.99);
@@ -176,7 +182,7 @@ pub(super) fn check(
             turn: at.map(|h| plan.toolpath.locations[h.row].turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
             note: format!(
-                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest; {uncut} samples of the surface lie where no ball of this radius reaches; heights are over what such a ball leaves",
+                "{} places, highest {:.6}, median {:.6}, lowest {:.6}; the place given is the highest; {unreached} samples of the surface lie where no ball of this radius reaches; heights are over what such a ball leaves",
                 sorted.len(),
                 percentile(sorted, 1.0),
                 percentile(sorted, 0.5),

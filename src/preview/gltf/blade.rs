@@ -92,7 +92,7 @@ fn look(kind: Option<SurfaceKind>) -> (&'static str, [f32; 3]) {
 
 /// Unit normal of each corner of each triangle: mean of the triangles around the vertex that are within the crease
 /// angle, weighted by area.
-fn corner_normals(mesh: &Mesh, crease_cos: f64) -> Vec<[Vector; 3]> {
+pub(super) fn corner_normals(mesh: &Mesh, crease_cos: f64) -> Vec<[Vector; 3]> {
     let flat: Vec<Vector> = (0..mesh.triangles.len()).map(|t| mesh.normal(t)).collect();
     let mut around: Vec<Vec<u32>> = vec![Vec::new(); mesh.points.len()];
     for (t, corners) in (0u32..).zip(&mesh.triangles) {
@@ -113,7 +113,7 @@ fn corner_normals(mesh: &Mesh, crease_cos: f64) -> Vec<[Vector; 3]> {
 }
 
 /// Triangles of one kind, corners of one place and normal shared.
-fn primitive(
+pub(super) fn primitive(
     glb: &mut Glb,
     mesh: &Mesh,
     normals: &[[Vector; 3]],

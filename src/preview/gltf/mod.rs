@@ -5,6 +5,7 @@
 //!
 //! * `blade`: one primitive and material for each kind of face, smooth normals up to a crease angle;
 //! * `path`: ball centres, one `LINE_STRIP` a turn, coloured from the first turn (dark violet) to the last (yellow);
+//! * `uncut`, where there is any: what no ball of this radius can reach, red;
 //! * `channel` (optional): at some locations the two limits of the tool axis;
 //! * `tool`: surface of revolution, origin at the ball centre, +Z towards the spindle; moved by the animation.
 //!
@@ -15,6 +16,7 @@ mod blade;
 mod glb;
 mod motion;
 mod tool;
+mod uncut;
 
 use gltf_json as json;
 use json::Index;
@@ -22,13 +24,14 @@ use json::scene::{Node, UnitQuaternion};
 use serde_json::json;
 
 use crate::artifact::blade::Area;
+use crate::artifact::report::UncutPlace;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::tool::Tool;
 use glb::Glb;
 
-/// How large the scene may be.
+/// What the scene shows besides blade, path and tool, and how large it may be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfOptions {
     /// Most triangles of the blade. Default 300 000.
@@ -43,6 +46,10 @@ pub struct GltfOptions {
     pub max_play_s: f64,
     /// Show limits of the channel at some locations. Default true.
     pub channel_limits: bool,
+    /// Places that stay uncut, blade frame. Default: none.
+    pub uncut: Vec<UncutPlace>,
+    /// Area that each of them stands for, mm².
+    pub uncut_cell_mm2: f64,
 }
 
 impl Default for GltfOptions {
@@ -54,6 +61,8 @@ impl Default for GltfOptions {
             crease_deg: 30.0,
             max_play_s: 120.0,
             channel_limits: true,
+            uncut: Vec::new(),
+            uncut_cell_mm2: 0.0,
         }
     }
 }
@@ -67,6 +76,7 @@ pub fn gltf(plan: Option<&Plan>, blade: &Blade, tool: &Tool, options: &GltfOptio
     let mut glb = Glb::default();
     let mut children = Vec::new();
     children.extend(blade::node(&mut glb, blade, options)?);
+    children.extend(uncut::node(&mut glb, blade, options)?);
     let mut animations = Vec::new();
     if let Some(plan) = plan {
         children.extend(motion::path_node(&mut glb, plan, blade, options)?);

@@ -46,6 +46,9 @@ pub(super) fn figures(input: &ReportInput) -> String {
         let asked = input.plan.map_or(String::new(), |p| format!("{} asked for", number(p.toolpath.scallop_mm)));
         card(&mut cards, "Greatest scallop", &format!("{} mm", number(r.scallop_max_mm)), &asked);
         card(&mut cards, "Deepest gouge", &format!("{} mm", number(r.gouge_mm)), "");
+        let uncut = format!("{} mm²", number(r.uncut_area_mm2));
+        let most = format!("no ball of this radius reaches it; at most {} mm are left", number(r.uncut_height_mm));
+        card(&mut cards, "Uncut", &uncut, if r.uncut_area_mm2 > 0.0 { &most } else { "" });
         card(&mut cards, "Least clearance", &format!("{} mm", number(r.clearance_mm)), "tool without ball");
     }
     let t = input.tool;
