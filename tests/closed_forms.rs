@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 use bladewright::artifact::blade::{Blade, Diagnosis, Regions, Unit};
 use bladewright::artifact::report::{LimitFigures, LimitSource};
-use bladewright::artifact::toolpath::{PathKind, Toolpath};
+use bladewright::artifact::toolpath::{Direction, PathKind, Toolpath};
 use bladewright::geometry::brep::{Brep, Face, SurfaceKind};
 use bladewright::geometry::nurbs::NurbsSurface;
 use bladewright::geometry::part::Part;
@@ -69,8 +69,14 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
     }
 }
 
+/// Chords so short that they do not lower the ridges: on these round forms each sags by up to the tolerance all along.
 fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
-    PathOptions { kind, region_x_mm: [Some(region[0]), Some(region[1])], ..PathOptions::new(RADIUS, SCALLOP) }
+    PathOptions {
+        kind,
+        chord_mm: 1e-4,
+        region_x_mm: [Some(region[0]), Some(region[1])],
+        ..PathOptions::new(RADIUS, SCALLOP)
+    }
 }
 
 /// A closed form: the part, where its path runs, and the signed curvature across it (positive: convex).
@@ -89,13 +95,13 @@ struct Form {
 const SLOPE: f64 = 0.25;
 
 fn forms() -> Vec<Form> {
-    let both = &[PathKind::ConstantHeight];
+    let both: &[PathKind] = &[PathKind::ConstantHeight, PathKind::IsoParametric];
     let free: &[PathKind] = &[];
     vec![
         Form {
             name: "cylinder",
-            blade: blade(straight(-4.0, 10.0, 24.0, 10.0), [-4.0, 24.0]),
-            region: [14.0, 6.0],
+            blade: blade(straight(-20.0, 10.0, 24.0, 10.0), [-20.0, 24.0]),
+            region: [14.0, -4.0],
             bend: 0.0,
             radius: |_| 10.0,
             slope: |_| 1.0,
@@ -103,8 +109,8 @@ fn forms() -> Vec<Form> {
         },
         Form {
             name: "cone",
-            blade: blade(straight(-4.0, 16.0 + 4.0 * SLOPE, 24.0, 16.0 - 24.0 * SLOPE), [-4.0, 24.0]),
-            region: [14.0, 6.0],
+            blade: blade(straight(-20.0, 16.0 + 20.0 * SLOPE, 24.0, 16.0 - 24.0 * SLOPE), [-20.0, 24.0]),
+            region: [14.0, -4.0],
             bend: 0.0,
             radius: |x| 16.0 - SLOPE * x,
             slope: |_| (1.0 + SLOPE * SLOPE).sqrt(),
@@ -160,18 +166,20 @@ fn textbook_width(h: f64, bend: f64) -> f64 {
     2.0 * r * lo
 }
 
-/// Area of the strip of the inner turns: on each meridian from half a width before the first inner turn to half a width before the
-/// last turn.
-fn strip_area(form: &Form, path: &Toolpath, width: f64) -> f64 {
-    let at = |turn: usize| path.locations[path.turns[turn].first].contact.x;
-    let (first, last) = (at(1), at(path.turns.len() - 1));
+/// Area of the strip of the inner turns: on each meridian from midway between the first two turns to midway between the last two.
+fn strip_area(form: &Form, path: &Toolpath) -> f64 {
+    let base = |turn: usize| path.turns.get(turn).map_or(path.locations.len() - 1, |t| t.first);
+    let at = |turn: usize| path.locations[base(turn)].contact.x;
+    let n = path.turns.len();
     let steps = 4000;
     let mut area = 0.0;
     for k in 0..40 {
-        // Both ends of the strip go down by one width in one turn.
-        let share = (f64::from(k) + 0.5) / 40.0 - 0.5;
-        let from = first - share * width / (form.slope)(first);
-        let to = last - share * width / (form.slope)(last);
+        let u = (f64::from(k) + 0.5) / 40.0;
+        let midway = |turn: usize| {
+            let on = |turn: usize| at(turn) + u * (at(turn + 1) - at(turn));
+            0.5 * (on(turn - 1) + on(turn))
+        };
+        let (from, to) = (midway(1), midway(n - 1));
         for i in 0..steps {
             let x = from + (to - from) * (f64::from(i) + 0.5) / f64::from(steps);
             area += TAU / 40.0 * (form.radius)(x) * (form.slope)(x) * (from - to) / f64::from(steps);
@@ -195,7 +203,7 @@ fn limit_is_that_of_the_closed_form() {
         // The curvature across the path is the same everywhere on these forms.
         let closed = f.area_mm2 / width;
         assert!((f.limit_length_mm / closed - 1.0).abs() < 1e-3, "{}: {} {closed}", form.name, f.limit_length_mm);
-        let area = strip_area(&form, &path, width);
+        let area = strip_area(&form, &path);
         assert!((f.area_mm2 / area - 1.0).abs() < 5e-3, "{}: area {} {area}", form.name, f.area_mm2);
         // The ridges say the same of the length as the curvature does.
         assert!((f.ratio_by_ridges / f.ratio - 1.0).abs() < 5e-3, "{}: {} {}", form.name, f.ratio_by_ridges, f.ratio);
@@ -261,7 +269,7 @@ fn rotated_and_mirrored_parts_have_the_same_figures() {
 
 /// Greatest distance of the straight moves from the surface of ball centres, and the error of the whole length, mm.
 fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
-    let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, form.region) };
+    let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, [14.0, 6.0]) };
     let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
     let off = |a: &Point, b: &Point| {
         let inside = (1..8).map(|k| a + (b - a) * (f64::from(k) / 8.0));
@@ -279,7 +287,7 @@ fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
 fn halving_the_chord_tolerance_halves_the_errors_or_better() {
     let form = forms().remove(0);
     // A turn on the cylinder of ball centres; its fall is 2e-5 of it.
-    let fall = 8.0 / (8.0 / (0.9 * textbook_width(SCALLOP, 0.0))).ceil();
+    let fall = 0.95 * textbook_width(SCALLOP, 0.0);
     let exact = (TAU * 13.0).hypot(fall);
     let chords = [0.016, 0.008, 0.004, 0.002, 0.001];
     let found: Vec<_> = chords.iter().map(|c| errors(&form, *c, exact)).collect();
@@ -289,6 +297,71 @@ fn halving_the_chord_tolerance_halves_the_errors_or_better() {
     // Moves are halved, so an error falls by four or not at all: over four halvings by sixteen, less one step.
     let (first, last) = (found[0], found[4]);
     assert!(last.0 <= first.0 / 8.0 && last.1 <= first.1 / 8.0 + 2e-3, "{found:?}");
+}
+
+#[test]
+fn conventional_milling_is_the_same_helix_upwards() {
+    let blade = leaning(Matrix4::identity());
+    let run = |direction| {
+        let o = PathOptions { direction, ..options(PathKind::ConstantHeight, [14.0, 9.0]) };
+        let path = path::plan(&blade, &o, &Silent).expect("a path");
+        let figures = verify::limit(&blade, &path, SCALLOP, SAMPLES).expect("figures");
+        (path, figures)
+    };
+    let ((down, a), (up, b)) = (run(Direction::Climb), run(Direction::Conventional));
+    assert_eq!(up.region_x_mm, [down.region_x_mm[1], down.region_x_mm[0]]);
+    assert_eq!(up.turns.len(), down.turns.len());
+    assert!((a.ratio / b.ratio - 1.0).abs() < 0.03 && (a.ridge_p50_mm / b.ridge_p50_mm - 1.0).abs() < 0.03);
+    for (path, sign) in [(&down, -1.0), (&up, 1.0)] {
+        let mut s = 0.0;
+        for w in path.locations.windows(2) {
+            let (from, to) = (w[0].centre, w[1].centre);
+            assert!(sign * (to.x - from.x) > -1e-9, "{from} to {to}");
+            // Counter-clockwise seen from the tip in either case.
+            assert!(w[0].normal.y * w[1].normal.z - w[0].normal.z * w[1].normal.y > 0.0, "{from} to {to}");
+            s += (to - from).norm();
+            assert!((w[1].s_mm - s).abs() < 1e-6);
+        }
+        for l in &path.locations {
+            let c = blade.part.closest(&l.centre, 10.0).expect("near");
+            assert!((c.distance_mm - RADIUS).abs() < 2e-6 && (c.point - l.contact).norm() < 1e-3);
+        }
+        assert_eq!(path.turns.iter().map(|t| t.count).sum::<usize>(), path.locations.len());
+    }
+}
+
+#[test]
+fn stock_stays_on_the_part() {
+    let form = forms().remove(0);
+    let o = PathOptions { stock_mm: 0.4, ..options(PathKind::ConstantHeight, [14.0, 4.0]) };
+    let path = path::plan(&form.blade, &o, &Silent).expect("a path");
+    for l in &path.locations {
+        assert!(
+            (l.centre.y.hypot(l.centre.z) - 13.4).abs() < 1e-5 && (l.contact.y.hypot(l.contact.z) - 10.4).abs() < 1e-5
+        );
+    }
+    let f = verify::limit(&form.blade, &path, SCALLOP, SAMPLES).expect("figures");
+    // The scallop is that over the stock, and the turns are as far apart as on a part that is thicker by it.
+    assert!(f.ridge_p50_mm < SCALLOP && f.ridge_p50_mm > 0.9 * SCALLOP, "{f:?}");
+    let closed = f.area_mm2 / textbook_width(SCALLOP, 0.0);
+    assert!((f.limit_length_mm / closed - 1.0).abs() < 1e-3);
+    let thicker = Form { radius: |_| 10.4, ..form };
+    assert!((f.area_mm2 / strip_area(&thicker, &path) - 1.0).abs() < 5e-3, "{}", f.area_mm2);
+}
+
+#[test]
+fn iso_parametric_turns_share_the_way_evenly() {
+    let waist = forms().remove(3);
+    let path = path::plan(&waist.blade, &options(PathKind::IsoParametric, waist.region), &Silent).expect("a path");
+    assert!(path.planned_scallop_mm <= SCALLOP, "{}", path.planned_scallop_mm);
+    // On a surface of revolution the way is that along the profile of ball centres, about (0, 30) with radius 17.
+    let angle = |p: &Point| p.x.atan2(30.0 - p.y.hypot(p.z));
+    let n = path.turns.len();
+    let starts: Vec<f64> = path.turns.iter().map(|t| angle(&path.locations[t.first].centre)).collect();
+    let share = (starts[0] - angle(&path.locations[path.locations.len() - 1].centre)) / n as f64;
+    for w in starts.windows(2) {
+        assert!((w[0] - w[1] - share).abs() < 1e-3 * share, "{} {share}", w[0] - w[1]);
+    }
 }
 
 #[test]

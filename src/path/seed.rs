@@ -64,7 +64,7 @@ pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch>
         let guess = Point::new(x_mm, p[0] + r * c, p[1] + r * s);
         if let Some(t) = level.touch_in_plane(&guess, 0.5 * r) {
             let lean = t.normal.x.abs() / t.cos_lean().max(1e-9);
-            let allowance = 0.05 * r + lean * (t.contact.x - x_mm).abs() * 2.0;
+            let allowance = 0.05 * r + level.part.stock_mm + lean * (t.contact.x - x_mm).abs() * 2.0;
             if distance_to_loop([t.contact.y, t.contact.z], airfoil) <= allowance {
                 return Some(t);
             }

@@ -49,3 +49,85 @@ fn pushed_out(part: &Allowed, centre: &Point, radius: f64, slack_mm: f64) -> Opt
     }
     Some(q)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
+    use crate::geometry::Vector;
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+
+    /// Two walls, y = 0 and z = 0, that meet in an inner corner along x.
+    fn corner(opening_deg: f64) -> Part {
+        let (s, c) = opening_deg.to_radians().sin_cos();
+        let at = |x: f64, r: f64, y: f64, z: f64| Point::new(x, r * y, r * z);
+        let points = vec![
+            at(-20.0, 0.0, 1.0, 0.0),
+            at(20.0, 0.0, 1.0, 0.0),
+            at(-20.0, 20.0, 1.0, 0.0),
+            at(20.0, 20.0, 1.0, 0.0),
+            at(-20.0, 20.0, c, s),
+            at(20.0, 20.0, c, s),
+        ];
+        let triangles = vec![[0, 3, 1], [0, 2, 3], [0, 1, 5], [0, 5, 4]];
+        let part = Part::from_mesh(Mesh { points, triangles, ..Mesh::default() });
+        assert!(part.mesh.normal(0).z > 0.9);
+        part
+    }
+
+    fn along_the_corner(radius_mm: f64, opening_deg: f64, scallop_mm: f64) -> Toolpath {
+        let half = (0.5 * opening_deg).to_radians();
+        let (y, z) = (radius_mm / half.tan(), radius_mm);
+        let location = |k: usize| {
+            let x = -8.0 + 0.25 * k as f64;
+            CutterLocation {
+                turn: 0,
+                turn_s_mm: x + 8.0,
+                s_mm: x + 8.0,
+                centre: Point::new(x, y, z),
+                contact: Point::new(x, y, 0.0),
+                normal: Vector::z(),
+            }
+        };
+        let locations: Vec<_> = (0..=64).map(location).collect();
+        Toolpath {
+            kind: PathKind::default(),
+            stock_mm: 0.0,
+            radius_mm,
+            scallop_mm,
+            chord_mm: 0.001,
+            region_x_mm: [-8.0, 8.0],
+            end_reason: String::new(),
+            planned_scallop_mm: scallop_mm,
+            turns: vec![Turn { first: 0, count: locations.len(), length_mm: 16.0 }],
+            locations,
+        }
+    }
+
+    #[test]
+    fn strips_beside_an_inner_corner_are_as_wide_as_the_closed_form() {
+        let (radius, scallop) = (3.0, 0.01);
+        for opening in [90.0, 120.0] {
+            let part = corner(opening);
+            let path = along_the_corner(radius, opening, scallop);
+            let target = Allowed::new(&part, 0.0);
+            let (places, cell) = measure(&target, &Sweep::new(&path), scallop, 40_000);
+            // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² + R²) from its centre.
+            let touches = radius / (0.5f64 * f64::to_radians(opening)).tan();
+            let least = UNCUT * scallop;
+            let width = touches - (2.0 * radius * least + least * least).sqrt();
+            let length = 16.0 + 2.0 * (8.0 * radius * scallop).sqrt();
+            let area = places.len() as f64 * cell;
+            assert!((area / (2.0 * width * length) - 1.0).abs() < 0.02, "{opening}: {area} {}", 2.0 * width * length);
+            let most = places.iter().map(|p| p.left_mm).fold(0.0, f64::max);
+            let in_corner = touches.hypot(radius) - radius;
+            assert!(most <= in_corner && most > 0.95 * in_corner, "{most} {in_corner}");
+        }
+        // Where the ball fits, nothing stays.
+        let flat = corner(180.0 - 1e-9);
+        let path = along_the_corner(radius, 90.0, scallop);
+        assert!(measure(&Allowed::new(&flat, 0.0), &Sweep::new(&path), scallop, 4000).0.is_empty());
+    }
+}
