@@ -71,7 +71,7 @@ mod tests {
             at(-20.0, 20.0, c, s),
             at(20.0, 20.0, c, s),
         ];
-        let triangles = vec![[0, 3, 1], [0, 2, 3], [0, 1, 5], [0, 5, 4]];
+        let triangles = vec![[0, 1, 3], [0, 3, 2], [0, 5, 1], [0, 4, 5]];
         let part = Part::from_mesh(Mesh { points, triangles, ..Mesh::default() });
         assert!(part.mesh.normal(0).z > 0.9);
         part
