@@ -2,11 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
-
 use crate::artifact::blade::Blade;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{PathKind, Start};
+use crate::artifact::toolpath::Start;
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Section, Toolpath};
 use crate::channel::{self, ChannelOptions};
 use crate::error::{Result, Stage};
@@ -17,7 +15,7 @@ use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
-use crate::output::summary::{self, PathFigures, ScheduleFigures, Summary};
+use crate::output::summary::{self, ScheduleFigures, Summary};
 use crate::output::{self, RunFolder, tables};
 use crate::path::{self, PathOptions};
 use crate::post::{self, PostOptions};
@@ -28,6 +26,7 @@ use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 
 pub mod compare;
+mod paths;
 mod schedules;
 
 /// How often the helix is laid anew to end higher before the channel's error stands.
@@ -66,6 +65,8 @@ pub struct Setup {
     pub blade: Blade,
     /// The machine.
     pub machine: Machine,
+    /// Where turns are to begin, blade frame, mm; `None`: where the path stage thinks best.
+    pub start_near: Option<[f64; 3]>,
     /// Input files with their hashes: the model first.
     pub inputs: Vec<Input>,
 }
@@ -95,21 +96,24 @@ impl Setup {
         for message in openings::check(&blade, &reach(&job, &blade))? {
             observer.warn(Warning { stage: Stage::Model, message });
         }
-        Ok(Setup { job, blade, machine, inputs })
+        let start_near = match job.path.start {
+            Start::Concave => None,
+            Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
+        };
+        Ok(Setup { job, blade, machine, start_near, inputs })
     }
 
     fn section_options(&self) -> SectionOptions {
         SectionOptions { count: self.job.section.count as usize, ..SectionOptions::default() }
     }
 
-    fn path_options(&self, sections: &[Section]) -> PathOptions {
+    fn path_options(&self) -> PathOptions {
         let (p, r) = (&self.job.path, &self.job.region);
-        let edge = || trailing_edge(sections, r.start_mm);
         PathOptions {
             kind: p.kind,
             radius_mm: self.job.tool.radius_mm,
             direction: p.direction,
-            start_near: if p.start == Start::TrailingEdge { edge() } else { None },
+            start_near: self.start_near,
             stock_mm: p.stock_mm,
             scallop_mm: p.scallop_mm,
             chord_mm: p.chord_mm,
@@ -176,16 +180,6 @@ impl Setup {
     }
 }
 
-/// The trailing edge on the section nearest to a height, blade frame, mm.
-fn trailing_edge(sections: &[Section], x_mm: f64) -> Option<[f64; 3]> {
-    let near = sections.iter().min_by(|a, b| (a.x_mm - x_mm).abs().total_cmp(&(b.x_mm - x_mm).abs()))?;
-    let airfoil = near.loops.first()?;
-    let at =
-        airfoil.s_mm.partition_point(|s| *s < airfoil.trailing_edge_s_mm).min(airfoil.points_mm.len().checked_sub(1)?);
-    let [y, z] = *airfoil.points_mm.get(at)?;
-    Some([near.x_mm, y, z])
-}
-
 /// How the job reads its model.
 fn model_options(m: &ModelJob) -> ModelOptions {
     ModelOptions {
@@ -240,7 +234,7 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
     folder.add_json("sections.json", &sections)?;
     let (mut summary, mut report) = (None, None);
     if !course.ends_at(Stage::Section) {
-        let planned = plan(&setup, &sections, course, &mut folder, &mut clock, &recorder)?;
+        let planned = plan(&setup, course, &mut folder, &mut clock, &recorder)?;
         if let Some((plan, baseline)) = planned {
             let checked =
                 check_and_write(&setup, &sections, plan, &baseline, course, &mut folder, &mut clock, &recorder)?;
@@ -270,19 +264,18 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
 /// The planning stages; `None` where the course ends before the motion is known.
 fn plan(
     setup: &Setup,
-    sections: &[Section],
     course: Course,
     folder: &mut RunFolder,
     clock: &mut Clock,
     observer: &dyn Observer,
 ) -> Result<Option<(Plan, Baseline)>> {
     let (blade, job) = (&setup.blade, &setup.job);
-    let mut toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(sections), observer))?;
+    let mut toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?;
     if course.ends_at(Stage::Path) {
         folder.add_json("toolpath.json", &toolpath)?;
         return Ok(None);
     }
-    let channel = channel_as_far_as_it_goes(setup, sections, &mut toolpath, clock, observer)?;
+    let channel = channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?;
     if course.ends_at(Stage::Channel) {
         folder.add_json("toolpath.json", &toolpath)?;
         folder.add_json("channel.json", &channel)?;
@@ -319,7 +312,6 @@ fn plan(
 /// to end above that place, which is said; a region end that was asked for is never given up.
 fn channel_as_far_as_it_goes(
     setup: &Setup,
-    sections: &[Section],
     toolpath: &mut Toolpath,
     clock: &mut Clock,
     observer: &dyn Observer,
@@ -341,7 +333,7 @@ fn channel_as_far_as_it_goes(
         let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
             return Err(blocked);
         };
-        let mut shorter = setup.path_options(sections);
+        let mut shorter = setup.path_options();
         shorter.region_x_mm[1] = Some(end_mm);
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = blocked.message;
@@ -382,8 +374,7 @@ fn check_and_write(
     let figures = compare(setup, verdict.value(), baseline)?;
     let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
     if setup.job.path.compare {
-        let others =
-            clock.time(Stage::Path, || other_paths(setup, sections, &verdict.value().toolpath, &report, observer))?;
+        let others = clock.time(Stage::Path, || paths::others(setup, &verdict.value().toolpath, &report, observer))?;
         summary.other_paths = others;
     }
     folder.add_json("summary.json", &summary)?;
@@ -395,30 +386,6 @@ fn check_and_write(
         clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
     }
     Ok(Checked { summary: Some(summary), report })
-}
-
-/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop.
-fn other_paths(
-    setup: &Setup,
-    sections: &[Section],
-    path: &Toolpath,
-    report: &CheckReport,
-    observer: &dyn Observer,
-) -> Result<Vec<PathFigures>> {
-    let kinds = PathKind::value_variants().iter().filter(|k| **k != path.kind);
-    let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
-    kinds
-        .map(|kind| {
-            let [a, b] = path.region_x_mm;
-            let region_x_mm = [Some(a.max(b)), Some(a.min(b))];
-            let own = setup.path_options(sections);
-            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm: worst_mm, ..own };
-            let other = path::plan(&setup.blade, &options, observer)?;
-            let samples = setup.job.verify.surface_samples as usize;
-            let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
-            Ok(summary::path_figures(&other, limit, &report.limit))
-        })
-        .collect()
 }
 
 /// The plan as evidence: passed, or failed and forced.

@@ -1,0 +1,47 @@
+//! What the pipeline does about kinds of path: where turns are to begin, and other kinds for comparison.
+
+use clap::ValueEnum;
+
+use super::Setup;
+use crate::artifact::toolpath::PathKind;
+use crate::artifact::{Blade, CheckReport, Toolpath};
+use crate::error::Result;
+use crate::observe::Observer;
+use crate::output::summary::{self, PathFigures};
+use crate::path::{self, PathOptions};
+use crate::section::{self, SectionOptions};
+use crate::verify;
+
+/// The trailing edge on the section at a height, blade frame, mm.
+pub(super) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -> Result<Option<[f64; 3]>> {
+    let options = SectionOptions { heights_mm: vec![x_mm], ..SectionOptions::default() };
+    let sections = section::plan(blade, &options, observer)?;
+    Ok(sections.first().and_then(|s| s.loops.first()).and_then(|airfoil| {
+        let after = airfoil.s_mm.partition_point(|s| *s < airfoil.trailing_edge_s_mm);
+        let [y, z] = *airfoil.points_mm.get(after).or(airfoil.points_mm.last())?;
+        Some([x_mm, y, z])
+    }))
+}
+
+/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop.
+pub(super) fn others(
+    setup: &Setup,
+    path: &Toolpath,
+    report: &CheckReport,
+    observer: &dyn Observer,
+) -> Result<Vec<PathFigures>> {
+    let kinds = PathKind::value_variants().iter().filter(|k| **k != path.kind);
+    let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
+    kinds
+        .map(|kind| {
+            let [a, b] = path.region_x_mm;
+            let region_x_mm = [Some(a.max(b)), Some(a.min(b))];
+            let own = setup.path_options();
+            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm: worst_mm, ..own };
+            let other = path::plan(&setup.blade, &options, observer)?;
+            let samples = setup.job.verify.surface_samples as usize;
+            let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
+            Ok(summary::path_figures(&other, limit, &report.limit))
+        })
+        .collect()
+}
