@@ -142,6 +142,7 @@ impl Setup {
             margin_deg: s.margin_deg,
             lead_deg: s.lead_deg,
             beyond_wall_deg: s.beyond_wall_deg,
+            measure: s.measure,
             ..ScheduleOptions::default()
         }
     }

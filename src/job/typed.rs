@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
-use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::tool::HolderStage;
 
@@ -177,6 +177,8 @@ keys! {
     ScheduleKeys {
         /// How θ(S) is made.
         kind: ScheduleKind,
+        /// What kind `optimal` makes least.
+        measure: Measure,
         /// Room that the schedule keeps from the channel's walls where there is room, degrees.
         margin_deg: f64,
         /// Lead of kind `fixed`: angle of the tool axis ahead of the surface normal, degrees.
