@@ -17,6 +17,10 @@ use crate::tool::{HolderStage, Tool};
 /// Ball radii that cutters are sold with, mm.
 const STANDARD_RADII_MM: [f64; 15] = [0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 
+/// Holders for the smallest cutters are about this long, mm: they bring the spindle clear of the table, below which many
+/// machines' Z does not go.
+const LEAST_HOLDER_MM: f64 = 40.0;
+
 /// A job that is settled as far as it can be without the blade: enough to read the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
@@ -148,8 +152,8 @@ impl Draft {
 ///   usual profiles: larger balls no longer follow the edges' neighbourhood and the platform's fillet) that fits
 ///   into the concave side there with a tenth to spare;
 /// * taper 4°: slim enough for the concave side, three times as stiff as a straight neck of the ball's size;
-/// * shank 1.5 ball radii, holder of twice the shank's radius, five shank diameters long: usual proportions of shrink-fit
-///   holders;
+/// * shank 1.5 ball radii, holder of twice the shank's radius, five shank diameters long, but not below [`LEAST_HOLDER_MM`]: usual
+///   proportions of shrink-fit holders;
 /// * stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform
 ///   whatever the angle of the tool.
 fn complete_tool(keys: &ToolKeys, blade: &Blade) -> Result<Tool> {
@@ -165,7 +169,10 @@ fn complete_tool(keys: &ToolKeys, blade: &Blade) -> Result<Tool> {
     let holder = keys
         .holder
         .clone()
-        .unwrap_or_else(|| vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm: 10.0 * shank_radius_mm }]);
+        .unwrap_or_else(|| {
+            let length_mm = (10.0 * shank_radius_mm).max(LEAST_HOLDER_MM);
+            vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm }]
+        });
     let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
     tool.validate()?;
     Ok(tool)

@@ -1,6 +1,7 @@
 //! What readers of exact faces give.
 
 use crate::artifact::blade::Unit;
+use crate::geometry::Vector;
 use crate::geometry::brep::Brep;
 
 /// The faces of a model, before anything is healed.
@@ -17,4 +18,19 @@ pub struct FaceModel {
     pub unit_reason: String,
     /// What the user should know.
     pub notes: Vec<String>,
+    /// How the sections are stacked, where the faces were lofted through a table of them.
+    pub stacking: Option<Stacking>,
+}
+
+/// How a table stacks its sections.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stacking {
+    /// Unit vector along the line through the middles of the sections, from the first section to the last.
+    pub line: Vector,
+    /// Mean of the sections' unit normals, unit vector, the same hemisphere.
+    pub normal: Vector,
+    /// The sections lie in parallel planes.
+    pub parallel: bool,
+    /// Area of the last section over that of the first.
+    pub growth: f64,
 }

@@ -65,7 +65,7 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
         _ => "of unknown schema",
     };
     notes.extend(scene.warnings().iter().map(|w| format!("STEP reader: {w}")));
-    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: format!("STEP {family}"), unit, unit_reason, notes })
+    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: format!("STEP {family}"), unit, unit_reason, notes, stacking: None })
 }
 
 /// Refuses a file of which faces were lost; notes what else was skipped.

@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use super::faces::FaceModel;
+use super::faces::{FaceModel, Stacking};
 use super::heal::HealOptions;
 use super::orient;
 use super::recognise::areas::areas;
@@ -117,7 +117,7 @@ pub fn from_faces(
         part.brep = Some(brep);
     }
     let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
-    let mut survey = finish(path, unit, part, names, diagnosis, obstacle, options, observer)?;
+    let mut survey = finish(path, unit, part, names, diagnosis, obstacle, shape.stacking, options, observer)?;
     if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
         survey.diagnosis.notes.push(
             "openings between exact faces are not closed, close_holes_mm acts on meshes: an invented face would pass for the \
@@ -160,7 +160,7 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     observer.progress(Stage::Model, 1, 3);
     diagnosis.notes.extend(healed.notes);
     diagnosis.bodies = topology(&healed.mesh).components;
-    finish(path, unit, Part::from_mesh(healed.mesh), names, diagnosis, obstacle, options, observer)
+    finish(path, unit, Part::from_mesh(healed.mesh), names, diagnosis, obstacle, None, options, observer)
 }
 
 /// Diagnoses the mesh and looks for the blade.
@@ -172,6 +172,7 @@ fn finish(
     face_names: Vec<String>,
     mut diagnosis: Diagnosis,
     mut obstacle: Option<Error>,
+    stacking: Option<Stacking>,
     options: &ModelOptions,
     observer: &dyn Observer,
 ) -> Result<Survey> {
@@ -182,7 +183,9 @@ fn finish(
             .advise("export the solid, not a surface or a profile");
         obstacle.get_or_insert(e);
     }
-    let found = recognised(&part.mesh, &face_names, options);
+    // As many openings as pieces, or more: each piece is a sheet.
+    let sheets = diagnosis.pieces > 1 && diagnosis.openings.len() >= diagnosis.pieces;
+    let found = recognised(&part.mesh, &face_names, options, stacking.as_ref(), sheets);
     observer.progress(Stage::Model, 2, 3);
     if let Ok(found) = &found {
         diagnosis.notes.extend(found.doubts.iter().cloned());
@@ -199,14 +202,21 @@ fn finish(
     })
 }
 
-/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings are closed for the search.
-fn recognised(mesh: &Mesh, face_names: &[String], options: &ModelOptions) -> Result<Recognised> {
+/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings are closed for the search;
+/// but not those of sheets that face each other, whose sections are joined where their ends are near.
+fn recognised(
+    mesh: &Mesh,
+    face_names: &[String],
+    options: &ModelOptions,
+    stacking: Option<&Stacking>,
+    sheets: bool,
+) -> Result<Recognised> {
     let mut whole = mesh.clone();
     whole.corner_uv.clear();
-    if boundary::close(&mut whole, f64::INFINITY, face_names.len() as u32) == 0 {
-        return recognise::recognise(mesh, face_names, options);
+    if sheets || boundary::close(&mut whole, f64::INFINITY, face_names.len() as u32) == 0 {
+        return recognise::recognise(mesh, face_names, options, stacking);
     }
-    let mut found = recognise::recognise(&whole, face_names, options)?;
+    let mut found = recognise::recognise(&whole, face_names, options, stacking)?;
     found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
     Ok(found)
 }

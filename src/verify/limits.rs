@@ -48,7 +48,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, 
             ("acceleration", "greatest acceleration, from positions and times", a, limit.acceleration),
         ];
         for (kind, quantity, found, limit) in travel.into_iter().chain(dynamic) {
-            checks.push(judge(axis, kind, quantity, found, limit, plan, blade, options));
+            checks.push(judge(axis, kind, quantity, found, limit, plan, blade, machine, options));
         }
     }
     checks.extend(placed(plan, blade, tool, machine, options));
@@ -67,6 +67,21 @@ fn accelerations(plan: &Plan, axis: usize) -> Vec<f64> {
     (1..v.len()).map(|i| (v[i] - v[i - 1]) / (0.5 * (t[i + 1] - t[i - 1]))).collect()
 }
 
+/// Range of an axis over the motion beside its travel, and what moves it.
+fn where_it_goes(axis: usize, plan: &Plan, machine: &Machine) -> String {
+    let scale = if axis >= 3 { 1f64.to_degrees() } else { 1.0 };
+    let Some(travel) = machine.limits()[axis].travel else { return String::new() };
+    let positions = plan.motion.position.iter().map(|q| q[axis]);
+    let (lo, hi) = positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let what = match axis {
+        2 => "; a longer tool or holder raises it, machine.mount places the blade",
+        0 | 1 => "; machine.mount places the blade",
+        _ => "",
+    };
+    let [a, b, c, d] = [lo, hi, travel[0], travel[1]].map(|x| x * scale);
+    format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}{what}")
+}
+
 #[allow(clippy::too_many_arguments)]
 fn judge(
     axis: usize,
@@ -76,6 +91,7 @@ fn judge(
     limit: f64,
     plan: &Plan,
     blade: &Blade,
+    machine: &Machine,
     options: &VerifyOptions,
 ) -> Check {
     let rotary = axis >= 3;
@@ -107,7 +123,7 @@ fn judge(
             row: None,
             turn: None,
             point_mm: None,
-            note: String::new(),
+            note: if kind == "travel" { where_it_goes(axis, plan, machine) } else { String::new() },
         },
         row,
         plan,

@@ -16,6 +16,9 @@ const THICKNESS: f64 = 2e-4;
 const SIDES: usize = 6;
 /// No piece is cut that is smaller than this share of the part's diagonal, nor more often than [`DEEPEST`].
 const SMALLEST: f64 = 1e-5;
+/// As [`SMALLEST`], for pieces of whose curvature nothing is known: along a line of poles or a cusp there is no end to cutting, and a
+/// query cuts them further where it needs to.
+const SMALLEST_WILD: f64 = 1e-3;
 const DEEPEST: usize = 24;
 
 /// The pieces of one face, with boxes along the axes.
@@ -104,10 +107,13 @@ fn to_cut(leaf: &Leaf, points: &[Point], row: usize, borders: Option<&[Border]>,
     if leaf.slab.radius() < SMALLEST * diagonal_mm {
         return None;
     }
+    let crowded = borders.is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
+    if leaf.wild && !crowded && leaf.slab.radius() < SMALLEST_WILD * diagonal_mm {
+        return None;
+    }
     let bend = bends(points, row);
     let size = extents(points, row);
     let longer = usize::from(size[1] > size[0]);
-    let crowded = borders.is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
     if leaf.slab.half[2] > THICKNESS * diagonal_mm || leaf.wild || leaf.turn[0] > TURN {
         let more = usize::from(bend[1] > bend[0]);
         // A twist bends neither way.

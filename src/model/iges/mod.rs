@@ -63,7 +63,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
         11 => "IGES 5.3".to_owned(),
         _ => "IGES".to_owned(),
     };
-    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: version, unit, unit_reason, notes })
+    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: version, unit, unit_reason, notes, stacking: None })
 }
 
 /// The unit of coordinates: (unit, mm per file unit, reason).

@@ -87,3 +87,82 @@ fn take_whole(found: &Recognised, out: &mut [Area]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::artifact::blade::Regions;
+    use crate::geometry::Rigid;
+    use crate::geometry::mesh::Mesh;
+
+    /// One small triangle at each place, facing along each normal; every triangle is a face of its own.
+    fn found(at: &[([f64; 3], [f64; 3])], platform: Option<f64>, fillet: Option<[f64; 2]>) -> Recognised {
+        let mut mesh = Mesh::default();
+        for (k, (p, n)) in at.iter().enumerate() {
+            let (p, n) = (Point::from(*p), crate::geometry::Vector::from(*n).normalize());
+            let e = if n.x.abs() < 0.9 { crate::geometry::Vector::x() } else { crate::geometry::Vector::y() };
+            let u = (e - n * n.dot(&e)).normalize() * 1e-3;
+            let v = n.cross(&u);
+            let base = 3 * k as u32;
+            mesh.points.extend([p - u - v, p + u - v, p + 2.0 * v]);
+            mesh.triangles.push([base, base + 1, base + 2]);
+            mesh.face_of.push(k as u32);
+        }
+        let regions = Regions {
+            part_x_mm: [-50.0, 80.0],
+            airfoil_x_mm: [0.0, 80.0],
+            platform_x_mm: platform,
+            fillet_x_mm: fillet,
+            reasons: Vec::new(),
+        };
+        let outline = (0..9).map(|k| (10.0 * f64::from(k), [-20.0, -5.0, 20.0, 5.0])).collect();
+        Recognised { model_from_blade: Rigid::identity(), mesh, regions, doubts: Vec::new(), outline }
+    }
+
+    const UP: [f64; 3] = [1.0, 0.0, 0.0];
+    const OUT: [f64; 3] = [0.0, 0.0, 1.0];
+
+    #[test]
+    fn every_place_has_its_area() {
+        let places = [
+            ([40.0, 0.0, 5.0], OUT, Area::Airfoil),
+            ([3.0, 0.0, 5.5], OUT, Area::Fillet),
+            ([0.0, 30.0, 20.0], UP, Area::Platform),
+            ([-1.0, 30.0, 20.0], [1.0, 0.0, 0.3], Area::Platform),
+            ([-20.0, 30.0, 20.0], OUT, Area::Root),
+            ([-20.0, 30.0, 20.0], UP, Area::Root),
+            ([80.0, 0.0, 0.0], UP, Area::Tip),
+            ([79.9, 0.0, 5.0], OUT, Area::Airfoil),
+            ([81.0, 0.0, 5.0], OUT, Area::Tip),
+            ([40.0, 60.0, 5.0], OUT, Area::Other),
+        ];
+        let at: Vec<_> = places.iter().map(|p| (p.0, p.1)).collect();
+        let got = areas(&found(&at, Some(0.0), Some([0.0, 6.0])), false);
+        for ((p, n, want), got) in places.iter().zip(&got) {
+            assert_eq!(got, want, "at {p:?} facing {n:?}");
+        }
+        // Without a platform the same faces are root, without a fillet the airfoil goes down to its foot.
+        let got = areas(&found(&at, None, None), false);
+        assert_eq!([got[1], got[2]], [Area::Airfoil, Area::Root]);
+    }
+
+    #[test]
+    fn a_face_that_belongs_to_one_area_by_nine_tenths_is_taken_whole() {
+        // Nine pieces of airfoil and one at the height of the fillet.
+        let mut at = vec![([40.0, 0.0, 5.0], OUT); 9];
+        at.push(([3.0, 0.0, 5.5], OUT));
+        let mut f = found(&at, Some(0.0), Some([0.0, 6.0]));
+        f.mesh.face_of = vec![0; 10];
+        assert_eq!(areas(&f, false)[9], Area::Fillet);
+        assert!(areas(&f, true).iter().all(|a| *a == Area::Airfoil));
+        // Eight and two are no nine tenths.
+        f.mesh.face_of = [[0; 8].as_slice(), &[0, 0]].concat();
+        f.mesh.points[8 * 3].x = 3.0;
+        f.mesh.points[8 * 3 + 1].x = 3.0;
+        f.mesh.points[8 * 3 + 2].x = 3.0;
+        let got = areas(&f, true);
+        assert_eq!(got[..8], [Area::Airfoil; 8]);
+        assert_eq!(got[9], Area::Fillet);
+    }
+}

@@ -22,8 +22,13 @@ const TRIED: usize = 6;
 /// Shares of the whole surface that a lid may have.
 const SHARE: [f64; 2] = [0.002, 0.25];
 
+/// A patch whose mean normal is at least this long is a plane.
+const PLANE: f64 = 1.0 - 1e-6;
+
 /// A nearly flat patch.
 pub struct Patch {
+    /// Length of the mean normal: 1 for a plane.
+    flatness: f64,
     area_mm2: f64,
     normal: Vector,
     middle: Point,
@@ -58,6 +63,7 @@ pub fn patches(mesh: &Mesh) -> Vec<Patch> {
         .into_values()
         .filter(|(area, normal, _)| *area > SHARE[0] * total && *area < SHARE[1] * total && normal.norm() > FLAT * area)
         .map(|(area, normal, middle)| Patch {
+            flatness: normal.norm() / area,
             area_mm2: area,
             normal: normal.normalize(),
             middle: Point::from(middle / area),
@@ -70,6 +76,16 @@ pub fn patches(mesh: &Mesh) -> Vec<Patch> {
 /// Directions in which the largest patches face.
 pub fn directions(patches: &[Patch]) -> Vec<Vector> {
     patches.iter().take(TRIED).map(|p| p.normal).collect()
+}
+
+/// Normals of patches that are planes, largest first, and whether another such patch has the same one, in either sense, within
+/// this angle, degrees.
+pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
+    let planes: Vec<&Patch> = patches.iter().filter(|p| p.flatness > PLANE).collect();
+    let common = |k: usize, n: &Vector| {
+        planes.iter().enumerate().any(|(i, p)| i != k && p.normal.dot(n).abs() > common_deg.to_radians().cos())
+    };
+    planes.iter().enumerate().map(|(k, p)| (p.normal, common(k, &p.normal))).collect()
 }
 
 /// How many ends of the run, 0 to 2, have a lid.
@@ -92,4 +108,41 @@ pub fn lids(patches: &[Patch], run: &Run) -> usize {
     let low = run.links.first().is_some_and(|l| lid(l, &-run.direction));
     let high = run.links.last().is_some_and(|l| lid(l, &run.direction));
     usize::from(low) + usize::from(high)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::model::recognise::run;
+    use crate::sample;
+
+    /// The cylinder of the samples has two lids, planes across its axis, and a wall that is not flat.
+    #[test]
+    fn a_cylinder_has_two_lids_across_its_axis_and_none_across_others() {
+        let mesh = sample::blade().part.mesh;
+        let patches = patches(&mesh);
+        assert_eq!(patches.len(), 2);
+        for p in &patches {
+            let want = 0.5 * 48.0 * (std::f64::consts::TAU / 48.0).sin() * sample::PART_RADIUS.powi(2);
+            assert!((p.area_mm2 - want).abs() < 1e-9 && p.normal.x.abs() > 1.0 - 1e-12, "{} {}", p.area_mm2, p.normal);
+            assert!(p.middle.y.hypot(p.middle.z) < 1e-9);
+        }
+        assert!(flat_normals(&patches, 0.5).iter().all(|(n, common)| *common && n.x.abs() > 1.0 - 1e-12));
+        assert_eq!(lids(&patches, &run::along(&mesh, &Vector::x(), None)), 2);
+        assert_eq!(lids(&patches, &run::along(&mesh, &Vector::y(), None)), 0);
+    }
+
+    #[test]
+    fn a_lid_that_is_bent_is_no_plane() {
+        let mut mesh = sample::blade().part.mesh;
+        // The middle of the tip's fan, drawn out to a flat cone.
+        let top = mesh.points.iter_mut().filter(|p| p.y == 0.0 && p.z == 0.0).max_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
+        top.x += 0.2 * sample::PART_RADIUS;
+        let patches = patches(&mesh);
+        assert_eq!(patches.len(), 2);
+        let flat = flat_normals(&patches, 0.5);
+        assert!(flat.len() == 1 && !flat[0].1, "only the root's end is a plane now");
+        assert_eq!(lids(&patches, &run::along(&mesh, &Vector::x(), None)), 2, "both still close the blade");
+    }
 }

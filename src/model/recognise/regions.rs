@@ -2,6 +2,7 @@
 
 use super::run::{HEIGHTS, LOOSENESS, Run};
 use super::shape::Shape;
+use super::stitch::stitched;
 use crate::artifact::blade::Regions;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
@@ -136,7 +137,7 @@ fn fillet(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], re
             l.1.area_mm2 > 0.3 * reference.area_mm2 && d[0].hypot(d[1]) < 0.5 * reference.perimeter_mm
         };
         let loops: Vec<(Loop, Shape)> =
-            slice(mesh, bvh, x).into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect();
+            stitched(slice(mesh, bvh, x)).into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect();
         let away = |l: &(Loop, Shape)| (l.1.area_mm2 - reference.area_mm2).abs();
         let (l, _) = loops.iter().filter(near).min_by(|a, b| away(a).total_cmp(&away(b)))?;
         let (mut sum, mut all) = (0.0, 0.0);
@@ -171,7 +172,7 @@ const FILLET_HEIGHTS: u32 = 96;
 
 /// The loop at x that continues `before` and has not outgrown `reference`.
 fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Shape) -> Option<Shape> {
-    slice(mesh, bvh, x_mm)
+    stitched(slice(mesh, bvh, x_mm))
         .iter()
         .filter_map(Shape::new)
         .filter(|s| s.continues(before, LOOSENESS))
@@ -182,7 +183,7 @@ fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Sha
 /// The largest loop whose box meets the box of the airfoil's loop.
 fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &Shape) -> Option<Shape> {
     let b = airfoil.bounds;
-    slice(mesh, bvh, x_mm)
+    stitched(slice(mesh, bvh, x_mm))
         .iter()
         .filter_map(Shape::new)
         .filter(|s| s.bounds[0] < b[2] && s.bounds[2] > b[0] && s.bounds[1] < b[3] && s.bounds[3] > b[1])

@@ -3,9 +3,10 @@
 use nalgebra::{Matrix3, UnitQuaternion};
 
 use super::shape::Shape;
+use super::stitch::stitched;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice_triangles};
-use crate::geometry::{Rigid, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 
 /// Heights at which a direction is tried.
 pub const HEIGHTS: usize = 72;
@@ -19,6 +20,15 @@ const FLOOR: f64 = 0.01;
 const FREE_END: f64 = 0.03;
 /// See [`FREE_END`].
 const INSIDE: f64 = 0.15;
+
+/// The normals tell the airfoil's direction where their mean square along it is less by this than along the one tried.
+const CLEAR: f64 = 0.04;
+/// Measures of two airfoils of a part differ by less than this ratio.
+const ALIKE: f64 = 0.75;
+/// A section larger than the airfoil's last one by this factor is another body's.
+const LARGER: f64 = 1.25;
+/// A gap in the airfoil of up to this share of the part is a snubber or shroud on one blade.
+const SNUBBER: f64 = 0.12;
 
 /// Share of a loop's length that must lie on the faces that the user named.
 const ON_FACES: f64 = 0.9;
@@ -39,7 +49,8 @@ pub struct Run {
     pub part_mm: [f64; 2],
     /// Sections from low to high; empty where nothing continues.
     pub links: Vec<Link>,
-    /// `share` times `free`, less for normals along the direction and for areas that sway.
+    /// `share` times `free`, less for normals along the direction, for areas that sway, and for sections whose middles or
+    /// normals say that the airfoil runs another way.
     pub score: f64,
     /// Airfoil-like surface that the chain sweeps over the whole surface.
     pub share: f64,
@@ -53,6 +64,14 @@ pub struct Run {
     pub along: f64,
     /// Direction least present in the normals of the chain, same hemisphere as `direction`.
     pub least_normal: Vector,
+    /// Line through the middles of the sections, same hemisphere as `direction`.
+    pub stack: Vector,
+    /// Middle of the chain, frame of the mesh.
+    pub middle: Point,
+    /// Whether beyond its low and its high end there are sections larger than the chain's last one: a platform, hub or shroud.
+    pub body: [bool; 2],
+    /// Another chain along the direction that looks like this one, apart from it.
+    pub twin: bool,
 }
 
 impl Run {
@@ -94,8 +113,36 @@ pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
     let part_mm = turned.aabb().map_or([0.0, 0.0], |b| [b.min.x, b.max.x]);
     let step = (part_mm[1] - part_mm[0]) / HEIGHTS as f64;
     let sections = sections(&turned, part_mm, step, faces);
-    let chain = best_chain(&sections, step);
-    summarise(mesh, direction, part_mm, step, &sections, &chain)
+    let chain = best_chain(&sections, step, &[]);
+    let mut run = summarise(mesh, direction, part_mm, step, &sections, &chain);
+    run.twin = twin(&sections, step, &chain);
+    run
+}
+
+/// Whether a second chain looks like the first, beside it or farther along than a snubber is thick: another airfoil.
+fn twin(sections: &Sections, step: f64, chain: &[(usize, usize)]) -> bool {
+    let other = best_chain(sections, step, chain);
+    let (Some(a), Some(b)) = (span(chain), span(&other)) else { return false };
+    let apart = if a[0] > b[0] { a[0].saturating_sub(b[1]) } else { b[0].saturating_sub(a[1]) };
+    let beside = a[0].max(b[0]) <= a[1].min(b[1]);
+    let long = other.len() as f64 >= ALIKE * chain.len() as f64;
+    let mean = |chain: &[(usize, usize)], of: fn(&Shape) -> f64| {
+        chain.iter().map(|&(i, j)| of(&sections[i].1[j].1)).sum::<f64>() / chain.len() as f64
+    };
+    let alike = |of: fn(&Shape) -> f64| {
+        let (p, q) = (mean(chain, of), mean(&other, of));
+        p.min(q) > ALIKE * p.max(q)
+    };
+    (beside || apart as f64 > SNUBBER * HEIGHTS as f64)
+        && long
+        && alike(|s| s.area_mm2)
+        && alike(|s| s.perimeter_mm)
+        && alike(|s| s.likeness)
+}
+
+/// First and last section of a chain.
+fn span(chain: &[(usize, usize)]) -> Option<[usize; 2]> {
+    Some([chain.first()?.0, chain.last()?.0])
 }
 
 type Sections = Vec<(f64, Vec<(Loop, Shape)>)>;
@@ -118,7 +165,7 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>)
         .enumerate()
         .map(|(i, triangles)| {
             let height = part_mm[0] + (i as f64 + 0.5) * step;
-            let mut loops = slice_triangles(turned, triangles, height);
+            let mut loops = stitched(slice_triangles(turned, triangles, height));
             if let Some(faces) = faces {
                 loops.retain(|l| lies_on(turned, l, faces));
             }
@@ -141,13 +188,18 @@ fn lies_on(mesh: &Mesh, l: &Loop, faces: &[bool]) -> bool {
     on >= ON_FACES * all
 }
 
-/// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j of section i.
-fn best_chain(sections: &Sections, step: f64) -> Vec<(usize, usize)> {
+/// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j of section i. Loops in
+/// `without` do not count.
+fn best_chain(sections: &Sections, step: f64, without: &[(usize, usize)]) -> Vec<(usize, usize)> {
     let mut best: Vec<Vec<(f64, Option<usize>)>> = Vec::with_capacity(sections.len());
     let mut end: Option<(usize, usize, f64)> = None;
     for (i, (_, loops)) in sections.iter().enumerate() {
         let mut row = Vec::with_capacity(loops.len());
         for (j, (_, shape)) in loops.iter().enumerate() {
+            if without.contains(&(i, j)) {
+                row.push((0.0, None));
+                continue;
+            }
             let own = (FLOOR + (1.0 - FLOOR) * shape.likeness) * shape.perimeter_mm * step;
             let mut from = (0.0, None);
             if i > 0 {
@@ -211,6 +263,7 @@ fn summarise(
     let along = (direction.transpose() * covariance * direction).x;
     let eigen = covariance.symmetric_eigen();
     let least = eigen.eigenvalues.imin();
+    let excess = along - eigen.eigenvalues[least];
     let mut least_normal: Vector = eigen.eigenvectors.column(least).into_owned();
     if least_normal.dot(direction) < 0.0 {
         least_normal = -least_normal;
@@ -224,7 +277,50 @@ fn summarise(
     let gap = (height(chain.first()) - part_mm[0]).min(part_mm[1] - height(chain.last())) / (part_mm[1] - part_mm[0]);
     let free = 1.0 + ((INSIDE - gap) / (INSIDE - FREE_END)).clamp(0.0, 1.0);
     let share = swept / mesh.area_mm2().max(f64::MIN_POSITIVE);
-    let score = if chain.is_empty() { 0.0 } else { free * share * (1.0 - 4.0 * along).max(0.0) / (1.0 + sway).sqrt() };
-    let links = chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
-    Run { direction: *direction, part_mm, links, score, share, sway, free, likeness, along, least_normal }
+    let links: Vec<Link> =
+        chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
+    let (middle, stack) = stacking(direction, &links);
+    let body = bodies(sections, chain);
+    // What the chain itself says of the airfoil's direction: its middles, and its normals where they say much.
+    let aside = (excess / CLEAR).clamp(0.0, 1.0) * (1.0 - least_normal.dot(direction).powi(2));
+    let agrees = stack.dot(direction).powi(2) * (1.0 - aside);
+    let steady = (1.0 - 4.0 * along).max(0.0) / (1.0 + sway).sqrt();
+    let score = if chain.is_empty() { 0.0 } else { free * share * steady * agrees };
+    Run {
+        direction: *direction,
+        part_mm,
+        links,
+        score,
+        share,
+        sway,
+        free,
+        likeness,
+        along,
+        least_normal,
+        stack,
+        middle,
+        body,
+        twin: false,
+    }
+}
+
+/// Whether larger sections lie beyond the chain's low and high end.
+fn bodies(sections: &Sections, chain: &[(usize, usize)]) -> [bool; 2] {
+    let larger = |beyond: &[(f64, Vec<(Loop, Shape)>)], end: Option<&(usize, usize)>| {
+        let own = end.map_or(f64::INFINITY, |&(i, j)| sections[i].1[j].1.area_mm2);
+        beyond.iter().flat_map(|s| &s.1).any(|l| l.1.area_mm2 > LARGER * own)
+    };
+    let low = chain.first().map_or(0, |c| c.0);
+    let high = chain.last().map_or(sections.len(), |c| c.0 + 1);
+    [larger(&sections[..low], chain.first()), larger(&sections[high..], chain.last())]
+}
+
+/// Middle of the sections and unit vector of the line through their middles (least squares over the height).
+fn stacking(direction: &Vector, links: &[Link]) -> (Point, Vector) {
+    let n = links.len().max(1) as f64;
+    let at = |l: &Link| Vector::new(l.height_mm, l.shape.centroid[0], l.shape.centroid[1]);
+    let mean = links.iter().map(at).sum::<Vector>() / n;
+    let slope: Vector = links.iter().map(|l| at(l) - mean).map(|d| d.x * d).sum();
+    let frame = frame_along(direction);
+    (frame * Point::from(mean), frame * slope.try_normalize(0.0).unwrap_or_else(Vector::x))
 }

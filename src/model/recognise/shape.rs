@@ -169,27 +169,84 @@ fn hull(points: &[[f64; 2]]) -> Vec<usize> {
     chain
 }
 
-/// Width across the main axis near both ends, the greater, over the greatest width on the way.
+/// Width near both ends, the greater, over the greatest width across the main axis on the way. Near an end the width is taken
+/// across the direction in which the loop runs there: a cambered airfoil ends aslant.
 fn bluntness(points: &[[f64; 2]], axis: [f64; 2]) -> f64 {
+    let (lo, hi) = range(points, axis);
+    let extent = hi - lo;
+    let widest = (1..20).map(|k| width(points, axis, lo + f64::from(k) / 20.0 * extent, |_| true)).fold(0.0, f64::max);
+    if widest <= 0.0 {
+        return 1.0;
+    }
+    // The circle about an end must be wider than the body there, and far smaller than the loop.
+    let reach = (1.5 * widest).max(RUN_OUT[0] * extent);
+    let end = |sign: f64| {
+        if reach > RUN_OUT[1] * extent {
+            return None;
+        }
+        let out = axis.map(|a| a * sign);
+        let along = |p: &[f64; 2]| p[0] * out[0] + p[1] * out[1];
+        let tip = points.iter().copied().max_by(|p, q| along(p).total_cmp(&along(q)))?;
+        let apart = |p: &[f64; 2]| (p[0] - tip[0]).hypot(p[1] - tip[1]);
+        let outer = middle(points, |p| apart(p) < reach)?;
+        let inner = middle(points, |p| (reach..2.0 * reach).contains(&apart(p)))?;
+        let d = [outer[0] - inner[0], outer[1] - inner[1]];
+        let length = d[0].hypot(d[1]);
+        let out = if length > 0.0 { d.map(|x| x / length) } else { out };
+        let near: Vec<[f64; 2]> = points.iter().copied().filter(|p| apart(p) < reach).collect();
+        let (_, far) = range(&near, out);
+        Some(width(points, out, far - NEAR_END * extent, |p| apart(p) < 2.0 * reach))
+    };
+    let across = |sign: f64| {
+        let at = if sign < 0.0 { lo + NEAR_END * extent } else { hi - NEAR_END * extent };
+        width(points, axis, at, |_| true)
+    };
+    // Where an end is too wide or has too few points to tell its direction, across the main axis.
+    let ends = [-1.0, 1.0].map(|sign| end(sign).unwrap_or_else(|| across(sign)));
+    ends[0].max(ends[1]) / widest
+}
+
+/// Least and greatest stretch of a loop that tells in which direction it ends, as a share of its extent.
+const RUN_OUT: [f64; 2] = [0.12, 0.3];
+
+/// Least and greatest place along a direction.
+fn range(points: &[[f64; 2]], axis: [f64; 2]) -> (f64, f64) {
+    let places = points.iter().map(|p| p[0] * axis[0] + p[1] * axis[1]);
+    places.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)))
+}
+
+/// Middle of those segments of the loop whose first point is wanted, weighted by length; `None` where there are none.
+fn middle(points: &[[f64; 2]], wanted: impl Fn(&[f64; 2]) -> bool) -> Option<[f64; 2]> {
+    let (mut sum, mut length) = ([0.0; 2], 0.0);
+    for (i, p) in points.iter().enumerate().filter(|(_, p)| wanted(p)) {
+        let q = points[(i + 1) % points.len()];
+        if !wanted(&q) {
+            continue;
+        }
+        let d = (q[0] - p[0]).hypot(q[1] - p[1]);
+        length += d;
+        for k in 0..2 {
+            sum[k] += 0.5 * d * (p[k] + q[k]);
+        }
+    }
+    (length > 0.0).then(|| sum.map(|s| s / length))
+}
+
+/// Total length of the chords across the axis at one place, of those that begin on wanted points: hollow stretches count only what is
+/// material.
+fn width(points: &[[f64; 2]], axis: [f64; 2], at: f64, wanted: impl Fn(&[f64; 2]) -> bool) -> f64 {
     let along = |p: &[f64; 2]| p[0] * axis[0] + p[1] * axis[1];
     let across = |p: &[f64; 2]| p[1] * axis[0] - p[0] * axis[1];
-    let (lo, hi) = points.iter().map(along).fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
-    // Total length of the chords at one place: hollow stretches count only what is material.
-    let width = |share: f64| {
-        let at = lo + share * (hi - lo);
-        let mut hits: Vec<f64> = Vec::new();
-        for (i, p) in points.iter().enumerate() {
-            let q = &points[(i + 1) % points.len()];
-            let (a, b) = (along(p), along(q));
-            if (a > at) != (b > at) {
-                hits.push(across(p) + (at - a) / (b - a) * (across(q) - across(p)));
-            }
+    let mut hits: Vec<f64> = Vec::new();
+    for (i, p) in points.iter().enumerate() {
+        let q = &points[(i + 1) % points.len()];
+        let (a, b) = (along(p), along(q));
+        if (a > at) != (b > at) && (wanted(p) || wanted(q)) {
+            hits.push(across(p) + (at - a) / (b - a) * (across(q) - across(p)));
         }
-        hits.sort_by(f64::total_cmp);
-        hits.chunks_exact(2).map(|c| c[1] - c[0]).sum::<f64>()
-    };
-    let widest = (1..20).map(|k| width(f64::from(k) / 20.0)).fold(0.0, f64::max);
-    if widest > 0.0 { width(NEAR_END).max(width(1.0 - NEAR_END)) / widest } else { 1.0 }
+    }
+    hits.sort_by(f64::total_cmp);
+    hits.chunks_exact(2).map(|c| c[1] - c[0]).sum::<f64>()
 }
 
 #[cfg(test)]
@@ -215,7 +272,7 @@ mod tests {
 
     #[test]
     fn airfoils_look_like_airfoils_in_any_position() {
-        for (camber, thickness) in [(0.0, 0.05), (0.05, 0.1), (0.25, 0.15)] {
+        for (camber, thickness) in [(0.0, 0.05), (0.05, 0.1), (0.25, 0.15), (0.4, 0.1)] {
             for turn in [0.0, 0.7, 2.0, -1.2] {
                 let s = shape(airfoil(camber, thickness, turn));
                 assert!(s.likeness > 0.9, "camber {camber}, thickness {thickness}: {s:?}");

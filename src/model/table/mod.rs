@@ -384,5 +384,6 @@ fn shape(
     for face in &brep.faces {
         face.surface.validate().map_err(|e| bad(e.message))?;
     }
-    Ok(FaceModel { brep, bodies: 1, format, unit, unit_reason, notes })
+    let stacking = outline::stacking(&outlines);
+    Ok(FaceModel { brep, bodies: 1, format, unit, unit_reason, notes, stacking })
 }

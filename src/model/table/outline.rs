@@ -1,6 +1,9 @@
 //! One section as a closed chain of points: joining of sides, edges, direction and order along the span.
 
+use nalgebra::Matrix3;
+
 use crate::geometry::{Point, Vector};
+use crate::model::faces::Stacking;
 
 /// Two ends of sides closer than this share of the steps beside them are one point.
 const JOIN: f64 = 0.01;
@@ -10,6 +13,8 @@ const SAME: f64 = 1e-8;
 const SHARP: f64 = 0.6;
 /// A sharp edge turns more than its neighbours by this factor.
 const ALONE: f64 = 3.0;
+/// A section is flat where its points leave the plane by less than this share of its length.
+const FLAT: f64 = 1e-3;
 /// Fewest points of a section.
 const FEWEST: usize = 8;
 
@@ -199,6 +204,34 @@ fn close(points: &mut Vec<Point>) -> bool {
         points[0] = middle;
     }
     middle.is_some()
+}
+
+/// The line through the middles of the sections (least squares), first to last, and the mean of their normals. `None` where
+/// they have no line or no normal.
+pub fn stacking(outlines: &[Outline]) -> Option<Stacking> {
+    let middles: Vec<Vector> = outlines.iter().map(|o| o.centroid().coords).collect();
+    let mean = middles.iter().sum::<Vector>() / middles.len().max(1) as f64;
+    let spread = middles.iter().map(|m| (m - mean) * (m - mean).transpose()).sum::<Matrix3<f64>>();
+    let eigen = spread.symmetric_eigen();
+    let mut line: Vector = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned();
+    let (first, last) = (outlines.first()?, outlines.last()?);
+    if (last.centroid() - first.centroid()).dot(&line) < 0.0 {
+        line = -line;
+    }
+    let normals: Vec<Vector> = outlines.iter().filter_map(|o| o.area().try_normalize(0.0)).collect();
+    let mut normal = normals.iter().sum::<Vector>().try_normalize(0.0)?;
+    let flat = |o: &Outline| {
+        let heights = o.points.iter().map(|p| p.coords.dot(&normal));
+        let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
+        hi - lo < FLAT * o.perimeter()
+    };
+    let parallel = outlines.iter().all(flat);
+    if normal.dot(&line) < 0.0 {
+        normal = -normal;
+    }
+    let growth = last.area().norm() / first.area().norm().max(f64::MIN_POSITIVE);
+    let found = Stacking { line, normal, parallel, growth };
+    (line.iter().chain(normal.iter()).all(|x| x.is_finite()) && eigen.eigenvalues.max() > 0.0).then_some(found)
 }
 
 /// Lengths from each point to the next, round.

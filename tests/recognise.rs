@@ -1,0 +1,344 @@
+//! Axis and regions of made-up blades in any position: the same blade turned gives the same axis, what the geometry leaves open is
+//! said to be open, and what is no single blade is refused. What the user says takes the place of what is found.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use bladewright::artifact::blade::Area;
+use bladewright::model::{self, ModelOptions, Survey};
+use bladewright::observe::Silent;
+use nalgebra::{Point3, UnitQuaternion, Vector3};
+
+type Mesh = (Vec<Point3<f64>>, Vec<[usize; 3]>);
+
+/// An airfoil: span along z from `foot`, chord, twist over the span, and how far the tip leans along y, in degrees.
+#[derive(Clone, Copy)]
+struct Airfoil {
+    foot: f64,
+    span: f64,
+    chord: f64,
+    twist_deg: f64,
+    lean_deg: f64,
+    camber: f64,
+}
+
+const PLAIN: Airfoil = Airfoil { foot: 20.0, span: 100.0, chord: 40.0, twist_deg: 0.0, lean_deg: 0.0, camber: 0.08 };
+
+/// Half thickness of a closed four-digit section, 12 % thick, over the chord.
+fn thickness(x: f64) -> f64 {
+    0.6 * (0.2969 * x.sqrt() - 0.126 * x - 0.3516 * x * x + 0.2843 * x.powi(3) - 0.1036 * x.powi(4))
+}
+
+const SIDE: usize = 40;
+const HEIGHTS: usize = 50;
+
+impl Airfoil {
+    fn point(&self, share: f64, k: usize) -> Point3<f64> {
+        // Once round: leading edge, upper side, trailing edge, lower side.
+        let (i, upper) = if k <= SIDE { (k, true) } else { (2 * SIDE - k, false) };
+        let x = 0.5 * (1.0 - (std::f64::consts::PI * i as f64 / SIDE as f64).cos());
+        let t = thickness(x);
+        let y = 4.0 * self.camber * x * (1.0 - x) + if upper { t } else { -t };
+        let chord = self.chord * (1.0 - 0.2 * share);
+        let (s, c) = (self.twist_deg.to_radians() * share).sin_cos();
+        let (u, v) = (chord * (x - 0.45), chord * y);
+        let z = self.foot + share * self.span;
+        Point3::new(c * u - s * v, s * u + c * v + share * self.span * self.lean_deg.to_radians().tan(), z)
+    }
+
+    /// Closed at both ends by strips between the sides.
+    fn mesh(&self) -> Mesh {
+        let round = 2 * SIDE;
+        let points = (0..HEIGHTS)
+            .flat_map(|h| (0..round).map(move |k| (h, k)))
+            .map(|(h, k)| self.point(h as f64 / (HEIGHTS - 1) as f64, k))
+            .collect();
+        let mut triangles = Vec::new();
+        for h in 0..HEIGHTS - 1 {
+            for k in 0..round {
+                let (a, b) = (h * round + k, h * round + (k + 1) % round);
+                triangles.extend([[a, a + round, b], [b, a + round, b + round]]);
+            }
+        }
+        for (base, up) in [(0, false), ((HEIGHTS - 1) * round, true)] {
+            for k in 0..SIDE {
+                let [a, b] = [base + k, base + k + 1];
+                let [c, d] = [base + (round - k) % round, base + round - k - 1];
+                for t in [[a, b, d], [a, d, c]] {
+                    if t[0] != t[1] && t[1] != t[2] && t[0] != t[2] {
+                        triangles.push(if up { [t[0], t[2], t[1]] } else { t });
+                    }
+                }
+            }
+        }
+        (points, triangles)
+    }
+}
+
+/// Rotations spread over all directions, the same on every run.
+fn rotation(seed: u32) -> UnitQuaternion<f64> {
+    let share = |k: u32| f64::from((seed * 7 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1u32 << 24);
+    UnitQuaternion::from_euler_angles(TAU * share(1), TAU * share(2), TAU * share(3))
+}
+
+fn obj((points, triangles): &Mesh) -> String {
+    let mut text = String::new();
+    for p in points {
+        text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+    }
+    for t in triangles {
+        text += &format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    }
+    text
+}
+
+fn survey(text: &str) -> Survey {
+    model::survey_bytes(Path::new("part.obj"), text.as_bytes(), &ModelOptions::default(), &Silent).expect("read")
+}
+
+fn turned((points, triangles): &Mesh, by: &UnitQuaternion<f64>) -> Mesh {
+    (points.iter().map(|p| by * p).collect(), triangles.clone())
+}
+
+/// The blade axis found, root to tip, and what is doubted.
+fn axis(survey: &Survey) -> (Vector3<f64>, Vec<String>) {
+    let found = survey.found.as_ref().unwrap_or_else(|e| panic!("{e}"));
+    (found.model_from_blade.rotation * Vector3::x(), found.doubts.clone())
+}
+
+/// The axis of a mesh in three positions: within `within_deg` of z, turned along, root to tip.
+fn stays_with(mesh: &Mesh, within_deg: f64, certain: bool) {
+    for seed in 0..3 {
+        let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
+        let (found, doubts) = axis(&survey(&obj(&turned(mesh, &by))));
+        let off_deg = found.angle(&(by * Vector3::z())).to_degrees();
+        assert!(off_deg < within_deg, "turned by {seed}: {off_deg}° off, {doubts:?}");
+        assert!(!certain || doubts.is_empty(), "turned by {seed}: {doubts:?}");
+    }
+}
+
+#[test]
+fn a_plain_airfoil_has_its_axis_in_any_position() {
+    stays_with(&PLAIN.mesh(), 3.0, true);
+    let (found, _) = axis(&survey(&obj(&PLAIN.mesh())));
+    assert_eq!(found, Vector3::z(), "an airfoil drawn along a coordinate axis has that axis exactly");
+}
+
+#[test]
+fn a_twisted_airfoil_has_its_axis_in_any_position() {
+    stays_with(&Airfoil { twist_deg: 50.0, ..PLAIN }.mesh(), 6.0, true);
+}
+
+#[test]
+fn a_leaning_airfoil_has_its_axis_in_any_position() {
+    stays_with(&Airfoil { lean_deg: 12.0, twist_deg: 20.0, ..PLAIN }.mesh(), 14.0, true);
+}
+
+#[test]
+fn an_airfoil_shorter_than_its_chord_has_its_axis_in_any_position() {
+    stays_with(&Airfoil { span: 30.0, chord: 55.0, twist_deg: 8.0, ..PLAIN }.mesh(), 6.0, false);
+}
+
+#[test]
+fn an_airfoil_of_deep_camber_has_its_axis_in_any_position() {
+    stays_with(&Airfoil { camber: 0.25, twist_deg: 10.0, ..PLAIN }.mesh(), 6.0, true);
+}
+
+/// Two ways to see such a blade: along its middles, and square to its sections.
+#[test]
+fn a_blade_that_leans_by_half_a_right_angle_is_told_to_be_uncertain() {
+    let mesh = Airfoil { lean_deg: 45.0, span: 60.0, ..PLAIN }.mesh();
+    let (found, doubts) = axis(&survey(&obj(&mesh)));
+    let middles = Vector3::new(0.0, 1.0, 1.0).normalize();
+    let off = found.angle(&middles).min(found.angle(&Vector3::z())).to_degrees();
+    assert!(off < 12.0, "{found}");
+    assert!(doubts.iter().any(|d| d.contains("not certain")), "{doubts:?}");
+}
+
+/// Pressure and suction side alone, with gaps along both edges and no ends: sections are joined over the gaps.
+#[test]
+fn two_sheets_that_do_not_meet_are_one_airfoil() {
+    let (points, triangles) = Airfoil { twist_deg: 15.0, ..PLAIN }.mesh();
+    let round = 2 * SIDE;
+    // The sides without their outermost strips, and without both ends.
+    let sides = 2 * round * (HEIGHTS - 1);
+    let keep = |t: &[usize; 3]| {
+        let ks = t.map(|v| v % round);
+        let inner = |k: usize| (2..=SIDE - 2).contains(&k) || (SIDE + 2..=round - 2).contains(&k);
+        ks.iter().all(|k| inner(*k)) && (ks.iter().all(|k| *k < SIDE) || ks.iter().all(|k| *k > SIDE))
+    };
+    let open: Vec<[usize; 3]> = triangles[..sides].iter().copied().filter(keep).collect();
+    let found = survey(&obj(&(points, open)));
+    assert!(found.diagnosis.pieces == 2 && !found.diagnosis.closed);
+    let off_deg = axis(&found).0.angle(&Vector3::z()).to_degrees();
+    assert!(off_deg < 8.0, "{off_deg}");
+}
+
+/// Five blades on a hub.
+fn wheel() -> Mesh {
+    let (mut points, mut triangles): Mesh = (Vec::new(), Vec::new());
+    let mut add = |mesh: Mesh| {
+        let base = points.len();
+        points.extend(mesh.0);
+        triangles.extend(mesh.1.iter().map(|t| t.map(|v| v + base)));
+    };
+    for k in 0..5 {
+        let by = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), TAU * f64::from(k) / 5.0);
+        add(turned(&Airfoil { foot: 38.0, span: 60.0, twist_deg: 30.0, ..PLAIN }.mesh(), &by));
+    }
+    let n = 90;
+    let ring = |x: f64| (0..n).map(move |k| (x, TAU * f64::from(k) / f64::from(n)));
+    let hub: Vec<Point3<f64>> =
+        ring(-25.0).chain(ring(25.0)).map(|(x, a)| Point3::new(x, 40.0 * a.cos(), 40.0 * a.sin())).collect();
+    let n = n as usize;
+    let mut faces: Vec<[usize; 3]> =
+        (0..n).flat_map(|k| [[k, (k + 1) % n, n + k], [(k + 1) % n, n + (k + 1) % n, n + k]]).collect();
+    for k in 1..n - 1 {
+        faces.extend([[0, k + 1, k], [n, n + k, n + k + 1]]);
+    }
+    add((hub, faces));
+    (points, triangles)
+}
+
+#[test]
+fn a_wheel_is_said_to_be_no_single_blade() {
+    for seed in [0, 5] {
+        let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
+        let found = survey(&obj(&turned(&wheel(), &by))).found;
+        let e = found.err().expect("a wheel is refused");
+        assert!(e.to_string().contains("no single blade"), "{e}");
+    }
+}
+
+/// A blade with root, platform and fillet: the same axis to a tenth of a degree, and the same heights, in any position.
+#[test]
+fn a_blade_with_a_platform_is_found_alike_in_any_position() {
+    let text = std::fs::read_to_string(model("turbine_camber.obj")).expect("model");
+    for seed in 1..3 {
+        let by = rotation(seed);
+        let moved: String = text
+            .lines()
+            .map(|line| {
+                let numbers: Vec<f64> = line.split(' ').skip(1).filter_map(|t| t.parse().ok()).collect();
+                match (line.strip_prefix("v "), &numbers[..]) {
+                    (Some(_), [x, y, z]) => {
+                        let p = by * Point3::new(*x, *y, *z);
+                        format!("v {} {} {}\n", p.x, p.y, p.z)
+                    }
+                    _ => format!("{line}\n"),
+                }
+            })
+            .collect();
+        let survey = survey(&moved);
+        let (found, doubts) = axis(&survey);
+        assert!(found.angle(&(by * Vector3::z())).to_degrees() < 0.1 && doubts.is_empty(), "{found} {doubts:?}");
+        let regions = &survey.found.as_ref().expect("found").regions;
+        assert!(regions.platform_x_mm.is_some_and(|x| x.abs() < 0.02), "{:?}", regions.platform_x_mm);
+        assert!(regions.fillet_x_mm.is_some_and(|f| (f[1] - 2.5).abs() < 0.3), "{:?}", regions.fillet_x_mm);
+        assert!((regions.airfoil_x_mm[1] - 40.0).abs() < 0.02, "{:?}", regions.airfoil_x_mm);
+    }
+}
+
+fn model(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(name)
+}
+
+fn inspect(name: &str, options: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bladewright"))
+        .args(["--quiet", "inspect"])
+        .arg(model(name))
+        .args(options)
+        .output()
+        .expect("the command starts")
+}
+
+/// The report of a run that must succeed.
+fn report(name: &str, options: &[&str]) -> String {
+    let out = inspect(name, options);
+    assert_eq!(out.status.code(), Some(0), "{options:?}\n{}", String::from_utf8_lossy(&out.stderr));
+    String::from_utf8_lossy(&out.stdout).into_owned()
+}
+
+#[test]
+fn what_the_user_says_takes_the_place_of_what_was_found() {
+    let says = |options: &[&str], words: &[&str]| {
+        let text = report("prism.obj", options);
+        for word in words {
+            assert!(text.contains(word), "{options:?}: `{word}` is not in\n{text}");
+        }
+    };
+    says(&["--axis", "0,0,-2"], &["as given", "x = (0.000000, 0.000000, -1.000000)"]);
+    says(&["--axis", "0.1,0,1"], &["x = (0.099504, 0.000000, 0.995037)"]);
+    says(&["--unit", "inch"], &["unit       inch, as told", "2286.000 × 1270.000 × 3302.000 mm"]);
+    says(&["--region", "airfoil=10,70"], &["airfoil: x = 10 to 70 mm, as given"]);
+    says(&["--region", "platform=1.5"], &["platform: top at x = 1.500 mm, as given"]);
+    let by_name = report("prism.obj", &["--faces", "platform=Platform_Top"]);
+    assert!(by_name.contains("platform: top at x = 0.000 mm, as given"), "{by_name}");
+    assert_eq!(by_name, report("prism.obj", &["--faces", "platform=10"]), "by name and by number");
+    // The end of the prism: sections that lie on these faces alone.
+    let faces = "airfoil=lower_side,2,upper_side,leading_end";
+    says(&["--faces", faces], &["x = (0.000000, 0.000000, 1.000000)", "airfoil: x = "]);
+}
+
+#[test]
+fn what_the_user_says_wrongly_is_an_error_that_names_it() {
+    for (options, word) in [
+        (["--faces", "airfoil=wing"], "no face is called wing; the part has 19 faces or groups"),
+        (["--faces", "platform=20"], "no face is called 20"),
+        (["--region", "airfoil=10,700"], "the part spans -50.000 to 80.000 mm along the blade axis"),
+        (["--region", "platform=-51"], "platform height -51 mm"),
+        (["--region", "fillet=1"], "airfoil=LO,HI or platform=TOP"),
+        (["--axis", "0,0,0"], "not all 0"),
+        (["--unit", "furlong"], "furlong"),
+    ] {
+        let out = inspect("prism.obj", &options);
+        let text = format!("{}{}", String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
+        // Regions that make no sense are told with the report; what cannot be parsed ends the command.
+        assert!(text.contains(word), "{options:?}: `{word}` is not in\n{text}");
+    }
+}
+
+/// The prism's areas, by its closed forms: airfoil above the fillet, quarter-round fillet, platform outside it, tip.
+#[test]
+fn colours_of_the_regions_are_on_the_right_triangles() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let file = dir.path().join("regions.glb");
+    report("prism.obj", &["--glb", &file.to_string_lossy()]);
+    let bytes = std::fs::read(&file).expect("written");
+    let glb = gltf::Gltf::from_slice(&bytes).expect("a glTF file");
+    let blob = glb.blob.clone().expect("a binary chunk");
+    let mut seen = Vec::new();
+    for primitive in glb.meshes().flat_map(|m| m.primitives().collect::<Vec<_>>()) {
+        let name = primitive.material().name().expect("named").to_owned();
+        let colour = primitive.material().pbr_metallic_roughness().base_color_factor();
+        let reader = primitive.reader(|_| Some(&blob));
+        let points: Vec<[f32; 3]> = reader.read_positions().expect("positions").collect();
+        for p in &points {
+            // In metres, y up or z up: heights and distances from the axis are told by the closed forms below alone.
+            assert!(p.iter().all(|x| x.is_finite()));
+        }
+        seen.push((name, colour.map(|c| (c * 1000.0).round() as i32), points));
+    }
+    let names: Vec<&str> = seen.iter().map(|s| s.0.as_str()).collect();
+    assert_eq!(names, ["airfoil", "fillet", "platform", "root", "tip"]);
+    for (k, a) in seen.iter().enumerate() {
+        assert!(seen[k + 1..].iter().all(|b| a.1 != b.1), "two areas have one colour");
+    }
+    let survey = model::survey(&model("prism.obj"), &ModelOptions::default(), &Silent).expect("read");
+    let (areas, mesh) = (survey.areas(), &survey.part.mesh);
+    for (t, area) in areas.iter().enumerate() {
+        let c = mesh.corners(t);
+        let p = (c[0].coords + c[1].coords + c[2].coords) / 3.0;
+        let q = (p.x.abs() - 20.0).max(0.0).hypot(p.y);
+        let want = match () {
+            () if p.z > 79.999 => Area::Tip,
+            () if p.z > 6.2 => Area::Airfoil,
+            () if p.z > 0.2 && p.z < 5.5 => Area::Fillet,
+            () if p.z > -0.001 && p.z < 0.001 && q > 16.5 => Area::Platform,
+            () if p.z < -0.1 => Area::Root,
+            () => continue,
+        };
+        assert_eq!(*area, want, "triangle {t} at {p}");
+    }
+}
