@@ -14,7 +14,8 @@ fn models() -> PathBuf {
 /// The row of a model in the table whose head has this column, as (column, cell).
 fn row(column: &str, name: &str) -> Vec<(String, String)> {
     let text = std::fs::read_to_string(models().join("README.md")).expect("models/README.md");
-    let cells = |line: &str| -> Vec<String> { line.trim_matches('|').split('|').map(|c| c.trim().to_owned()).collect() };
+    let cells =
+        |line: &str| -> Vec<String> { line.trim_matches('|').split('|').map(|c| c.trim().to_owned()).collect() };
     let lines: Vec<&str> = text.lines().collect();
     let head = lines.iter().position(|l| l.starts_with("| file") && l.contains(column)).expect("the table");
     let found = lines[head..].iter().take_while(|l| l.starts_with('|')).find(|l| l.contains(&format!("`{name}`")));

@@ -166,13 +166,10 @@ fn complete_tool(keys: &ToolKeys, blade: &Blade) -> Result<Tool> {
     let shank_radius_mm = keys.shank_radius_mm.unwrap_or(if straight { radius_mm } else { 1.5 * radius_mm });
     let reach = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
     let stickout_mm = keys.stickout_mm.unwrap_or_else(|| up_to_five(1.1 * reach + 2.0 * radius_mm));
-    let holder = keys
-        .holder
-        .clone()
-        .unwrap_or_else(|| {
-            let length_mm = (10.0 * shank_radius_mm).max(LEAST_HOLDER_MM);
-            vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm }]
-        });
+    let holder = keys.holder.clone().unwrap_or_else(|| {
+        let length_mm = (10.0 * shank_radius_mm).max(LEAST_HOLDER_MM);
+        vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm }]
+    });
     let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
     tool.validate()?;
     Ok(tool)

@@ -1,5 +1,6 @@
 //! What readers of exact faces give.
 
+use super::units::Source;
 use crate::artifact::blade::Unit;
 use crate::geometry::Vector;
 use crate::geometry::brep::Brep;
@@ -16,6 +17,8 @@ pub struct FaceModel {
     pub unit: Unit,
     /// Unit taken, and why.
     pub unit_reason: String,
+    /// Who says so.
+    pub unit_source: Source,
     /// What the user should know.
     pub notes: Vec<String>,
     /// How the sections are stacked, where the faces were lofted through a table of them.

@@ -121,3 +121,63 @@ fn along_boundary(brep: &Brep, face: &Face) -> bool {
     let near = |p: &Point, set: &[Point]| set.iter().any(|q| (p - q).norm() < tolerance);
     !edges.is_empty() && edges.iter().all(|p| near(p, &boundary)) && boundary.iter().all(|p| near(p, &edges))
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::geometry::mesh::topology;
+    use crate::model::SEW_MM;
+    use crate::observe::Silent;
+
+    /// The prism: faces 5 to 8 are its fillet, 9 is its tip.
+    fn prism() -> Brep {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/prism.step");
+        crate::model::step::read(&path, &std::fs::read(&path).unwrap(), None).unwrap().brep
+    }
+
+    fn rescued(brep: Brep) -> (Part, Rescued) {
+        part(brep, 0.05, &SEW_MM, &Silent).unwrap()
+    }
+
+    #[test]
+    fn a_whole_part_is_left_as_it_is() {
+        let (part, done) = rescued(prism());
+        assert!(done.notes.is_empty() && done.obstacle.is_none() && done.deflection_mm == 0.05, "{:?}", done.notes);
+        assert_eq!(topology(&part.mesh).open_edges, 0);
+    }
+
+    /// Edges in a wrong order make a loop that crosses itself; as they run along the boundary of the face, they say nothing more.
+    #[test]
+    fn a_face_whose_edges_run_along_its_boundary_is_taken_up_to_there() {
+        let mut brep = prism();
+        let sides = &mut brep.faces[4].loops[0];
+        assert_eq!(sides.len(), 4);
+        sides.swap(1, 2);
+        let (part, done) = rescued(brep);
+        assert!(done.notes.iter().any(|n| n.contains("natural boundary")), "{:?}", done.notes);
+        assert!(done.obstacle.is_none());
+        let whole = rescued(prism()).0;
+        assert!((part.mesh.area_mm2() - whole.mesh.area_mm2()).abs() < 1e-3 * whole.mesh.area_mm2());
+    }
+
+    /// An edge from the other end of the part in a loop: nothing tells where the face ends.
+    #[test]
+    fn a_face_that_cannot_be_trimmed_is_left_out_and_hinders_a_plan() {
+        let mut brep = prism();
+        let far = brep.faces[16].loops[0][0];
+        brep.faces[8].loops[0].push(far);
+        let (part, done) = rescued(brep);
+        assert!(done.notes.iter().any(|n| n.starts_with("left out")), "{:?}", done.notes);
+        assert!(done.obstacle.is_some() && topology(&part.mesh).open_edges > 0);
+    }
+
+    #[test]
+    fn a_part_without_a_face_that_can_be_meshed_is_an_error() {
+        let mut brep = prism();
+        let far = brep.faces[16].loops[0][0];
+        brep.faces = vec![brep.faces[8].clone()];
+        brep.faces[0].loops[0].push(far);
+        assert!(part(brep, 0.05, &SEW_MM, &Silent).is_err());
+    }
+}

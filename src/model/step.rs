@@ -17,6 +17,7 @@ use step_io::{Orientation, Report};
 
 use super::faces::FaceModel;
 use super::sew::{backwards, from_vertex};
+use super::units::Source;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -48,6 +49,7 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
     let scene = model.scene();
     let mut notes = Vec::new();
     check_dropped(path, bytes, &scene, &report, &mut notes)?;
+    let told = unit.is_some();
     let (unit, mm, unit_reason) = length_unit(&scene, unit);
     let mut build = Build { path, mm, brep: Brep::default(), edges: HashMap::new(), placement: 0, bodies: 0 };
     let placed = place_all(&scene);
@@ -65,7 +67,21 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
         _ => "of unknown schema",
     };
     notes.extend(scene.warnings().iter().map(|w| format!("STEP reader: {w}")));
-    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: format!("STEP {family}"), unit, unit_reason, notes, stacking: None })
+    let unit_source = match (told, scene.units().length.is_some()) {
+        (true, _) => Source::Told,
+        (false, true) => Source::Declared,
+        (false, false) => Source::Assumed,
+    };
+    Ok(FaceModel {
+        brep: build.brep,
+        bodies: build.bodies,
+        format: format!("STEP {family}"),
+        unit,
+        unit_reason,
+        unit_source,
+        notes,
+        stacking: None,
+    })
 }
 
 /// Refuses a file of which faces were lost; notes what else was skipped.

@@ -14,7 +14,7 @@ use super::recognise::areas::areas;
 use super::recognise::{self, Recognised};
 use super::rescue;
 use super::soup::Soup;
-use super::units::{self, Guess};
+use super::units::{self, Guess, Source};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
 use crate::error::{Error, Result, Stage};
@@ -92,7 +92,8 @@ pub fn from_faces(
     observer: &dyn Observer,
 ) -> Result<Survey> {
     // Before sewing and meshing: in a wrong unit their tolerances would be wrong too.
-    let guess = units::judge(path, edge_box(&shape.brep), shape.unit, options.unit.is_some());
+    let source = shape.unit_source;
+    let guess = units::judge(path, edge_box(&shape.brep), shape.unit, source);
     if let Guess::Other { unit, .. } = &guess {
         scale(&mut shape.brep, unit.mm() / shape.unit.mm());
     }
@@ -117,7 +118,7 @@ pub fn from_faces(
         part.brep = Some(brep);
     }
     let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
-    let mut survey = finish(path, unit, part, names, diagnosis, obstacle, shape.stacking, options, observer)?;
+    let mut survey = finish(path, (unit, source), part, names, diagnosis, obstacle, shape.stacking, options, observer)?;
     if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
         survey.diagnosis.notes.push(
             "openings between exact faces are not closed, close_holes_mm acts on meshes: an invented face would pass for the \
@@ -151,7 +152,12 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     };
     let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, ..Diagnosis::default() };
     diagnosis.faces = vec![("groups".into(), soup.groups.len())];
-    let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, options.unit.is_some());
+    let source = match (options.unit, soup.unit) {
+        (Some(_), _) => Source::Told,
+        (None, Some(_)) => Source::Declared,
+        (None, None) => Source::Assumed,
+    };
+    let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, source);
     let (unit, obstacle) = guess.take(unit, &mut diagnosis);
     let heal = HealOptions { weld_mm: options.weld_mm, close_holes_mm: options.close_holes_mm };
     let names = soup.groups.clone();
@@ -160,14 +166,14 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     observer.progress(Stage::Model, 1, 3);
     diagnosis.notes.extend(healed.notes);
     diagnosis.bodies = topology(&healed.mesh).components;
-    finish(path, unit, Part::from_mesh(healed.mesh), names, diagnosis, obstacle, None, options, observer)
+    finish(path, (unit, source), Part::from_mesh(healed.mesh), names, diagnosis, obstacle, None, options, observer)
 }
 
 /// Diagnoses the mesh and looks for the blade.
 #[allow(clippy::too_many_arguments)]
 fn finish(
     path: &Path,
-    unit: Unit,
+    (unit, source): (Unit, Source),
     part: Part,
     face_names: Vec<String>,
     mut diagnosis: Diagnosis,
@@ -189,6 +195,10 @@ fn finish(
     observer.progress(Stage::Model, 2, 3);
     if let Ok(found) = &found {
         diagnosis.notes.extend(found.doubts.iter().cloned());
+        let [lo, hi] = found.regions.part_x_mm;
+        let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
+        let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
+        diagnosis.notes.extend(units::slender(hi - lo, chord, unit, source));
     }
     Ok(Survey {
         name: stem(path),

@@ -17,6 +17,22 @@ const POSSIBLE_MM: [f64; 2] = [0.5, 500_000.0];
 /// Sizes of nearly all blades that are milled, mm: a unit that gives one of them is a likely one.
 const LIKELY_MM: [f64; 2] = [20.0, 2000.0];
 
+/// A blade this many times as long as its mean chord is as slender as those of wind turbines …
+const SLENDER: f64 = 12.0;
+/// … and these are their lengths, m.
+const WIND_TURBINE_M: [f64; 2] = [15.0, 150.0];
+
+/// Who says what unit a file is in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source {
+    /// The user.
+    Told,
+    /// The file.
+    Declared,
+    /// Nobody: mm is taken.
+    Assumed,
+}
+
 /// A unit's name, as the command line takes it.
 pub fn name(unit: Unit) -> &'static str {
     match unit {
@@ -94,16 +110,49 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
     [Unit::M, Unit::Mm, Unit::Inch, Unit::Cm].into_iter().find(|&u| u != unit && fits(u))
 }
 
-/// Judges the unit by the part's box, mm. `told`: the user gave the unit, so no other is taken.
-pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, told: bool) -> Guess {
-    judge_size(path, b.map(|b| (b.max - b.min).max()), unit, told)
+/// What is said of a blade whose length over its mean chord is that of a wind turbine's blade, and so is its length if the file's
+/// numbers are metres: such models are drawn in metres, whatever the file says, and nothing else in the file tells.
+pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: Source) -> Option<String> {
+    let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
+    let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
+    (fits && source != Source::Told && unit != Unit::M).then(|| {
+        format!(
+            "the unit is not certain: the blade is {ratio:.0} times as long as its mean chord, as slender as a wind turbine's, and \
+             {} m would be the length of one; if the file is in metres, pass --unit m, else --unit {}",
+            short(metres),
+            name(unit)
+        )
+    })
+}
+
+/// Judges the unit by the part's box, mm. A unit that the user told is taken whatever the size.
+pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, source: Source) -> Guess {
+    judge_size(path, b.map(|b| (b.max - b.min).max()), unit, source)
+}
+
+/// What is said of a size that few blades have, where nothing but the size tells the unit.
+fn unlikely(size_mm: f64, unit: Unit) -> String {
+    let size = size_mm / unit.mm();
+    let others = [Unit::Cm, Unit::Inch, Unit::M].into_iter().filter(|u| *u != unit);
+    let list: Vec<String> = others
+        .filter(|u| (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&(size * u.mm())))
+        .map(|u| format!("in {} {} mm", name(u), short(size * u.mm())))
+        .collect();
+    let other = if list.is_empty() { String::new() } else { format!("; {} would be usual", list.join(", ")) };
+    format!(
+        "the unit is not certain: the file names none, and {} mm across in {} is unusual for a blade{other}; give it with --unit",
+        short(size_mm),
+        name(unit)
+    )
 }
 
 /// As [`judge`], from the longest side of the box, mm.
-pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, told: bool) -> Guess {
+pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, source: Source) -> Guess {
     let Some(size_mm) = size_mm.filter(|s| s.is_finite()) else { return Guess::Fits };
+    let told = source == Source::Told;
     if (USUAL_MM[0]..=USUAL_MM[1]).contains(&size_mm) {
-        return Guess::Fits;
+        let sure = source != Source::Assumed || (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&size_mm);
+        return if sure { Guess::Fits } else { Guess::Odd(unlikely(size_mm, unit)) };
     }
     let other = likely(size_mm / unit.mm(), unit);
     let advice = other
@@ -137,7 +186,29 @@ mod tests {
     use super::*;
 
     fn guess(size_mm: f64, unit: Unit, told: bool) -> Guess {
-        judge_size(Path::new("a.stl"), Some(size_mm), unit, told)
+        let source = if told { Source::Told } else { Source::Declared };
+        judge_size(Path::new("a.stl"), Some(size_mm), unit, source)
+    }
+
+    #[test]
+    fn what_only_the_size_tells_is_told_to_be_uncertain_where_the_size_is_unusual() {
+        let guess = |size| judge_size(Path::new("a.dat"), Some(size), Unit::Mm, Source::Assumed);
+        assert!(matches!(guess(90.0), Guess::Fits));
+        assert!(matches!(guess(7.4), Guess::Odd(n) if n.contains("in cm 74.00 mm, in inch 188.0 mm would be usual")));
+        assert!(matches!(judge_size(Path::new("a.stp"), Some(7.4), Unit::Mm, Source::Declared), Guess::Fits));
+    }
+
+    #[test]
+    fn a_slender_blade_of_a_wind_turbines_length_in_metres_is_doubted() {
+        assert!(
+            slender(117.0, 4.0, Unit::Mm, Source::Declared)
+                .is_some_and(|n| n.contains("117.0 m") && n.contains("--unit m,"))
+        );
+        // As long, but a usual blade; slender, but of no such length; the user knows; it is in metres.
+        assert!(slender(117.0, 40.0, Unit::Mm, Source::Assumed).is_none());
+        assert!(slender(600.0, 30.0, Unit::Mm, Source::Assumed).is_none());
+        assert!(slender(117.0, 4.0, Unit::Mm, Source::Told).is_none());
+        assert!(slender(117_000.0, 4000.0, Unit::M, Source::Declared).is_none());
     }
 
     #[test]

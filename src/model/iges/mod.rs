@@ -29,6 +29,7 @@ use std::path::Path;
 use nalgebra::Matrix4;
 
 use super::faces::FaceModel;
+use super::units::Source;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use build::Build;
@@ -40,6 +41,7 @@ use file::{File, Global};
 /// `InputOutput`: not IGES, cut off, no faces, entities that cannot be read.
 pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let file = File::new(path, bytes)?;
+    let told = unit.is_some();
     let (unit, mm, unit_reason) = length_unit(&file.global, unit).map_err(|m| {
         Error::io(Stage::Model, format!("{}: {m}", path.display())).advise("pass --unit mm, cm, m or inch")
     })?;
@@ -63,7 +65,17 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
         11 => "IGES 5.3".to_owned(),
         _ => "IGES".to_owned(),
     };
-    Ok(FaceModel { brep: build.brep, bodies: build.bodies, format: version, unit, unit_reason, notes, stacking: None })
+    let unit_source = if told { Source::Told } else { Source::Declared };
+    Ok(FaceModel {
+        brep: build.brep,
+        bodies: build.bodies,
+        format: version,
+        unit,
+        unit_reason,
+        unit_source,
+        notes,
+        stacking: None,
+    })
 }
 
 /// The unit of coordinates: (unit, mm per file unit, reason).

@@ -42,6 +42,7 @@ fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
     if p.x >= lo {
         let beside = !within(found, p);
         return match r.fillet_x_mm {
+            _ if beside && n_x > FACES_TIP && r.platform_x_mm.is_some_and(|x| p.x < x + tolerance) => Area::Platform,
             _ if beside => Area::Other,
             Some([_, top]) if p.x < top => Area::Fillet,
             _ => Area::Airfoil,
@@ -149,20 +150,16 @@ mod tests {
 
     #[test]
     fn a_face_that_belongs_to_one_area_by_nine_tenths_is_taken_whole() {
-        // Nine pieces of airfoil and one at the height of the fillet.
-        let mut at = vec![([40.0, 0.0, 5.0], OUT); 9];
-        at.push(([3.0, 0.0, 5.5], OUT));
-        let mut f = found(&at, Some(0.0), Some([0.0, 6.0]));
-        f.mesh.face_of = vec![0; 10];
-        assert_eq!(areas(&f, false)[9], Area::Fillet);
-        assert!(areas(&f, true).iter().all(|a| *a == Area::Airfoil));
-        // Eight and two are no nine tenths.
-        f.mesh.face_of = [[0; 8].as_slice(), &[0, 0]].concat();
-        f.mesh.points[8 * 3].x = 3.0;
-        f.mesh.points[8 * 3 + 1].x = 3.0;
-        f.mesh.points[8 * 3 + 2].x = 3.0;
-        let got = areas(&f, true);
-        assert_eq!(got[..8], [Area::Airfoil; 8]);
-        assert_eq!(got[9], Area::Fillet);
+        let pieces = |airfoil: usize, fillet: usize| {
+            let mut at = vec![([40.0, 0.0, 5.0], OUT); airfoil];
+            at.resize(airfoil + fillet, ([3.0, 0.0, 5.5], OUT));
+            let mut f = found(&at, Some(0.0), Some([0.0, 6.0]));
+            f.mesh.face_of = vec![0; airfoil + fillet];
+            f
+        };
+        assert_eq!(areas(&pieces(19, 1), false)[19], Area::Fillet);
+        assert!(areas(&pieces(19, 1), true).iter().all(|a| *a == Area::Airfoil));
+        let mixed = areas(&pieces(8, 2), true);
+        assert!(mixed[..8].iter().all(|a| *a == Area::Airfoil) && mixed[8..].iter().all(|a| *a == Area::Fillet));
     }
 }

@@ -88,6 +88,32 @@ pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
     planes.iter().enumerate().map(|(k, p)| (p.normal, common(k, &p.normal))).collect()
 }
 
+/// The common normal of two planes that close both ends of the run and lean from its direction by more than `lean_deg`, but by less
+/// than [`MOST_LEAN_DEG`]; `None` where there are none.
+pub fn slanted_ends(patches: &[Patch], run: &Run, common_deg: f64, lean_deg: f64) -> Option<Vector> {
+    let (first, last) = (run.links.first()?, run.links.last()?);
+    let middle = &run.links[run.links.len() / 2].shape;
+    let leans = |p: &&Patch| {
+        let facing = p.normal.dot(&run.direction).abs();
+        let share = facing * p.area_mm2 / middle.area_mm2.max(f64::MIN_POSITIVE);
+        p.flatness > PLANE
+            && facing < lean_deg.to_radians().cos()
+            && facing > MOST_LEAN_DEG.to_radians().cos()
+            && (LIKE[0]..=LIKE[1]).contains(&share)
+    };
+    let room = 0.25 * middle.perimeter_mm;
+    let height = |p: &Patch| p.middle.coords.dot(&run.direction);
+    let top = |p: &&Patch| p.normal.dot(&run.direction) > 0.0 && height(p) > last.height_mm - room;
+    let bottom = |p: &&Patch| p.normal.dot(&run.direction) < 0.0 && height(p) < first.height_mm + room;
+    let ends: Vec<&Patch> = patches.iter().filter(leans).collect();
+    let opposite =
+        |p: &Patch| ends.iter().filter(|q| bottom(q)).any(|q| q.normal.dot(&p.normal) < -common_deg.to_radians().cos());
+    ends.iter().filter(|p| top(p)).find(|p| opposite(p)).map(|p| p.normal)
+}
+
+/// Planes that lean more are sides of the part, not ends.
+const MOST_LEAN_DEG: f64 = 65.0;
+
 /// How many ends of the run, 0 to 2, have a lid.
 pub fn lids(patches: &[Patch], run: &Run) -> usize {
     let blade_from_mesh = frame_along(&run.direction).inverse();
@@ -137,7 +163,8 @@ mod tests {
     fn a_lid_that_is_bent_is_no_plane() {
         let mut mesh = sample::blade().part.mesh;
         // The middle of the tip's fan, drawn out to a flat cone.
-        let top = mesh.points.iter_mut().filter(|p| p.y == 0.0 && p.z == 0.0).max_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
+        let top =
+            mesh.points.iter_mut().filter(|p| p.y == 0.0 && p.z == 0.0).max_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
         top.x += 0.2 * sample::PART_RADIUS;
         let patches = patches(&mesh);
         assert_eq!(patches.len(), 2);

@@ -72,7 +72,9 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     if faces.is_none() {
         refuse_wheels(&runs, chosen)?;
     }
-    let mut doubt = rival(&runs, chosen).or_else(|| fading(&runs[chosen], caps::lids(&patches, &runs[chosen])));
+    let mut doubt = rival(&runs, chosen)
+        .or_else(|| fading(&runs[chosen], caps::lids(&patches, &runs[chosen])))
+        .or_else(|| slanted(&runs[chosen], &patches));
     let lean_deg = runs[chosen].stack.angle(&runs[chosen].direction).to_degrees();
     if lean_deg > LEAN_DEG {
         let (stack, sections) = (runs[chosen].stack, runs[chosen].direction);
@@ -202,14 +204,14 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
     let (direction, score) = (runs[top].direction, runs[top].score);
     let (axis, off_deg) = nearest_axis(&direction);
     let k = axis.iamax();
-    if !runs[k].links.is_empty() && (off_deg < SNAP_DEG || (off_deg < DATUM_DEG && runs[k].score > DATUM_SCORE * score)) {
-        let why =
-            format!("the coordinate axis {off_deg:.1}° from the direction in which sections look most like an airfoil");
-        return (k, why);
+    let coordinate =
+        || format!("the coordinate axis {off_deg:.1}° from the direction in which sections look most like an airfoil");
+    if off_deg < SNAP_DEG && !runs[k].links.is_empty() {
+        return (k, coordinate());
     }
     for (normal, common) in caps::flat_normals(patches, COMMON_DEG) {
         let flat_deg = normal.dot(&direction).abs().clamp(0.0, 1.0).acos().to_degrees();
-        if flat_deg > if common { DATUM_DEG } else { SNAP_DEG } {
+        if flat_deg > if common { DATUM_DEG.min(off_deg) } else { SNAP_DEG } {
             continue;
         }
         let run = along(&(normal * normal.dot(&direction).signum()));
@@ -220,6 +222,12 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
             );
             return (runs.len() - 1, why);
         }
+    }
+    // Farther away only where the sections across the axis do not say that the blade runs aslant to it.
+    let lean_deg = |r: &Run| r.stack.dot(&r.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
+    let straight = lean_deg(&runs[k]) < 2.0 * lean_deg(&runs[top]) + SNAP_DEG;
+    if off_deg < DATUM_DEG && straight && runs[k].score > DATUM_SCORE * score {
+        return (k, coordinate());
     }
     let why = format!(
         "the direction in which sections look most like an airfoil, {off_deg:.1}° from the nearest coordinate axis"
@@ -255,6 +263,17 @@ fn fading(run: &Run, lids: usize) -> Option<String> {
             100.0 * faded
         )
     })
+}
+
+/// What is said where both ends are flat, parallel, and far from square to the axis.
+fn slanted(run: &Run, patches: &[Patch]) -> Option<String> {
+    let normal = caps::slanted_ends(patches, run, COMMON_DEG, LEAN_DEG)?;
+    let deg = normal.dot(&run.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
+    Some(format!(
+        "the blade axis is not certain: both ends of the blade are square to ({:.2}, {:.2}, {:.2}), {deg:.0}° from it; give it with \
+         --axis if it is wrong",
+        normal.x, normal.y, normal.z
+    ))
 }
 
 /// Share of the part's length that sections may be cut short by slanted ends before the axis is doubted.
@@ -356,7 +375,11 @@ fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
     let (big, small) = (below.max(above), below.min(above));
     let beyond = || {
         let share = |x: f64| 100.0 * x / total;
-        format!("root where {:.0} % of the surface lies beyond the airfoil ({:.0} % at the tip)", share(big), share(small))
+        format!(
+            "root where {:.0} % of the surface lies beyond the airfoil ({:.0} % at the tip)",
+            share(big),
+            share(small)
+        )
     };
     if big - small > BODY_BEYOND * total {
         return (above > below, beyond());

@@ -54,8 +54,7 @@ fn nearest(open: &[Loop]) -> Option<(usize, usize, [bool; 2])> {
         }
     };
     let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let ends: Vec<[[f64; 2]; 2]> =
-        open.iter().filter_map(|l| Some([*l.points.first()?, *l.points.last()?])).collect();
+    let ends: Vec<[[f64; 2]; 2]> = open.iter().filter_map(|l| Some([*l.points.first()?, *l.points.last()?])).collect();
     let lengths: Vec<f64> = open.iter().map(Loop::length_mm).collect();
     for i in 0..ends.len() {
         offer(apart(ends[i][0], ends[i][1]), lengths[i], (i, i, [false; 2]));

@@ -25,7 +25,7 @@ mod tests;
 use std::path::Path;
 
 use super::faces::FaceModel;
-use super::units;
+use super::units::{self, Source};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -104,14 +104,15 @@ const ADVICE: &str = "a blade needs two sections or more, in order along the spa
     NAME.toml beside the data with [sections], files, unit, columns (see the README); extrude = LENGTH there draws a single \
     flat profile out";
 
-fn unit_taken(header: &Header, told: Option<Unit>) -> (Unit, String) {
+fn unit_taken(header: &Header, told: Option<Unit>) -> (Unit, String, Source) {
     match (told, header.unit, header.unit_mm) {
-        (Some(u), _, _) => (u, format!("{}, as told", units::name(u))),
-        (None, Some(u), _) => (u, format!("{}, as the header says", units::name(u))),
+        (Some(u), _, _) => (u, format!("{}, as told", units::name(u)), Source::Told),
+        (None, Some(u), _) => (u, format!("{}, as the header says", units::name(u)), Source::Declared),
         (None, None, Some(mm)) => {
-            (Unit::Mm, format!("mm, converted: one unit of the table is {mm} mm, as the header says"))
+            let reason = format!("mm, converted: one unit of the table is {mm} mm, as the header says");
+            (Unit::Mm, reason, Source::Declared)
         }
-        (None, None, None) => (Unit::Mm, "mm, since the table names no unit".to_owned()),
+        (None, None, None) => (Unit::Mm, "mm, since the table names no unit".to_owned(), Source::Assumed),
     }
 }
 
@@ -339,7 +340,7 @@ fn shape(
     header: &Header,
     outlines: Vec<Outline>,
     mut notes: Vec<String>,
-    (format, (unit, unit_reason)): (String, (Unit, String)),
+    (format, (unit, unit_reason, unit_source)): (String, (Unit, String, Source)),
 ) -> Result<FaceModel> {
     let tolerance = header.tolerance_mm.unwrap_or(TOLERANCE_MM);
     let bad = |m: String| {
@@ -385,5 +386,5 @@ fn shape(
         face.surface.validate().map_err(|e| bad(e.message))?;
     }
     let stacking = outline::stacking(&outlines);
-    Ok(FaceModel { brep, bodies: 1, format, unit, unit_reason, notes, stacking })
+    Ok(FaceModel { brep, bodies: 1, format, unit, unit_reason, unit_source, notes, stacking })
 }
