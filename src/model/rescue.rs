@@ -147,20 +147,6 @@ mod tests {
         assert_eq!(topology(&part.mesh).open_edges, 0);
     }
 
-    /// Edges in a wrong order make a loop that crosses itself; as they run along the boundary of the face, they say nothing more.
-    #[test]
-    fn a_face_whose_edges_run_along_its_boundary_is_taken_up_to_there() {
-        let mut brep = prism();
-        let sides = &mut brep.faces[4].loops[0];
-        assert_eq!(sides.len(), 4);
-        sides.swap(1, 2);
-        let (part, done) = rescued(brep);
-        assert!(done.notes.iter().any(|n| n.contains("natural boundary")), "{:?}", done.notes);
-        assert!(done.obstacle.is_none());
-        let whole = rescued(prism()).0;
-        assert!((part.mesh.area_mm2() - whole.mesh.area_mm2()).abs() < 1e-3 * whole.mesh.area_mm2());
-    }
-
     /// An edge from the other end of the part in a loop: nothing tells where the face ends.
     #[test]
     fn a_face_that_cannot_be_trimmed_is_left_out_and_hinders_a_plan() {
