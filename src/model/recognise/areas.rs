@@ -145,7 +145,7 @@ mod tests {
         }
         // Without a platform the same faces are root, without a fillet the airfoil goes down to its foot.
         let got = areas(&found(&at, None, None), false);
-        assert_eq!([got[1], got[2]], [Area::Airfoil, Area::Root]);
+        assert_eq!([got[1], got[3]], [Area::Airfoil, Area::Root]);
     }
 
     #[test]
