@@ -177,15 +177,16 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     std::fs::write(&path, moved).expect("the table is written");
     let sway = sides_apart(&read(&path, None), &faces, |p| p);
     told("the STEP between its own sections", sway.iter().map(|p| p.1));
-    // By how much the published forms differ near a place: at the nearest place known, and at all within a millimetre.
+    // By how much the published forms may differ about a place: at the sections (those on either side are within 3 mm) and, besides,
+    // between them.
     let differ = |c: &[f64; 3]| {
         let c = Point::from(*c);
-        let near = |known: &[(Point, f64)]| {
+        let near = |known: &[(Point, f64)], radius: f64| {
             let nearest =
                 known.iter().min_by(|a, b| (a.0 - c).norm().total_cmp(&(b.0 - c).norm())).map_or(f64::MAX, |p| p.1);
-            known.iter().filter(|p| (p.0 - c).norm() < 1.0).map(|p| p.1).fold(nearest, f64::max)
+            known.iter().filter(|p| (p.0 - c).norm() < radius).map(|p| p.1).fold(nearest, f64::max)
         };
-        near(&published).max(near(&sway))
+        near(&published, 3.0) + near(&sway, 1.0)
     };
 
     let region = ["region.start_mm=130", "region.end_mm=80"];
@@ -194,9 +195,9 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     told("cutter locations, along the normal", found.iter().map(|f| f.normal));
     // Along the surface the paths differ in their pitch, which follows the curvature.
     told("cutter locations, from the path", found.iter().map(|f| f.whole));
-    let alike: Vec<&Apart> = found.iter().filter(|f| differ(&f.contact) < 0.003).collect();
-    eprintln!("the published forms agree within 0.003 mm about {} of {} locations", alike.len(), found.len());
-    assert!(20 * alike.len() > found.len());
+    let alike: Vec<&Apart> = found.iter().filter(|f| differ(&f.contact) < 0.004).collect();
+    eprintln!("the published forms agree within 0.004 mm about {} of {} locations", alike.len(), found.len());
+    assert!(5 * alike.len() > found.len());
     let worst = told("cutter locations there, along the normal", alike.iter().map(|f| f.normal));
     assert!(worst < 0.005, "{worst} mm apart");
     // Elsewhere the locations differ by no more than the forms.
