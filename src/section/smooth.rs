@@ -148,7 +148,7 @@ fn nearest(polygon: &[Pair], q: Pair) -> (f64, f64) {
 fn fit(part: &Part, x_mm: f64, s: Stretch, tolerance_mm: f64) -> std::result::Result<(NurbsCurve, f64), FitError> {
     let last = s.points.len() - 1;
     let mut nodes: Vec<Pair> = s.points.iter().copied().step_by(COARSE.min(last.max(4) / 4)).collect();
-    if !s.closed && last % COARSE.min(last.max(4) / 4) != 0 {
+    if !s.closed && !last.is_multiple_of(COARSE.min(last.max(4) / 4)) {
         nodes.push(s.points[last]);
     }
     let mut best: Option<(NurbsCurve, f64)> = None;
