@@ -163,10 +163,8 @@ enum Goal {
 fn thinned(walls: &Corridor, most: usize) -> Corridor {
     let n = walls.s.len();
     let mut s: Vec<f64> = walls.s.iter().step_by(n.div_ceil(most).max(1)).copied().collect();
-    if let Some(&end) = walls.s.last() {
-        if s.last() != Some(&end) {
-            s.push(end);
-        }
+    if s.last() != walls.s.last() {
+        s.extend(walls.s.last());
     }
     walls.at_all(&s)
 }
@@ -283,14 +281,14 @@ fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
 /// Whether a turn begins between a sample of the walls and the next.
 fn borders(path: &Toolpath, walls: &Corridor) -> Vec<bool> {
     let mut bases = path.turns.iter().skip(1).filter_map(|t| path.locations.get(t.first)).map(|l| l.s_mm).peekable();
-    let mut begins = |w: &[f64]| {
+    let begins = |w: &[f64]| {
         let mut any = false;
         while bases.next_if(|b| *b <= w[1]).is_some() {
             any = true;
         }
         any
     };
-    walls.s.windows(2).map(|w| begins(w)).collect()
+    walls.s.windows(2).map(begins).collect()
 }
 
 /// Borders of blocks of equal length, about [`BLOCKS`] to a turn.
