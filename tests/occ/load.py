@@ -5,7 +5,7 @@
 PROGRAM_FOLDER holds `examples/load_time` (a release build). Needs Python with cadquery-ocp and numpy.
 
 Processor seconds, a mean of several rounds each, the file in the cache:
-  queries  ours: read, sew, index the exact faces, one closest point;
+  queries  ours: read, sew, mesh, index the exact faces, one closest point;
   OCC      read, transfer, sew loose faces (IGES), one closest point to all faces (it keeps no index);
   whole    ours, with what planning needs besides: mesh, which way faces look, blade axis, regions. OpenCASCADE does none of that.
 The ratio is that of the first two.
