@@ -189,7 +189,11 @@ fn schedule_feed_and_checks() {
     assert_eq!((used.reversals, used.key_points.len(), used.pieces.len()), (0, 2, 1));
     assert!(used.peak_acceleration < 1e-12 && (used.peak_rate - turned / length).abs() < 1e-12);
     let steepest = 1.0 / (END + R);
-    assert!((fixed.peak_rate - steepest).abs() < 0.02 * steepest, "{} {steepest}", fixed.peak_rate);
+    let rows = path.locations.windows(2).zip(fixed.theta.windows(2));
+    let quotient = rows.map(|(l, t)| ((t[1] - t[0]) / (l[1].s_mm - l[0].s_mm)).abs()).fold(0.0, f64::max);
+    assert!((quotient - steepest).abs() < 0.02 * steepest, "{quotient} {steepest}");
+    // The rate jumps where a side meets an end; the smooth curve through the same angles swings over there.
+    assert!((steepest..1.1 * steepest).contains(&fixed.peak_rate), "{} {steepest}", fixed.peak_rate);
     assert!(used.peak_rate < 0.75 * fixed.peak_rate);
 
     let feed_options = FeedOptions::new(FEED_MM_MIN, options.b_rad, tool.length_mm());
