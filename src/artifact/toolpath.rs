@@ -22,6 +22,8 @@ pub enum PathKind {
     ConstantHeight,
     /// Equal parts, at each place round the blade, of the way along the surface from the start of the region to its end.
     IsoParametric,
+    /// Every turn is the constant-scallop neighbour of the turn before it at every point.
+    ConstantScallop,
 }
 
 /// On which side of the cutter the material is, with a spindle that turns clockwise seen from above (M3). The helix runs

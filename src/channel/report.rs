@@ -85,7 +85,10 @@ impl Reporter<'_> {
             return self.path.locations.get(next).map(|l| l.centre.x);
         }
         let first = self.path.turns.get(turn).filter(|_| turn >= 2)?.first;
-        self.path.locations.get(first).map(|l| l.centre.x)
+        let (begin, own) = (self.path.locations.get(first)?.centre.x, self.path.locations.get(row)?.centre.x);
+        // Turns that tilt may begin lower than they are at the location.
+        let pitch = (8.0 * self.path.radius_mm * self.path.scallop_mm).sqrt();
+        Some(if own > begin { own + pitch } else { begin })
     }
 
     fn place(&self, row: usize) -> String {

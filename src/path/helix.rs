@@ -156,7 +156,7 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
             let ridge = |t: &Touch| {
                 let near = nearest_forward(lower, &t.centre, &mut at)?;
                 // Off the chord and onto the level set, as for the rings.
-                let on_level = level.touch_in_plane(&near, 0.1 * level.radius_mm)?;
+                let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
                 ridge_height(level, &t.centre, &on_level.centre)
             };
             upper.iter().filter_map(ridge).collect()

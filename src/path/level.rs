@@ -1,4 +1,4 @@
-//! Points of the `R` level set of the distance to the whole part, sought in planes across the blade axis.
+//! Points of the `R` level set of the distance to the whole part, sought along its gradient or within a plane.
 
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
@@ -44,13 +44,29 @@ const ON_LEVEL_MM: f64 = 1e-6;
 const MAX_STEPS: usize = 60;
 
 impl LevelSet<'_> {
-    /// Moves a guess within its plane `x = const` onto the level set by Newton steps along the in-plane gradient
-    /// of the distance, `∇d = (q − foot)/|q − foot|`. In a concave crease, where two feet compete, the steps
-    /// alternate between them and converge to the place where neither is nearer than `R`.
+    /// Moves a guess within its plane `x = const` onto the level set, see [`Self::touch_across`].
+    pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
+        self.touch_across(guess, &Vector::x(), reach_mm)
+    }
+
+    /// Moves a guess onto the level set along the gradient of the distance, `∇d = (q − foot)/|q − foot|`. `None` where the guess
+    /// would have to move by more than `reach_mm`.
+    pub fn touch(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
+        self.newton(guess, &Vector::zeros(), reach_mm)
+    }
+
+    /// Moves a guess within the plane through it across the unit vector `along` onto the level set by Newton steps along
+    /// the in-plane gradient of the distance. In a concave crease, where two feet compete, the steps alternate between them
+    /// and converge to the place where neither is nearer than `R`.
     ///
     /// `None` where the guess would have to move by more than `reach_mm` or where the wall leans over so much that
     /// the plane runs along it.
-    pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
+    pub fn touch_across(&self, guess: &Point, along: &Vector, reach_mm: f64) -> Option<Touch> {
+        self.newton(guess, along, reach_mm)
+    }
+
+    /// Newton steps along the gradient less its part along `without`, which is a unit vector or nothing.
+    fn newton(&self, guess: &Point, without: &Vector, reach_mm: f64) -> Option<Touch> {
         let mut q = *guess;
         for _ in 0..MAX_STEPS {
             let c = self.part.closest(&q, self.radius_mm + 2.0 * reach_mm + 1.0)?;
@@ -60,13 +76,14 @@ impl LevelSet<'_> {
             if residual.abs() <= ON_LEVEL_MM {
                 return Some(Touch { centre: q, contact: c.point, normal });
             }
-            let slope = normal.y.hypot(normal.z);
+            let gradient = normal - without * normal.dot(without);
+            let slope = gradient.norm();
             if slope < 0.05 {
                 return None;
             }
             // A step is exact on a plane; a ball's curvature asks for repetition. Limiting it keeps far feet from throwing q.
             let step = (residual / slope).clamp(-0.5 * self.radius_mm, 0.5 * self.radius_mm);
-            q += Vector::new(0.0, normal.y, normal.z) * (step / slope);
+            q += gradient * (step / slope);
             if (q - guess).norm() > reach_mm {
                 return None;
             }

@@ -13,6 +13,9 @@
 //! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop allows at the worst place
 //!   of the turn, the scallop being measured on the part (`stepover`), not derived from curvature.
 //! * [`PathKind::IsoParametric`] (`iso_parametric`): equal parts of the way from start to end at each place round the blade.
+//! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid from the turn before it, touch by
+//!   touch, straight across, as far as leaves the scallop (`neighbour`). It begins with a whole turn along the ring at the start
+//!   height and closes onto its end likewise.
 //!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`). With
 //! [`PathOptions::stock_mm`], all this is on the part with so much stock on it ([`crate::geometry::allowance`]).
@@ -27,15 +30,22 @@
 //! every location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
 //!
 //! ## Limits
-//! Turns at (nearly) constant height leave too much where a wall leans over: the helix ends where the lean exceeds
-//! [`PathOptions::max_lean_rad`]. The scallop is at or under the limit everywhere, not constant along a turn.
+//! The helix ends where a wall leans towards the tip by more than [`PathOptions::max_lean_rad`]; turns at constant height leave too much
+//! beyond it. With those the scallop is at or under the limit everywhere, not constant along a turn. With constant
+//! scallop turns tilt where the way down is longer on one side: places that are at the end early are passed again until all are.
 
 mod chords;
 mod constant_height;
+mod constant_scallop;
+#[cfg(test)]
+mod constant_scallop_tests;
+mod curve;
 mod direction;
 mod helix;
 mod iso_parametric;
 mod level;
+mod neighbour;
+mod nodes;
 mod options;
 mod ring;
 mod rings;
@@ -75,6 +85,7 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
+        PathKind::ConstantScallop => constant_scallop::plan(blade, &level, options, start_x, observer),
     }
 }
 

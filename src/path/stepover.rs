@@ -9,38 +9,89 @@
 use super::level::LevelSet;
 use crate::geometry::{Point, Vector};
 
-/// Halvings of the doubt about where the ridge is highest.
-const RIDGE_STEPS: usize = 3;
-/// The ridge's place is known well enough within this share of the stepover: its height is flat there to a few per cent.
-const RIDGE_PLACE: f64 = 0.02;
+/// Places between two passes that are looked at; one does where the curvature is steady.
+const RIDGE_STEPS: usize = 9;
+/// A ridge's place is known well enough within this share of the way from pass to pass.
+const RIDGE_PLACE: f64 = 1e-3;
+/// Contacts with normals this near to one another are on facets of one wall, rad.
+const ONE_WALL_RAD: f64 = 0.2;
+/// The roots of both heights are equal within this share of their sum where the ridge is.
+const EVEN: f64 = 0.01;
 
 /// Height of the ridge between two balls of the level set over the part, mm; infinite where neither reaches over the
 /// contact between them, `None` where there is no ball of the level set between them.
 ///
 /// The ridge is where both balls leave the same height. That is midway only where the curvature across the passes does
 /// not change, and much nearer to one of them where a wall runs into a fillet: each height grows about as the square of the
-/// way from its own pass, which tells where to look next. Every place looked at is on the part, so the greatest height
-/// found is left there indeed.
+/// way from its own pass, `h_a ≈ (s_a a)²` at the share `a` of the way, which tells where to look next and, once that is near,
+/// how high the ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the curvature jumps the greatest
+/// height found is left there indeed.
 pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
     let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
     let mut share = 0.5;
+    // The nearest places known at which `a` leaves less than `b`, and more.
+    let (mut less, mut more): (Option<Side>, Option<Side>) = (None, None);
     let mut ridge: Option<f64> = None;
     for _ in 0..RIDGE_STEPS {
-        let Some(between) = level.touch_in_plane(&(a + (b - a) * share), reach) else { break };
+        let Some(between) = level.touch(&(a + (b - a) * share), reach) else { break };
         let leaves = |c: &Point| ray_into_ball(&between.contact, &between.normal, c, level.radius_mm);
         let (of_a, of_b) = (leaves(a), leaves(b));
         ridge = Some(ridge.map_or(of_a.min(of_b), |r| r.max(of_a.min(of_b))));
-        if !(of_a.is_finite() && of_b.is_finite()) {
+        if of_a.is_infinite() && of_b.is_infinite() {
             break;
         }
-        let (rate_a, rate_b) = (of_a.max(0.0).sqrt() / share, of_b.max(0.0).sqrt() / (1.0 - share));
-        let next = if rate_a + rate_b > 0.0 { (rate_b / (rate_a + rate_b)).clamp(0.02, 0.98) } else { share };
-        if (next - share).abs() <= RIDGE_PLACE {
+        let (root_a, root_b) = (of_a.max(0.0).sqrt(), of_b.max(0.0).sqrt());
+        let (rate_a, rate_b) = (root_a / share, root_b / (1.0 - share));
+        if (root_a - root_b).abs() <= EVEN * (root_a + root_b) {
+            return Some((rate_a * rate_b / (rate_a + rate_b).max(1e-300)).powi(2));
+        }
+        let side = Side { share, root_a, root_b, normal: between.normal };
+        if root_a > root_b {
+            more = Some(side)
+        } else {
+            less = Some(side)
+        }
+        let (low, high) = (less.map_or(0.0, |s| s.share), more.map_or(1.0, |s| s.share));
+        if high - low < RIDGE_PLACE {
             break;
         }
-        share = next;
+        // Where one of them is infinite this is no number, and the middle is taken.
+        let next = match (&less, &more) {
+            (Some(l), Some(m)) => low + l.crossing(m) * (high - low),
+            _ => rate_b / (rate_a + rate_b),
+        };
+        share = if next > low && next < high { next } else { 0.5 * (low + high) };
     }
-    ridge
+    match (less, more) {
+        // Between neighbouring facets the contact jumps; the ridge is between the two contacts.
+        (Some(l), Some(m)) if l.finite() && m.finite() && l.normal.angle(&m.normal) < ONE_WALL_RAD => {
+            Some((l.root_a + l.crossing(&m) * (m.root_a - l.root_a)).powi(2))
+        }
+        _ => ridge,
+    }
+}
+
+/// What two passes leave at a place between them.
+#[derive(Clone, Copy)]
+struct Side {
+    share: f64,
+    /// Roots of the heights left by the one and the other.
+    root_a: f64,
+    root_b: f64,
+    normal: Vector,
+}
+
+impl Side {
+    fn finite(&self) -> bool {
+        self.root_a.is_finite() && self.root_b.is_finite()
+    }
+
+    /// The share of the way from here to `more` at which both leave the same if the roots run straight; no number where one is
+    /// infinite.
+    fn crossing(&self, more: &Side) -> f64 {
+        let here = self.root_b - self.root_a;
+        here / (here + more.root_a - more.root_b).max(1e-300)
+    }
 }
 
 /// Where the ray from `p` along the unit vector `n` enters the ball round `c`; infinite where it passes it by.

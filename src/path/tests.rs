@@ -15,13 +15,20 @@ const PLATFORM: f64 = 40.0;
 /// section's middle so that the bar leans.
 fn bar(n: usize, radius_at: impl Fn(f64) -> f64) -> Blade {
     let heights: Vec<f64> = (0..=30).map(|i| 2.0 * i as f64).collect();
-    let mut rows: Vec<(f64, f64)> = vec![(-8.0, PLATFORM), (0.0, PLATFORM)];
-    rows.extend(heights.iter().map(|x| (*x, radius_at(*x))));
+    turned(n, &heights, |x, s, c| [radius_at(x) * c, radius_at(x) * s])
+}
+
+/// A body on a disc of radius 40, from its sections at the heights: `y` and `z` from height, sine and cosine.
+pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f64; 2]) -> Blade {
+    let disc = |_: f64, s: f64, c: f64| [PLATFORM * c, PLATFORM * s];
+    let mut rows: Vec<(f64, bool)> = vec![(-8.0, true), (0.0, true)];
+    rows.extend(heights.iter().map(|x| (*x, false)));
     let mut points = Vec::new();
-    for (x, r) in &rows {
+    for (x, on_disc) in &rows {
         for k in 0..n {
             let (s, c) = (k as f64 * std::f64::consts::TAU / n as f64).sin_cos();
-            points.push(Point::new(*x, r * c, r * s));
+            let [y, z] = if *on_disc { disc(*x, s, c) } else { at(*x, s, c) };
+            points.push(Point::new(*x, y, z));
         }
     }
     let mut triangles = Vec::new();

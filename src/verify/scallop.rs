@@ -3,7 +3,7 @@
 //! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n` enters the swept ball at
 //!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
 //!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all; next to where the
-//!   inner turns begin and end one neighbour is missing, so these places do not count.
+//!   inner turns begin and end one neighbour is missing, so these places do not count; nor do those where inner turns run along the first or last one.
 //!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
 //!   valley) no ball of this radius can reach `p`: what it must be lifted by is uncut for good, whatever the stepover,
 //!   and taken off the height; gouges are judged on heights as measured.
@@ -115,6 +115,17 @@ fn inner_rows(sweep: &Sweep, reach: f64) -> std::ops::Range<usize> {
     walk(begin, &mut (begin + 1..)).min(end)..walk(end, &mut (0..end).rev()).max(begin)
 }
 
+/// Turns nearer to the first or last one than this share of the flat stepover run along the end of the region there.
+const AT_END: f64 = 0.02;
+
+/// The path runs along the first or the last turn at this row, so that one of its sides is not machined.
+fn runs_along_end(sweep: &Sweep, row: usize, within_mm: f64) -> bool {
+    let turns = &sweep.turns;
+    let (Some(first), Some(last)) = (turns.first(), turns.last()) else { return false };
+    let ends = |i: usize| i + 1 < turns.len() && [first, last].iter().any(|e| turns[i] == **e && turns[i + 1] == **e);
+    sweep.nearest(&sweep.centres[row], within_mm, |i| turns[row] != turns[i] && ends(i)).is_some()
+}
+
 /// Heights at samples of the machined band.
 pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
     // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
@@ -123,7 +134,7 @@ pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
     let height = |s: samples::Sample| {
         let near = sweep.nearest(&(s.point + s.normal * sweep.radius_mm), reach, |_| true)?;
         let row = near.segment + usize::from(near.t > 0.5);
-        if !inner.contains(&row) {
+        if !inner.contains(&row) || runs_along_end(sweep, row, AT_END * flat_stepover(sweep.radius_mm, scallop_mm)) {
             return None;
         }
         let height_mm = sweep.entry(&s.point, &s.normal, reach)?;

@@ -1,0 +1,184 @@
+//! Constant scallop against closed forms: bodies of revolution, fine enough that their facets do not count.
+#![allow(clippy::unwrap_used)]
+
+use super::tests::turned;
+use super::*;
+use crate::artifact::toolpath::CutterLocation;
+use crate::observe::Silent;
+
+const R: f64 = 4.0;
+const H: f64 = 0.01;
+
+fn options(start: f64, end: Option<f64>) -> PathOptions {
+    PathOptions { kind: PathKind::ConstantScallop, region_x_mm: [Some(start), end], ..PathOptions::new(R, H) }
+}
+
+/// Heights from 0 to `top` in steps of `step`.
+fn rows(top: f64, step: f64) -> Vec<f64> {
+    (0..=(top / step).round() as usize).map(|i| i as f64 * step).collect()
+}
+
+/// Locations of each turn.
+fn by_turn(path: &Toolpath) -> Vec<&[CutterLocation]> {
+    path.turns.iter().map(|t| &path.locations[t.first..t.first + t.count]).collect()
+}
+
+/// Distances of the locations of a turn to the polyline of the next.
+fn distances(turn: &[CutterLocation], next: &[CutterLocation]) -> Vec<f64> {
+    let to = |q: &Point| {
+        next.windows(2)
+            .map(|w| {
+                let d = w[1].centre - w[0].centre;
+                let f = ((q - w[0].centre).dot(&d) / d.norm_squared()).clamp(0.0, 1.0);
+                (q - (w[0].centre + d * f)).norm()
+            })
+            .fold(f64::INFINITY, f64::min)
+    };
+    let inner = 5..turn.len() - 5;
+    turn[inner].iter().map(|l| to(&l.centre)).collect()
+}
+
+/// Distance of two ball centres over a part of radius `r` across the passes (positive convex) that leaves [`H`], by bisection of
+/// the two-ball formula.
+fn closed_form(r: f64) -> f64 {
+    let rho = r + R;
+    let height = |d: f64| {
+        let alpha = (d / (2.0 * rho.abs())).asin();
+        let root = (R * R - (rho * alpha.sin()).powi(2)).sqrt();
+        (rho.abs() * alpha.cos() - root.copysign(r) - r.abs()).abs()
+    };
+    let (mut low, mut high) = (0.0, 2.0 * rho.abs().min(R) * 0.7);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if height(middle) < H { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// Every distance between inner turns with heights in `within` is the closed form's for radius `r` within 0.25 %, which is 0.5 % of
+/// the scallop.
+fn assert_constant(path: &Toolpath, r: f64, within: [f64; 2]) {
+    let want = closed_form(r);
+    let turns = by_turn(path);
+    let mut seen = 0;
+    for k in 1..turns.len() - 3 {
+        let heights = turns[k].iter().chain(turns[k + 1]).map(|l| l.centre.x);
+        if !heights.clone().all(|x| (within[0]..within[1]).contains(&x)) {
+            continue;
+        }
+        for d in distances(turns[k], turns[k + 1]) {
+            assert!((d / want - 1.0).abs() < 0.0025, "turn {k}: {d}, closed form {want}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 500, "{seen} places");
+}
+
+#[test]
+fn cylinder_has_the_flat_stepover_and_closes_onto_both_ends() {
+    let blade = turned(1500, &rows(60.0, 2.0), |_, s, c| [10.0 * c, 10.0 * s]);
+    let path = plan(&blade, &options(20.0, Some(8.0)), &Silent).unwrap();
+    let d = flat_stepover_mm(R, H);
+    let turns = by_turn(&path);
+    assert!(turns[0].iter().all(|l| (l.centre.x - 20.0).abs() < 1e-3 * d));
+    assert!(turns[turns.len() - 1].iter().all(|l| (l.centre.x - 8.0).abs() < 1e-3 * d));
+    // Whole turns until the end is reached, one along the start and one along the end.
+    assert!((turns.len() as f64 - (12.0 / d).ceil() - 2.0).abs() <= 1.0, "{} turns", turns.len());
+    assert_constant(&path, 1e7, [8.0 + d, 21.0]);
+    assert!((path.planned_scallop_mm / H - 1.0).abs() < 0.005, "{}", path.planned_scallop_mm);
+    let length: f64 = path.turns[2..turns.len() - 2].iter().map(|t| t.length_mm).sum();
+    let around = (std::f64::consts::TAU * 14.0).hypot(d) * (turns.len() - 4) as f64;
+    assert!((length / around - 1.0).abs() < 0.01, "{length}, closed form {around}");
+}
+
+#[test]
+fn cone_has_the_flat_stepover_along_its_wall() {
+    let slope = 15f64.to_radians().tan();
+    let blade = turned(1500, &rows(60.0, 2.0), |x, s, c| [(20.0 - x * slope) * c, (20.0 - x * slope) * s]);
+    let path = plan(&blade, &options(20.0, Some(10.0)), &Silent).unwrap();
+    assert_constant(&path, 1e7, [10.5, 21.0]);
+}
+
+#[test]
+fn sphere_zone_has_the_convex_stepover() {
+    // A ball of radius 15 about height 18, seen from 10 to 26; the wall leans by up to 32 degrees.
+    let radius = |x: f64| (225.0 - (x - 18.0f64).powi(2)).sqrt();
+    let blade =
+        turned(400, &rows(32.0, 0.2), |x, s, c| [radius(x.clamp(6.0, 30.0)) * c, radius(x.clamp(6.0, 30.0)) * s]);
+    let path = plan(&blade, &options(26.0, Some(12.0)), &Silent).unwrap();
+    assert_constant(&path, 15.0, [12.5, 27.0]);
+    let n = path.turns.len();
+    assert!((path.planned_scallop_mm / H - 1.0).abs() < 0.01, "{}", path.planned_scallop_mm);
+    assert!(n > 20);
+}
+
+/// A round bar whose foot is a fillet of radius `fillet`.
+fn filleted(n: usize, fillet: f64) -> Blade {
+    let mut heights: Vec<f64> =
+        (0..=200).map(|i| fillet * (1.0 - (std::f64::consts::FRAC_PI_2 * f64::from(200 - i) / 200.0).sin())).collect();
+    heights.extend([fillet + 2.0, fillet + 8.0, fillet + 20.0, 40.0]);
+    let radius = move |x: f64| {
+        let under = (fillet - x).max(0.0);
+        10.0 + fillet - (fillet * fillet - under * under).max(0.0).sqrt()
+    };
+    turned(n, &heights, move |x, s, c| [radius(x) * c, radius(x) * s])
+}
+
+#[test]
+fn wall_into_fillet_keeps_the_scallop_and_has_the_concave_stepover_in_it() {
+    let blade = filleted(300, 6.0);
+    let path = plan(&blade, &options(14.0, None), &Silent).unwrap();
+    assert!(path.end_reason.contains("leans"), "{}", path.end_reason);
+    // Centres of balls in the fillet lie below its upper edge.
+    assert_constant(&path, -6.0, [4.3, 5.9]);
+    assert!(path.planned_scallop_mm < 1.02 * H, "{}", path.planned_scallop_mm);
+    let end = path.locations.last().unwrap();
+    assert!((end.normal.x.asin().to_degrees() - 60.0).abs() < 1.0, "{}", end.normal.x);
+}
+
+#[test]
+fn sharp_corner_is_closed_onto() {
+    let blade = turned(1000, &rows(60.0, 2.0), |_, s, c| [10.0 * c, 10.0 * s]);
+    let path = plan(&blade, &options(10.0, None), &Silent).unwrap();
+    assert!(path.end_reason.contains("corner"), "{}", path.end_reason);
+    let turns = by_turn(&path);
+    assert!(turns[turns.len() - 1].iter().all(|l| (l.centre.x - R).abs() < 1e-4));
+    assert!(path.locations.iter().all(|l| l.centre.x > R - 1e-5));
+    assert!(path.planned_scallop_mm < 1.005 * H, "{}", path.planned_scallop_mm);
+}
+
+#[test]
+fn leaning_oval_is_the_same_turned_and_mirrored() {
+    // An egg whose middle moves with the height, mirrored in z and turned about x.
+    let section = |mirror: f64, turn: f64| {
+        move |x: f64, s: f64, c: f64| {
+            let (y, z) = (14.0 * c + 0.15 * x, mirror * (7.0 * s * (1.0 + 0.2 * c) + 0.05 * x));
+            let (st, ct) = turn.sin_cos();
+            [ct * y - st * z, st * y + ct * z]
+        }
+    };
+    let laid = |mirror: f64, turn: f64| {
+        let build = section(mirror, turn);
+        // A mirrored outline is run through the other way, so that it still winds counter-clockwise.
+        let blade = turned(900, &rows(60.0, 2.0), |x, s, c| build(x, mirror * s, c));
+        plan(&blade, &options(20.0, Some(10.0)), &Silent).unwrap()
+    };
+    let (plain, turned, mirrored) = (laid(1.0, 0.0), laid(1.0, 0.7), laid(-1.0, 0.0));
+    for other in [&turned, &mirrored] {
+        let length = |p: &Toolpath| p.locations.last().unwrap().s_mm;
+        assert!((length(&plain) / length(other) - 1.0).abs() < 0.01, "{} {}", length(&plain), length(other));
+        assert!((plain.planned_scallop_mm - other.planned_scallop_mm).abs() < 0.01 * H);
+        assert!(plain.turns.len().abs_diff(other.turns.len()) <= 1);
+    }
+    assert!((plain.planned_scallop_mm / H - 1.0).abs() < 0.01, "{}", plain.planned_scallop_mm);
+}
+
+#[test]
+fn same_turns_on_one_and_two_threads() {
+    let blade = filleted(120, 6.0);
+    let run = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| plan(&blade, &options(9.0, None), &Silent).unwrap())
+    };
+    assert_eq!(run(1), run(2));
+}

@@ -1,0 +1,264 @@
+//! The constant-scallop neighbour of a place of a path: the place on the level set, straight across from it, between
+//! which and it the ridge has the height asked for.
+//!
+//! *Across* is the plane through the ball centre perpendicular to the path. The level set meets it in a curve; the ridge
+//! grows along that curve about as the square of the way, so the way `w` is found by `w ← w √(h / ridge)`, kept within what
+//! is known to be too little and too much. Where the curve turns fast (a fillet hardly larger than the ball) or has
+//! a corner (one smaller than the ball) it is walked in short steps instead, and from a corner on along the other wall.
+
+use super::level::{LevelSet, Touch};
+use super::stepover::ridge_height;
+use crate::geometry::{Point, Vector};
+
+/// Turn of the normal up to which a neighbour is sought by a single step, rad.
+const STRAIGHT_RAD: f64 = 0.5;
+/// Turn of the normal in a step of a walk, rad.
+const STEP_RAD: f64 = 0.15;
+/// Ridges this near to the one asked for, as a share, are right.
+const GOOD: f64 = 5e-4;
+/// Ridges this near are right after one more step by the law of squares.
+const NEARLY: f64 = 0.02;
+/// Tries of the law of squares: three do where the curvature is steady, more on facets.
+const MOST_TRIES: usize = 14;
+/// Steps of a walk before it is given up.
+const MOST_STEPS: usize = 400;
+/// Halvings towards a bound: the stepover times 10⁻⁸.
+const HALVINGS: usize = 27;
+
+/// What ends a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop {
+    /// The region's lower end.
+    Height,
+    /// A wall that leans over too much, met at this contact.
+    Lean(Point),
+    /// Two walls at once, of which the farther one leans over too much: its contact.
+    Corner(Point),
+}
+
+/// Where a path may go.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// Least height of the ball centre, mm.
+    pub lowest_x_mm: f64,
+    /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge, away from it.
+    pub max_sin_lean: f64,
+}
+
+impl Bounds {
+    /// Whether a touch is within.
+    pub fn hold(&self, t: &Touch) -> bool {
+        t.centre.x >= self.lowest_x_mm && t.normal.x.abs() <= self.max_sin_lean
+    }
+
+    /// Why the path stops between two touches, the second of which is out of bounds.
+    fn why(&self, inside: &Touch, outside: &Touch) -> Stop {
+        if outside.normal.x.abs() <= self.max_sin_lean {
+            Stop::Height
+        } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {
+            Stop::Corner(outside.contact)
+        } else {
+            Stop::Lean(outside.contact)
+        }
+    }
+}
+
+/// A neighbour.
+#[derive(Clone, Copy, Debug)]
+pub struct Next {
+    /// The ball there.
+    pub touch: Touch,
+    /// Way to it along the level set, mm.
+    pub way_mm: f64,
+    /// Why it is nearer than the scallop asks for.
+    pub stop: Option<Stop>,
+}
+
+/// The direction in which the path goes on from a touch, and the plane across it.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The ball.
+    pub touch: Touch,
+    /// Unit direction of the path.
+    pub along: Vector,
+}
+
+/// Seeks neighbours on one level set.
+#[derive(Clone, Copy)]
+pub struct Across<'a> {
+    /// The level set.
+    pub level: &'a LevelSet<'a>,
+    /// Where to stay.
+    pub bounds: Bounds,
+    /// Least step of a walk, mm: turns sharper than this are corners.
+    pub min_step_mm: f64,
+}
+
+impl Across<'_> {
+    /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off. `None` where the ball cannot go there.
+    pub fn neighbour(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
+        self.straight(from, h_mm, guess_mm).or_else(|| {
+            let ridge =
+                |t: &Touch, _: f64| ridge_height(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY);
+            self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
+        })
+    }
+
+    /// The place at the given way.
+    pub fn at_way(&self, from: &Place, way_mm: f64) -> Option<Next> {
+        if let Some((touch, way)) = self.beside(from, way_mm)
+            && self.bounds.hold(&touch)
+        {
+            return Some(Next { touch, way_mm: way, stop: None });
+        }
+        self.walk(from, way_mm, |_, way| way >= way_mm)
+    }
+
+    /// One step across by `way_mm` and onto the level set, with the way along it; `None` where the level set turns too fast for that.
+    fn beside(&self, from: &Place, way_mm: f64) -> Option<(Touch, f64)> {
+        let (touch, way) = self.step(from, way_mm, 0.8)?;
+        let turn = from.touch.normal.dot(&touch.normal);
+        let fair = (0.8..1.25).contains(&(way / way_mm.max(1e-300)));
+        (turn >= STRAIGHT_RAD.cos() && fair).then_some((touch, way))
+    }
+
+    /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of the step, with the way along it.
+    fn step(&self, from: &Place, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
+        let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
+        let guess = from.touch.centre + side * way_mm;
+        let touch = self.level.touch_across(&guess, &from.along, reach * way_mm)?;
+        let half = 0.5 * from.touch.normal.angle(&touch.normal);
+        let chord = (touch.centre - from.touch.centre).norm();
+        // The way along a curve of constant curvature with this chord and turn.
+        let arc = if half > 1e-4 && half < 1.0 { chord * half / half.sin() } else { chord };
+        Some((touch, arc))
+    }
+
+    fn straight(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut best: Option<Next> = None;
+        let mut asked = guess_mm;
+        for _ in 0..MOST_TRIES {
+            let (touch, way_mm) = self.beside(from, asked)?;
+            let ridge = ridge_height(self.level, &from.touch.centre, &touch.centre)?;
+            let factor = (h_mm / ridge.max(1e-3 * h_mm)).sqrt();
+            let inside = self.bounds.hold(&touch);
+            if !inside && factor >= 1.0 {
+                return self.stopped(from, &touch, asked);
+            }
+            let next = asked * factor.clamp(0.4, 2.5);
+            if (factor - 1.0).abs() <= NEARLY {
+                let (touch, way_mm) =
+                    if (factor - 1.0).abs() <= GOOD { (touch, way_mm) } else { self.beside(from, next)? };
+                if !self.bounds.hold(&touch) {
+                    return self.stopped(from, &touch, next);
+                }
+                return Some(Next { touch, way_mm, stop: None });
+            }
+            if factor < 1.0 {
+                high = asked;
+            } else {
+                low = asked;
+                best = Some(Next { touch, way_mm, stop: None });
+            }
+            asked = if next > low && next < high { next } else { 0.5 * (low + high.min(4.0 * low.max(asked))) };
+            if high - low < 1e-3 * low {
+                break;
+            }
+        }
+        best
+    }
+
+    /// The last place within bounds on the way to `outside`.
+    fn stopped(&self, from: &Place, outside: &Touch, way_mm: f64) -> Option<Next> {
+        let (mut inside, mut beyond) = ((from.touch, 0.0), *outside);
+        let (mut low, mut high) = (0.0, way_mm);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let (touch, way) = self.beside(from, middle)?;
+            if self.bounds.hold(&touch) {
+                (low, inside) = (middle, (touch, way));
+            } else {
+                (high, beyond) = (middle, touch);
+            }
+        }
+        Some(Next { touch: inside.0, way_mm: inside.1, stop: Some(self.bounds.why(&inside.0, &beyond)) })
+    }
+
+    /// Walks across in short steps until `enough` says so of a touch and the way to it, or the bounds are met.
+    fn walk(&self, from: &Place, guess_mm: f64, enough: impl Fn(&Touch, f64) -> bool) -> Option<Next> {
+        let mut here = *from;
+        let mut walked = 0.0;
+        let mut length = guess_mm / 6.0;
+        for _ in 0..MOST_STEPS {
+            let (touch, way) = self.advance(&here, &mut length, guess_mm / 4.0)?;
+            let stops = !self.bounds.hold(&touch);
+            if stops || enough(&touch, walked + way) {
+                return Some(self.close_in(&here, walked, (touch, way), enough));
+            }
+            walked += way;
+            here.touch = touch;
+            if walked > 12.0 * guess_mm {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// The last place between two touches of a walk that is within bounds and not yet enough.
+    fn close_in(&self, here: &Place, walked: f64, there: (Touch, f64), enough: impl Fn(&Touch, f64) -> bool) -> Next {
+        let (mut inside, mut beyond) = ((here.touch, 0.0), there.0);
+        let (mut low, mut high) = (0.0, there.1);
+        let halvings = if self.bounds.hold(&there.0) { HALVINGS / 2 } else { HALVINGS };
+        for _ in 0..halvings {
+            let middle = 0.5 * (low + high);
+            let Some((touch, way)) = self.step(here, middle, 4.0) else {
+                high = middle;
+                continue;
+            };
+            if self.bounds.hold(&touch) && !enough(&touch, walked + way) {
+                (low, inside) = (middle, (touch, way));
+            } else {
+                (high, beyond) = (middle, touch);
+            }
+        }
+        let stop = (!self.bounds.hold(&beyond)).then(|| self.bounds.why(&inside.0, &beyond));
+        Next { touch: inside.0, way_mm: walked + inside.1, stop }
+    }
+
+    /// One step of a walk; `length` is the step tried first and, afterwards, the one to try next.
+    fn advance(&self, here: &Place, length: &mut f64, most_mm: f64) -> Option<(Touch, f64)> {
+        let side = here.along.cross(&here.touch.normal).try_normalize(1e-6)?;
+        let mut step = length.clamp(self.min_step_mm, most_mm.max(self.min_step_mm));
+        loop {
+            let last_try = step <= self.min_step_mm;
+            if let Some((touch, way)) = self.step(here, step, if last_try { 4.0 } else { 0.8 }) {
+                let forward = (touch.centre - here.touch.centre).dot(&side) > 0.2 * step;
+                let turn = here.touch.normal.angle(&touch.normal);
+                if forward && (turn <= STEP_RAD || last_try) {
+                    *length = if turn < 0.4 * STEP_RAD { 1.6 * step } else { step };
+                    return Some((touch, way));
+                }
+                if last_try {
+                    return self.turn_corner(here, &touch, &(here.touch.centre + side * step), &side);
+                }
+            } else if last_try {
+                return None;
+            }
+            step = (0.5 * step).max(self.min_step_mm);
+        }
+    }
+
+    /// In a concave corner the ball touches two walls, and the way on is along the second: the one that a step along the first
+    /// would cut into.
+    fn turn_corner(&self, here: &Place, there: &Touch, into_wall: &Point, side: &Vector) -> Option<(Touch, f64)> {
+        let radius = self.level.radius_mm;
+        let second = self.level.part.closest(into_wall, 2.0 * radius)?;
+        let normal = (there.centre - second.point).try_normalize(1e-9)?;
+        let touches = (second.point - there.centre).norm() <= radius * (1.0 + 1e-3);
+        // A corner turns the normal back against the way; anything else is a place where the curve cannot be followed.
+        let turns = normal.dot(side) < here.touch.normal.dot(side) - 0.05;
+        let way = (there.centre - here.touch.centre).norm();
+        (touches && turns).then_some((Touch { centre: there.centre, contact: second.point, normal }, way))
+    }
+}
