@@ -1,4 +1,5 @@
-//! Constant scallop against closed forms: bodies of revolution, fine enough that their facets do not count.
+//! Constant scallop on meshes of round bodies, straight along their axis where a closed form is compared with. Curved profiles are compared with
+//! their closed forms on exact faces, in `tests/closed_forms.rs`: facets a micrometre off would show in a scallop of ten.
 #![allow(clippy::unwrap_used)]
 
 use super::tests::turned;
@@ -99,19 +100,6 @@ fn cone_has_the_flat_stepover_along_its_wall() {
     assert_constant(&path, 1e7, [10.5, 21.0]);
 }
 
-#[test]
-fn sphere_zone_has_the_convex_stepover() {
-    // A ball of radius 15 about height 18, seen from 10 to 26; the wall leans by up to 32 degrees.
-    let radius = |x: f64| (225.0 - (x - 18.0f64).powi(2)).sqrt();
-    let blade =
-        turned(400, &rows(32.0, 0.2), |x, s, c| [radius(x.clamp(6.0, 30.0)) * c, radius(x.clamp(6.0, 30.0)) * s]);
-    let path = plan(&blade, &options(26.0, Some(12.0)), &Silent).unwrap();
-    assert_constant(&path, 15.0, [12.5, 27.0]);
-    let n = path.turns.len();
-    assert!((path.planned_scallop_mm / H - 1.0).abs() < 0.01, "{}", path.planned_scallop_mm);
-    assert!(n > 20);
-}
-
 /// A round bar whose foot is a fillet of radius `fillet`.
 fn filleted(n: usize, fillet: f64) -> Blade {
     let mut heights: Vec<f64> =
@@ -125,12 +113,10 @@ fn filleted(n: usize, fillet: f64) -> Blade {
 }
 
 #[test]
-fn wall_into_fillet_keeps_the_scallop_and_has_the_concave_stepover_in_it() {
-    let blade = filleted(300, 6.0);
+fn wall_into_fillet_keeps_the_scallop() {
+    let blade = filleted(200, 6.0);
     let path = plan(&blade, &options(14.0, None), &Silent).unwrap();
     assert!(path.end_reason.contains("leans"), "{}", path.end_reason);
-    // Centres of balls in the fillet lie below its upper edge.
-    assert_constant(&path, -6.0, [4.3, 5.9]);
     assert!(path.planned_scallop_mm < 1.02 * H, "{}", path.planned_scallop_mm);
     let end = path.locations.last().unwrap();
     assert!((end.normal.x.asin().to_degrees() - 60.0).abs() < 1.0, "{}", end.normal.x);
