@@ -31,7 +31,7 @@ pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
         let ball = pushed_out(part, &touching, radius, REACH_SLACK * scallop_mm)?;
         let left_mm = (ball - s.point).norm() - radius;
         let passed = left_mm > UNCUT * scallop_mm && sweep.nearest(&ball, stepover, |_| true).is_some();
-        passed.then(|| UncutPlace { point: s.point, normal: s.normal, left_mm })
+        passed.then_some(UncutPlace { point: s.point, normal: s.normal, left_mm })
     };
     (all.points.par_iter().filter_map(place).collect(), all.area_mm2)
 }
@@ -111,22 +111,21 @@ mod tests {
     #[test]
     fn strips_beside_an_inner_corner_are_as_wide_as_the_closed_form() {
         let (radius, scallop) = (3.0, 0.01);
-        for opening in [90.0] {
-            let part = corner(opening);
-            let path = along_the_corner(radius, opening, scallop);
-            let target = Allowed::new(&part, 0.0);
-            let (places, cell) = measure(&target, &Sweep::new(&path), scallop, 40_000);
-            // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² + R²) from its centre.
-            let touches = radius / (0.5f64 * f64::to_radians(opening)).tan();
-            let least = UNCUT * scallop;
-            let width = touches - (2.0 * radius * least + least * least).sqrt();
-            let length = 16.0 + 2.0 * (8.0 * radius * scallop).sqrt();
-            let area = places.len() as f64 * cell;
-            assert!((area / (2.0 * width * length) - 1.0).abs() < 0.02, "{opening}: {area} {}", 2.0 * width * length);
-            let most = places.iter().map(|p| p.left_mm).fold(0.0, f64::max);
-            let in_corner = touches.hypot(radius) - radius;
-            assert!(most <= in_corner && most > 0.95 * in_corner, "{most} {in_corner}");
-        }
+        let opening = 90.0;
+        let part = corner(opening);
+        let path = along_the_corner(radius, opening, scallop);
+        let target = Allowed::new(&part, 0.0);
+        let (places, cell) = measure(&target, &Sweep::new(&path), scallop, 40_000);
+        // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² + R²) from its centre.
+        let touches = radius / (0.5f64 * f64::to_radians(opening)).tan();
+        let least = UNCUT * scallop;
+        let width = touches - (2.0 * radius * least + least * least).sqrt();
+        let length = 16.0 + 2.0 * (8.0 * radius * scallop).sqrt();
+        let area = places.len() as f64 * cell;
+        assert!((area / (2.0 * width * length) - 1.0).abs() < 0.02, "{opening}: {area} {}", 2.0 * width * length);
+        let most = places.iter().map(|p| p.left_mm).fold(0.0, f64::max);
+        let in_corner = touches.hypot(radius) - radius;
+        assert!(most <= in_corner && most > 0.95 * in_corner, "{most} {in_corner}");
         // Where the ball fits, nothing stays.
         let flat = corner(180.0 - 1e-9);
         let path = along_the_corner(radius, 90.0, scallop);

@@ -44,10 +44,13 @@ fn empty() -> Loop {
     Loop { points: Vec::new(), triangles: Vec::new(), closed: false }
 }
 
+/// Two chains to join, and which of them to turn round first.
+type Joint = (usize, usize, [bool; 2]);
+
 /// The two chains with the smallest gap that may be closed, lower number first, and which of them to turn round so that the first
 /// ends where the second begins.
-fn nearest(open: &[Loop]) -> Option<(usize, usize, [bool; 2])> {
-    let mut best: Option<(f64, (usize, usize, [bool; 2]))> = None;
+fn nearest(open: &[Loop]) -> Option<Joint> {
+    let mut best: Option<(f64, Joint)> = None;
     let mut offer = |gap: f64, length: f64, what| {
         if gap <= GAP * length && best.is_none_or(|(g, _)| gap < g) {
             best = Some((gap, what));
