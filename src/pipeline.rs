@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Blade;
+use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Section, Toolpath};
+use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Program, Schedule, Section, Toolpath};
 use crate::channel::{self, ChannelOptions};
 use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
@@ -18,7 +19,7 @@ use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
 use crate::output::summary::{self, ScheduleFigures, Summary};
 use crate::output::{self, RunFolder, tables};
 use crate::path::{self, PathOptions};
-use crate::post::{self, PostOptions};
+use crate::post::{self, Dialect, PostOptions};
 use crate::preview::report::{self, ReportInput};
 use crate::preview::{self, GltfOptions};
 use crate::schedule::{self, ScheduleOptions};
@@ -67,6 +68,8 @@ pub struct Setup {
     pub machine: Machine,
     /// Where turns are to begin, blade frame, mm; `None`: where the path stage thinks best.
     pub start_near: Option<[f64; 3]>,
+    /// Own post files of the job.
+    pub post_files: Vec<Dialect>,
     /// Input files with their hashes: the model first.
     pub inputs: Vec<Input>,
 }
@@ -92,6 +95,11 @@ impl Setup {
             }
             None => Machine::demo()?,
         };
+        let mut post_files = Vec::new();
+        for file in draft.post_files() {
+            inputs.push(manifest::input(file)?);
+            post_files.push(Dialect::load(file)?);
+        }
         let job = draft.complete(&blade)?;
         for message in openings::check(&blade, &reach(&job, &blade))? {
             observer.warn(Warning { stage: Stage::Model, message });
@@ -100,7 +108,7 @@ impl Setup {
             Start::Concave => None,
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
-        Ok(Setup { job, blade, machine, start_near, inputs })
+        Ok(Setup { job, blade, machine, start_near, post_files, inputs })
     }
 
     fn section_options(&self) -> SectionOptions {
@@ -169,15 +177,38 @@ impl Setup {
 
     /// What programs say in their headers.
     pub fn post_options(&self) -> PostOptions {
-        let model = &self.inputs[0];
+        let (model, p) = (&self.inputs[0], &self.job.post);
         let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
         PostOptions {
             program_name: program_name(&self.blade.name),
             part_file: file,
             part_hash: model.blake3.clone(),
             job: "job.resolved.toml".into(),
+            tool_number: p.tool_number,
+            spindle_rpm: p.spindle_rpm,
+            approach_feed_mm_min: p.approach_feed_mm_min,
+            plunge_feed_mm_min: p.plunge_feed_mm_min,
+            feed_height_mm: p.feed_height_mm,
+            safe_clearance_mm: p.safe_clearance_mm,
             ..PostOptions::default()
         }
+    }
+
+    /// The dialects that programs are to be written in.
+    fn dialects(&self) -> Result<Vec<Dialect>> {
+        let built_in = self.job.post.control.iter().map(|c| Dialect::built_in(*c));
+        built_in.chain(self.post_files.iter().cloned().map(Ok)).collect()
+    }
+
+    /// A checked plan as a program, and what reading the program back found.
+    ///
+    /// # Errors
+    /// Those of [`post::post`] and of [`verify::program::read_back`].
+    pub fn program(&self, dialect: &Dialect, verified: &Verified<Plan>) -> Result<(Program, Vec<Check>)> {
+        let (blade, tool, machine) = (&self.blade, &self.job.tool, &self.machine);
+        let program = post::post(dialect, verified, blade, tool, machine, &self.post_options())?;
+        let checks = verify::program::read_back(&program, verified.value(), blade, tool, machine)?;
+        Ok((program, checks))
     }
 }
 
@@ -370,8 +401,7 @@ fn check_and_write(
     let verdict = clock.time(Stage::Verify, || {
         verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &setup.verify_options(), observer)
     })?;
-    let report = verdict.report().clone();
-    folder.add_json("verify.json", &report)?;
+    let mut report = verdict.report().clone();
     let figures = compare(setup, verdict.value(), baseline)?;
     let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
     if setup.job.path.compare {
@@ -380,12 +410,14 @@ fn check_and_write(
     }
     folder.add_json("summary.json", &summary)?;
     if course.ends_at(Stage::Verify) {
+        folder.add_json("verify.json", &report)?;
         return Ok(Checked { summary: Some(summary), report });
     }
     clock.time(Stage::Preview, || write_preview(setup, sections, &verdict, baseline, folder, observer))?;
     if let Some(verified) = accept(verdict, course.force) {
-        clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+        report.checks.extend(clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
     }
+    folder.add_json("verify.json", &report)?;
     Ok(Checked { summary: Some(summary), report })
 }
 
@@ -439,13 +471,17 @@ fn write_preview(
     folder.add("report.html", page)
 }
 
-fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<()> {
-    for control in &setup.job.post.control {
-        let program =
-            post::post(*control, verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())?;
-        folder.add(control.file_name(), program.text)?;
+/// Writes all programs; the checks of their reading back. A program that does not come back as the plan is not written.
+fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Vec<Check>> {
+    let mut found = Vec::new();
+    for dialect in setup.dialects()? {
+        let (program, checks) = setup.program(&dialect, verified)?;
+        if checks.iter().all(|c| c.passed) {
+            folder.add(&program.file_name, program.text)?;
+        }
+        found.extend(checks);
     }
-    Ok(())
+    Ok(found)
 }
 
 /// preview.glb and report.html of a plan taken up again: sections and the fixed-lead baseline are made anew.

@@ -1,32 +1,107 @@
 //! NC programs as text.
 
-/// The controls that a program can be written for.
+/// The controls that a program can be written for: each is a post file that is built in.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Control {
+    /// Siemens 840D: `TRAORI`, rotary axes as positions, `program.mpf`.
+    Siemens,
+    /// Siemens 840D: `TRAORI`, the tool axis as the vector `A3 B3 C3`, `program.vector.mpf`.
+    SiemensVector,
+    /// Heidenhain TNC: `TCPM`, rotary axes as positions, `program.h`.
+    Heidenhain,
+    /// Heidenhain TNC: `TCPM`, `LN` blocks with the tool axis as a vector, `program.vector.h`.
+    HeidenhainVector,
+    /// Fanuc: `G43.4`, rotary axes as positions, `program.nc`.
+    Fanuc,
+    /// Fanuc: `G43.5`, the tool axis as the vector `I J K`, `program.vector.nc`.
+    FanucVector,
+    /// LinuxCNC with trivial kinematics, inverse time, `program.ngc`.
+    Linuxcnc,
+    /// LinuxCNC with trivial kinematics, feed per minute, `program.feed.ngc`.
+    LinuxcncFeed,
+    /// Any control without tool-centre-point control: positions of the machine's axes, `program.iso.nc`.
+    Iso,
+    /// APT cutter-location file, `program.apt`.
+    Apt,
+}
+
+impl Control {
+    /// All of them.
+    pub const ALL: [Control; 10] = [
+        Control::Siemens,
+        Control::SiemensVector,
+        Control::Heidenhain,
+        Control::HeidenhainVector,
+        Control::Fanuc,
+        Control::FanucVector,
+        Control::Linuxcnc,
+        Control::LinuxcncFeed,
+        Control::Iso,
+        Control::Apt,
+    ];
+}
+
+/// How the text of a program is to be read.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum,
 )]
 #[serde(rename_all = "kebab-case")]
-pub enum Control {
-    /// Siemens 840D, `program.mpf`.
-    Siemens,
-    /// LinuxCNC, `program.ngc`.
-    Linuxcnc,
+pub enum Grammar {
+    /// Words of an address and a number: ISO 6983, Siemens, Fanuc, LinuxCNC.
+    Gcode,
+    /// Heidenhain Klartext.
+    Heidenhain,
+    /// APT: major words, a slash, minor words and numbers.
+    Apt,
 }
 
-impl Control {
-    /// File name of the program.
-    pub fn file_name(self) -> &'static str {
-        match self {
-            Control::Siemens => "program.mpf",
-            Control::Linuxcnc => "program.ngc",
-        }
-    }
+/// What X, Y and Z of a cutting line mean.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Programmed {
+    /// The tool tip in the blade frame.
+    Tip,
+    /// The ball centre in the blade frame.
+    Centre,
+    /// The machine's axes.
+    Machine,
+}
+
+/// How a program is to be understood, beside its text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Language {
+    /// Its grammar.
+    pub grammar: Grammar,
+    /// Its coordinates.
+    pub programmed: Programmed,
+    /// Rotary words go the shortest way: a modulo axis, or one that is told to.
+    pub shortest_way: bool,
 }
 
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// For which control.
-    pub control: Control,
+    /// The control, in words.
+    pub control: String,
+    /// Name of its file.
+    pub file_name: String,
+    /// How it is to be understood.
+    pub language: Language,
     /// The text, lines ended by `\n`.
     pub text: String,
 }

@@ -11,7 +11,7 @@ use crate::job;
 use crate::observe::Observer;
 use crate::output::{RunFolder, tables};
 use crate::pipeline::{self, Setup};
-use crate::post;
+use crate::post::Dialect;
 use crate::verify;
 
 /// A finished run.
@@ -86,10 +86,24 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         )
         .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
     };
-    let program =
-        post::post(args.control, &verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())?;
+    let dialect = match (&args.post_file, args.control) {
+        (Some(file), _) => Dialect::load(file)?,
+        (None, Some(control)) => Dialect::built_in(control)?,
+        (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
+    };
+    let (program, checks) = setup.program(&dialect, &verified)?;
+    if checks.iter().any(|c| !c.passed) {
+        let report = CheckReport { checks, ..CheckReport::default() };
+        print_failed(&report);
+        return Err(Error::new(
+            Stage::Post,
+            ErrorKind::Findings,
+            format!("{} does not come back as the plan when it is read, so it was not written", program.file_name),
+        )
+        .advise("write more digits in the post file"));
+    }
     let mut folder = RunFolder::begin(&args.out)?;
-    folder.add(args.control.file_name(), program.text)?;
+    folder.add(&program.file_name, program.text)?;
     for file in folder.finish()? {
         sayln!("{}", file.display());
     }

@@ -234,8 +234,11 @@ pub struct Post {
     /// The folder of a finished run.
     pub out: PathBuf,
     /// The control to write for.
-    #[arg(long, value_enum)]
-    pub control: Control,
+    #[arg(long, value_enum, required_unless_present = "post_file")]
+    pub control: Option<Control>,
+    /// An own post file (TOML) to write with; models/posts has the built-in ones to begin with.
+    #[arg(long, value_name = "FILE", conflicts_with = "control")]
+    pub post_file: Option<PathBuf>,
     /// Write the program even if the checks fail; its header says so.
     #[arg(long)]
     pub force: bool,

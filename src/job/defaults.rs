@@ -27,6 +27,7 @@ pub struct Draft {
     typed: JobFile,
     model: ModelJob,
     machine_file: Option<PathBuf>,
+    post_files: Vec<PathBuf>,
 }
 
 /// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder of the job file, or
@@ -60,7 +61,8 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     ])?;
     early_checks(&typed)?;
     let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
-    Ok(Draft { typed, model, machine_file })
+    let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f)).collect();
+    Ok(Draft { typed, model, machine_file, post_files })
 }
 
 /// Values that are wrong on any blade are refused before the model is read.
@@ -85,6 +87,10 @@ impl Draft {
     pub fn machine_file(&self) -> Option<&Path> {
         self.machine_file.as_deref()
     }
+    /// Own post files, absolute.
+    pub fn post_files(&self) -> &[PathBuf] {
+        &self.post_files
+    }
 
     /// Settles the rest from the blade.
     ///
@@ -94,6 +100,7 @@ impl Draft {
         let t = self.typed.clone();
         let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
         let (schedule, verify) = (t.schedule.unwrap_or_default(), t.verify.unwrap_or_default());
+        let post = t.post.unwrap_or_default();
         let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
         let radius = tool.radius_mm;
         let chord_mm = path.chord_mm.unwrap_or(0.001);
@@ -131,7 +138,14 @@ impl Draft {
             },
             feed: FeedJob { feed_mm_min: t.feed.and_then(|f| f.feed_mm_min).unwrap_or(2000.0) },
             post: PostJob {
-                control: t.post.and_then(|p| p.control).unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
+                control: post.control.unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
+                files: self.post_files.clone(),
+                tool_number: post.tool_number.unwrap_or(1),
+                spindle_rpm: post.spindle_rpm.unwrap_or(6000.0),
+                approach_feed_mm_min: post.approach_feed_mm_min.unwrap_or(5000.0),
+                plunge_feed_mm_min: post.plunge_feed_mm_min.unwrap_or(300.0),
+                feed_height_mm: post.feed_height_mm.unwrap_or(5.0),
+                safe_clearance_mm: post.safe_clearance_mm.unwrap_or(20.0),
             },
             verify: VerifyJob {
                 gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(0.003)),

@@ -174,8 +174,23 @@ pub struct FeedJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PostJob {
-    /// Controls. Default: all there are.
+    /// Controls. Default: Siemens and LinuxCNC.
     pub control: Vec<Control>,
+    /// Own post files. Default: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<PathBuf>,
+    /// Tool number. Default 1.
+    pub tool_number: u32,
+    /// Spindle speed, 1/min. Default 6000.
+    pub spindle_rpm: f64,
+    /// Feed between the safe position and the feed height, mm/min. Default 5000.
+    pub approach_feed_mm_min: f64,
+    /// Feed from the feed height to the part and back, mm/min. Default 300.
+    pub plunge_feed_mm_min: f64,
+    /// Feed height, mm. Default 5.
+    pub feed_height_mm: f64,
+    /// Clearance at the safe positions, mm. Default 20.
+    pub safe_clearance_mm: f64,
 }
 
 /// `[verify]`
@@ -249,6 +264,12 @@ impl Job {
             ("verify.scallop_ratio", v.scallop_ratio, 0.01, 1000.0),
             ("verify.resolution_mm", v.resolution_mm, 1e-5, 1.0),
             ("verify.surface_samples", f64::from(v.surface_samples), 1000.0, 1e7),
+            ("post.tool_number", f64::from(self.post.tool_number), 1.0, 99_999_999.0),
+            ("post.spindle_rpm", self.post.spindle_rpm, 1.0, 1e6),
+            ("post.approach_feed_mm_min", self.post.approach_feed_mm_min, 1.0, 1e6),
+            ("post.plunge_feed_mm_min", self.post.plunge_feed_mm_min, 1.0, 1e6),
+            ("post.feed_height_mm", self.post.feed_height_mm, TINY, 1000.0),
+            ("post.safe_clearance_mm", self.post.safe_clearance_mm, TINY, 1000.0),
             ("section.count", f64::from(self.section.count), 1.0, 1000.0),
         ])?;
         self.tool.validate()?;
@@ -261,7 +282,7 @@ impl Job {
                 ),
             ));
         }
-        if self.post.control.is_empty() {
+        if self.post.control.is_empty() && self.post.files.is_empty() {
             return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
         }
         Ok(())

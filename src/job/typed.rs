@@ -199,6 +199,20 @@ keys! {
     PostKeys {
         /// Controls to write programs for.
         control: Vec<Control>,
+        /// Own post files (TOML) to write programs with, besides.
+        files: Vec<String>,
+        /// Number of the tool.
+        tool_number: u32,
+        /// Spindle speed, 1/min.
+        spindle_rpm: f64,
+        /// Feed between the safe position and the feed height, mm/min.
+        approach_feed_mm_min: f64,
+        /// Feed from the feed height to the part and back, mm/min.
+        plunge_feed_mm_min: f64,
+        /// Feed height over the first and last location, along the tool axis, mm.
+        feed_height_mm: f64,
+        /// Distance between the tool and the sphere around the part at the safe positions, mm.
+        safe_clearance_mm: f64,
     }
 }
 keys! {

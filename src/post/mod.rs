@@ -1,17 +1,16 @@
 //! NC programs from checked plans.
 //!
-//! **In**: a [`Verified`] plan, the blade, the tool, the machine. **Out**: a [`Program`], plain ASCII text.
+//! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a [`Program`], plain ASCII text.
 //!
-//! * [`Control::Siemens`]: tool tip positions in the blade frame under `TRAORI`, rotary axes as axis positions
-//!   (`ORIAXES`). With `B` fixed, the tool axis lies on a cone; great-circle interpolation of vectors would leave the
-//!   cone and move `B` between every two locations, so vectors are not posted.
-//! * [`Control::Linuxcnc`]: positions of the machine's axes (LinuxCNC has no tool-centre-point code; with trivial
-//!   kinematics it is programmed with axis positions, machine zero as work zero, no length offset active).
+//! A dialect is a *post file* (TOML, [`PostFile`]): ten are built in ([`crate::artifact::program::Control`]), an own one needs no
+//! recompiling. Three kinds of coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with tool-centre-point
+//! control, or positions of the machine's axes. With `B` fixed the tool axis lies on a cone, so rotary axes are written as positions
+//! where there is a choice; vectors are written for controls that turn them into rotary positions line by line.
 //!
 //! ## Feed
-//! Every cutting line carries inverse time `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so that the
-//! control needs no notion of what a feed means for a line that turns and moves at once. A line whose words would all
-//! repeat the one before is left out and its time goes to the next, so the whole time is kept.
+//! Where the control knows inverse time, every cutting line carries `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so
+//! that the control needs no notion of what a feed means for a line that turns and moves at once. Otherwise F is the way of the
+//! programmed point over `Δt`.
 //!
 //! ## Approach and retract
 //! Straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
@@ -21,16 +20,18 @@
 //! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most `R (1 − cos τ)`
 //! wider than the tool itself, which is less than any sensible clearance.
 //!
-//! Limits: one tool, one helix, no tool radius compensation. The programs are read back by tests word for word.
+//! Limits: one tool, one helix, no tool radius compensation. [`crate::verify::program`] reads every program back.
 
-mod cut;
-mod linuxcnc;
-mod siemens;
+mod dialect;
+mod moves;
+mod template;
 #[cfg(test)]
 mod tests;
 mod text;
+mod write;
 
-use crate::artifact::program::Control;
+pub use dialect::{Dialect, FeedWord, Numbering, Numbers, PostFile, Rotary, Text};
+
 use crate::artifact::{Blade, CheckReport, Plan, Program};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -63,12 +64,7 @@ pub struct PostOptions {
     pub tool_number: u32,
     /// Spindle speed, 1/min.
     pub spindle_rpm: f64,
-    /// Digits after the point of lengths, 3 to 6. Default 5.
-    pub length_decimals: usize,
-    /// Digits after the point of angles in degrees, 3 to 6. Default 5.
-    pub angle_decimals: usize,
-    /// Words of `A` for Siemens; LinuxCNC always accumulates (it has no words of mixed kind on a line). Default
-    /// `Incremental`.
+    /// Words of `A` where the dialect knows both; others write what they know. Default `Incremental`.
     pub rotary: RotaryWords,
     /// Feed between the safe position and the feed height, mm/min. Default 5000.
     pub approach_feed_mm_min: f64,
@@ -93,8 +89,6 @@ impl Default for PostOptions {
             job: String::new(),
             tool_number: 1,
             spindle_rpm: 6000.0,
-            length_decimals: 5,
-            angle_decimals: 5,
             rotary: RotaryWords::Incremental,
             approach_feed_mm_min: 5000.0,
             plunge_feed_mm_min: 300.0,
@@ -122,23 +116,18 @@ impl PostOptions {
                 return bad(format!("post.{name} is {value}, it must be greater than 0"));
             }
         }
-        for (name, digits) in [("length_decimals", self.length_decimals), ("angle_decimals", self.angle_decimals)] {
-            if !(3..=6).contains(&digits) {
-                return bad(format!("post.{name} is {digits}, it must be 3 to 6"));
-            }
-        }
         Ok(())
     }
 }
 
-/// Writes a checked plan for a control.
+/// Writes a checked plan in a dialect.
 ///
 /// # Errors
 /// `Usage` where an option is out of range or the plan is none (no locations, rows that do not match, numbers that are
-/// not finite, times that do not grow); `Infeasible` where the contact at an end of the path lies above the ball's
+/// not finite, times that do not grow) or a block is too long; `Infeasible` where the contact at an end of the path lies above the ball's
 /// equator, so that the tool cannot leave along its axis.
 pub fn post(
-    control: Control,
+    dialect: &Dialect,
     plan: &Verified<Plan>,
     blade: &Blade,
     tool: &Tool,
@@ -157,11 +146,12 @@ pub fn post(
         options,
         ends: ends(plan.value(), blade, tool, machine, options)?,
     };
-    let text = match control {
-        Control::Siemens => siemens::write(&run)?,
-        Control::Linuxcnc => linuxcnc::write(&run)?,
-    };
-    Ok(Program { control, text })
+    Ok(Program {
+        control: dialect.file.name.clone(),
+        file_name: dialect.file_name().to_owned(),
+        language: dialect.language(),
+        text: write::write(&run, dialect)?,
+    })
 }
 
 /// Everything a dialect needs.
@@ -199,10 +189,6 @@ impl Run<'_> {
         let centre = end.centre + end.axis * lift_mm;
         self.machine.inverse(&centre, end.theta, self.b_rad(), self.tool.length_mm())
     }
-    /// The tool tip `lift_mm` along the tool axis over an end of the path, blade frame.
-    fn tip_at(&self, end: &End, lift_mm: f64) -> Point {
-        tool::tip(&(end.centre + end.axis * lift_mm), &end.axis, self.tool.radius_mm)
-    }
     /// Height of the feed height, never over the safe position.
     fn feed_height(&self, end: &End) -> f64 {
         self.options.feed_height_mm.min(end.safe_mm)
@@ -211,7 +197,7 @@ impl Run<'_> {
 
 /// First and last location, with their safe positions.
 fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
-    cut::well_formed(plan)?;
+    moves::well_formed(plan)?;
     let sphere = sphere_on_axis(blade);
     let b = plan.channel.b_rad;
     let end = |row: usize, name: &str| -> Result<End> {

@@ -3,9 +3,7 @@
 use crate::error::{Error, Result, Stage};
 
 use super::Run;
-
-/// Longest line written; LinuxCNC reads at most 255 characters.
-pub(super) const LINE: usize = 200;
+use super::dialect::PostFile;
 
 /// A number in fixed point, exactly as rounded: an integer count of `10^-decimals`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,19 +29,31 @@ impl Fixed {
     pub(super) fn since(self, earlier: Fixed) -> Fixed {
         Fixed { units: self.units - earlier.units, decimals: self.decimals }
     }
-}
-
-impl std::fmt::Display for Fixed {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let sign = if self.units < 0 { "-" } else { "" };
+    /// The number reduced to `0 … range`, without `range` itself.
+    pub(super) fn modulo(self, range: i64) -> Fixed {
+        let one = 10i64.pow(u32::try_from(self.decimals).unwrap_or(6));
+        Fixed { units: self.units.rem_euclid(range * one), decimals: self.decimals }
+    }
+    /// The number as text: `plus` puts a sign before what is not negative, `trim` takes zeros off the end.
+    pub(super) fn text(self, plus: bool, trim: bool) -> String {
+        let sign = match self.units {
+            u if u < 0 => "-",
+            _ if plus => "+",
+            _ => "",
+        };
         let magnitude = self.units.unsigned_abs();
         if self.decimals == 0 {
-            return write!(f, "{sign}{magnitude}");
+            return format!("{sign}{magnitude}");
         }
         let one = 10u64.pow(u32::try_from(self.decimals).unwrap_or(6));
-        write!(f, "{sign}{}.{:0width$}", magnitude / one, magnitude % one, width = self.decimals)
+        let mut text = format!("{sign}{}.{:0width$}", magnitude / one, magnitude % one, width = self.decimals);
+        if trim {
+            text.truncate(text.trim_end_matches('0').len());
+        }
+        text
     }
 }
+
 
 /// Printable ASCII only, so that no control chokes and no text can end a comment; signs that our own texts use are spelt out.
 pub(super) fn ascii(text: &str) -> String {
@@ -63,33 +73,70 @@ pub(super) fn ascii(text: &str) -> String {
 }
 
 /// The lines being written.
-pub(super) struct Lines {
+pub(super) struct Lines<'a> {
     pub(super) text: String,
-    /// `Some(next)`: lines are numbered `N…`.
-    number: Option<u64>,
+    file: &'a PostFile,
+    /// The next line's number.
+    next: u64,
 }
 
-impl Lines {
-    pub(super) fn new(numbered: bool) -> Self {
-        Lines { text: String::new(), number: numbered.then_some(10) }
+impl<'a> Lines<'a> {
+    pub(super) fn new(file: &'a PostFile) -> Self {
+        Lines { text: String::new(), file, next: file.numbering.as_ref().map_or(0, |n| n.first) }
     }
-    /// A comment, wrapped at [`LINE`] characters.
+    /// A comment, wrapped at the longest line.
     pub(super) fn comment(&mut self, text: &str) {
-        let text = ascii(text);
-        for piece in text.as_bytes().chunks(LINE - 2) {
-            self.text.push_str("; ");
-            self.text.push_str(&String::from_utf8_lossy(piece));
-            self.text.push('\n');
+        let file = self.file;
+        let [before, after] = &file.comment;
+        let mut text = ascii(text);
+        if before.contains('(') {
+            // A bracket inside would end the comment.
+            text = text.replace('(', "[").replace(')', "]");
+        }
+        let everything = file.numbering.as_ref().is_some_and(|n| n.everything);
+        let room = file.longest_line.saturating_sub(before.len() + after.len() + if everything { 8 } else { 0 }).max(10);
+        for piece in text.as_bytes().chunks(room) {
+            let number = if everything { self.number() } else { String::new() };
+            self.text.push_str(&format!("{number}{before}{}{after}\n", String::from_utf8_lossy(piece)));
         }
     }
     /// A block.
-    pub(super) fn block(&mut self, text: &str) {
-        if let Some(n) = &mut self.number {
-            self.text.push_str(&format!("N{n} "));
-            *n += 10;
+    ///
+    /// # Errors
+    /// It is too long, and the dialect has no sign for lines that go on.
+    pub(super) fn block(&mut self, text: &str) -> Result<()> {
+        // The tape's own signs have no numbers.
+        let bare = text == "%" || (text.starts_with('O') && text[1..].chars().all(|c| c.is_ascii_digit()));
+        let numbered = if bare { text.to_owned() } else { format!("{}{text}", self.number()) };
+        let mut rest = numbered.as_str();
+        while rest.len() > self.file.longest_line {
+            let (sign, longest) = match &self.file.continuation {
+                Some(sign) => (sign, self.file.longest_line - sign.len()),
+                None => return Err(self.too_long(&numbered)),
+            };
+            let at = rest[..longest].rfind(',').ok_or_else(|| self.too_long(&numbered))? + 1;
+            self.text.push_str(&format!("{}{sign}\n", &rest[..at]));
+            rest = &rest[at..];
         }
-        self.text.push_str(text);
+        self.text.push_str(rest);
         self.text.push('\n');
+        Ok(())
+    }
+
+    fn too_long(&self, text: &str) -> Error {
+        Error::usage(
+            Stage::Post,
+            format!("a block of {} characters is longer than longest_line = {}: {text}", text.len(), self.file.longest_line),
+        )
+        .advise("raise longest_line in the post file, or write fewer digits")
+    }
+
+    /// The number of the next line with a space, if lines have numbers.
+    fn number(&mut self) -> String {
+        let Some(n) = &self.file.numbering else { return String::new() };
+        let now = self.next;
+        self.next += n.step;
+        format!("{}{now} ", n.prefix)
     }
 }
 

@@ -27,6 +27,7 @@ mod gouge;
 mod limit;
 mod limits;
 mod options;
+pub mod program;
 mod ridge;
 mod samples;
 mod scallop;

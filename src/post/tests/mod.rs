@@ -6,6 +6,8 @@ mod read_back;
 use read_back::{Move, read};
 
 use super::*;
+use crate::verify::program::read_back;
+use crate::artifact::program::Control;
 use crate::error::ErrorKind;
 use crate::sample;
 
@@ -21,7 +23,7 @@ fn options() -> PostOptions {
 
 fn program(control: Control, plan: Plan, forced: bool, options: &PostOptions) -> Result<Program> {
     let plan = Verified::for_tests(plan, sample::report(), forced);
-    post(control, &plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap(), options)
+    post(&Dialect::built_in(control).unwrap(), &plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap(), options)
 }
 
 /// The G93 moves of a program: the cutting.
@@ -111,7 +113,7 @@ fn a_short_travel_shortens_the_retract_and_says_so() {
     let mut machine = Machine::demo().unwrap();
     machine.axes.z.max_mm = 180.0;
     let plan = Verified::for_tests(sample::plan(1, 30), sample::report(), false);
-    let text = |m| post(Control::Linuxcnc, &plan, &sample::blade(), &sample::tool(), m, &options()).unwrap().text;
+    let text = |m| post(&Dialect::built_in(Control::Linuxcnc).unwrap(), &plan, &sample::blade(), &sample::tool(), m, &options()).unwrap().text;
     let short = text(&machine);
     assert!(short.contains("the travel of the machine ends") && !short.contains("Unwind"));
     assert!(read(&short).unwrap().iter().all(|m| m.at[2] <= 180.0 + 1e-9));
@@ -155,10 +157,121 @@ fn names_from_outside_cannot_leave_their_comment() {
 }
 
 #[test]
+fn every_dialect_reads_back_as_the_plan() {
+    // Turns of 12 degrees a line with a small chord tolerance: machine axes need blocks between locations.
+    let plan = sample::plan(3, 30);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    for control in Control::ALL {
+        let p = program(control, plan.clone(), false, &options()).unwrap();
+        for c in read_back(&p, &plan, &blade, &tool, &machine).unwrap() {
+            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+        }
+        let longest = Dialect::built_in(control).unwrap().file.longest_line;
+        assert!(p.text.is_ascii() && p.text.lines().all(|l| l.len() <= longest), "{control:?}");
+        let blocks = |l: &str| l.starts_with("G1 ") || l.contains(" G1 ") || l.contains(" L") || l.starts_with("GOTO");
+        let lines = p.text.lines().filter(|l| blocks(l)).count();
+        assert!(lines >= 90, "{control:?} {lines}");
+    }
+}
+
+/// Names of the checks that fail after a change of the text.
+fn failing(control: Control, plan: &Plan, change: &dyn Fn(&str) -> String) -> Vec<String> {
+    let mut p = program(control, plan.clone(), false, &options()).unwrap();
+    p.text = change(&p.text);
+    let checks = read_back(&p, plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap()).unwrap();
+    checks.into_iter().filter(|c| !c.passed).map(|c| c.name).collect()
+}
+
+#[test]
+fn reading_back_finds_what_is_planted() {
+    let plan = sample::plan(2, 60);
+    let has = |found: &[String], name: &str| assert!(found.iter().any(|f| f == name), "{name} not in {found:?}");
+    for control in [Control::Siemens, Control::Heidenhain, Control::Fanuc, Control::Linuxcnc, Control::Apt] {
+        let p = program(control, plan.clone(), false, &options()).unwrap();
+        assert!(failing(control, &plan, &|t| t.into()).is_empty());
+        let lines: Vec<&str> = p.text.lines().collect();
+        let cut = |l: &&str| l.contains(" Y") && l.contains(" A") || l.starts_with("GOTO");
+        let nth = lines.iter().enumerate().filter(|(_, l)| cut(l)).nth(40).unwrap().0;
+        // A digit of a coordinate.
+        let word = if control == Control::Apt { "GOTO/" } else { "X" };
+        let moved = |t: &str| {
+            let mut out: Vec<String> = t.lines().map(String::from).collect();
+            let at = out[nth].rfind(word).unwrap() + word.len();
+            let end = at + out[nth][at..].find([' ', ',']).unwrap();
+            let value: f64 = out[nth][at..end].parse().unwrap();
+            out[nth].replace_range(at..end, &format!("{:+.5}", value + 0.01).replace(if control == Control::Heidenhain { "~" } else { "+" }, ""));
+            out.join("\n")
+        };
+        has(&failing(control, &plan, &moved), "program-centre");
+        // A missing turn.
+        let short = |t: &str| {
+            let all: Vec<&str> = t.lines().collect();
+            let cuts: Vec<usize> = (0..all.len()).filter(|i| cut(&all[*i])).collect();
+            let gone = &cuts[cuts.len() / 4..3 * cuts.len() / 4];
+            let kept: Vec<String> = (0..all.len()).filter(|i| !gone.contains(i)).map(|i| all[i].to_string()).collect();
+            // Klartext counts its blocks.
+            let renumber = |(i, l): (usize, String)| match (control, l.split_once(' ')) {
+                (Control::Heidenhain, Some((_, rest))) => format!("{i} {rest}"),
+                _ => l,
+            };
+            kept.into_iter().enumerate().map(renumber).collect::<Vec<_>>().join("\n")
+        };
+        has(&failing(control, &plan, &short), "program-time");
+        assert!(failing(control, &plan, &short).len() >= 2);
+    }
+    has(&failing(Control::Linuxcnc, &plan, &|t| t.replace(" B5.", " B-5.")), "program-direction");
+    has(&failing(Control::Fanuc, &plan, &|t| t.replace("B5.0000", "B-5.0000")), "program-direction");
+    has(&failing(Control::SiemensVector, &plan, &|t| t.replace("A3=0", "A3=-0")), "program-direction");
+}
+
+#[test]
+fn an_own_post_file_needs_no_recompiling() {
+    let own = Control::Iso
+        .post_file()
+        .replace("name = \"ISO, machine axes\"", "name = \"My mill\"")
+        .replace("program.iso.nc", "mine.tap")
+        .replace("[numbers]", "[numbers]\ntrim = true")
+        .replace("comment = [", "modal = [\"b\", \"y\"]\ncomment = [");
+    let dialect = Dialect::from_toml(&own, "own").unwrap();
+    let plan = sample::plan(1, 40);
+    let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
+    assert_eq!((p.file_name.as_str(), p.control.as_str()), ("mine.tap", "My mill"));
+    assert_eq!(p.text.matches(" B5.").count(), 1, "a modal word is written once");
+    assert!(read_back(&p, &plan, &blade, &tool, &machine).unwrap().iter().all(|c| c.passed));
+}
+
+#[test]
+fn bad_post_files_are_usage_errors_that_name_the_key() {
+    let good = Control::Siemens.post_file();
+    for (from, to, names) in [
+        ("length_decimals = 5", "length_decimals = 9", "numbers.length_decimals is 9"),
+        ("{da}", "{delta}", "no value {delta}"),
+        ("longest_line = 200", "longest_line = 3", "longest_line"),
+        ("file = \"program.mpf\"", "file = \"../x\"", "file name"),
+        ("rotary = \"incremental\"", "rotary = \"sideways\"", "sideways"),
+        ("name = ", "nam = ", "nam"),
+    ] {
+        let text = good.replacen(from, to, 1);
+        assert_ne!(text, good, "{from}");
+        let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
+        assert!(e.kind == ErrorKind::Usage && e.message.contains(names) && e.message.contains("p.toml"), "{}", e.message);
+    }
+    // Few digits are rounding that reading back finds.
+    let coarse = Control::Linuxcnc.post_file().replace("angle_decimals = 5", "angle_decimals = 3");
+    let plan = sample::plan(1, 40);
+    let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let p = post(&Dialect::from_toml(&coarse, "c").unwrap(), &verified, &blade, &tool, &machine, &options()).unwrap();
+    assert!(read_back(&p, &plan, &blade, &tool, &machine).unwrap().iter().any(|c| !c.passed));
+}
+
+#[test]
 fn programs_are_as_kept_in_snapshots() {
-    for control in [Control::Siemens, Control::Linuxcnc] {
+    for control in Control::ALL {
         let p = program(control, sample::plan(1, 12), false, &options()).unwrap();
-        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots").join(control.file_name());
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots").join(&p.file_name);
         if std::env::var_os("BLADEWRIGHT_BLESS").is_some() {
             std::fs::write(&file, &p.text).unwrap();
         }

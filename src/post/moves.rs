@@ -1,0 +1,147 @@
+//! The cutting moves, the same for all dialects: cutter locations, and between them as many more as the control's own
+//! interpolation asks for.
+//!
+//! Between two lines a control moves every word evenly: the programmed point goes straight, and `A` turns evenly. The ball centre then
+//! leaves the straight way between two cutter locations: under tool-centre-point control by tip by at most `R (1 − cos(Δθ/2))`, and
+//! with positions of machine axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where that is
+//! more than the chord tolerance of the path, the move is written in equal parts.
+
+use crate::artifact::Plan;
+use crate::artifact::program::Programmed;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::tool;
+
+use super::Run;
+
+/// Most parts that a move is written in.
+const MOST_PARTS: usize = 1000;
+
+/// The end of a cutting move.
+pub(super) struct Move {
+    /// Ball centre, blade frame, mm.
+    pub(super) centre: Point,
+    /// Angle of the tool axis, rad.
+    pub(super) theta: f64,
+    /// Time, s.
+    pub(super) t_s: f64,
+}
+
+/// Checks that a plan can be written at all.
+pub(super) fn well_formed(plan: &Plan) -> Result<()> {
+    let n = plan.toolpath.locations.len();
+    let bad = |m: String| Err(Error::usage(Stage::Post, m));
+    if n < 2 {
+        return bad(format!("the plan has {n} cutter locations, a program needs at least 2"));
+    }
+    for (name, rows) in [
+        ("angles", plan.schedule.theta.len()),
+        ("axis positions", plan.motion.position.len()),
+        ("times", plan.motion.t_s.len()),
+    ] {
+        if rows != n {
+            return bad(format!("the plan has {n} cutter locations but {rows} {name}"));
+        }
+    }
+    let rows = plan.toolpath.locations.iter().zip(&plan.schedule.theta).zip(&plan.motion.position);
+    for (i, ((l, theta), q)) in rows.enumerate() {
+        let numbers = l.centre.iter().chain(l.normal.iter()).chain(q.iter()).chain([theta]);
+        if !numbers.into_iter().all(|x| x.is_finite()) {
+            return bad(format!("cutter location {i} of the plan has a value that is not a finite number"));
+        }
+    }
+    if !plan.channel.b_rad.is_finite() {
+        return bad("the head's angle B is not a finite number".into());
+    }
+    if let Some(i) = plan.motion.t_s.windows(2).position(|w| !(w[1] >= w[0] && w[1].is_finite())) {
+        return bad(format!("time goes back or is not finite after cutter location {i}"));
+    }
+    Ok(())
+}
+
+/// Feed as text with at least six digits that count; never 0.
+pub(super) fn feed_word(f: f64, range: [f64; 2]) -> String {
+    let f = if f.is_nan() { range[1] } else { f.clamp(range[0], range[1]) };
+    let before_point = f.log10().floor().max(0.0) as usize + 1;
+    format!("{f:.*}", 8usize.saturating_sub(before_point).clamp(3, 6))
+}
+
+/// First location and all moves after it.
+pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
+    let plan = run.plan;
+    let rows = plan.toolpath.locations.iter().zip(&plan.schedule.theta).zip(&plan.motion.t_s);
+    let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
+    for (row, ((l, &theta), &t_s)) in rows.enumerate() {
+        let next = Move { centre: l.centre, theta, t_s };
+        if let Some(last) = out.last() {
+            let parts = parts(run, programmed, last, &next);
+            if parts > MOST_PARTS {
+                return Err(Error::infeasible(
+                    Stage::Post,
+                    format!("the move to cutter location {row} turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
+                )
+                .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
+            }
+            let from = Move { centre: last.centre, theta: last.theta, t_s: last.t_s };
+            for k in 1..parts {
+                let f = k as f64 / parts as f64;
+                out.push(Move {
+                    centre: from.centre + (next.centre - from.centre) * f,
+                    theta: from.theta + (next.theta - from.theta) * f,
+                    t_s: from.t_s + (next.t_s - from.t_s) * f,
+                });
+            }
+        }
+        out.push(next);
+    }
+    Ok(out)
+}
+
+/// In how many equal parts a move has to be written: the deviation falls with the square of their number.
+fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
+    // Half of the tolerance: the other half is for the rounding of words and the path's own chords.
+    let allowed = 0.5 * run.plan.toolpath.chord_mm.max(1e-6);
+    let mid = deviation_mm(run, programmed, a, b);
+    (mid / allowed).sqrt().ceil().clamp(1.0, 1e9) as usize
+}
+
+/// Distance, halfway, of the ball centre as the control moves it from halfway between two locations.
+fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
+    let middle = nalgebra::center(&a.centre, &b.centre);
+    let theta = 0.5 * (a.theta + b.theta);
+    let (lean, radius) = (run.b_rad(), run.tool.radius_mm);
+    match programmed {
+        Programmed::Centre => 0.0,
+        Programmed::Tip => {
+            let [at_a, at_b, between] = [a.theta, b.theta, theta].map(|t| tool::axis(lean, t));
+            radius * (0.5 * (at_a + at_b) - between).norm()
+        }
+        Programmed::Machine => {
+            let gauge = run.tool.length_mm();
+            let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
+            let mut halfway = [0.0; 5];
+            for (h, (p, q)) in halfway.iter_mut().zip(p.iter().zip(&q)) {
+                *h = 0.5 * (p + q);
+            }
+            (run.machine.forward(&halfway, gauge).centre - middle).norm()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn feed_words_keep_time_and_are_never_zero() {
+        for dt in [1e-9, 1e-4, 0.003, 0.02, 0.7, 3.0, 59.0, 4000.0, 1e9] {
+            let f: f64 = feed_word(60.0 / dt, [0.001, 999_999.999]).parse().unwrap();
+            assert!(f > 0.0);
+            if (1e-4..1000.0).contains(&dt) {
+                assert!((60.0 / f / dt - 1.0).abs() < 1e-5, "{dt} {f}");
+            }
+        }
+        assert_eq!(feed_word(f64::NAN, [0.01, 10.0]), "10.000000");
+    }
+}

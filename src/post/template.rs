@@ -1,0 +1,175 @@
+//! Lines of a post file taken apart: words, and values in them.
+
+use super::text::Fixed;
+
+/// What a value is, which decides how it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Class {
+    /// A position, mm: with a sign where the dialect asks for one.
+    Length,
+    /// A size, mm: never with a sign.
+    Size,
+    /// Degrees.
+    Angle,
+    /// Component of a unit vector.
+    Direction,
+    /// A whole number.
+    Whole,
+    /// A feed: already text.
+    Feed,
+    /// Any text.
+    Text,
+}
+
+/// All values that lines may use, with what they are and what they mean.
+pub const KEYS: [(&str, Class, &str); 36] = [
+    ("x", Class::Length, "X of the programmed point, mm"),
+    ("y", Class::Length, "Y of the programmed point, mm"),
+    ("z", Class::Length, "Z of the programmed point, mm"),
+    ("a", Class::Angle, "position of A, degrees, as `rotary` counts"),
+    ("da", Class::Angle, "step of A since the block before, degrees"),
+    ("b", Class::Angle, "position of B, degrees"),
+    ("i", Class::Direction, "tool axis along blade x"),
+    ("j", Class::Direction, "tool axis along blade y"),
+    ("k", Class::Direction, "tool axis along blade z"),
+    ("mx", Class::Length, "position of machine axis X, mm"),
+    ("my", Class::Length, "position of machine axis Y, mm"),
+    ("mz", Class::Length, "position of machine axis Z, mm"),
+    ("f", Class::Feed, "feed of a cutting line, as `feed` says"),
+    ("approach_feed", Class::Whole, "feed down to the feed height and back, mm/min"),
+    ("plunge_feed", Class::Whole, "feed from the feed height to the part and back, mm/min"),
+    ("safe_z", Class::Length, "end of travel in Z of the machine, mm"),
+    ("tool", Class::Whole, "tool number"),
+    ("rpm", Class::Whole, "spindle speed, 1/min"),
+    ("tolerance", Class::Size, "tolerance that the control may smooth by, mm"),
+    ("axis_tolerance", Class::Size, "tolerance that the control may smooth the tool axis by, degrees"),
+    ("length_to_tip", Class::Size, "gauge line to tool tip, mm"),
+    ("length_to_centre", Class::Size, "gauge line to ball centre, mm"),
+    ("radius", Class::Size, "ball radius, mm"),
+    ("diameter", Class::Size, "ball diameter, mm"),
+    ("mount_x", Class::Length, "machine X of the blade frame's origin at A = 0, mm"),
+    ("mount_y", Class::Length, "machine Y of it, mm"),
+    ("mount_z", Class::Length, "machine Z of it, mm"),
+    ("clamping", Class::Angle, "angle about X by which the blade is clamped, degrees"),
+    ("name", Class::Text, "program name"),
+    ("program_number", Class::Text, "four digits for an O word"),
+    ("cad_shift", Class::Text, "origin of the blade frame in the CAD model"),
+    ("cad_row_1", Class::Text, "first row of the rotation from blade frame to CAD model"),
+    ("cad_row_2", Class::Text, "second row"),
+    ("cad_row_3", Class::Text, "third row"),
+    ("rotary_note", Class::Text, "what A's words mean, in words"),
+    ("part", Class::Text, "file of the part"),
+];
+
+/// Index of a key in [`KEYS`].
+pub(super) fn key(name: &str) -> Option<usize> {
+    KEYS.iter().position(|(k, ..)| *k == name)
+}
+
+/// Piece of a word.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Piece {
+    Text(String),
+    /// Index into [`KEYS`], and digits after the point where told.
+    Value(usize, Option<usize>),
+}
+
+/// What stands between two spaces.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Word {
+    pub(super) pieces: Vec<Piece>,
+    /// Left out while its values stay.
+    pub(super) modal: bool,
+}
+
+/// A line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Line {
+    pub(super) comment: bool,
+    pub(super) words: Vec<Word>,
+}
+
+/// A value to write.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Value {
+    Number(f64),
+    /// An angle already rounded, for steps that must add up.
+    Rounded(Fixed),
+    Text(String),
+}
+
+/// Takes lines apart. `Err`: what is wrong, with the line.
+pub(super) fn lines(text: &[String], modal: &[String]) -> Result<Vec<Line>, String> {
+    let modal: Vec<usize> =
+        modal.iter().map(|m| key(m).ok_or_else(|| unknown(m))).collect::<Result<_, String>>()?;
+    text.iter().map(|t| line(t, &modal).map_err(|e| format!("line \"{t}\": {e}"))).collect()
+}
+
+fn unknown(name: &str) -> String {
+    format!("there is no value {{{name}}}; values: {}", KEYS.map(|(k, ..)| k).join(", "))
+}
+
+fn line(text: &str, modal: &[usize]) -> Result<Line, String> {
+    if !text.chars().all(|c| c.is_ascii_graphic() || c == ' ') {
+        return Err("only printable ASCII can be written".into());
+    }
+    if let Some(comment) = text.strip_prefix("; ") {
+        // Spaces in a comment are part of it.
+        return Ok(Line { comment: true, words: vec![word(comment, &[])?] });
+    }
+    Ok(Line { comment: false, words: text.split_whitespace().map(|w| word(w, modal)).collect::<Result<_, _>>()? })
+}
+
+fn word(text: &str, modal: &[usize]) -> Result<Word, String> {
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('{') {
+        let (inside, behind) = after.split_once('}').ok_or("a { without its }")?;
+        if !before.is_empty() {
+            pieces.push(Piece::Text(before.into()));
+        }
+        let (name, digits) = match inside.split_once(':') {
+            Some((name, digits)) => (name, Some(digits)),
+            None => (inside, None),
+        };
+        let k = key(name).ok_or_else(|| unknown(name))?;
+        let digits = digits
+            .map(|d| d.parse().ok().filter(|n| *n <= 9).ok_or_else(|| format!("{{{inside}}}: digits must be 0 to 9")))
+            .transpose()?;
+        pieces.push(Piece::Value(k, digits));
+        rest = behind;
+    }
+    if !rest.is_empty() {
+        pieces.push(Piece::Text(rest.into()));
+    }
+    let modal = pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if modal.contains(k)));
+    Ok(Word { pieces, modal })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn lines_come_apart_into_words_and_values() {
+        let got = lines(&["G1 X{x} A=IC({da}) F{f}".into(), "; two  spaces {tool}".into()], &["x".into()]).unwrap();
+        assert_eq!(got[0].words.len(), 4);
+        assert!(got[0].words[1].modal && !got[0].words[2].modal);
+        assert_eq!(
+            got[0].words[2].pieces,
+            [Piece::Text("A=IC(".into()), Piece::Value(key("da").unwrap(), None), Piece::Text(")".into())]
+        );
+        assert!(got[1].comment);
+        assert_eq!(got[1].words[0].pieces[0], Piece::Text("two  spaces ".into()));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (text, names) in [("G1 X{q}", "no value {q}"), ("X{x", "without its }"), ("X{x:z}", "digits"), ("X{x} ü", "ASCII")] {
+            let e = lines(&[text.into()], &[]).unwrap_err();
+            assert!(e.contains(names) && e.contains(text), "{e}");
+        }
+        assert!(lines(&[], &["q".into()]).unwrap_err().contains("no value {q}"));
+    }
+}

@@ -1,0 +1,325 @@
+//! A plan written in a dialect.
+
+use super::dialect::{Dialect, FeedWord, Rotary};
+use super::moves::{self, Move};
+use super::template::{KEYS, Line, Piece, Value, Word, key};
+use super::text::{Fixed, Lines, ascii, header};
+use super::{End, RotaryWords, Run};
+use crate::artifact::program::Programmed;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Rigid};
+use crate::tool;
+
+/// The whole program.
+pub(super) fn write(run: &Run, dialect: &Dialect) -> Result<String> {
+    let mut w = Writer::new(run, dialect)?;
+    w.put(&dialect.file_begin)?;
+    header(run, &mut w.lines, &dialect.file.name);
+    w.put(&dialect.notes)?;
+    let [first, last] = run.ends;
+    let height = run.feed_height(&first);
+    w.at(&first, first.safe_mm)?;
+    w.put(&dialect.start)?;
+    w.at(&first, height)?;
+    w.put(&dialect.approach)?;
+    w.at(&first, 0.0)?;
+    w.put(&dialect.plunge)?;
+    w.put(&dialect.cutting)?;
+    w.cuts()?;
+    w.put(&dialect.cutting_end)?;
+    w.at(&last, run.feed_height(&last))?;
+    w.put(&dialect.leave)?;
+    w.at(&last, last.safe_mm)?;
+    w.put(&dialect.retract)?;
+    if run.ends.iter().all(|e| e.clear) {
+        w.at(&first, 0.0)?;
+        w.put(&dialect.unwind)?;
+    }
+    w.put(&dialect.end)?;
+    w.put(&dialect.file_end)?;
+    Ok(w.lines.text)
+}
+
+/// Values, and the lines written with them.
+struct Writer<'a> {
+    run: &'a Run<'a>,
+    dialect: &'a Dialect,
+    lines: Lines<'a>,
+    values: Vec<Value>,
+    /// What each modal word last was.
+    modal: Vec<(Word, String)>,
+    rotary: Rotary,
+}
+
+/// A pose as a program sees it.
+struct Placed {
+    /// The programmed point, mm.
+    point: [f64; 3],
+    /// A as the program counts it, and B, degrees.
+    a_deg: f64,
+    axes: [f64; 5],
+    axis: [f64; 3],
+}
+
+impl<'a> Writer<'a> {
+    fn new(run: &'a Run, dialect: &'a Dialect) -> Result<Self> {
+        let rotary = match (dialect.file.rotary, run.options.rotary) {
+            (Rotary::Incremental, RotaryWords::Accumulate) if !dialect.cut_accumulated.is_empty() => Rotary::Accumulate,
+            (own, _) => own,
+        };
+        let mut w = Writer {
+            run,
+            dialect,
+            lines: Lines::new(&dialect.file),
+            values: vec![Value::Number(0.0); KEYS.len()],
+            modal: Vec::new(),
+            rotary,
+        };
+        w.fixed_values();
+        Ok(w)
+    }
+
+    fn set(&mut self, name: &str, value: Value) {
+        if let Some(slot) = key(name).and_then(|k| self.values.get_mut(k)) {
+            *slot = value;
+        }
+    }
+
+    /// Values that stay the same through the program.
+    fn fixed_values(&mut self) {
+        let (run, o, tool) = (self.run, self.run.options, self.run.tool);
+        let m = &run.machine.mount;
+        let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[2];
+        let tolerance = o.smoothing_mm.unwrap_or(run.plan.toolpath.chord_mm) * self.dialect.file.tolerance_factor;
+        for (name, v) in [
+            ("approach_feed", o.approach_feed_mm_min),
+            ("plunge_feed", o.plunge_feed_mm_min),
+            ("safe_z", run.machine.limits()[2].travel.map_or(here, |[_, hi]| hi)),
+            ("tool", f64::from(o.tool_number)),
+            ("rpm", o.spindle_rpm),
+            ("tolerance", tolerance),
+            ("axis_tolerance", o.smoothing_axis_deg),
+            ("length_to_tip", tool.length_mm() + tool.radius_mm),
+            ("length_to_centre", tool.length_mm()),
+            ("radius", tool.radius_mm),
+            ("diameter", 2.0 * tool.radius_mm),
+            ("mount_x", m.offset_mm[0]),
+            ("mount_y", m.offset_mm[1]),
+            ("mount_z", m.offset_mm[2]),
+            ("clamping", m.clamping_deg),
+            ("b", run.b_rad().to_degrees()),
+        ] {
+            self.set(name, Value::Number(v));
+        }
+        let [shift, rows] = cad(&run.blade.model_from_blade);
+        let [row_1, row_2, row_3] = &rows[..] else { return };
+        for (name, text) in [
+            ("name", o.program_name.as_str()),
+            ("program_number", "0001"),
+            ("part", o.part_file.as_str()),
+            ("cad_shift", &shift[0]),
+            ("cad_row_1", row_1),
+            ("cad_row_2", row_2),
+            ("cad_row_3", row_3),
+            ("rotary_note", rotary_note(self.rotary)),
+        ] {
+            self.set(name, Value::Text(ascii(text)));
+        }
+    }
+
+    /// Sets the values of a pose over an end of the path.
+    fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
+        let placed = self.placed(&(end.centre + end.axis * lift_mm), end.theta);
+        self.take(&placed)
+    }
+
+    fn placed(&self, centre: &Point, theta: f64) -> Placed {
+        let run = self.run;
+        let axes = run.machine.inverse(centre, theta, run.b_rad(), run.tool.length_mm());
+        let axis = tool::axis(run.b_rad(), theta);
+        let point = match self.dialect.file.programmed {
+            Programmed::Tip => tool::tip(centre, &axis, run.tool.radius_mm).into(),
+            Programmed::Centre => (*centre).into(),
+            Programmed::Machine => [axes[0], axes[1], axes[2]],
+        };
+        Placed { point, a_deg: self.a_deg(axes[3]), axes, axis: axis.into() }
+    }
+
+    /// `A` in degrees as the program counts it.
+    fn a_deg(&self, a_rad: f64) -> f64 {
+        let a = a_rad.to_degrees();
+        match self.rotary {
+            Rotary::Accumulate | Rotary::Vector => a,
+            // Whole turns before the first location are dropped.
+            Rotary::Incremental => {
+                let first = self.run.plan.motion.position.first().map_or(0.0, |q| q[3].to_degrees());
+                a - 360.0 * (first / 360.0).floor()
+            }
+            Rotary::Modulo => a.rem_euclid(360.0),
+        }
+    }
+
+    /// Takes over a pose; the step of `A` is from the pose before.
+    fn take(&mut self, p: &Placed) -> Result<()> {
+        let mut a = Fixed::new(p.a_deg, self.dialect.file.numbers.angle_decimals)?;
+        if self.rotary == Rotary::Modulo {
+            a = a.modulo(360);
+        }
+        if let Some(Value::Rounded(before)) = key("a").and_then(|k| self.values.get(k)) {
+            let step = a.since(*before);
+            self.set("da", Value::Rounded(step));
+        }
+        self.set("a", Value::Rounded(a));
+        let numbers = ["x", "y", "z", "mx", "my", "mz", "i", "j", "k"].into_iter();
+        let values = p.point.iter().chain(&p.axes[..3]).chain(&p.axis);
+        for (name, v) in numbers.zip(values) {
+            self.set(name, Value::Number(*v));
+        }
+        Ok(())
+    }
+
+    /// All cutting lines. A move whose words would all repeat those before is left out; its time goes to the next, so the
+    /// whole time is kept.
+    fn cuts(&mut self) -> Result<()> {
+        let dialect = self.dialect;
+        let accumulated = self.rotary == Rotary::Accumulate && !dialect.cut_accumulated.is_empty();
+        let lines = if accumulated { &dialect.cut_accumulated } else { &dialect.cut };
+        let moves = moves::all(self.run, dialect.file.programmed)?;
+        let mut written = 0usize;
+        let mut last: Option<(Vec<String>, f64, Placed)> = None;
+        for Move { centre, theta, t_s } in &moves {
+            let placed = self.placed(centre, *theta);
+            self.take(&placed)?;
+            let words = self.position_words(lines)?;
+            match &last {
+                None => last = Some((words, *t_s, placed)),
+                Some((same, ..)) if *same == words => {}
+                Some((_, since, from)) => {
+                    let f = self.feed_word(from, &placed, t_s - since);
+                    self.set("f", Value::Text(f));
+                    self.put(lines)?;
+                    last = Some((words, *t_s, placed));
+                    written += 1;
+                }
+            }
+        }
+        if written == 0 {
+            return Err(Error::usage(Stage::Post, "the whole path rounds to a single position, there is nothing to cut"));
+        }
+        Ok(())
+    }
+
+    /// The words of a cutting line that say where, as text; steps are taken as positions.
+    fn position_words(&self, lines: &[Line]) -> Result<Vec<String>> {
+        let mut out = Vec::new();
+        for piece in lines.iter().flat_map(|l| &l.words).flat_map(|w| &w.pieces) {
+            let Piece::Value(k, digits) = piece else { continue };
+            match KEYS.get(*k).map(|(name, ..)| *name) {
+                Some("f") => {}
+                Some("da") => out.push(self.value_text(key("a").unwrap_or(*k), *digits)?),
+                _ => out.push(self.value_text(*k, *digits)?),
+            }
+        }
+        Ok(out)
+    }
+
+    fn feed_word(&self, from: &Placed, to: &Placed, dt_s: f64) -> String {
+        let f = match self.dialect.file.feed {
+            FeedWord::InverseTime => 60.0 / dt_s,
+            FeedWord::PerMinute => {
+                let way = (0..3).map(|i| (to.point[i] - from.point[i]).powi(2)).sum::<f64>().sqrt();
+                let turn = (to.axes[3] - from.axes[3]).abs().to_degrees();
+                60.0 * if way > 0.0 { way } else { turn } / dt_s
+            }
+        };
+        moves::feed_word(f, self.dialect.file.feed_range)
+    }
+
+    /// Writes lines with the values as they are.
+    fn put(&mut self, lines: &[Line]) -> Result<()> {
+        for line in lines {
+            let mut text = String::new();
+            for word in &line.words {
+                let mut w = String::new();
+                for piece in &word.pieces {
+                    match piece {
+                        Piece::Text(t) => w.push_str(t),
+                        Piece::Value(k, digits) => w.push_str(&self.value_text(*k, *digits)?),
+                    }
+                }
+                if word.modal && self.repeats(word, &w) {
+                    continue;
+                }
+                if !text.is_empty() {
+                    text.push(' ');
+                }
+                text.push_str(&w);
+            }
+            if line.comment {
+                self.lines.comment(&text);
+            } else {
+                self.lines.block(&text)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A modal word says what it said before; remembers what it says now.
+    fn repeats(&mut self, word: &Word, text: &str) -> bool {
+        match self.modal.iter_mut().find(|(w, _)| w == word) {
+            Some((_, last)) if last == text => true,
+            Some((_, last)) => {
+                *last = text.into();
+                false
+            }
+            None => {
+                self.modal.push((word.clone(), text.into()));
+                false
+            }
+        }
+    }
+
+    fn value_text(&self, k: usize, digits: Option<usize>) -> Result<String> {
+        use super::template::Class;
+        let numbers = &self.dialect.file.numbers;
+        let class = KEYS.get(k).map_or(Class::Text, |(_, class, _)| *class);
+        let decimals = digits.unwrap_or(match class {
+            Class::Length | Class::Size => numbers.length_decimals,
+            Class::Angle => numbers.angle_decimals,
+            Class::Direction => numbers.vector_decimals,
+            Class::Whole | Class::Feed | Class::Text => 0,
+        });
+        let signed = numbers.plus && matches!(class, Class::Length | Class::Angle | Class::Direction);
+        Ok(match self.values.get(k) {
+            Some(Value::Text(t)) => t.clone(),
+            Some(Value::Rounded(r)) => r.text(signed, numbers.trim),
+            Some(Value::Number(v)) => Fixed::new(*v, decimals)?.text(signed, numbers.trim),
+            None => String::new(),
+        })
+    }
+}
+
+fn rotary_note(rotary: Rotary) -> &'static str {
+    match rotary {
+        Rotary::Incremental => {
+            "A        first position within one turn, then steps A=IC(): the same on modulo and linear axes."
+        }
+        Rotary::Accumulate => {
+            "A        absolute over all turns: A must not be a modulo axis (MD30310 ROT_IS_MODULO = 0)."
+        }
+        Rotary::Modulo => "A        within one turn; the control takes the shorter way, which is the planned one.",
+        Rotary::Vector => "A        follows the tool axis by the shorter way, which is the planned one.",
+    }
+}
+
+/// Shift and rows of the rotation from the blade frame to the CAD model, as text.
+fn cad(model_from_blade: &Rigid) -> [Vec<String>; 2] {
+    let t = model_from_blade.translation.vector;
+    let r = model_from_blade.rotation.to_rotation_matrix();
+    let rows = r.matrix().row_iter().map(|row| {
+        // Adding 0 turns a rounded -0 into 0.
+        let [x, y, z] = [row[0], row[1], row[2]].map(|v: f64| (v * 1e9).round() / 1e9 + 0.0);
+        format!("[{x:.9} {y:.9} {z:.9}]")
+    });
+    [vec![format!("({:.6}, {:.6}, {:.6})", t.x, t.y, t.z)], rows.collect()]
+}

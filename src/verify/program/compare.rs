@@ -1,0 +1,191 @@
+//! A program's moves against the plan.
+
+use super::follow::Moved;
+use crate::artifact::program::{Language, Program};
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Plan};
+use crate::geometry::{Point, Vector};
+use crate::machine::{Machine, Pose};
+use crate::tool::{self, Tool};
+
+/// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may do.
+const CENTRE_MM: f64 = 0.001;
+/// Greatest angle of the tool axis from the plan's, degrees.
+const DIRECTION_DEG: f64 = 0.001;
+/// Greatest relative difference of the whole time.
+const TIME: f64 = 0.001;
+/// A line that comes this near to the first or last location ends there, mm.
+const AT_END_MM: f64 = 0.05;
+/// Places looked at within a move, its end among them.
+const WITHIN: usize = 8;
+/// Plan moves looked ahead for the one that a place belongs to: lines may be left out where locations round to one.
+const AHEAD: usize = 12;
+
+/// A worst value, with the line and the cutter location.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    value: f64,
+    line: usize,
+    row: usize,
+}
+
+impl Worst {
+    fn take(&mut self, value: f64, line: usize, row: usize) {
+        // What is not a number is worse than everything.
+        let value = if value.is_nan() { f64::MAX } else { value };
+        if value > self.value {
+            *self = Worst { value, line, row };
+        }
+    }
+}
+
+/// A place on the plan's path: from location `row` the share `share` of the way to the next.
+#[derive(Clone, Copy)]
+struct OnPath {
+    row: usize,
+    share: f64,
+    distance_mm: f64,
+}
+
+struct Comparison<'a> {
+    plan: &'a Plan,
+    language: Language,
+    tool: &'a Tool,
+    machine: &'a Machine,
+    centre: Worst,
+    direction: Worst,
+    chord: Worst,
+    missing: Worst,
+}
+
+/// All checks of a program.
+pub(super) fn checks(
+    program: &Program,
+    moves: &[Moved],
+    plan: &Plan,
+    blade: &Blade,
+    tool: &Tool,
+    machine: &Machine,
+) -> Vec<Check> {
+    let mut c = Comparison {
+        plan,
+        language: program.language,
+        tool,
+        machine,
+        centre: Worst::default(),
+        direction: Worst::default(),
+        chord: Worst::default(),
+        missing: Worst::default(),
+    };
+    let time = c.run(moves);
+    let planned = plan.motion.t_s.last().unwrap_or(&0.0) - plan.motion.t_s.first().unwrap_or(&0.0);
+    let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
+    let chord_mm = plan.toolpath.chord_mm;
+    [
+        ("program-centre", "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
+        ("program-direction", "tool axis off the planned one", c.direction, DIRECTION_DEG, "deg"),
+        ("program-chord", "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
+        ("program-missing", "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
+        ("program-time", "relative difference of the whole time", off, TIME, ""),
+    ]
+    .into_iter()
+    .map(|(name, quantity, worst, limit, unit)| {
+        let at = plan.toolpath.locations.get(worst.row);
+        let point = at.map(|l| blade.model_from_blade * l.centre);
+        let line = if worst.line > 0 { format!(", line {}", worst.line) } else { String::new() };
+        Check {
+            name: name.into(),
+            quantity: quantity.into(),
+            worst: if worst.value.is_finite() { worst.value } else { f64::MAX },
+            limit,
+            unit: unit.into(),
+            passed: worst.value <= limit,
+            row: Some(worst.row),
+            turn: at.map(|l| l.turn),
+            point_mm: point.map(|p| [p.x, p.y, p.z]),
+            note: format!("{}{line}", program.file_name),
+        }
+    })
+    .collect()
+}
+
+impl Comparison<'_> {
+    /// Compares all cutting lines; gives their time, s.
+    fn run(&mut self, moves: &[Moved]) -> f64 {
+        let rows = &self.plan.toolpath.locations;
+        let end_of = |m: &Moved| m.pose(1.0, self.language, self.tool, self.machine).centre;
+        let near = |m: &Moved, row: usize| {
+            m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.centre).norm() < AT_END_MM)
+        };
+        let last = rows.len().saturating_sub(1);
+        let (first, end) = (moves.iter().position(|m| near(m, 0)), moves.iter().rposition(|m| near(m, last)));
+        let (Some(first), Some(end)) = (first, end) else {
+            self.missing = Worst { value: f64::MAX, line: 0, row: if first.is_none() { 0 } else { last } };
+            return 0.0;
+        };
+        let mut at = 0;
+        let mut time = 0.0;
+        for m in moves.get(first + 1..=end).unwrap_or(&[]) {
+            time += m.seconds.unwrap_or(0.0);
+            at = self.one(m, at);
+        }
+        // Whatever the program has not come by.
+        let reached = moves[end].pose(1.0, self.language, self.tool, self.machine).centre;
+        for row in at + 1..rows.len() {
+            self.missing.take((rows[row].centre - reached).norm(), moves[end].line, row);
+        }
+        time
+    }
+
+    /// Compares one move that begins on plan move `at`; gives the plan move on which it ends.
+    fn one(&mut self, m: &Moved, at: usize) -> usize {
+        let poses: Vec<Pose> =
+            (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.language, self.tool, self.machine)).collect();
+        let mut here = at;
+        for (k, pose) in poses.iter().enumerate().skip(1) {
+            let on = self.locate(&pose.centre, here);
+            let worst = if k == WITHIN { &mut self.centre } else { &mut self.chord };
+            worst.take(on.distance_mm, m.line, on.row);
+            let wanted = self.axis(on);
+            self.direction.take(angle_deg(&pose.axis, &wanted), m.line, on.row);
+            here = on.row;
+        }
+        for row in at + 1..=here {
+            let Some(l) = self.plan.toolpath.locations.get(row) else { break };
+            let off = poses.windows(2).map(|w| to_segment(&l.centre, &w[0].centre, &w[1].centre).1);
+            self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
+        }
+        here
+    }
+
+    /// The nearest place of the plan's path, from plan move `from` on.
+    fn locate(&self, q: &Point, from: usize) -> OnPath {
+        let rows = &self.plan.toolpath.locations;
+        let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
+        for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
+            let (share, distance_mm) = to_segment(q, &rows[row].centre, &rows[row + 1].centre);
+            if distance_mm < best.distance_mm - 1e-12 {
+                best = OnPath { row, share, distance_mm };
+            }
+        }
+        best
+    }
+
+    /// The planned tool axis there.
+    fn axis(&self, on: OnPath) -> Vector {
+        let theta = |row: usize| self.plan.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
+        let (a, b) = (theta(on.row), theta(on.row + 1));
+        tool::axis(self.plan.channel.b_rad, a + (b - a) * on.share)
+    }
+}
+
+/// Share along a segment and distance to it, mm.
+fn to_segment(q: &Point, a: &Point, b: &Point) -> (f64, f64) {
+    let d = b - a;
+    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+    (f, (q - (a + d * f)).norm())
+}
+
+fn angle_deg(a: &Vector, b: &Vector) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b)).to_degrees()
+}

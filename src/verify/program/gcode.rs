@@ -1,0 +1,203 @@
+//! G code: ISO 6983 as LinuxCNC, Fanuc and Siemens 840D speak it.
+
+use super::block::{Block, Feed, Place};
+use super::unreadable;
+use crate::error::Result;
+
+/// State that stays from line to line.
+struct Modal {
+    rapid: bool,
+    inverse: bool,
+    steps: bool,
+    inch: bool,
+    centre_point: bool,
+    feed: Option<f64>,
+}
+
+/// What a line says.
+#[derive(Default)]
+struct Said {
+    point: [Option<f64>; 3],
+    rotary: [Option<f64>; 2],
+    steps: [bool; 2],
+    vector: [Option<f64>; 3],
+    feed: Option<f64>,
+    machine: bool,
+    /// Words are a call's, not a move's.
+    call: bool,
+}
+
+/// Reads a program.
+///
+/// # Errors
+/// A word that is not understood, with the line.
+pub(super) fn read(text: &str) -> Result<Vec<Block>> {
+    let mut modal =
+        Modal { rapid: true, inverse: false, steps: false, inch: false, centre_point: false, feed: None };
+    let mut out = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let number = i + 1;
+        let code = code(line).map_err(|e| unreadable(number, &e))?;
+        let mut said = Said::default();
+        for (address, value) in words(&code).map_err(|e| unreadable(number, &e))? {
+            take(&address, &value, &mut modal, &mut said).map_err(|e| unreadable(number, &e))?;
+        }
+        out.extend(block(number, &mut modal, said).map_err(|e| unreadable(number, &e))?);
+    }
+    Ok(out)
+}
+
+/// The line without comments and tape signs.
+fn code(line: &str) -> std::result::Result<String, String> {
+    let mut out = String::new();
+    let mut rest = line.split(';').next().unwrap_or("").trim();
+    if rest == "%" {
+        return Ok(out);
+    }
+    // A bracket right after a letter or = belongs to a word (IC(…), CYCLE832(…)); any other opens a comment.
+    while let Some(at) = rest.find('(') {
+        let before = &rest[..at];
+        let close = rest[at..].find(')').ok_or("a ( without its )")? + at;
+        if before.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+            out.push_str(&rest[..=close]);
+        } else {
+            out.push_str(before);
+        }
+        rest = &rest[close + 1..];
+    }
+    out.push_str(rest);
+    Ok(out)
+}
+
+/// Words of a line: address and value as text.
+fn words(code: &str) -> std::result::Result<Vec<(String, String)>, String> {
+    let mut out = Vec::new();
+    for token in code.split_whitespace() {
+        if let Some((address, value)) = token.split_once('=') {
+            out.push((address.to_ascii_uppercase(), value.to_owned()));
+            continue;
+        }
+        if token.contains('(') || token.chars().skip(1).any(|c| c.is_ascii_alphabetic()) && long(token) {
+            out.push((token.to_ascii_uppercase(), String::new()));
+            continue;
+        }
+        // Words may stand without spaces: G1X2.5Y-3.
+        let mut rest = token;
+        while let Some(letter) = rest.chars().next() {
+            if !letter.is_ascii_alphabetic() {
+                return Err(format!("\"{token}\" is not a word"));
+            }
+            let end = rest[1..].find(|c: char| c.is_ascii_alphabetic()).map_or(rest.len(), |e| e + 1);
+            out.push((letter.to_ascii_uppercase().to_string(), rest[1..end].to_owned()));
+            rest = &rest[end..];
+        }
+    }
+    Ok(out)
+}
+
+/// A keyword, not a row of words: letters follow one another.
+fn long(token: &str) -> bool {
+    token.as_bytes().windows(2).any(|w| w[0].is_ascii_alphabetic() && w[1].is_ascii_alphabetic())
+}
+
+fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::result::Result<(), String> {
+    let number = |v: &str| v.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| format!("{address}{v} is not a number"));
+    let inner = |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
+    let linear = if modal.inch { 25.4 } else { 1.0 };
+    match address {
+        "G" => preparatory(value, modal, said)?,
+        "X" | "Y" | "Z" => {
+            let axis = usize::from(address.as_bytes()[0] - b'X');
+            said.point[axis] = Some(linear * number(value)?);
+        }
+        "A" | "B" => {
+            let axis = usize::from(address == "B");
+            let step = inner("IC");
+            said.steps[axis] = step.is_some();
+            let plain = step.or_else(|| inner("AC")).unwrap_or(value);
+            said.rotary[axis] = Some(number(plain)?);
+        }
+        "I" | "A3" => said.vector[0] = Some(number(value)?),
+        "J" | "B3" => said.vector[1] = Some(number(value)?),
+        "K" | "C3" => said.vector[2] = Some(number(value)?),
+        "F" => said.feed = Some(number(value)?),
+        "TRAORI" | "TRAORI(1)" => modal.centre_point = true,
+        "TRAFOOF" => modal.centre_point = false,
+        "SUPA" => said.machine = true,
+        "N" | "O" | "T" | "M" | "S" | "H" | "D" | "P" | "Q" => {
+            number(value)?;
+        }
+        "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPOF" => {}
+        _ if address.starts_with("CYCLE") => said.call = true,
+        _ => return Err(format!("the word {address}{value} is not known")),
+    }
+    Ok(())
+}
+
+fn preparatory(value: &str, modal: &mut Modal, said: &mut Said) -> std::result::Result<(), String> {
+    match value.trim_start_matches('0') {
+        "" => modal.rapid = true,
+        "1" => modal.rapid = false,
+        "20" | "70" | "700" => modal.inch = true,
+        "21" | "71" | "710" => modal.inch = false,
+        "43.4" | "43.5" => modal.centre_point = true,
+        "49" => modal.centre_point = false,
+        "53" => said.machine = true,
+        "90" => modal.steps = false,
+        "91" => modal.steps = true,
+        "93" | "94" => {
+            // The feed of one kind means nothing in the other.
+            let inverse = value.ends_with('3');
+            if inverse != modal.inverse {
+                modal.feed = None;
+            }
+            modal.inverse = inverse;
+        }
+        "17" | "40" | "43" | "54" | "55" | "56" | "57" | "58" | "59" | "61" | "64" | "80" => {}
+        _ => return Err(format!("G{value} is not known")),
+    }
+    Ok(())
+}
+
+/// The move that a line asks for, if any.
+fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Option<Block>, String> {
+    if said.call {
+        return Ok(None);
+    }
+    let vector = said.vector.iter().any(Option::is_some);
+    let moves = vector || said.point.iter().chain(&said.rotary).any(Option::is_some);
+    if let Some(f) = said.feed {
+        modal.feed = Some(f);
+    }
+    if !moves {
+        return Ok(None);
+    }
+    if modal.steps {
+        return Err("a move in steps (G91) is not read".into());
+    }
+    let feed = match (modal.rapid, modal.inverse, said.feed, modal.feed) {
+        (true, ..) => Feed::Rapid,
+        (false, true, Some(f), _) => Feed::PerMove(f),
+        (false, true, None, _) => return Err("under G93 every line needs its own F".into()),
+        (false, false, _, Some(f)) => Feed::PerMinute(f),
+        (false, false, _, None) => return Err("a feed move before any F".into()),
+    };
+    if matches!(feed, Feed::PerMove(f) | Feed::PerMinute(f) if f <= 0.0) {
+        return Err("F must be greater than 0".into());
+    }
+    // A component that is left out is 0.
+    let axis = said.vector.map(|v| v.unwrap_or(0.0));
+    let place = if vector {
+        Place::Vector { point: said.point, axis }
+    } else {
+        Place::Words { point: said.point, rotary: said.rotary }
+    };
+    Ok(Some(Block {
+        line,
+        place,
+        steps: said.steps,
+        feed,
+        machine: said.machine,
+        centre_point: modal.centre_point,
+    }))
+}
