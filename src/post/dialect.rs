@@ -250,7 +250,8 @@ impl Dialect {
                 .advise("models/posts/siemens.toml shows every key")
         })?;
         file.validate(origin)?;
-        let take = |name: &str, text: &[String]| lines(text, &file.modal).map_err(|e| bad(origin, format!("{name}: {e}")));
+        let take =
+            |name: &str, text: &[String]| lines(text, &file.modal).map_err(|e| bad(origin, format!("{name}: {e}")));
         let t = &file.text;
         Ok(Dialect {
             file_begin: take("file_begin", &file.file_begin)?,
@@ -299,7 +300,9 @@ impl PostFile {
     fn validate(&self, origin: &str) -> Result<()> {
         let no = |what: &str| Err(bad(origin, what.into()));
         let plain = |name: &str| {
-            !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c)) && !name.starts_with('.')
+            !name.is_empty()
+                && name.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
+                && !name.starts_with('.')
         };
         if !plain(&self.file) {
             return no("`file` must be a file name of letters, digits, points, - and _");

@@ -100,8 +100,7 @@ pub(super) enum Value {
 
 /// Takes lines apart. `Err`: what is wrong, with the line.
 pub(super) fn lines(text: &[String], modal: &[String]) -> Result<Vec<Line>, String> {
-    let modal: Vec<usize> =
-        modal.iter().map(|m| key(m).ok_or_else(|| unknown(m))).collect::<Result<_, String>>()?;
+    let modal: Vec<usize> = modal.iter().map(|m| key(m).ok_or_else(|| unknown(m))).collect::<Result<_, String>>()?;
     text.iter().map(|t| line(t, &modal).map_err(|e| format!("line \"{t}\": {e}"))).collect()
 }
 
@@ -166,7 +165,9 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_named() {
-        for (text, names) in [("G1 X{q}", "no value {q}"), ("X{x", "without its }"), ("X{x:z}", "digits"), ("X{x} ü", "ASCII")] {
+        for (text, names) in
+            [("G1 X{q}", "no value {q}"), ("X{x", "without its }"), ("X{x:z}", "digits"), ("X{x} ü", "ASCII")]
+        {
             let e = lines(&[text.into()], &[]).unwrap_err();
             assert!(e.contains(names) && e.contains(text), "{e}");
         }

@@ -54,7 +54,6 @@ impl Fixed {
     }
 }
 
-
 /// Printable ASCII only, so that no control chokes and no text can end a comment; signs that our own texts use are spelt out.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -94,7 +93,8 @@ impl<'a> Lines<'a> {
             text = text.replace('(', "[").replace(')', "]");
         }
         let everything = file.numbering.as_ref().is_some_and(|n| n.everything);
-        let room = file.longest_line.saturating_sub(before.len() + after.len() + if everything { 8 } else { 0 }).max(10);
+        let room =
+            file.longest_line.saturating_sub(before.len() + after.len() + if everything { 8 } else { 0 }).max(10);
         for piece in text.as_bytes().chunks(room) {
             let number = if everything { self.number() } else { String::new() };
             self.text.push_str(&format!("{number}{before}{}{after}\n", String::from_utf8_lossy(piece)));
@@ -126,7 +126,11 @@ impl<'a> Lines<'a> {
     fn too_long(&self, text: &str) -> Error {
         Error::usage(
             Stage::Post,
-            format!("a block of {} characters is longer than longest_line = {}: {text}", text.len(), self.file.longest_line),
+            format!(
+                "a block of {} characters is longer than longest_line = {}: {text}",
+                text.len(),
+                self.file.longest_line
+            ),
         )
         .advise("raise longest_line in the post file, or write fewer digits")
     }

@@ -204,7 +204,10 @@ impl<'a> Writer<'a> {
             }
         }
         if written == 0 {
-            return Err(Error::usage(Stage::Post, "the whole path rounds to a single position, there is nothing to cut"));
+            return Err(Error::usage(
+                Stage::Post,
+                "the whole path rounds to a single position, there is nothing to cut",
+            ));
         }
         Ok(())
     }

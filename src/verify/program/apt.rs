@@ -47,7 +47,8 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                 };
                 out.push(Block { line, place, steps: [false; 2], feed, machine: false, centre_point: true });
             }
-            "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "LOADTL" | "SPINDL" | "COOLNT" | "END" | "FINI" => {}
+            "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "LOADTL" | "SPINDL" | "COOLNT" | "END"
+            | "FINI" => {}
             _ => return Err(unreadable(line, &format!("\"{major}\" is not known"))),
         }
     }

@@ -63,7 +63,8 @@ pub fn follow(blocks: &[Block], language: Language, machine: &Machine) -> Result
             Place::Words { point, rotary } => (point, words(block, at.rotary, rotary, language)),
             Place::Vector { point, axis } => {
                 let near = machine.rotary_of_axis(&Vector::from(axis), at.rotary[0]);
-                let reached = near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, or none"))?;
+                let reached =
+                    near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, or none"))?;
                 (point, reached)
             }
         };

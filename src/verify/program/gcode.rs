@@ -32,8 +32,7 @@ struct Said {
 /// # Errors
 /// A word that is not understood, with the line.
 pub(super) fn read(text: &str) -> Result<Vec<Block>> {
-    let mut modal =
-        Modal { rapid: true, inverse: false, steps: false, inch: false, centre_point: false, feed: None };
+    let mut modal = Modal { rapid: true, inverse: false, steps: false, inch: false, centre_point: false, feed: None };
     let mut out = Vec::new();
     for (i, line) in text.lines().enumerate() {
         let number = i + 1;
@@ -50,23 +49,34 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
 /// The line without comments and tape signs.
 fn code(line: &str) -> std::result::Result<String, String> {
     let mut out = String::new();
-    let mut rest = line.split(';').next().unwrap_or("").trim();
+    let mut rest = line.trim();
     if rest == "%" {
         return Ok(out);
     }
-    // A bracket right after a letter or = belongs to a word (IC(…), CYCLE832(…)); any other opens a comment.
-    while let Some(at) = rest.find('(') {
-        let before = &rest[..at];
-        let close = rest[at..].find(')').ok_or("a ( without its )")? + at;
-        if before.ends_with(|c: char| c.is_ascii_alphanumeric()) {
-            out.push_str(&rest[..=close]);
-        } else {
-            out.push_str(before);
+    while let Some(at) = rest.find(['(', ';']) {
+        let (before, from) = rest.split_at(at);
+        out.push_str(before);
+        if from.starts_with(';') {
+            return Ok(out);
         }
-        rest = &rest[close + 1..];
+        let close = closing(from).ok_or("a ( without its )")?;
+        // A bracket right after a letter or a digit belongs to a word (IC(…), CYCLE832(…)); any other opens a comment.
+        if before.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+            out.push_str(&from[..=close]);
+        }
+        rest = &from[close + 1..];
     }
     out.push_str(rest);
     Ok(out)
+}
+
+/// Where the bracket that a text begins with is closed.
+fn closing(text: &str) -> Option<usize> {
+    let mut depth = 0i32;
+    text.char_indices().find_map(|(i, c)| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        (depth == 0).then_some(i)
+    })
 }
 
 /// Words of a line: address and value as text.
@@ -101,8 +111,11 @@ fn long(token: &str) -> bool {
 }
 
 fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::result::Result<(), String> {
-    let number = |v: &str| v.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| format!("{address}{v} is not a number"));
-    let inner = |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
+    let number = |v: &str| {
+        v.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| format!("{address}{v} is not a number"))
+    };
+    let inner =
+        |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
     let linear = if modal.inch { 25.4 } else { 1.0 };
     match address {
         "G" => preparatory(value, modal, said)?,
@@ -192,12 +205,5 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
     } else {
         Place::Words { point: said.point, rotary: said.rotary }
     };
-    Ok(Some(Block {
-        line,
-        place,
-        steps: said.steps,
-        feed,
-        machine: said.machine,
-        centre_point: modal.centre_point,
-    }))
+    Ok(Some(Block { line, place, steps: said.steps, feed, machine: said.machine, centre_point: modal.centre_point }))
 }
