@@ -144,10 +144,15 @@ impl Comparison<'_> {
         let mut here = at;
         for (k, pose) in poses.iter().enumerate().skip(1) {
             let on = self.locate(&pose.centre, here);
-            let worst = if k == WITHIN { &mut self.centre } else { &mut self.chord };
-            worst.take(on.distance_mm, m.line, on.row);
-            let wanted = self.axis(on);
-            self.direction.take(angle_deg(&pose.axis, &wanted), m.line, on.row);
+            if k == WITHIN {
+                self.centre.take(on.distance_mm, m.line, on.row);
+                // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
+                // angle to the nearest place's would tell of that. At ends only rounding is left.
+                let wanted = self.axis(on);
+                self.direction.take(angle_deg(&pose.axis, &wanted), m.line, on.row);
+            } else {
+                self.chord.take(on.distance_mm, m.line, on.row);
+            }
             here = on.row;
         }
         for row in at + 1..=here {
