@@ -164,10 +164,10 @@ pub struct Make {
     pub out: PathBuf,
 }
 
-/// `plan`.
+/// What a job is made of.
 #[derive(Debug, clap::Args)]
-pub struct Plan {
-    /// The model (STEP, OBJ or STL; every option has a default), or a job file (TOML).
+pub struct Job {
+    /// The model (every option has a default), or a job file (TOML).
     pub input: PathBuf,
     /// Folder for the results.
     #[arg(short, long, value_name = "OUT")]
@@ -178,6 +178,14 @@ pub struct Plan {
     /// Change a key of the job, as in --set tool.radius_mm=4; may be given more than once.
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
+}
+
+/// `plan`.
+#[derive(Debug, clap::Args)]
+pub struct Plan {
+    /// What is to be planned.
+    #[command(flatten)]
+    pub job: Job,
     /// Stop after this stage: section, path, channel, schedule, feed or verify.
     #[arg(long, value_name = "STAGE", value_parser = parse_stage)]
     pub until: Option<Stage>,
@@ -189,17 +197,9 @@ pub struct Plan {
 /// `compare`.
 #[derive(Debug, clap::Args)]
 pub struct Compare {
-    /// The model (every option has a default), or a job file (TOML).
-    pub input: PathBuf,
-    /// Folder for compare.json, compare.csv and compare.svg.
-    #[arg(short, long, value_name = "OUT")]
-    pub out: PathBuf,
-    /// How to read the model.
+    /// What is to be planned.
     #[command(flatten)]
-    pub reading: Reading,
-    /// Change a key of the job, as in --set tool.radius_mm=4; may be given more than once.
-    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
+    pub job: Job,
     /// Limit velocity and acceleration only: quicker to compute.
     #[arg(long)]
     pub no_jerk: bool,

@@ -5,13 +5,13 @@ use super::out::sayln;
 use super::plan::draft_of;
 use super::progress::Terminal;
 use crate::error::Result;
-use crate::pipeline::compare::{Comparison, compare};
+use crate::pipeline::compare::{Comparison, Run, compare};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Compare, quiet: bool) -> Result<u8> {
-    let draft = draft_of(&args.input, &args.reading, &args.set)?;
+    let draft = draft_of(&args.job)?;
     let terminal = Terminal::new(quiet);
-    let found = compare(&draft, &args.out, !args.no_jerk, &terminal);
+    let found = compare(&draft, &args.job.out, !args.no_jerk, &terminal);
     terminal.finish();
     let (found, files) = found?;
     print(&found);
@@ -58,10 +58,16 @@ fn print(c: &Comparison) {
     sayln!("  {:<22}{heads}", "");
     let Some(first) = c.sweep.first() else { return };
     for (k, r) in first.runs.iter().enumerate() {
-        let times: String =
-            c.sweep.iter().filter_map(|l| l.runs.get(k)).map(|r| format!("{:>12.2}", r.time_s)).collect();
+        let times: String = c.sweep.iter().filter_map(|l| l.runs.get(k)).map(|r| format!("{:>12}", time(r))).collect();
         sayln!("  {:<22}{times}", r.name);
     }
     let bounds: String = c.sweep.iter().map(|l| format!("{:>12.2}", l.bound_s)).collect();
     sayln!("  {:<22}{bounds}", "lower bound");
+    if c.sweep.iter().flat_map(|l| &l.runs).any(|r| r.within_jerk == Some(false)) {
+        sayln!("  * no motion within the limits of jerk was found: the time keeps velocity and acceleration only");
+    }
+}
+
+fn time(r: &Run) -> String {
+    format!("{}{:.2}", if r.within_jerk == Some(false) { "*" } else { "" }, r.time_s)
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 
-use super::args::{Faces, Plan, Reading, Region};
+use super::args::{Faces, Job, Plan, Reading, Region};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
@@ -15,10 +15,10 @@ use crate::pipeline::{self, Course, Outcome};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
-    let draft = draft_of(&args.input, &args.reading, &args.set)?;
+    let draft = draft_of(&args.job)?;
     let terminal = Terminal::new(quiet);
     let course = Course { until: args.until, force: args.force };
-    let outcome = pipeline::run(&draft, &args.out, course, &terminal);
+    let outcome = pipeline::run(&draft, &args.job.out, course, &terminal);
     terminal.finish();
     let outcome = outcome?;
     print(&outcome);
@@ -27,12 +27,13 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
 }
 
 /// The job as typed: a job file, or a model with defaults; then the flags.
-pub(super) fn draft_of(input: &Path, reading: &Reading, set: &[String]) -> Result<Draft> {
+pub(super) fn draft_of(args: &Job) -> Result<Draft> {
+    let input = args.input.as_path();
     let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     let is_job = is_toml && !model::table::is_header_file(input);
     let mut file = if is_job { job::load(input)? } else { JobFile::from_model(input) };
-    read_as(&mut file, reading)?;
-    for assignment in set {
+    read_as(&mut file, &args.reading)?;
+    for assignment in &args.set {
         file.set(assignment)?;
     }
     let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };

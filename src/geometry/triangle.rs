@@ -2,21 +2,16 @@
 
 use super::{Point, Vector};
 
+/// Where the segment `a b` is nearest to `q`, as a share of its length from `a`, 0 to 1; 0 for a segment without length.
+pub fn share_of_segment(a: &Point, b: &Point, q: &Point) -> f64 {
+    let (d, length2) = (b - a, (b - a).norm_squared());
+    if length2 > 0.0 { ((q - a).dot(&d) / length2).clamp(0.0, 1.0) } else { 0.0 }
+}
+
 /// The closest point of the segment `a b` to `q`.
 pub fn closest_on_segment(a: &Point, b: &Point, q: &Point) -> Point {
-    let d = b - a;
-    let length2 = d.norm_squared();
-    if length2 == 0.0 {
-        return *a;
-    }
-    let t = (q - a).dot(&d) / length2;
-    if t <= 0.0 {
-        *a
-    } else if t >= 1.0 {
-        *b
-    } else {
-        a + d * t
-    }
+    let t = share_of_segment(a, b, q);
+    if t == 1.0 { *b } else { a + (b - a) * t }
 }
 
 /// Area of a triangle, mm².

@@ -3,7 +3,7 @@
 use super::level::Touch;
 use super::options::PathOptions;
 use crate::error::Result;
-use crate::geometry::Point;
+use crate::geometry::triangle::closest_on_segment;
 
 /// Halvings of the first spacing before a corner is taken as it is.
 const MOST_HALVINGS: u32 = 10;
@@ -44,7 +44,9 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         }
         let u = 0.5 * (l.0 + r.0);
         let mid = (self.at)(u)?;
-        let off = |t: &Touch| distance_to_segment(&t.centre, &l.1.centre, &r.1.centre) > self.options.chord_mm;
+        let off = |t: &Touch| {
+            (t.centre - closest_on_segment(&l.1.centre, &r.1.centre, &t.centre)).norm() > self.options.chord_mm
+        };
         // A long chord over facets may leave the path at its quarters and meet it again in the middle.
         let split = off(&mid)
             || (!safe && (off(&(self.at)(0.75 * l.0 + 0.25 * r.0)?) || off(&(self.at)(0.25 * l.0 + 0.75 * r.0)?)));
@@ -55,11 +57,4 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         }
         Ok(())
     }
-}
-
-/// Distance of a point to a segment, mm.
-fn distance_to_segment(q: &Point, a: &Point, b: &Point) -> f64 {
-    let d = b - a;
-    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
-    (q - (a + d * f)).norm()
 }

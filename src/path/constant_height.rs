@@ -3,6 +3,7 @@
 
 use super::level::LevelSet;
 use super::options::PathOptions;
+use super::rings::Aim;
 use super::{helix, rings};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
@@ -47,29 +48,3 @@ pub(super) fn plan(
 
 /// How often the helix is laid anew, closer where its ridges were too high.
 const MOST_AIMS: usize = 8;
-
-/// The scallop that the pitch aims at, by height.
-pub(super) struct Aim {
-    pub(super) target_mm: f64,
-    /// Heights (lower, upper) and the factor there.
-    caps: Vec<([f64; 2], f64)>,
-}
-
-impl Aim {
-    /// The same everywhere.
-    pub(super) fn new(target_mm: f64) -> Self {
-        Aim { target_mm, caps: Vec::new() }
-    }
-
-    /// Aims lower by `factor` between two heights, on top of what is asked for there already.
-    fn cap(&mut self, heights: [f64; 2], factor: f64) {
-        let so_far = self.at(heights) / self.target_mm;
-        self.caps.push((heights, factor * so_far));
-    }
-
-    /// What to aim at for passes between two heights, mm.
-    pub(super) fn at(&self, [lower, upper]: [f64; 2]) -> f64 {
-        let there = self.caps.iter().filter(|([lo, hi], _)| *lo < upper && *hi > lower);
-        self.target_mm * there.map(|(_, f)| *f).fold(1.0, f64::min)
-    }
-}

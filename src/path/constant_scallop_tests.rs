@@ -5,6 +5,7 @@
 use super::tests::turned;
 use super::*;
 use crate::artifact::toolpath::CutterLocation;
+use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Silent;
 
 const R: f64 = 4.0;
@@ -28,11 +29,7 @@ fn by_turn(path: &Toolpath) -> Vec<&[CutterLocation]> {
 fn distances(turn: &[CutterLocation], next: &[CutterLocation]) -> Vec<f64> {
     let to = |q: &Point| {
         next.windows(2)
-            .map(|w| {
-                let d = w[1].centre - w[0].centre;
-                let f = ((q - w[0].centre).dot(&d) / d.norm_squared()).clamp(0.0, 1.0);
-                (q - (w[0].centre + d * f)).norm()
-            })
+            .map(|w| (q - closest_on_segment(&w[0].centre, &w[1].centre, q)).norm())
             .fold(f64::INFINITY, f64::min)
     };
     let inner = 5..turn.len() - 5;

@@ -11,6 +11,7 @@ use super::stepover::{decisive_mm, ridge_height};
 use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
+use crate::geometry::triangle::share_of_segment;
 use crate::observe::Observer;
 
 /// One turn, from ring `a` to ring `b`.
@@ -172,10 +173,9 @@ fn nearest_forward(turn: &[Touch], q: &Point, at: &mut usize) -> Option<Point> {
     let (lo, hi) = (at.saturating_sub(window), (*at + window).min(n - 1));
     let mut best = (f64::INFINITY, turn.first()?.centre, lo, true);
     for i in lo..hi {
-        let a = turn[i].centre;
-        let d = turn[i + 1].centre - a;
-        let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
-        let p = a + d * f;
+        let (a, b) = (turn[i].centre, turn[i + 1].centre);
+        let f = share_of_segment(&a, &b, q);
+        let p = a + (b - a) * f;
         let dist = (q - p).norm_squared();
         if dist < best.0 {
             best = (dist, p, i, (i == 0 && f <= 0.0) || (i + 2 == n && f >= 1.0));

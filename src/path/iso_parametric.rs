@@ -7,7 +7,6 @@
 
 use rayon::prelude::*;
 
-use super::constant_height::Aim;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
@@ -77,7 +76,7 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let stack = rings::lay(blade, level, options, start_x, Vec::new(), &Aim::new(options.scallop_mm), observer)?;
+    let stack = rings::lay(blade, level, options, start_x, Vec::new(), &rings::Aim::new(options.scallop_mm), observer)?;
     let meridians = Meridians { level, rings: &stack.rings };
     let ends = [stack.rings[0].x_mm, stack.rings[stack.rings.len() - 1].x_mm];
     let perimeter = stack.rings.iter().map(|r| r.length_mm).fold(0.0, f64::max);

@@ -1,6 +1,7 @@
 //! Closed curves of ball centres at constant height, traced on the level set.
 
 use super::level::{LevelSet, Touch};
+use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
 /// A closed curve of ball centres in one plane `x = const`, counter-clockwise seen from the tip, starting at its
@@ -76,10 +77,7 @@ impl Ring {
         let n = self.touches.len();
         let mut best = (f64::INFINITY, self.touches[0].centre);
         for i in 0..n {
-            let a = self.touches[i].centre;
-            let d = self.touches[(i + 1) % n].centre - a;
-            let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
-            let p = a + d * f;
+            let p = closest_on_segment(&self.touches[i].centre, &self.touches[(i + 1) % n].centre, q);
             let dist = (q - p).norm_squared();
             if dist < best.0 {
                 best = (dist, p);

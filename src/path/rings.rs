@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::constant_height::Aim;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
@@ -17,6 +16,32 @@ use crate::observe::{Observer, Warning};
 const CONCAVE_TURN_RAD: f64 = 0.035;
 /// More rings than this is a mistake in the options.
 const MOST_RINGS: usize = 20_000;
+
+/// The scallop that the pitch aims at, by height.
+pub(super) struct Aim {
+    pub(super) target_mm: f64,
+    /// Heights (lower, upper) and the factor there.
+    caps: Vec<([f64; 2], f64)>,
+}
+
+impl Aim {
+    /// The same everywhere.
+    pub(super) fn new(target_mm: f64) -> Self {
+        Aim { target_mm, caps: Vec::new() }
+    }
+
+    /// Aims lower by `factor` between two heights, on top of what is asked for there already.
+    pub(super) fn cap(&mut self, heights: [f64; 2], factor: f64) {
+        let so_far = self.at(heights) / self.target_mm;
+        self.caps.push((heights, factor * so_far));
+    }
+
+    /// What to aim at for passes between two heights, mm.
+    pub(super) fn at(&self, [lower, upper]: [f64; 2]) -> f64 {
+        let there = self.caps.iter().filter(|([lo, hi], _)| *lo < upper && *hi > lower);
+        self.target_mm * there.map(|(_, f)| *f).fold(1.0, f64::min)
+    }
+}
 
 /// Rings from the start height down, and why the last one is the last.
 pub struct Stack {

@@ -26,6 +26,9 @@ mod plot;
 /// Limits of the machine that are tried, as multiples of its own.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
 
+/// A motion that was found within the limits of jerk exceeds them by less than this factor.
+const JERK_ROUNDING: f64 = 1.001;
+
 /// Velocity and acceleration of every axis; mm or degrees, and s.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Peak {
@@ -65,6 +68,8 @@ pub struct Run {
     pub name: String,
     /// Machining time at its own best feed, s.
     pub time_s: f64,
+    /// Where jerk is limited: whether that motion keeps it. Where none is found that does, it keeps velocity and acceleration only.
+    pub within_jerk: Option<bool>,
     /// That time over the lower bound.
     pub over_bound: f64,
     /// Time saved against `fixed`, as a share of the time of `fixed`.
@@ -263,9 +268,11 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         acceleration: greatest(&motion.acceleration),
         jerk: greatest(&motion.jerk),
     };
+    let within = || machine.limits().iter().zip(&own.jerk).all(|(l, j)| *j <= JERK_ROUNDING * l.jerk);
     Ok(Run {
         name: name.into(),
         time_s: motion.time_s,
+        within_jerk: feed.limit_jerk.then(within),
         over_bound: motion.time_s / bound_s,
         gain_on_fixed: 0.0,
         constant_feed_mm_min: constant,
@@ -283,8 +290,9 @@ fn least_turning(machine: &Machine, channel: &Channel) -> f64 {
 
 /// The sweep as a table.
 fn table(c: &Comparison) -> String {
-    let mut out =
-        String::from("scale,schedule,time_s,over_bound,gain_on_fixed,constant_feed_mm_min,constant_feed_time_s");
+    let mut out = String::from(
+        "scale,schedule,time_s,within_jerk,over_bound,gain_on_fixed,constant_feed_mm_min,constant_feed_time_s",
+    );
     for axis in AXES {
         out.push_str(&format!(",v{axis},a{axis}"));
     }
@@ -292,10 +300,11 @@ fn table(c: &Comparison) -> String {
     for l in &c.sweep {
         for r in &l.runs {
             out.push_str(&format!(
-                "{},{},{},{},{},{},{}",
+                "{},{},{},{},{},{},{},{}",
                 l.scale,
                 r.name,
                 r.time_s,
+                r.within_jerk.map_or("", |kept| if kept { "yes" } else { "no" }),
                 r.over_bound,
                 r.gain_on_fixed,
                 r.constant_feed_mm_min,

@@ -105,9 +105,6 @@ pub struct Text {
     pub cutting: Vec<String>,
     /// Each cut.
     pub cut: Vec<String>,
-    /// Each cut, where rotary words accumulate in a dialect that otherwise writes steps.
-    #[serde(default)]
-    pub cut_accumulated: Vec<String>,
     /// After the last cut.
     #[serde(default)]
     pub cutting_end: Vec<String>,
@@ -191,7 +188,6 @@ pub struct Dialect {
     pub(super) plunge: Vec<Line>,
     pub(super) cutting: Vec<Line>,
     pub(super) cut: Vec<Line>,
-    pub(super) cut_accumulated: Vec<Line>,
     pub(super) cutting_end: Vec<Line>,
     pub(super) leave: Vec<Line>,
     pub(super) retract: Vec<Line>,
@@ -261,7 +257,6 @@ impl Dialect {
             plunge: take("text.plunge", &t.plunge)?,
             cutting: take("text.cutting", &t.cutting)?,
             cut: take("text.cut", &t.cut)?,
-            cut_accumulated: take("text.cut_accumulated", &t.cut_accumulated)?,
             cutting_end: take("text.cutting_end", &t.cutting_end)?,
             leave: take("text.leave", &t.leave)?,
             retract: take("text.retract", &t.retract)?,

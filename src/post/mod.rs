@@ -39,16 +39,6 @@ use crate::machine::Machine;
 use crate::tool::{self, Tool};
 use crate::verify::Verified;
 
-/// How many turns of `A` are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RotaryWords {
-    /// Position from the first line on, growing over all turns. Right where `A` is a linear axis to the control.
-    Accumulate,
-    /// Steps from line to line, `A=IC(…)`. Right on a modulo axis and on a linear one: absolute words beyond 360° mean
-    /// different things on modulo axes, depending on machine data. Steps are of rounded positions: nothing adds up.
-    Incremental,
-}
-
 /// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PostOptions {
@@ -64,8 +54,6 @@ pub struct PostOptions {
     pub tool_number: u32,
     /// Spindle speed, 1/min.
     pub spindle_rpm: f64,
-    /// Words of `A` where the dialect knows both; others write what they know. Default `Incremental`.
-    pub rotary: RotaryWords,
     /// Feed between the safe position and the feed height, mm/min. Default 5000.
     pub approach_feed_mm_min: f64,
     /// Feed from the feed height to the part and back, mm/min. Default 300.
@@ -89,7 +77,6 @@ impl Default for PostOptions {
             job: String::new(),
             tool_number: 1,
             spindle_rpm: 6000.0,
-            rotary: RotaryWords::Incremental,
             approach_feed_mm_min: 5000.0,
             plunge_feed_mm_min: 300.0,
             feed_height_mm: 5.0,

@@ -18,6 +18,7 @@ use super::Run;
 const MOST_PARTS: usize = 1000;
 
 /// The end of a cutting move.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Move {
     /// Ball centre, blade frame, mm.
     pub(super) centre: Point,
@@ -73,8 +74,8 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     for (row, ((l, &theta), &t_s)) in rows.enumerate() {
         let next = Move { centre: l.centre, theta, t_s };
-        if let Some(last) = out.last() {
-            let parts = parts(run, programmed, last, &next);
+        if let Some(from) = out.last().copied() {
+            let parts = parts(run, programmed, &from, &next);
             if parts > MOST_PARTS {
                 return Err(Error::infeasible(
                     Stage::Post,
@@ -82,7 +83,6 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                 )
                 .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
             }
-            let from = Move { centre: last.centre, theta: last.theta, t_s: last.t_s };
             for k in 1..parts {
                 let f = k as f64 / parts as f64;
                 out.push(Move {

@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 36] = [
+pub const KEYS: [(&str, Class, &str); 35] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -57,7 +57,6 @@ pub const KEYS: [(&str, Class, &str); 36] = [
     ("cad_row_1", Class::Text, "first row of the rotation from blade frame to CAD model"),
     ("cad_row_2", Class::Text, "second row"),
     ("cad_row_3", Class::Text, "third row"),
-    ("rotary_note", Class::Text, "what A's words mean, in words"),
     ("part", Class::Text, "file of the part"),
 ];
 

@@ -4,7 +4,7 @@ use super::dialect::{Dialect, FeedWord, Rotary};
 use super::moves::{self, Move};
 use super::template::{KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header};
-use super::{End, RotaryWords, Run};
+use super::{End, Run};
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid};
@@ -48,7 +48,6 @@ struct Writer<'a> {
     values: Vec<Value>,
     /// What each modal word last was.
     modal: Vec<(Word, String)>,
-    rotary: Rotary,
 }
 
 /// A pose as a program sees it.
@@ -63,17 +62,12 @@ struct Placed {
 
 impl<'a> Writer<'a> {
     fn new(run: &'a Run, dialect: &'a Dialect) -> Result<Self> {
-        let rotary = match (dialect.file.rotary, run.options.rotary) {
-            (Rotary::Incremental, RotaryWords::Accumulate) if !dialect.cut_accumulated.is_empty() => Rotary::Accumulate,
-            (own, _) => own,
-        };
         let mut w = Writer {
             run,
             dialect,
             lines: Lines::new(&dialect.file),
             values: vec![Value::Number(0.0); KEYS.len()],
             modal: Vec::new(),
-            rotary,
         };
         w.fixed_values();
         Ok(w)
@@ -121,7 +115,6 @@ impl<'a> Writer<'a> {
             ("cad_row_1", row_1),
             ("cad_row_2", row_2),
             ("cad_row_3", row_3),
-            ("rotary_note", rotary_note(self.rotary)),
         ] {
             self.set(name, Value::Text(ascii(text)));
         }
@@ -148,7 +141,7 @@ impl<'a> Writer<'a> {
     /// `A` in degrees as the program counts it.
     fn a_deg(&self, a_rad: f64) -> f64 {
         let a = a_rad.to_degrees();
-        match self.rotary {
+        match self.dialect.file.rotary {
             Rotary::Accumulate | Rotary::Vector => a,
             // Whole turns before the first location are dropped.
             Rotary::Incremental => {
@@ -162,7 +155,7 @@ impl<'a> Writer<'a> {
     /// Takes over a pose; the step of `A` is from the pose before.
     fn take(&mut self, p: &Placed) -> Result<()> {
         let mut a = Fixed::new(p.a_deg, self.dialect.file.numbers.angle_decimals)?;
-        if self.rotary == Rotary::Modulo {
+        if self.dialect.file.rotary == Rotary::Modulo {
             a = a.modulo(360);
         }
         if let Some(Value::Rounded(before)) = key("a").and_then(|k| self.values.get(k)) {
@@ -182,8 +175,7 @@ impl<'a> Writer<'a> {
     /// whole time is kept.
     fn cuts(&mut self) -> Result<()> {
         let dialect = self.dialect;
-        let accumulated = self.rotary == Rotary::Accumulate && !dialect.cut_accumulated.is_empty();
-        let lines = if accumulated { &dialect.cut_accumulated } else { &dialect.cut };
+        let lines = &dialect.cut;
         let moves = moves::all(self.run, dialect.file.programmed)?;
         let mut written = 0usize;
         let mut last: Option<(Vec<String>, f64, Placed)> = None;
@@ -299,19 +291,6 @@ impl<'a> Writer<'a> {
             Some(Value::Number(v)) => Fixed::new(*v, decimals)?.text(signed, numbers.trim),
             None => String::new(),
         })
-    }
-}
-
-fn rotary_note(rotary: Rotary) -> &'static str {
-    match rotary {
-        Rotary::Incremental => {
-            "A        first position within one turn, then steps A=IC(): the same on modulo and linear axes."
-        }
-        Rotary::Accumulate => {
-            "A        absolute over all turns: A must not be a modulo axis (MD30310 ROT_IS_MODULO = 0)."
-        }
-        Rotary::Modulo => "A        within one turn; the control takes the shorter way, which is the planned one.",
-        Rotary::Vector => "A        follows the tool axis by the shorter way, which is the planned one.",
     }
 }
 

@@ -3,7 +3,7 @@
 use super::bezier;
 use super::corridor::Corridor;
 use crate::artifact::schedule::{BezierPiece, Quality, ScheduleKind};
-use crate::artifact::{Channel, Schedule};
+use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::{CubicSpline, Ends};
 
@@ -170,7 +170,8 @@ pub(super) fn schedule(kind: ScheduleKind, pieces: Vec<BezierPiece>, theta: Vec<
 ///
 /// # Errors
 /// Kind `Usage` where a number is not finite.
-pub(super) fn through(kind: ScheduleKind, s: Vec<f64>, theta: Vec<f64>, channel: &Channel) -> Result<Schedule> {
+pub(super) fn through(kind: ScheduleKind, path: &Toolpath, theta: Vec<f64>, channel: &Channel) -> Result<Schedule> {
+    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
     let spline = CubicSpline::new(&s, &theta, 1, &Ends::Natural)
         .map_err(|e| Error::usage(Stage::Schedule, format!("the schedule is no function of arc length: {e}")))?;
     let mut slope: Vec<f64> = (0..s.len() - 1).map(|i| spline.coefficients(i, 0).map_or(0.0, |c| c[1])).collect();

@@ -37,13 +37,12 @@ pub(super) fn plan(
 ) -> Result<Schedule> {
     observer.check(Stage::Schedule)?;
     let theta = angles(path, channel, options);
-    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
     let outside = theta
         .iter()
         .zip(&channel.rows)
         .filter(|(t, r)| !(**t >= r.theta_min - channel.tolerance_rad && **t <= r.theta_max + channel.tolerance_rad))
         .count();
-    let out = curve::through(ScheduleKind::Fixed, s, theta, channel)?;
+    let out = curve::through(ScheduleKind::Fixed, path, theta, channel)?;
     if outside > 0 || out.reversals > 0 {
         observer.warn(Warning {
             stage: Stage::Schedule,

@@ -42,11 +42,7 @@ pub(super) fn plan(
     options: &ScheduleOptions,
     observer: &dyn Observer,
 ) -> Result<Schedule> {
-    observer.check(Room::Schedule)?;
-    let hull = piecewise::hull(path, channel)?;
-    let margin = options.margin_deg.to_radians();
-    let walls = hull.shrunk(margin, 0.25);
-    piecewise::warn_of_margin(&hull, margin, path, observer);
+    let (hull, walls) = piecewise::walls_with_margin(path, channel, options, observer)?;
     let pace = match (kind, options.pace) {
         (ScheduleKind::Time, None) => {
             let message = "a schedule of kind time needs the machine's limits: options.pace is missing";

@@ -29,11 +29,7 @@ pub(super) fn plan(
     options: &ScheduleOptions,
     observer: &dyn Observer,
 ) -> Result<Schedule> {
-    observer.check(Stage::Schedule)?;
-    let hull = hull(path, channel)?;
-    let margin = options.margin_deg.to_radians();
-    let walls = hull.shrunk(margin, 0.25);
-    warn_of_margin(&hull, margin, path, observer);
+    let (hull, walls) = walls_with_margin(path, channel, options, observer)?;
     let (keys, pieces) = match walls.straight() {
         Some([p, q]) => (vec![p, q], vec![bezier::straight(p, q)]),
         None => {
@@ -114,7 +110,22 @@ fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
     )
 }
 
-pub(super) fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn Observer) {
+/// The monotone hull, and the same with the margin kept from its walls; a warning where there is no room for it.
+pub(super) fn walls_with_margin(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    observer: &dyn Observer,
+) -> Result<(Corridor, Corridor)> {
+    observer.check(Stage::Schedule)?;
+    let hull = hull(path, channel)?;
+    let margin = options.margin_deg.to_radians();
+    warn_of_margin(&hull, margin, path, observer);
+    let walls = hull.shrunk(margin, 0.25);
+    Ok((hull, walls))
+}
+
+fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn Observer) {
     let width = |i: usize| hull.hi[i] - hull.lo[i];
     let narrow = (0..hull.s.len()).filter(|i| width(*i) < 4.0 * margin).count();
     let Some(worst) = (0..hull.s.len()).min_by(|a, b| width(*a).total_cmp(&width(*b))) else { return };

@@ -28,8 +28,7 @@ pub(super) fn plan(
     if !theta.iter().all(|t| t.is_finite()) {
         return Err(Error::usage(Stage::Schedule, "the channel has walls that are not finite"));
     }
-    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let out = curve::through(kind, s, theta, channel)?;
+    let out = curve::through(kind, path, theta, channel)?;
     let turns_back = out.reversals;
     observer.warn(Warning {
         stage: Stage::Schedule,

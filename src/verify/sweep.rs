@@ -5,6 +5,7 @@ use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
 use crate::artifact::Toolpath;
+use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 
 /// Moves of the ball's centre. Between two locations the control moves the centre on a straight line, so the swept
@@ -38,12 +39,6 @@ pub(super) struct Nearest {
     pub distance_mm: f64,
 }
 
-/// Point of the segment `a b` nearest to `q`, as a part of it, 0 to 1.
-pub(super) fn nearest_part(a: &Point, b: &Point, q: &Point) -> f64 {
-    let (d, l2) = (b - a, (b - a).norm_squared());
-    if l2 > 0.0 { ((q - a).dot(&d) / l2).clamp(0.0, 1.0) } else { 0.0 }
-}
-
 fn box_distance2(node: &BvhNode, q: &Point) -> f64 {
     let (lo, hi) = (node.mins(), node.maxs());
     let gap = |l: f64, h: f64, x: f64| (l - x).max(x - h).max(0.0);
@@ -71,7 +66,7 @@ impl Sweep {
             |node, _| box_distance2(node, q),
             |i, _| {
                 let i = i as usize;
-                let t = nearest_part(&self.centres[i], &self.centres[i + 1], q);
+                let t = share_of_segment(&self.centres[i], &self.centres[i + 1], q);
                 let centre = self.at(i, t);
                 allowed(i).then(|| ((q - centre).norm_squared(), (t, centre)))
             },
@@ -106,7 +101,7 @@ impl Sweep {
             }
             if let Some(i) = node.leaf_data() {
                 let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
-                let near = a + (b - a) * nearest_part(&a, &b, &q);
+                let near = a + (b - a) * share_of_segment(&a, &b, &q);
                 if (near - q).norm_squared() <= reach2
                     && let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n)
                 {

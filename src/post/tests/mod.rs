@@ -22,15 +22,12 @@ fn options() -> PostOptions {
 }
 
 fn program(control: Control, plan: Plan, forced: bool, options: &PostOptions) -> Result<Program> {
+    written(&Dialect::built_in(control).unwrap(), plan, forced, options)
+}
+
+fn written(dialect: &Dialect, plan: Plan, forced: bool, options: &PostOptions) -> Result<Program> {
     let plan = Verified::for_tests(plan, sample::report(), forced);
-    post(
-        &Dialect::built_in(control).unwrap(),
-        &plan,
-        &sample::blade(),
-        &sample::tool(),
-        &Machine::demo().unwrap(),
-        options,
-    )
+    post(dialect, &plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap(), options)
 }
 
 /// The G93 moves of a program: the cutting.
@@ -44,9 +41,12 @@ fn total_s(moves: &[Move]) -> f64 {
 
 #[test]
 fn siemens_positions_are_the_plans_tool_tips() {
-    for rotary in [RotaryWords::Incremental, RotaryWords::Accumulate] {
+    let built_in = Control::Siemens.post_file();
+    // An own post file for a linear A: absolute words over all turns.
+    let absolute = built_in.replace("\"incremental\"", "\"accumulate\"").replace("A=IC({da})", "A={a}");
+    for text in [built_in, &absolute] {
         let plan = sample::plan(3, 720);
-        let p = program(Control::Siemens, plan.clone(), false, &PostOptions { rotary, ..options() }).unwrap();
+        let p = written(&Dialect::from_toml(text, "test").unwrap(), plan.clone(), false, &options()).unwrap();
         let moves = cutting(&p);
         assert_eq!(moves.len(), 2160);
         for (i, m) in moves.iter().enumerate() {

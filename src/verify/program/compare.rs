@@ -4,6 +4,7 @@ use super::follow::Moved;
 use crate::artifact::program::{Language, Program};
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
+use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
 use crate::tool::{self, Tool};
@@ -186,9 +187,8 @@ impl Comparison<'_> {
 
 /// Share along a segment and distance to it, mm.
 fn to_segment(q: &Point, a: &Point, b: &Point) -> (f64, f64) {
-    let d = b - a;
-    let f = ((q - a).dot(&d) / d.norm_squared().max(1e-300)).clamp(0.0, 1.0);
-    (f, (q - (a + d * f)).norm())
+    let f = share_of_segment(a, b, q);
+    (f, (q - (a + (b - a) * f)).norm())
 }
 
 fn angle_deg(a: &Vector, b: &Vector) -> f64 {

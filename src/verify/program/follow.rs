@@ -12,9 +12,9 @@ use crate::tool::{self, Tool};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
     /// The programmed point, mm.
-    point: [f64; 3],
+    pub(super) point: [f64; 3],
     /// Positions of A and B, rad; A as the axis goes, over all turns.
-    rotary: [f64; 2],
+    pub(super) rotary: [f64; 2],
 }
 
 /// One move.
@@ -31,11 +31,6 @@ pub struct Moved {
 }
 
 impl Moved {
-    /// Position of A after the move, degrees, over all turns.
-    pub fn to_deg(&self) -> f64 {
-        self.to.rotary[0].to_degrees()
-    }
-
     /// The tool at the share `f` of the move: every word moves evenly.
     pub fn pose(&self, f: f64, language: Language, tool: &Tool, machine: &Machine) -> Pose {
         let mix = |a: f64, b: f64| a + (b - a) * f;

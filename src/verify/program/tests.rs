@@ -63,7 +63,7 @@ fn klartext() {
     assert!(b[0].machine && !b[0].centre_point && b[1].centre_point);
     assert_eq!(b[2].feed, Feed::PerMinute(500.0));
     let moved = follow(&b, language, &Machine::demo().unwrap()).unwrap();
-    let turned = moved[2].to_deg() - moved[1].to_deg();
+    let turned = (moved[2].to.rotary[0] - moved[1].to.rotary[0]).to_degrees();
     assert!((turned - 20.0).abs() < 1e-9, "{turned}");
     for (bad, names) in [
         ("1 BEGIN", "must be 0"),
