@@ -350,6 +350,7 @@ fn channel_as_far_as_it_goes(
 ) -> Result<Channel> {
     let (blade, options) = (&setup.blade, setup.channel_options());
     let mut cut = None;
+    let mut ended_mm = None;
     for _ in 0..MOST_ENDS {
         let planned =
             clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer));
@@ -366,6 +367,10 @@ fn channel_as_far_as_it_goes(
             return Err(blocked);
         };
         let mut shorter = setup.path_options();
+        // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
+        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
+        let end_mm = ended_mm.map_or(end_mm, |before: f64| end_mm.max(before + stepover_mm));
+        ended_mm = Some(end_mm);
         shorter.region_x_mm[1] = Some(end_mm);
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = blocked.message;

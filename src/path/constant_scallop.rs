@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use super::curve::{self, Curve};
 use super::level::{LevelSet, Touch};
 use super::neighbour::{Across, Bounds, Next, Place, Stop};
+use super::nodes::arc_lengths;
 use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
 use super::{chords, helix, place, rings};
@@ -33,6 +34,8 @@ const MOST_TURNS: usize = 20_000;
 
 /// Ways shorter than this share of the flat stepover are none: the ball is stuck.
 const STUCK: f64 = 1e-2;
+/// Nodes of the closed ring that are left by less than this share of a stepover stay.
+pub(super) const LEAST_SHARE: f64 = 1e-3;
 /// Turns that run along the end in part before a path whose end was left open ends.
 const MOST_WAITING: usize = 4;
 
@@ -182,8 +185,9 @@ impl March<'_> {
             if waiting > MOST_WAITING && self.options.region_x_mm[1].is_none() {
                 break;
             }
-            let before = turns.len().checked_sub(2).and_then(|k| turns.get(k));
-            match self.next_turn(before, last) {
+            let laid = turns.len();
+            let (before, last) = turns.split_at_mut(laid - 1);
+            match self.next_turn(before.last(), &mut last[0]) {
                 Ok(next) => turns.push(next),
                 Err(lost) => {
                     // The turn before the loss has gone as far as the ball could, past where its neighbours can follow.
@@ -202,7 +206,7 @@ impl March<'_> {
     }
 
     /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`: where the ball cannot go on.
-    fn next_turn(&self, before: Option<&Vec<Node>>, turn: &[Node]) -> std::result::Result<Vec<Node>, Point> {
+    fn next_turn(&self, before: Option<&Vec<Node>>, turn: &mut Vec<Node>) -> std::result::Result<Vec<Node>, Point> {
         let n = turn.len() - 1;
         let centre = |k: usize| turn[k].touch.centre;
         let back = before.map_or(centre(n - 1), |b| b[b.len() - 2].touch.centre);
@@ -219,8 +223,8 @@ impl March<'_> {
             let on = curve::tangent(Some(&centre(n - 1)), &turn[n].touch, Some(&start.touch.centre));
             next[n] = self.next_node(&turn[n], on, 1.0);
         }
-        if self.facets && !closed {
-            next = self.even_out(turn, &along, next);
+        if self.facets {
+            next = self.even_out(turn, &along, &shares, next);
         }
         let kept = self.without_folds(turn, &along, &next)?;
         Ok(self.tidy(kept))
@@ -228,7 +232,7 @@ impl March<'_> {
 
     /// The neighbour of one node, at the share `share` of the stepover.
     fn next_node(&self, node: &Node, along: Vector, share: f64) -> Option<Node> {
-        if node.stop.is_some() || share < 1e-3 {
+        if node.stop.is_some() || share < LEAST_SHARE {
             return Some(Node { way_mm: self.flat_mm, ..*node });
         }
         let from = Place { touch: node.touch, along };
@@ -244,11 +248,7 @@ impl March<'_> {
 
 /// Fractions of the length at the nodes.
 fn shares(turn: &[Node]) -> Vec<f64> {
-    let mut s = 0.0;
-    let mut out = vec![0.0];
-    for w in turn.windows(2) {
-        s += (w[1].touch.centre - w[0].touch.centre).norm();
-        out.push(s);
-    }
-    out.iter().map(|x| x / s.max(1e-12)).collect()
+    let s_mm = arc_lengths(turn);
+    let whole = s_mm.last().copied().unwrap_or(0.0).max(1e-12);
+    s_mm.iter().map(|x| x / whole).collect()
 }

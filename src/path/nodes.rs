@@ -2,10 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::constant_scallop::{March, Node};
+use super::constant_scallop::{LEAST_SHARE, March, Node};
 use super::curve::{self, Curve};
 use super::level::Touch;
 use super::neighbour::Place;
+use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
 /// Touches nearer to one another than this share of the usual step are too many.
@@ -18,47 +19,105 @@ const BEND_RAD: f64 = 0.2;
 const CAUTION: f64 = 2.0;
 /// Caution that is not needed: so much longer a way makes the ridge higher by not quite a hundredth.
 const FREE: f64 = 4e-3;
+/// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing.
+const OVERRUN: f64 = 0.8;
 /// Rounds of adding touches.
 const MOST_ROUNDS: usize = 6;
 
+/// A turn whose stretches may run into one another: where it lags behind in a narrow tongue, the neighbours of the tongue's two sides
+/// cross, and what lies beyond the crossing is left out, as with the offset of any curve.
+struct Overrun<'a> {
+    turn: &'a [Node],
+    /// Arc length at the nodes, mm.
+    s_mm: Vec<f64>,
+    /// Longest distance between two nodes, mm.
+    longest_mm: f64,
+}
+
+impl<'a> Overrun<'a> {
+    fn of(turn: &'a [Node]) -> Self {
+        let s_mm = arc_lengths(turn);
+        let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        Overrun { turn, s_mm, longest_mm }
+    }
+
+    /// Whether the turn comes nearer to `q`, which is a neighbour of node `of`, than `least_mm`. A curve is never longer than its arc:
+    /// nodes that the arc cannot reach from the last distance are passed over.
+    fn is_nearer(&self, q: &Point, of: usize, least_mm: f64) -> bool {
+        let distance = |k: usize| (self.turn[k].touch.centre - q).norm();
+        let mut k = of;
+        while k + 1 < self.turn.len() {
+            let (a, b) = (&self.turn[k].touch.centre, &self.turn[k + 1].touch.centre);
+            if (closest_on_segment(a, b, q) - q).norm() < least_mm {
+                return true;
+            }
+            let free = self.s_mm[k] + (distance(k) - least_mm - self.longest_mm).max(0.0);
+            k = (k + 1).max(self.s_mm.partition_point(|s| *s < free).saturating_sub(1));
+        }
+        let mut k = of;
+        while k > 0 {
+            let (a, b) = (&self.turn[k - 1].touch.centre, &self.turn[k].touch.centre);
+            if (closest_on_segment(a, b, q) - q).norm() < least_mm {
+                return true;
+            }
+            let free = self.s_mm[k] - (distance(k) - least_mm - self.longest_mm).max(0.0);
+            k = (k - 1).min(self.s_mm.partition_point(|s| *s <= free));
+        }
+        false
+    }
+}
+
 impl March<'_> {
-    /// What remains when nodes that were not found are left out and folds are cut away from both sides; ends stay. `Err`: where
-    /// the ball could not go on for a stretch.
+    /// The nodes after those of `turn` without those that were not found and with folds cut away from both sides. A fold over the place
+    /// where one turn becomes the next takes nodes from the end of `turn`, too. `Err`: where the ball could not go on for a stretch.
     pub(super) fn without_folds(
         &self,
-        turn: &[Node],
+        turn: &mut Vec<Node>,
         along: &[Vector],
         next: &[Option<Node>],
     ) -> Result<Vec<Node>, Point> {
-        let n = turn.len() - 1;
-        let (Some(first), Some(last)) = (next[0], next[n]) else { return Err(turn[n].touch.centre) };
-        let behind = |a: &Node, b: &Node, along: &Vector| {
-            let step = b.touch.centre - a.touch.centre;
-            step.dot(along) <= 0.1 * step.norm()
+        // Where the turn bends to and fro, only the direction halfway between the two says which way it goes on.
+        let behind = |a: (usize, &Node), b: (usize, &Node)| {
+            let step = b.1.touch.centre - a.1.touch.centre;
+            let onward = along[a.0] + along[b.0];
+            step.dot(&onward) <= 0.1 * step.norm() * onward.norm()
         };
-        let mut kept: Vec<(usize, Node)> = vec![(0, first)];
-        for i in 1..n {
-            let (Some(node), Some((_, previous))) = (&next[i], kept.last()) else { continue };
-            if !behind(previous, node, &along[i]) {
+        let mut end = turn.len() - 1;
+        let mut kept: Vec<(usize, Node)> = Vec::new();
+        let overrun = Overrun::of(turn);
+        for i in 1..next.len() {
+            if i >= end {
+                break;
+            }
+            let Some(node) = &next[i] else { continue };
+            let way = (node.touch.centre - turn[i].touch.centre).norm();
+            if node.stop.is_none() && overrun.is_nearer(&node.touch.centre, i, OVERRUN * way) {
+                continue;
+            }
+            if !behind(kept.last().map_or((end, &turn[end]), |k| (k.0, &k.1)), (i, node)) {
                 kept.push((i, *node));
-            } else if kept.len() > 1 {
-                kept.pop();
+            } else if kept.pop().is_none() && 2 * end > turn.len() {
+                end -= 1;
             }
         }
-        while kept.len() > 1 && kept.last().is_some_and(|(_, k)| behind(k, &last, &along[n])) {
+        let Some(last) = next[end] else { return Err(turn[end].touch.centre) };
+        while kept.last().is_some_and(|(i, k)| behind((*i, k), (end, &last))) {
             kept.pop();
         }
-        kept.push((n, last));
+        kept.push((end, last));
         let widest = 2.0 * self.flat_mm + 3.0 * self.step_mm;
-        for w in kept.windows(2) {
-            let lost = (w[0].0 + 1..w[1].0).find(|i| next[*i].is_none());
+        let mut from = 0;
+        for (to, _) in &kept {
+            let lost = (from + 1..*to).find(|i| next[*i].is_none());
             if let Some(i) = lost
-                && (turn[w[1].0].touch.centre - turn[w[0].0].touch.centre).norm() > widest
+                && (turn[*to].touch.centre - turn[from].touch.centre).norm() > widest
             {
                 return Err(turn[i].touch.centre);
             }
+            from = *to;
         }
-        Ok(kept.into_iter().map(|k| k.1).collect())
+        turn.truncate(end + 1);
+        Ok(turn.last().copied().into_iter().chain(kept.into_iter().map(|k| k.1)).collect())
     }
 
     /// The same turn with its touches neither too close nor too far apart; ends stay.
@@ -118,10 +177,21 @@ impl March<'_> {
     }
 
     /// Ways over facets scatter: each becomes the mean of those round it, weighted by a bell as wide as the stepover, less
-    /// [`CAUTION`] standard deviations, so that few ridges are higher than asked for.
-    pub(super) fn even_out(&self, turn: &[Node], along: &[Vector], next: Vec<Option<Node>>) -> Vec<Option<Node>> {
-        let way = |i: usize| next[i].filter(|n| n.stop.is_none()).map(|n| n.way_mm.max(1e-9).ln());
-        let ways: Vec<Option<f64>> = (0..next.len()).map(way).collect();
+    /// [`CAUTION`] standard deviations, so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
+    /// apart, count as neighbours: with the one's mean only from before and the other's only from after, a step would grow there.
+    pub(super) fn even_out(
+        &self,
+        turn: &[Node],
+        along: &[Vector],
+        shares: &[f64],
+        next: Vec<Option<Node>>,
+    ) -> Vec<Option<Node>> {
+        let n = turn.len() - 1;
+        let s_mm = arc_lengths(turn);
+        let ways: Vec<Option<f64>> = (0..=n)
+            .map(|i| next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE).map(|x| x.way_mm.max(1e-9).ln()))
+            .collect();
+        let reach = 2.5 * self.flat_mm;
         let mean = |i: usize| {
             let (mut sum, mut squares, mut weight) = (0.0, 0.0, 0.0);
             let mut add = |k: usize, s: f64| {
@@ -132,24 +202,40 @@ impl March<'_> {
                     weight += bell;
                 }
             };
-            let reach = 2.5 * self.flat_mm;
-            let centre = |k: usize| turn[k].touch.centre;
-            let off = |k: usize| (centre(k) - centre(i)).norm();
+            let whole = s_mm[n];
+            let ahead = |k: usize| if k > i { s_mm[k] - s_mm[i] } else { s_mm[k] + whole - s_mm[i] };
+            let behind = |k: usize| whole - ahead(k);
             add(i, 0.0);
-            (i + 1..turn.len()).take_while(|k| off(*k) < reach).for_each(|k| add(k, off(k)));
-            (0..i).rev().take_while(|k| off(*k) < reach).for_each(|k| add(k, off(k)));
+            (i + 1..=n).chain(1..i).take_while(|k| ahead(*k) < reach).for_each(|k| add(k, ahead(k)));
+            (1..i).rev().chain((i + 1..=n).rev()).take_while(|k| behind(*k) < reach).for_each(|k| add(k, behind(k)));
             let scatter = || (squares / weight - (sum / weight).powi(2)).max(0.0).sqrt();
             (weight > 0.0).then(|| (sum / weight - (CAUTION * scatter() - FREE).max(0.0)).exp())
         };
-        (0..next.len())
+        (0..=n)
             .into_par_iter()
             .map(|i| {
-                let Some(node) = next[i].filter(|n| i > 0 && n.stop.is_none()) else { return next[i] };
+                let Some(node) = next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE) else {
+                    return next[i];
+                };
                 let from = Place { touch: turn[i].touch, along: along[i] };
-                let Some(found) = mean(i).and_then(|w| self.across.at_way(&from, w)) else { return Some(node) };
-                let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm };
+                let Some(found) = mean(i).and_then(|w| self.across.at_way(&from, w * shares[i])) else {
+                    return Some(node);
+                };
+                let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
                 Some(Node { touch: found.touch, way_mm, stop: found.stop })
             })
             .collect()
     }
+}
+
+/// Arc lengths of a turn at its nodes, mm.
+pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
+    let mut s = 0.0;
+    let steps = turn.windows(2).map(|w| (w[1].touch.centre - w[0].touch.centre).norm());
+    std::iter::once(0.0)
+        .chain(steps.map(|step| {
+            s += step;
+            s
+        }))
+        .collect()
 }
