@@ -40,3 +40,12 @@ bench:
 # The example program
 plan:
     cargo run --release -- plan models/steam_root.step -o out/steam_root
+
+# Families killed at random moments and started again: the same bytes
+kill runs="100":
+    BLADEWRIGHT_RUNS={{runs}} cargo nextest run --release --run-ignored only --no-capture --test batch_kill
+
+# A family as an array job on a real Slurm on this machine: needs root and `apt-get install slurmctld slurmd slurm-client munge`
+slurm:
+    cargo build --release
+    bash tests/slurm/run.sh target/release/bladewright

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// The stage in which an error arose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stage {
     /// Job file, options, command line.
@@ -32,6 +32,8 @@ pub enum Stage {
     Preview,
     /// Writing the files of a run.
     Output,
+    /// A family: its file, its members, its tables.
+    Batch,
 }
 
 impl fmt::Display for Stage {

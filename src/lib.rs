@@ -26,6 +26,7 @@
 //! Each arrow is a type of [`artifact`]; each name is a folder. Stages never import one another.
 
 pub mod artifact;
+pub mod batch;
 pub mod channel;
 pub mod cli;
 pub mod error;

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, Stage};
 
 /// A structured warning: the run goes on, the reader should know.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Warning {
     /// Where it arose.
     pub stage: Stage,

@@ -6,8 +6,8 @@ use crate::artifact::blade::Blade;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Program, Schedule, Section, Toolpath};
-use crate::channel::{self, ChannelOptions};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Program, Schedule, Section};
+use crate::channel::ChannelOptions;
 use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
 use crate::job::{Draft, Job, ModelJob};
@@ -15,23 +15,23 @@ use crate::machine::Machine;
 use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
-use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION};
+use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, StageRecord};
 use crate::output::summary::{self, ScheduleFigures, Summary};
 use crate::output::{self, RunFolder, tables};
-use crate::path::{self, PathOptions};
+use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::preview::report::{self, ReportInput};
 use crate::preview::{self, GltfOptions};
 use crate::schedule::{self, ScheduleOptions};
 use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
+use reuse::Earlier;
 
 pub mod compare;
 mod paths;
+mod planning;
+pub mod reuse;
 mod schedules;
-
-/// How often the helix is laid anew to end higher before the channel's error stands.
-const MOST_ENDS: usize = 12;
 
 /// How far to go and what to do with a plan that fails its checks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,6 +40,8 @@ pub struct Course {
     pub until: Option<Stage>,
     /// Write programs even if the checks fail; their headers say so.
     pub force: bool,
+    /// Leave times and memory out of `manifest.json`, so that the same job leaves the same bytes.
+    pub timeless: bool,
 }
 
 impl Course {
@@ -56,6 +58,12 @@ pub struct Outcome {
     pub summary: Option<Summary>,
     /// What the checks found, where the run went far enough.
     pub report: Option<CheckReport>,
+    /// The plan, where the run went far enough.
+    pub plan: Option<Plan>,
+    /// Time and memory of each stage that was worked on.
+    pub stages: Vec<StageRecord>,
+    /// Stages whose results were taken over from earlier runs.
+    pub taken: Vec<Stage>,
 }
 
 /// A blade with everything that stands still during a run.
@@ -101,6 +109,9 @@ impl Setup {
             post_files.push(Dialect::load(file)?);
         }
         let job = draft.complete(&blade)?;
+        if let Some(model) = inputs.first_mut() {
+            model.path = job.model.file.display().to_string();
+        }
         for message in openings::check(&blade, &reach(&job, &blade))? {
             observer.warn(Warning { stage: Stage::Model, message });
         }
@@ -212,6 +223,11 @@ impl Setup {
     }
 }
 
+/// Name and version of this program.
+pub fn program() -> String {
+    format!("bladewright {}", env!("CARGO_PKG_VERSION"))
+}
+
 /// How the job reads its model.
 fn model_options(m: &ModelJob) -> ModelOptions {
     ModelOptions {
@@ -257,6 +273,21 @@ pub struct Baseline {
 /// # Errors
 /// The first stage's that fails; nothing is written then.
 pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -> Result<Outcome> {
+    run_on(draft, out, course, &[], observer)
+}
+
+/// As [`run`]; stages whose inputs are those of an earlier run are taken over from it. The files are the same, but for the times in
+/// `manifest.json`.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on(
+    draft: &Draft,
+    out: &Path,
+    course: Course,
+    earlier: &[Earlier],
+    observer: &dyn Observer,
+) -> Result<Outcome> {
     let recorder = Recorder::new(observer);
     let mut folder = RunFolder::begin(out)?;
     let mut clock = Clock::default();
@@ -264,13 +295,15 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
     let sections = clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
     folder.add_json("sections.json", &sections)?;
-    let (mut summary, mut report) = (None, None);
+    let (mut summary, mut report, mut plan, mut taken) = (None, None, None, Vec::new());
     if !course.ends_at(Stage::Section) {
-        let planned = plan(&setup, course, &mut folder, &mut clock, &recorder)?;
-        if let Some((plan, baseline)) = planned {
+        let mut known = reuse::take(&setup, earlier, &recorder);
+        taken = std::mem::take(&mut known.stages);
+        let planned = planning::plan(&setup, course, known, &mut folder, &mut clock, &recorder)?;
+        if let Some((made, baseline)) = planned {
             let checked =
-                check_and_write(&setup, &sections, plan, &baseline, course, &mut folder, &mut clock, &recorder)?;
-            (summary, report) = (checked.summary, Some(checked.report));
+                check_and_write(&setup, &sections, made, &baseline, course, &mut folder, &mut clock, &recorder)?;
+            (summary, report, plan) = (checked.summary, Some(checked.report), Some(checked.plan));
         }
     }
     let status = match (&report, course.until) {
@@ -282,111 +315,22 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
         "manifest.json",
         &Manifest {
             schema_version: SCHEMA_VERSION,
-            program: format!("bladewright {}", env!("CARGO_PKG_VERSION")),
+            program: program(),
             inputs: setup.inputs.clone(),
             job: &setup.job,
-            stages: clock.records,
+            stages: if course.timeless { Vec::new() } else { clock.records.clone() },
             warnings: recorder.warnings(),
             status,
         },
     )?;
-    Ok(Outcome { files: folder.finish()?, summary, report })
-}
-
-/// The planning stages; `None` where the course ends before the motion is known.
-fn plan(
-    setup: &Setup,
-    course: Course,
-    folder: &mut RunFolder,
-    clock: &mut Clock,
-    observer: &dyn Observer,
-) -> Result<Option<(Plan, Baseline)>> {
-    let (blade, job) = (&setup.blade, &setup.job);
-    let mut toolpath = clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?;
-    if course.ends_at(Stage::Path) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        return Ok(None);
-    }
-    let channel = channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?;
-    if course.ends_at(Stage::Channel) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        folder.add_json("channel.json", &channel)?;
-        return Ok(None);
-    }
-    let options = setup.schedule_options();
-    let fixed =
-        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
-    // The least time needs the feed to be judged, so both come together.
-    let (schedule, motion) = match job.schedule.kind {
-        ScheduleKind::Time => clock.time(Stage::Schedule, || {
-            let (s, m) = schedules::least_time(setup, &toolpath, &channel, observer)?;
-            Ok((s, Some(m)))
-        })?,
-        kind => clock
-            .time(Stage::Schedule, || Ok((schedule::plan(kind, &toolpath, &channel, &options, observer)?, None)))?,
-    };
-    if course.ends_at(Stage::Schedule) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        folder.add_json("channel.json", &channel)?;
-        folder.add_json("schedule.json", &schedule)?;
-        return Ok(None);
-    }
-    let feed = |s: &Schedule| feed::plan(&toolpath, s, &setup.machine, &setup.feed_options(), observer);
-    let (motion, fixed_motion) = clock.time(Stage::Feed, || {
-        let own = motion.map_or_else(|| feed(&schedule), Ok)?;
-        Ok((own, feed(&fixed)?))
-    })?;
-    let baseline = Baseline { schedule: fixed, motion: fixed_motion };
-    Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
-}
-
-/// The channel. Where the job leaves the end of the region open and the channel closes on the way down, the helix is laid anew
-/// to end above that place, which is said; a region end that was asked for is never given up.
-fn channel_as_far_as_it_goes(
-    setup: &Setup,
-    toolpath: &mut Toolpath,
-    clock: &mut Clock,
-    observer: &dyn Observer,
-) -> Result<Channel> {
-    let (blade, options) = (&setup.blade, setup.channel_options());
-    let mut cut = None;
-    let mut ended_mm = None;
-    for _ in 0..MOST_ENDS {
-        let planned =
-            clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer));
-        let blocked = match planned {
-            Ok(channel) => {
-                if let Some(message) = cut {
-                    observer.warn(Warning { stage: Stage::Channel, message });
-                }
-                return Ok(channel);
-            }
-            Err(e) => e,
-        };
-        let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
-            return Err(blocked);
-        };
-        let mut shorter = setup.path_options();
-        // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
-        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
-        let end_mm = ended_mm.map_or(end_mm, |before: f64| end_mm.max(before + stepover_mm));
-        ended_mm = Some(end_mm);
-        shorter.region_x_mm[1] = Some(end_mm);
-        *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
-        toolpath.end_reason = blocked.message;
-        cut = Some(format!(
-            "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
-            toolpath.end_reason,
-            blocked.advice.unwrap_or_else(|| "another tool".into())
-        ));
-    }
-    clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer))
+    Ok(Outcome { files: folder.finish()?, summary, report, plan, stages: clock.records, taken })
 }
 
 /// What checking and writing came to.
 struct Checked {
     summary: Option<Summary>,
     report: CheckReport,
+    plan: Plan,
 }
 
 #[allow(clippy::too_many_arguments)]
@@ -416,14 +360,15 @@ fn check_and_write(
     folder.add_json("summary.json", &summary)?;
     if course.ends_at(Stage::Verify) {
         folder.add_json("verify.json", &report)?;
-        return Ok(Checked { summary: Some(summary), report });
+        return Ok(Checked { summary: Some(summary), report, plan: verdict.value().clone() });
     }
     clock.time(Stage::Preview, || write_preview(setup, sections, &verdict, baseline, folder, observer))?;
+    let plan = verdict.value().clone();
     if let Some(verified) = accept(verdict, course.force) {
         report.checks.extend(clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
     }
     folder.add_json("verify.json", &report)?;
-    Ok(Checked { summary: Some(summary), report })
+    Ok(Checked { summary: Some(summary), report, plan })
 }
 
 /// The plan as evidence: passed, or failed and forced.
@@ -451,7 +396,7 @@ fn write_preview(
     folder.add("preview.glb", preview::gltf(Some(plan), blade, tool, &options)?)?;
     let model = &setup.inputs[0];
     let provenance = [
-        ("Program".to_owned(), format!("bladewright {}", env!("CARGO_PKG_VERSION"))),
+        ("Program".to_owned(), program()),
         ("Model".to_owned(), setup.post_options().part_file),
         ("BLAKE3 of the model".to_owned(), model.blake3.clone()),
     ];

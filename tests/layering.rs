@@ -17,6 +17,9 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "machine" => &["numerics", "geometry", "artifact", "tool"],
         "model" | "make" | "section" | "path" | "channel" | "schedule" | "feed" | "verify" | "job" => STAGE,
         "post" | "preview" | "output" => WRITER,
+        "batch" => {
+            &["numerics", "geometry", "artifact", "tool", "machine", "model", "make", "job", "output", "pipeline"]
+        }
         // `sample` is a made-up plan for unit tests only.
         "pipeline" | "cli" | "lib" | "main" | "sample" => return None,
         _ => panic!("src/{room} has no place in the layering: give it one in tests/layering.rs"),

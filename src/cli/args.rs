@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
+use crate::batch::Shard;
 use crate::error::Stage;
 
 /// Machine programs for turbine and compressor blades, straight from their CAD.
@@ -39,6 +40,8 @@ pub enum Verb {
     Plan(Plan),
     /// All schedules of a job side by side, over a sweep of machine limits: table, JSON, picture.
     Compare(Compare),
+    /// Plan a family of blades: many models or parameters from one file, resumable, in shards.
+    Batch(Batch),
     /// Check a finished run again, from its files.
     Verify(Again),
     /// Write the NC program of a finished run for a control.
@@ -219,6 +222,46 @@ fn parse_stage(text: &str) -> Result<Stage, String> {
         .find(|(name, _)| *name == text)
         .map(|(_, stage)| *stage)
         .ok_or_else(|| format!("there is no stage {text}; stages: {}", stages.map(|(name, _)| name).join(", ")))
+}
+
+/// `batch`.
+#[derive(Debug, clap::Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct Batch {
+    /// Tables of a family that was planned in shards.
+    #[command(subcommand)]
+    pub verb: Option<BatchVerb>,
+    /// The family file (TOML).
+    #[arg(required = true)]
+    pub family: Option<PathBuf>,
+    /// Folder for the results, or s3://BUCKET/PREFIX; what it has already is kept.
+    #[arg(short, long, value_name = "OUT", required_unless_present = "list")]
+    pub out: Option<String>,
+    /// Plan part I of N only (from 1); parts are equal by estimated cost.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Plan members again that failed, and no others.
+    #[arg(long)]
+    pub retry: bool,
+    /// Memory to share out among members, MiB; default: 80 % of what is available.
+    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..))]
+    pub memory: Option<u64>,
+    /// Print the members with what they are likely to cost, and do nothing.
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// What else `batch` does.
+#[derive(Debug, Subcommand)]
+pub enum BatchVerb {
+    /// Write family.csv, family.parquet and family.html from what the shards left.
+    Merge {
+        /// The family file (TOML).
+        family: PathBuf,
+        /// Where the shards wrote to.
+        #[arg(short, long, value_name = "OUT")]
+        out: String,
+    },
 }
 
 /// `verify` and `preview`.

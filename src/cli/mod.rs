@@ -3,6 +3,7 @@
 
 mod again;
 mod args;
+mod batch;
 mod compare;
 mod inspect;
 mod make;
@@ -49,6 +50,7 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Make(a) => make::run(&a, quiet),
         Verb::Plan(a) => plan::run(&a, quiet),
         Verb::Compare(a) => compare::run(&a, quiet),
+        Verb::Batch(a) => batch::run(&a, quiet),
         Verb::Verify(a) => again::verify(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),
         Verb::Preview(a) => again::preview(&a, quiet),

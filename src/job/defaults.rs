@@ -28,6 +28,7 @@ pub struct Draft {
     model: ModelJob,
     machine_file: Option<PathBuf>,
     post_files: Vec<PathBuf>,
+    model_saved_as: Option<PathBuf>,
 }
 
 /// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder of the job file, or
@@ -62,7 +63,7 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     early_checks(&typed)?;
     let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
     let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f)).collect();
-    Ok(Draft { typed, model, machine_file, post_files })
+    Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None })
 }
 
 /// Values that are wrong on any blade are refused before the model is read.
@@ -92,6 +93,13 @@ impl Draft {
         &self.post_files
     }
 
+    /// The saved job names its model by this path instead, relative to the run's folder: for a model that is kept in there.
+    #[must_use]
+    pub fn model_saved_as(mut self, path: &Path) -> Self {
+        self.model_saved_as = Some(path.to_path_buf());
+        self
+    }
+
     /// Settles the rest from the blade.
     ///
     /// # Errors
@@ -105,7 +113,11 @@ impl Draft {
         let radius = tool.radius_mm;
         let chord_mm = path.chord_mm.unwrap_or(0.001);
         let job = Job {
-            model: ModelJob { unit: Some(blade.unit), ..self.model.clone() },
+            model: ModelJob {
+                file: self.model_saved_as.clone().unwrap_or_else(|| self.model.file.clone()),
+                unit: Some(blade.unit),
+                ..self.model.clone()
+            },
             region: complete_region(&t.region.unwrap_or_default(), blade, radius)?,
             path: PathJob {
                 kind: path.kind.unwrap_or_default(),

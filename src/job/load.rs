@@ -65,15 +65,23 @@ impl JobFile {
         if keys.len() < 2 || keys.iter().any(|k| k.is_empty()) {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
-        let mut root = toml::Value::try_from(&*self).map_err(|e| bad(e.to_string()))?;
-        insert(&mut root, &keys, read_value(value.trim())).map_err(bad)?;
-        *self = root.try_into().map_err(|e: toml::de::Error| bad(e.message().trim().replace('\n', " ")))?;
+        self.set_value(&keys, read_value(value.trim())).map_err(bad)
+    }
+
+    /// Sets one key, given as the list of its parts, to a TOML value.
+    ///
+    /// # Errors
+    /// What is wrong, in words, without the key; the job is then unchanged.
+    pub fn set_value(&mut self, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
+        let mut root = toml::Value::try_from(&*self).map_err(|e| e.to_string())?;
+        insert(&mut root, keys, value)?;
+        *self = root.try_into().map_err(|e: toml::de::Error| e.message().trim().replace('\n', " "))?;
         Ok(())
     }
 }
 
 /// The text as a TOML value, or as a plain text where it is none.
-fn read_value(text: &str) -> toml::Value {
+pub fn read_value(text: &str) -> toml::Value {
     let table = toml::from_str::<toml::Table>(&format!("v = {text}"));
     match table.ok().and_then(|mut t| if t.len() == 1 { t.remove("v") } else { None }) {
         Some(value) => value,
@@ -81,8 +89,11 @@ fn read_value(text: &str) -> toml::Value {
     }
 }
 
-/// Puts `value` at the path `keys`, making tables on the way.
-fn insert(at: &mut toml::Value, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
+/// Puts `value` at the path `keys`, making tables on the way; entries of a list are named by number.
+///
+/// # Errors
+/// In words: which part of the path cannot be followed.
+pub fn insert(at: &mut toml::Value, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
     let Some((first, rest)) = keys.split_first() else {
         *at = value;
         return Ok(());

@@ -17,7 +17,7 @@ mod typed;
 
 pub use axis::AxisChoice;
 pub use defaults::{Draft, resolve};
-pub use load::{load, parse};
+pub use load::{insert, load, parse, read_value};
 pub use resolved::{
     ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
 };

@@ -21,7 +21,7 @@ pub struct StageRecord {
 }
 
 /// An input file.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Input {
     /// Path as given.
     pub path: String,

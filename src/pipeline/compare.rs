@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::Setup;
+use super::planning::channel_as_far_as_it_goes;
 use super::schedules::{machinable, paced};
-use super::{Setup, channel_as_far_as_it_goes};
 use crate::artifact::axis_motion::AXES;
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};

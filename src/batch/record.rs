@@ -1,0 +1,99 @@
+//! What is known of a finished member: `member.json`, the last file of its folder that is written.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::picture::Picture;
+use crate::error::{Error, Stage};
+
+/// How a member ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// Planned, checked, programs written.
+    Good,
+    /// Planned, but a check found something; no programs.
+    Findings,
+    /// No plan: see stage and reason.
+    Failed,
+    /// Not computed yet.
+    Missing,
+}
+
+impl Status {
+    /// The word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Good => "good",
+            Status::Findings => "findings",
+            Status::Failed => "failed",
+            Status::Missing => "missing",
+        }
+    }
+}
+
+/// A finished member. Holds no times of computing, no dates, nothing of the machine that computed it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Its name.
+    pub name: String,
+    /// The address of what it was computed from.
+    pub key: String,
+    /// How it ended.
+    pub status: Status,
+    /// Exit code that `plan` would have had.
+    pub exit_code: u8,
+    /// The stage that failed or found something.
+    pub stage: Option<Stage>,
+    /// Why, in one sentence.
+    pub reason: Option<String>,
+    /// What to do about it.
+    pub advice: Option<String>,
+    /// The model's file name, or the generator.
+    pub model: String,
+    /// Parameters from the family file.
+    pub parameters: BTreeMap<String, serde_json::Value>,
+    /// Number of warnings.
+    pub warnings: usize,
+    /// Its other files with their sizes, bytes.
+    pub files: BTreeMap<String, u64>,
+    /// All figures of `summary.json`; absent without a plan.
+    pub summary: Option<serde_json::Value>,
+    /// The narrowest turn of the channel; absent without a plan.
+    pub picture: Option<Picture>,
+}
+
+impl Record {
+    /// A member of which nothing is known yet.
+    pub fn missing(name: &str, model: &str, parameters: &BTreeMap<String, serde_json::Value>) -> Self {
+        Record {
+            name: name.to_owned(),
+            key: String::new(),
+            status: Status::Missing,
+            exit_code: 0,
+            stage: None,
+            reason: None,
+            advice: None,
+            model: model.to_owned(),
+            parameters: parameters.clone(),
+            warnings: 0,
+            files: BTreeMap::new(),
+            summary: None,
+            picture: None,
+        }
+    }
+
+    /// The same member, failed.
+    pub fn failed(self, key: &str, e: &Error) -> Self {
+        Record {
+            key: key.to_owned(),
+            status: Status::Failed,
+            exit_code: e.kind.exit_code(),
+            stage: Some(e.stage),
+            reason: Some(e.message.clone()),
+            advice: e.advice.clone(),
+            ..self
+        }
+    }
+}

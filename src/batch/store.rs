@@ -1,0 +1,169 @@
+//! Where results are kept: a folder, or an object store that speaks S3 (feature `s3`).
+//!
+//! ```text
+//! OUT/members/NAME/…        a run's files and member.json, which is written last and says that the others are whole
+//! OUT/work/NAME/…           a member in the making; gone when nothing is being computed
+//! OUT/log/…                 times, memory, locks: the only place where clocks and machines leave traces
+//! OUT/family.{csv,parquet,html}
+//! ```
+//! A member comes into being in one step: its folder is filled under `work`, synced to the disk and renamed. Whoever is killed between
+//! leaves a folder under `work` that the next run takes away, or takes in where it is whole.
+
+use std::fs::{File, TryLockError};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::record::Record;
+use crate::error::{Error, Result, Stage};
+
+/// The last file of a member.
+pub(super) const RECORD: &str = "member.json";
+
+/// A place for results. Paths are relative to it, parted by `/`.
+pub(super) trait Store: Sync {
+    /// A file's bytes; `None`: there is none.
+    fn read(&self, path: &str) -> Result<Option<Vec<u8>>>;
+    /// Writes one file whole or not at all.
+    fn write(&self, path: &str, content: &[u8]) -> Result<()>;
+    /// An empty folder on this machine in which a member may be made.
+    fn workshop(&self, name: &str) -> Result<PathBuf>;
+    /// Takes the finished folder of a member in, in place of what was there. `old`: the record of that.
+    fn take_in(&self, record: &Record, old: Option<&Record>) -> Result<()>;
+    /// Takes the member's workshop away.
+    fn sweep(&self, name: &str) -> Result<()>;
+    /// A folder in the workshop that is whole but was not taken in.
+    fn left_over(&self, _name: &str) -> Option<Record> {
+        None
+    }
+    /// The files that a record tells of are there, as far as can be seen without reading them.
+    fn whole(&self, _record: &Record) -> bool {
+        true
+    }
+}
+
+/// Trouble with the place of results; no member's fault.
+pub(super) fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
+    Error::io(Stage::Output, format!("{what} {}: {e}", path.display()))
+        .advise("check that the folder is writable and the disk has room; what is done is kept, run it again to go on")
+        .caused_by(e)
+}
+
+/// Results in a folder.
+pub(super) struct Folder {
+    root: PathBuf,
+    // Held as long as this lives; the system lets go of it when the process ends, however it ends.
+    _lock: File,
+}
+
+impl Folder {
+    /// Opens or makes the folder; `part` names the shard, one process at a time may work on each.
+    pub(super) fn open(root: &Path, part: &str) -> Result<Self> {
+        let log = root.join("log");
+        std::fs::create_dir_all(&log).map_err(|e| trouble("cannot make the folder", &log, e))?;
+        let path = log.join(format!("{part}.lock"));
+        let lock = File::options().create(true).truncate(false).write(true).open(&path);
+        let lock = lock.map_err(|e| trouble("cannot write", &path, e))?;
+        match lock.try_lock() {
+            Ok(()) => Ok(Folder { root: root.to_path_buf(), _lock: lock }),
+            Err(TryLockError::WouldBlock) => {
+                Err(Error::usage(Stage::Batch, format!("another process works on {} ({part})", root.display()))
+                    .advise("wait for it, or give each process a shard of its own"))
+            }
+            // A file system without locks: two processes on one shard are then the user's to avoid.
+            Err(TryLockError::Error(_)) => Ok(Folder { root: root.to_path_buf(), _lock: lock }),
+        }
+    }
+
+    fn work(&self, name: &str) -> PathBuf {
+        self.root.join("work").join(name)
+    }
+
+    fn has_all(&self, folder: &Path, record: &Record) -> bool {
+        record.files.iter().all(|(file, bytes)| std::fs::metadata(folder.join(file)).is_ok_and(|m| m.len() == *bytes))
+    }
+}
+
+/// Makes what was done in a folder last through a loss of power.
+pub(super) fn sync(folder: &Path) -> std::io::Result<()> {
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+fn remove(folder: &Path) -> Result<()> {
+    match std::fs::remove_dir_all(folder) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(trouble("cannot remove", folder, e)),
+        _ => Ok(()),
+    }
+}
+
+impl Store for Folder {
+    fn read(&self, path: &str) -> Result<Option<Vec<u8>>> {
+        let path = self.root.join(path);
+        match std::fs::read(&path) {
+            Ok(bytes) => Ok(Some(bytes)),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(e) => Err(trouble("cannot read", &path, e)),
+        }
+    }
+
+    fn write(&self, path: &str, content: &[u8]) -> Result<()> {
+        let path = self.root.join(path);
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(|e| trouble("cannot make the folder", parent, e))?;
+        }
+        // Whoever is killed in between leaves traces in the log alone.
+        let aside =
+            self.root.join("log").join(format!("{}.part", path.file_name().unwrap_or_default().to_string_lossy()));
+        let write = || -> std::io::Result<()> {
+            let mut file = File::create(&aside)?;
+            file.write_all(content)?;
+            file.sync_all()?;
+            std::fs::rename(&aside, &path)
+        };
+        write().map_err(|e| {
+            let _ = std::fs::remove_file(&aside);
+            trouble("cannot write", &path, e)
+        })
+    }
+
+    fn whole(&self, record: &Record) -> bool {
+        self.has_all(&self.root.join("members").join(&record.name), record)
+    }
+
+    fn workshop(&self, name: &str) -> Result<PathBuf> {
+        let folder = self.work(name);
+        remove(&folder)?;
+        std::fs::create_dir_all(&folder).map_err(|e| trouble("cannot make the folder", &folder, e))?;
+        Ok(folder)
+    }
+
+    fn take_in(&self, record: &Record, _old: Option<&Record>) -> Result<()> {
+        let (from, to) = (self.work(&record.name), self.root.join("members").join(&record.name));
+        let aside = self.work(&format!("{}.old", record.name));
+        let members = self.root.join("members");
+        let moved = || -> std::io::Result<()> {
+            std::fs::create_dir_all(&members)?;
+            sync(&from)?;
+            if to.exists() {
+                let _ = std::fs::remove_dir_all(&aside);
+                std::fs::rename(&to, &aside)?;
+            }
+            std::fs::rename(&from, &to)?;
+            sync(&members)
+        };
+        moved().map_err(|e| trouble("cannot write", &to, e))?;
+        remove(&aside)
+    }
+
+    fn sweep(&self, name: &str) -> Result<()> {
+        remove(&self.work(name))?;
+        remove(&self.work(&format!("{name}.old")))?;
+        // Gone with its last member; another shard may still have one in it.
+        let _ = std::fs::remove_dir(self.root.join("work"));
+        Ok(())
+    }
+
+    fn left_over(&self, name: &str) -> Option<Record> {
+        let record: Record = serde_json::from_slice(&std::fs::read(self.work(name).join(RECORD)).ok()?).ok()?;
+        self.has_all(&self.work(name), &record).then_some(record)
+    }
+}

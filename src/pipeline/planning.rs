@@ -1,0 +1,115 @@
+//! The planning stages, one after another.
+
+use super::reuse::Taken;
+use super::{Baseline, Course, Setup, schedules};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{Channel, Plan, Schedule, Toolpath};
+use crate::channel;
+use crate::error::{Result, Stage};
+use crate::feed;
+use crate::observe::{Observer, Warning};
+use crate::output::RunFolder;
+use crate::output::manifest::Clock;
+use crate::path;
+use crate::schedule;
+
+/// How often the helix is laid anew to end higher before the channel's error stands.
+const MOST_ENDS: usize = 12;
+
+/// The planning stages; `None` where the course ends before the motion is known.
+pub(super) fn plan(
+    setup: &Setup,
+    course: Course,
+    known: Taken,
+    folder: &mut RunFolder,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Option<(Plan, Baseline)>> {
+    let (blade, job) = (&setup.blade, &setup.job);
+    let mut toolpath = match known.toolpath {
+        Some(t) => t,
+        None => clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?,
+    };
+    if course.ends_at(Stage::Path) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        return Ok(None);
+    }
+    let channel = match known.channel {
+        Some(c) => c,
+        None => channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?,
+    };
+    if course.ends_at(Stage::Channel) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        folder.add_json("channel.json", &channel)?;
+        return Ok(None);
+    }
+    let options = setup.schedule_options();
+    let fixed =
+        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
+    // The least time needs the feed to be judged, so both come together.
+    let (schedule, motion) = match (job.schedule.kind, known.schedule) {
+        (_, Some(s)) => (s, known.motion),
+        (ScheduleKind::Time, None) => clock.time(Stage::Schedule, || {
+            let (s, m) = schedules::least_time(setup, &toolpath, &channel, observer)?;
+            Ok((s, Some(m)))
+        })?,
+        (kind, None) => clock
+            .time(Stage::Schedule, || Ok((schedule::plan(kind, &toolpath, &channel, &options, observer)?, None)))?,
+    };
+    if course.ends_at(Stage::Schedule) {
+        folder.add_json("toolpath.json", &toolpath)?;
+        folder.add_json("channel.json", &channel)?;
+        folder.add_json("schedule.json", &schedule)?;
+        return Ok(None);
+    }
+    let feed = |s: &Schedule| feed::plan(&toolpath, s, &setup.machine, &setup.feed_options(), observer);
+    let (motion, fixed_motion) = clock.time(Stage::Feed, || {
+        let own = motion.map_or_else(|| feed(&schedule), Ok)?;
+        Ok((own, feed(&fixed)?))
+    })?;
+    let baseline = Baseline { schedule: fixed, motion: fixed_motion };
+    Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
+}
+
+/// The channel. Where the job leaves the end of the region open and the channel closes on the way down, the helix is laid anew
+/// to end above that place, which is said; a region end that was asked for is never given up.
+pub(super) fn channel_as_far_as_it_goes(
+    setup: &Setup,
+    toolpath: &mut Toolpath,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    let (blade, options) = (&setup.blade, setup.channel_options());
+    let mut cut = None;
+    let mut ended_mm = None;
+    for _ in 0..MOST_ENDS {
+        let planned =
+            clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer));
+        let blocked = match planned {
+            Ok(channel) => {
+                if let Some(message) = cut {
+                    observer.warn(Warning { stage: Stage::Channel, message });
+                }
+                return Ok(channel);
+            }
+            Err(e) => e,
+        };
+        let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
+            return Err(blocked);
+        };
+        let mut shorter = setup.path_options();
+        // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
+        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
+        let end_mm = ended_mm.map_or(end_mm, |before: f64| end_mm.max(before + stepover_mm));
+        ended_mm = Some(end_mm);
+        shorter.region_x_mm[1] = Some(end_mm);
+        *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
+        toolpath.end_reason = blocked.message;
+        cut = Some(format!(
+            "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
+            toolpath.end_reason,
+            blocked.advice.unwrap_or_else(|| "another tool".into())
+        ));
+    }
+    clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer))
+}

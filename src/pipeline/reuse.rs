@@ -1,0 +1,135 @@
+//! Stages taken over from earlier runs.
+//!
+//! A stage's result follows from its inputs alone, to the last bit, on any number of threads. So where the inputs of a stage and of
+//! all before it are those of an earlier run by the same version of the program, its result is taken from that run's `plan.json` instead of
+//! being computed. JSON keeps every bit of a number. The checks are never taken over: programs are written from plans
+//! that were checked in the same process.
+//!
+//! | taken over | where these are the same |
+//! | --- | --- |
+//! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
+//! | path and channel | those, the whole tool, `[channel]`, B |
+//! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
+//! | feed | those, the machine, the feed |
+
+use super::Setup;
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::{AxisMotion, Channel, Plan, Schedule, Toolpath};
+use crate::error::Stage;
+use crate::job::{Job, ModelJob, PathJob};
+use crate::observe::{Observer, Warning};
+use crate::output::manifest::Input;
+
+/// Reads a file of an earlier run by its name; `None` where there is none.
+pub type ReadFile<'a> = Box<dyn Fn(&str) -> Option<Vec<u8>> + Send + Sync + 'a>;
+
+/// What of a manifest matters here.
+#[derive(serde::Deserialize)]
+struct Before {
+    program: String,
+    inputs: Vec<Input>,
+    job: Job,
+    warnings: Vec<Warning>,
+}
+
+/// A finished run made before. Its manifest is read at once, its plan when it is needed.
+pub struct Earlier<'a> {
+    before: Before,
+    read: ReadFile<'a>,
+}
+
+impl<'a> Earlier<'a> {
+    /// Opens a run; `None` where it has no manifest that this program understands.
+    pub fn open(read: ReadFile<'a>) -> Option<Self> {
+        let before: Before = serde_json::from_slice(&read("manifest.json")?).ok()?;
+        (before.program == super::program()).then_some(Earlier { before, read })
+    }
+
+    /// The last stage up to which this run may stand for that of `setup`; `None`: not at all.
+    fn reaches(&self, setup: &Setup) -> Option<Stage> {
+        let (a, b) = (&self.before.job, &setup.job);
+        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &setup.inputs));
+        let path = mine.model == yours.model
+            && same_model(&a.model, &b.model)
+            && a.region == b.region
+            && same_path(&a.path, &b.path)
+            && a.tool.radius_mm == b.tool.radius_mm;
+        if !path {
+            return None;
+        }
+        if !(a.tool == b.tool && a.channel == b.channel && a.machine.b_deg == b.machine.b_deg) {
+            return b.region.end_mm.is_some().then_some(Stage::Path);
+        }
+        let machine = mine.machine == yours.machine && a.feed == b.feed;
+        let timed = b.schedule.kind == ScheduleKind::Time;
+        if a.schedule != b.schedule || (timed && !machine) {
+            return Some(Stage::Channel);
+        }
+        Some(if machine { Stage::Feed } else { Stage::Schedule })
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        serde_json::from_slice(&(self.read)("plan.json")?).ok()
+    }
+}
+
+/// Hashes of a run's input files.
+struct Files<'a> {
+    model: Vec<&'a str>,
+    machine: Option<&'a str>,
+}
+
+impl<'a> Files<'a> {
+    /// Inputs stand in this order: the model with its data files, the machine if it is a file, own post files.
+    fn of(job: &Job, inputs: &'a [Input]) -> Self {
+        let hashes: Vec<&str> = inputs.iter().map(|i| i.blake3.as_str()).collect();
+        let models = inputs.len().saturating_sub(job.post.files.len() + usize::from(job.machine.file.is_some()));
+        let machine = job.machine.file.as_ref().and_then(|_| hashes.get(models).copied());
+        Files { model: hashes.into_iter().take(models).collect(), machine }
+    }
+}
+
+/// The same way of reading, wherever the file lies. Its name matters: it can be the blade's.
+fn same_model(a: &ModelJob, b: &ModelJob) -> bool {
+    let bare = |m: &ModelJob| ModelJob { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() };
+    bare(a) == bare(b)
+}
+
+fn same_path(a: &PathJob, b: &PathJob) -> bool {
+    let bare = |p: &PathJob| PathJob { compare: false, ..p.clone() };
+    bare(a) == bare(b)
+}
+
+/// What was taken over.
+#[derive(Default)]
+pub(super) struct Taken {
+    pub toolpath: Option<Toolpath>,
+    pub channel: Option<Channel>,
+    pub schedule: Option<Schedule>,
+    pub motion: Option<AxisMotion>,
+    pub stages: Vec<Stage>,
+}
+
+const STAGES: [Stage; 4] = [Stage::Path, Stage::Channel, Stage::Schedule, Stage::Feed];
+
+/// Takes over as many stages as the best of the earlier runs gives; their warnings are given again.
+pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) -> Taken {
+    let rank = |s: Stage| STAGES.iter().position(|t| *t == s);
+    let mut found: Vec<(usize, &Earlier)> =
+        earlier.iter().filter_map(|e| Some((rank(e.reaches(setup)?)?, e))).collect();
+    found.sort_by_key(|(r, _)| std::cmp::Reverse(*r));
+    let Some((rank, run, plan)) = found.iter().find_map(|(r, e)| Some((*r, e, e.plan()?))) else {
+        return Taken::default();
+    };
+    let stages: Vec<Stage> = STAGES[..=rank].to_vec();
+    for w in run.before.warnings.iter().filter(|w| stages.contains(&w.stage)) {
+        observer.warn(w.clone());
+    }
+    Taken {
+        toolpath: Some(plan.toolpath),
+        channel: (rank >= 1).then_some(plan.channel),
+        schedule: (rank >= 2).then_some(plan.schedule),
+        motion: (rank >= 3).then_some(plan.motion),
+        stages,
+    }
+}

@@ -1,0 +1,116 @@
+//! Slow suite: families killed at random moments and started again leave the bytes of an undisturbed run.
+//!
+//! `just kill`, or `BLADEWRIGHT_RUNS=100 cargo nextest run --release --run-ignored only --no-capture --test batch_kill`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+const FAMILY: &str = r#"
+design = "prism"
+[template]
+tool = { radius_mm = 5 }
+region = { start_mm = 7, end_mm = 6 }
+path = { scallop_mm = 0.2, chord_mm = 0.02, max_step_mm = 2 }
+channel = { tolerance_deg = 0.1 }
+verify = { surface_samples = 1000, resolution_mm = 0.02, scallop_ratio = 1000 }
+section = { count = 1 }
+[ranges]
+"design.fillet_radius_mm" = [6, 7]
+"feed.feed_mm_min" = [1000, 2000]
+"tool.taper_deg" = [3, 4]
+"#;
+
+fn start(dir: &Path, out: &Path, shard: &str) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_bladewright"))
+        .args(["--quiet", "batch", "family.toml", "--shard", shard, "-o"])
+        .arg(out)
+        .current_dir(dir)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts")
+}
+
+fn tree(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    let mut folders = vec![root.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("readable") {
+            let path = entry.expect("entry").path();
+            let relative = path.strip_prefix(root).expect("inside").to_path_buf();
+            if relative == Path::new("log") {
+                continue;
+            }
+            if path.is_dir() {
+                all.insert(relative, Vec::new());
+                folders.push(path);
+            } else {
+                all.insert(relative, std::fs::read(&path).expect("readable"));
+            }
+        }
+    }
+    all
+}
+
+/// SplitMix64: the same runs for the same seed.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % n
+    }
+}
+
+#[test]
+#[ignore = "slow: many runs, killed"]
+fn killed_at_random_moments() {
+    let number = |key: &str, or: u64| std::env::var(key).ok().and_then(|v| v.parse().ok()).unwrap_or(or);
+    let (runs, mut random) = (number("BLADEWRIGHT_RUNS", 100), Random(number("BLADEWRIGHT_SEED", 1)));
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    std::fs::write(d.join("family.toml"), FAMILY).expect("writable");
+    let (whole, begun) = (d.join("whole"), Instant::now());
+    assert!(start(d, &whole, "1/1").wait().expect("it ends").success());
+    let full_ms = u64::try_from(begun.elapsed().as_millis()).expect("short");
+    let expected = tree(&whole);
+    let (mut kills, mut midway) = (0, 0);
+    for run in 0..runs {
+        let out = d.join("out");
+        // Every third run is two processes on one folder of which one is killed; the others one process, killed up to three times.
+        if run % 3 == 2 {
+            let (mut a, mut b) = (start(d, &out, "1/2"), start(d, &out, "2/2"));
+            std::thread::sleep(Duration::from_millis(random.below(full_ms)));
+            a.kill().expect("it can be killed");
+            kills += 1;
+            a.wait().expect("it ends");
+            assert!(b.wait().expect("it ends").success(), "the other shard goes on");
+        } else {
+            for _ in 0..=random.below(3) {
+                let mut child = start(d, &out, "1/1");
+                std::thread::sleep(Duration::from_millis(random.below(full_ms)));
+                child.kill().expect("it can be killed");
+                kills += 1;
+                child.wait().expect("it ends");
+            }
+        }
+        let done = std::fs::read_dir(out.join("members")).map_or(0, Iterator::count);
+        midway += u64::from(done > 0 && !out.join("family.html").exists());
+        assert!(start(d, &out, "1/1").wait().expect("it ends").success());
+        let found = tree(&out);
+        assert_eq!(found.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>(), "run {run}");
+        for (path, bytes) in &expected {
+            assert!(found[path] == *bytes, "run {run}: {} differs", path.display());
+        }
+        std::fs::remove_dir_all(&out).expect("removable");
+    }
+    eprintln!(
+        "{runs} runs, {kills} kills, {midway} of them with some members done and others not: all trees are the same"
+    );
+    assert!(runs < 20 || midway > runs / 5, "the kills came too early or too late to tell anything");
+}
