@@ -49,3 +49,8 @@ kill runs="100":
 slurm:
     cargo build --release
     bash tests/slurm/run.sh target/release/bladewright
+
+# A family on S3-compatible storage on this machine: Python (PYTHON=...) with `pip install "moto[server]" boto3`
+s3:
+    cargo build --release --features s3
+    bash tests/s3/run.sh target/release/bladewright

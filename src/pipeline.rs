@@ -15,9 +15,9 @@ use crate::machine::Machine;
 use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
+use crate::output::RunFolder;
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, StageRecord};
 use crate::output::summary::{self, ScheduleFigures, Summary};
-use crate::output::{self, RunFolder, tables};
 use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::preview::report::{self, ReportInput};
@@ -27,6 +27,7 @@ use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
+mod checking;
 pub mod compare;
 mod paths;
 mod planning;
@@ -295,15 +296,19 @@ pub fn run_on(
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
     let sections = clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
     folder.add_json("sections.json", &sections)?;
-    let (mut summary, mut report, mut plan, mut taken) = (None, None, None, Vec::new());
+    let (mut summary, mut report, mut plan, mut taken, mut seal) = (None, None, None, Vec::new(), None);
     if !course.ends_at(Stage::Section) {
         let mut known = reuse::take(&setup, earlier, &recorder);
         taken = std::mem::take(&mut known.stages);
+        let before = known.checks.take();
         let planned = planning::plan(&setup, course, known, &mut folder, &mut clock, &recorder)?;
         if let Some((made, baseline)) = planned {
-            let checked =
-                check_and_write(&setup, &sections, made, &baseline, course, &mut folder, &mut clock, &recorder)?;
+            let mut run =
+                checking::Run { setup: &setup, course, folder: &mut folder, clock: &mut clock, observer: &recorder };
+            let checked = run.check_and_write(&sections, made, &baseline, before)?;
+            taken.extend(checked.recalled.then_some(Stage::Verify));
             (summary, report, plan) = (checked.summary, Some(checked.report), Some(checked.plan));
+            seal = Some(checked.seal);
         }
     }
     let status = match (&report, course.until) {
@@ -320,55 +325,11 @@ pub fn run_on(
             job: &setup.job,
             stages: if course.timeless { Vec::new() } else { clock.records.clone() },
             warnings: recorder.warnings(),
+            seal,
             status,
         },
     )?;
     Ok(Outcome { files: folder.finish()?, summary, report, plan, stages: clock.records, taken })
-}
-
-/// What checking and writing came to.
-struct Checked {
-    summary: Option<Summary>,
-    report: CheckReport,
-    plan: Plan,
-}
-
-#[allow(clippy::too_many_arguments)]
-fn check_and_write(
-    setup: &Setup,
-    sections: &[Section],
-    plan: Plan,
-    baseline: &Baseline,
-    course: Course,
-    folder: &mut RunFolder,
-    clock: &mut Clock,
-    observer: &Recorder,
-) -> Result<Checked> {
-    folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
-    folder.add("axes.csv", tables::axes(&plan))?;
-    folder.add("plan.json", output::json_compact(&plan)?)?;
-    let verdict = clock.time(Stage::Verify, || {
-        verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &setup.verify_options(), observer)
-    })?;
-    let mut report = verdict.report().clone();
-    let figures = compare(setup, verdict.value(), baseline)?;
-    let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
-    if setup.job.path.compare {
-        let others = clock.time(Stage::Path, || paths::others(setup, &verdict.value().toolpath, &report, observer))?;
-        summary.other_paths = others;
-    }
-    folder.add_json("summary.json", &summary)?;
-    if course.ends_at(Stage::Verify) {
-        folder.add_json("verify.json", &report)?;
-        return Ok(Checked { summary: Some(summary), report, plan: verdict.value().clone() });
-    }
-    clock.time(Stage::Preview, || write_preview(setup, sections, &verdict, baseline, folder, observer))?;
-    let plan = verdict.value().clone();
-    if let Some(verified) = accept(verdict, course.force) {
-        report.checks.extend(clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
-    }
-    folder.add_json("verify.json", &report)?;
-    Ok(Checked { summary: Some(summary), report, plan })
 }
 
 /// The plan as evidence: passed, or failed and forced.
@@ -380,20 +341,26 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
     }
 }
 
-/// preview.glb and report.html.
+/// preview.glb (made, or as an earlier run of the same plan made it) and report.html.
 fn write_preview(
     setup: &Setup,
     sections: &[Section],
     verdict: &Verdict<Plan>,
     baseline: &Baseline,
+    scene: Option<Vec<u8>>,
     folder: &mut RunFolder,
     observer: &Recorder,
 ) -> Result<()> {
     let (blade, tool, plan) = (&setup.blade, &setup.job.tool, verdict.value());
     let report = verdict.report();
-    let options =
-        GltfOptions { uncut: report.uncut.clone(), uncut_cell_mm2: report.uncut_cell_mm2, ..GltfOptions::default() };
-    folder.add("preview.glb", preview::gltf(Some(plan), blade, tool, &options)?)?;
+    let scene = match scene {
+        Some(made) => made,
+        None => {
+            let (uncut, uncut_cell_mm2) = (report.uncut.clone(), report.uncut_cell_mm2);
+            preview::gltf(Some(plan), blade, tool, &GltfOptions { uncut, uncut_cell_mm2, ..GltfOptions::default() })?
+        }
+    };
+    folder.add("preview.glb", scene)?;
     let model = &setup.inputs[0];
     let provenance = [
         ("Program".to_owned(), program()),
@@ -450,7 +417,7 @@ pub fn preview_again(
     let options = setup.schedule_options();
     let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, &recorder)?;
     let motion = feed::plan(&plan.toolpath, &schedule, &setup.machine, &setup.feed_options(), &recorder)?;
-    write_preview(setup, &sections, verdict, &Baseline { schedule, motion }, folder, &recorder)
+    write_preview(setup, &sections, verdict, &Baseline { schedule, motion }, None, folder, &recorder)
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

@@ -96,6 +96,23 @@ fn the_same_bytes_on_threads_in_shards_and_after_a_kill() {
     ends(&["batch", "merge", "family.toml", "-o", "parts"], d, 0);
     same(&d.join("two"), &d.join("parts"));
 
+    // Ctrl-C ends cleanly: what is done is kept, and told.
+    let child = command(&["--threads", "1", "batch", "family.toml", "-o", "killed"], d)
+        .stderr(Stdio::null())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let begun = std::time::Instant::now();
+    while !d.join("killed/members").is_dir() && begun.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill starts");
+    let ended = child.wait_with_output().expect("it ends");
+    let text = String::from_utf8_lossy(&ended.stdout);
+    assert_eq!(ended.status.code(), Some(130), "{text}");
+    assert!(text.contains("missing") && d.join("killed/family.csv").is_file(), "{text}");
+    assert!(!d.join("killed/work").exists());
+
     // Killed on the way, then again.
     for wait_ms in [150, 700] {
         let mut child = command(&["--threads", "1", "batch", "family.toml", "-o", "killed"], d)
@@ -138,15 +155,19 @@ fn only_what_changed_is_computed_and_stages_are_taken_over() {
     computed("out", 1);
     assert!(before == tree(&d.join("out")));
     // Each change against a run from nothing: the same bytes.
-    let all = ["path", "channel", "schedule", "feed"];
+    let all = ["path", "channel", "schedule", "feed", "verify"];
     for (what, taken) in [
         ("post = { spindle_rpm = 7000 }", &all[..]),
         ("post = { control = [\"heidenhain\"] }", &all),
         ("feed = { feed_mm_min = 900 }", &all),
+        ("scallop_ratio = 999", &all[..4]),
         ("schedule = { margin_deg = 1.0 }", &all[..2]),
         ("machine = { b_deg = 6 }", &all[..1]),
     ] {
-        put(&small.replace("section =", &format!("{what}\nsection =")));
+        let added = format!("{what}\nsection =");
+        let by =
+            if what.contains("scallop_ratio") { ("scallop_ratio = 1000", what) } else { ("section =", added.as_str()) };
+        put(&small.replace(by.0, by.1));
         // The feed of the template is overruled by the range: nothing changes.
         computed("out", usize::from(!what.starts_with("feed")));
         if !what.starts_with("feed") {

@@ -314,6 +314,7 @@ fn write(family: &Family, records: &[Record], store: &dyn Store) -> Result<Vec<S
     for (name, content) in &files {
         store.write(name, content)?;
     }
+    store.write("log/times.csv", &worker::times(records, store)?)?;
     Ok(files.iter().map(|f| f.0.to_owned()).collect())
 }
 

@@ -60,8 +60,9 @@ impl Objects {
     }
 
     fn put(&self, path: &str, content: Vec<u8>) -> Result<()> {
-        let put = self.store.put(&self.key(path), PutPayload::from(content));
-        self.runtime.block_on(async { put.await }).map(|_| ()).map_err(|e| refused("write", path, e))
+        let key = self.key(path);
+        let put = self.store.put(&key, PutPayload::from(content));
+        self.runtime.block_on(put).map(|_| ()).map_err(|e| refused("write", path, e))
     }
 
     fn delete(&self, path: &str) -> Result<()> {

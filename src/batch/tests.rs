@@ -233,3 +233,15 @@ fn a_page_cannot_be_broken_by_names() {
     assert_eq!(page.matches("</script>").count(), 2, "only its own");
     assert!(page.contains("members/x%3C%2Fscript%3E%3Cb%3E/report.html") && page.contains("<title>a&lt;b"));
 }
+
+#[test]
+fn example_families_are_families() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/families");
+    let twist = Family::load(&folder.join("twist.toml")).unwrap();
+    assert_eq!(twist.members.len(), 12);
+    let wide = |m: &&Member| m.job.channel.as_ref().is_some_and(|c| c.clearance_mm == Some(0.2));
+    assert_eq!(twist.members.iter().filter(wide).count(), 4);
+    let stages = Family::load(&folder.join("stages.toml")).unwrap();
+    assert_eq!(names(&stages), ["turbine", "turbine_coarse", "compressor", "steam"]);
+    assert!(stages.members.iter().all(|m| matches!(&m.source, Source::Model(p) if p.is_file())));
+}

@@ -22,7 +22,7 @@ use crate::pipeline::{self, Course, Outcome};
 const MODEL: &str = "model.step";
 
 /// What computing a member took: for the log.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Effort {
     /// Its name.
     pub name: String,
@@ -34,6 +34,34 @@ pub struct Effort {
     pub taken: Vec<Stage>,
     /// Stages that were worked on; memory is the whole process'.
     pub stages: Vec<StageRecord>,
+}
+
+/// `log/times.csv`: what computing each member took when it was last computed. A stage that was worked on twice counts once, with both times.
+pub(super) fn times(records: &[Record], store: &dyn Store) -> Result<Vec<u8>> {
+    const STAGES: [Stage; 9] = [
+        Stage::Model,
+        Stage::Section,
+        Stage::Path,
+        Stage::Channel,
+        Stage::Schedule,
+        Stage::Feed,
+        Stage::Verify,
+        Stage::Preview,
+        Stage::Post,
+    ];
+    let heads: String = STAGES.iter().map(|s| format!(",{s}_s")).collect();
+    let mut text = format!("name,seconds,threads,taken_over,peak_memory_of_process_mib{heads}\n");
+    for r in records {
+        let log = store.read(&format!("log/{}.json", r.name))?;
+        let Some(e) = log.and_then(|t| serde_json::from_slice::<Effort>(&t).ok()) else { continue };
+        let taken: Vec<String> = e.taken.iter().map(Stage::to_string).collect();
+        let peak = e.stages.iter().filter_map(|s| s.peak_memory_mib).fold(0.0, f64::max);
+        let of = |stage: Stage| e.stages.iter().filter(|s| s.stage == stage).map(|s| s.seconds).sum::<f64>();
+        let each: String = STAGES.iter().map(|s| format!(",{:.3}", of(*s))).collect();
+        let name = if e.name.contains(',') { format!("\"{}\"", e.name) } else { e.name };
+        text += &format!("{name},{:.3},{},{},{peak:.0}{each}\n", e.seconds, e.threads, taken.join(" "));
+    }
+    Ok(text.into_bytes())
 }
 
 /// A member to be computed.

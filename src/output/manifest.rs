@@ -10,7 +10,7 @@ use crate::observe::Warning;
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// One stage of a run.
-#[derive(Clone, Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
 pub struct StageRecord {
     /// Which.
     pub stage: Stage,
@@ -46,6 +46,9 @@ pub struct Manifest<J: serde::Serialize> {
     pub stages: Vec<StageRecord>,
     /// Warnings in order of stage.
     pub warnings: Vec<Warning>,
+    /// Seal of the checks, see [`crate::verify::seal`]; absent where nothing was checked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seal: Option<String>,
     /// `good`, `findings` or the stage up to which the run went.
     pub status: String,
 }

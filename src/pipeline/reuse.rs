@@ -2,8 +2,7 @@
 //!
 //! A stage's result follows from its inputs alone, to the last bit, on any number of threads. So where the inputs of a stage and of
 //! all before it are those of an earlier run by the same version of the program, its result is taken from that run's `plan.json` instead of
-//! being computed. JSON keeps every bit of a number. The checks are never taken over: programs are written from plans
-//! that were checked in the same process.
+//! being computed. JSON keeps every bit of a number. Checks are taken over where their seal fits ([`crate::verify::seal`]).
 //!
 //! | taken over | where these are the same |
 //! | --- | --- |
@@ -11,14 +10,22 @@
 //! | path and channel | those, the whole tool, `[channel]`, B |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
+//! | checks and `preview.glb` | those, `[verify]` |
 
 use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{AxisMotion, Channel, Plan, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Toolpath};
 use crate::error::Stage;
 use crate::job::{Job, ModelJob, PathJob};
 use crate::observe::{Observer, Warning};
 use crate::output::manifest::Input;
+
+/// Names the part that the checks were about, and the program: what its exact shape follows from.
+pub(super) fn part(setup: &Setup) -> String {
+    let model = ModelJob { file: Default::default(), ..setup.job.model.clone() };
+    let files = Files::of(&setup.job, &setup.inputs).model.join(" ");
+    format!("{} {files} {model:?}", super::program())
+}
 
 /// Reads a file of an earlier run by its name; `None` where there is none.
 pub type ReadFile<'a> = Box<dyn Fn(&str) -> Option<Vec<u8>> + Send + Sync + 'a>;
@@ -30,6 +37,8 @@ struct Before {
     inputs: Vec<Input>,
     job: Job,
     warnings: Vec<Warning>,
+    #[serde(default)]
+    seal: Option<String>,
 }
 
 /// A finished run made before. Its manifest is read at once, its plan when it is needed.
@@ -71,6 +80,13 @@ impl<'a> Earlier<'a> {
     fn plan(&self) -> Option<Plan> {
         serde_json::from_slice(&(self.read)("plan.json")?).ok()
     }
+
+    /// The checks of that run, without those of its programs.
+    fn checks(&self) -> Option<Checks> {
+        let mut report: CheckReport = serde_json::from_slice(&(self.read)("verify.json")?).ok()?;
+        report.checks.retain(|c| !c.name.starts_with("program-"));
+        Some(Checks { report, seal: self.before.seal.clone()?, preview: (self.read)("preview.glb")? })
+    }
 }
 
 /// Hashes of a run's input files.
@@ -100,6 +116,13 @@ fn same_path(a: &PathJob, b: &PathJob) -> bool {
     bare(a) == bare(b)
 }
 
+/// Checks of an earlier run, as they were written.
+pub(super) struct Checks {
+    pub report: CheckReport,
+    pub seal: String,
+    pub preview: Vec<u8>,
+}
+
 /// What was taken over.
 #[derive(Default)]
 pub(super) struct Taken {
@@ -107,6 +130,8 @@ pub(super) struct Taken {
     pub channel: Option<Channel>,
     pub schedule: Option<Schedule>,
     pub motion: Option<AxisMotion>,
+    /// To be recalled, if their seal fits.
+    pub checks: Option<Checks>,
     pub stages: Vec<Stage>,
 }
 
@@ -130,6 +155,7 @@ pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) 
         channel: (rank >= 1).then_some(plan.channel),
         schedule: (rank >= 2).then_some(plan.schedule),
         motion: (rank >= 3).then_some(plan.motion),
+        checks: if rank >= 3 { run.checks() } else { None },
         stages,
     }
 }

@@ -32,6 +32,7 @@ mod ridge;
 mod samples;
 mod scallop;
 mod schedule;
+pub mod seal;
 mod solid;
 mod sweep;
 #[cfg(test)]

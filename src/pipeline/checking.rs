@@ -1,0 +1,95 @@
+//! From a plan to its verdict and files.
+
+use super::reuse::{self, Checks};
+use super::{Baseline, Course, Setup, accept, compare, paths, post_all, write_preview};
+use crate::artifact::{CheckReport, Plan, Section};
+use crate::error::{Result, Stage};
+use crate::observe::Recorder;
+use crate::output::manifest::Clock;
+use crate::output::summary::{self, Summary};
+use crate::output::{self, RunFolder, tables};
+use crate::verify::seal::{self, Subject};
+use crate::verify::{self, Verdict};
+
+/// What checking and writing came to.
+pub(super) struct Checked {
+    pub summary: Option<Summary>,
+    pub report: CheckReport,
+    pub plan: Plan,
+    pub seal: String,
+    /// The verdict is an earlier run's.
+    pub recalled: bool,
+}
+
+/// What the stages of a run share.
+pub(super) struct Run<'a, 'b> {
+    pub setup: &'a Setup,
+    pub course: Course,
+    pub folder: &'a mut RunFolder,
+    pub clock: &'a mut Clock,
+    pub observer: &'a Recorder<'b>,
+}
+
+impl Run<'_, '_> {
+    /// Checks the plan and writes all that follows from it.
+    pub fn check_and_write(
+        &mut self,
+        sections: &[Section],
+        plan: Plan,
+        baseline: &Baseline,
+        before: Option<Checks>,
+    ) -> Result<Checked> {
+        let (setup, course) = (self.setup, self.course);
+        self.folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
+        self.folder.add("axes.csv", tables::axes(&plan))?;
+        let plan_json = output::json_compact(&plan)?;
+        self.folder.add("plan.json", &plan_json)?;
+        let (verdict, seal, preview) = self.check(plan, &plan_json, before)?;
+        let recalled = preview.is_some();
+        let mut report = verdict.report().clone();
+        let figures = compare(setup, verdict.value(), baseline)?;
+        let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
+        if setup.job.path.compare {
+            let path = &verdict.value().toolpath;
+            summary.other_paths =
+                self.clock.time(Stage::Path, || paths::others(setup, path, &report, self.observer))?;
+        }
+        self.folder.add_json("summary.json", &summary)?;
+        let plan = verdict.value().clone();
+        if !course.ends_at(Stage::Verify) {
+            let (folder, observer) = (&mut *self.folder, self.observer);
+            self.clock.time(Stage::Preview, || {
+                write_preview(setup, sections, &verdict, baseline, preview, folder, observer)
+            })?;
+            if let Some(verified) = accept(verdict, course.force) {
+                report.checks.extend(self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
+            }
+        }
+        self.folder.add_json("verify.json", &report)?;
+        Ok(Checked { summary: Some(summary), report, plan, seal, recalled })
+    }
+
+    /// The verdict with its seal; recalled from an earlier run, with its preview, where that was about the very same.
+    fn check(
+        &mut self,
+        plan: Plan,
+        plan_json: &str,
+        before: Option<Checks>,
+    ) -> Result<(Verdict<Plan>, String, Option<Vec<u8>>)> {
+        let (setup, options) = (self.setup, self.setup.verify_options());
+        let part = reuse::part(setup);
+        let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
+        let plan = match before {
+            None => plan,
+            Some(b) => match seal::recall(plan, plan_json, b.report, &b.seal, &about)? {
+                Ok(verdict) => return Ok((verdict, b.seal, Some(b.preview))),
+                Err(plan) => plan,
+            },
+        };
+        let verdict = self.clock.time(Stage::Verify, || {
+            verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &options, self.observer)
+        })?;
+        let seal = seal::seal(plan_json, verdict.report(), &about)?;
+        Ok((verdict, seal, None))
+    }
+}
