@@ -19,7 +19,6 @@ section = { count = 1 }
 [ranges]
 "design.fillet_radius_mm" = [6, 7]
 "feed.feed_mm_min" = [1000, 2000]
-"tool.taper_deg" = [3, 4]
 "#;
 
 fn start(dir: &Path, out: &Path, shard: &str) -> Child {

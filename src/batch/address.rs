@@ -124,8 +124,8 @@ pub(super) fn estimate(member: &Member, contents: &Contents) -> Estimate {
 
 /// Memory that a member takes in any case, MiB; for each MiB of its model; and for the locations of an ordinary path. Measured on the models of
 /// the project and on published blades, rounded up.
-const BASE_MIB: f64 = 40.0;
+const BASE_MIB: f64 = 60.0;
 /// See [`BASE_MIB`].
-const MIB_PER_MIB: f64 = 40.0;
+const MIB_PER_MIB: f64 = 60.0;
 /// See [`BASE_MIB`].
-const MIB_PER_LOCATIONS: f64 = 80.0;
+const MIB_PER_LOCATIONS: f64 = 300.0;

@@ -56,7 +56,7 @@ pub(super) fn times(records: &[Record], store: &dyn Store) -> Result<Vec<u8>> {
         let Some(e) = log.and_then(|t| serde_json::from_slice::<Effort>(&t).ok()) else { continue };
         let taken: Vec<String> = e.taken.iter().map(Stage::to_string).collect();
         let peak = e.stages.iter().filter_map(|s| s.peak_memory_mib).fold(0.0, f64::max);
-        let of = |stage: Stage| e.stages.iter().filter(|s| s.stage == stage).map(|s| s.seconds).sum::<f64>();
+        let of = |stage: Stage| e.stages.iter().filter(|s| s.stage == stage).map(|s| s.seconds).fold(0.0, |a, b| a + b);
         let each: String = STAGES.iter().map(|s| format!(",{:.3}", of(*s))).collect();
         let name = if e.name.contains(',') { format!("\"{}\"", e.name) } else { e.name };
         text += &format!("{name},{:.3},{},{},{peak:.0}{each}\n", e.seconds, e.threads, taken.join(" "));

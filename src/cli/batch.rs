@@ -87,7 +87,7 @@ impl Screen {
         let target = if quiet || !terminal { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bars = MultiProgress::with_draw_target(target);
         let whole = bars.add(ProgressBar::new(1));
-        if let Ok(style) = ProgressStyle::with_template("{msg:>32.32} {bar:40} {pos}/{len}  {elapsed} (left {eta})") {
+        if let Ok(style) = ProgressStyle::with_template("{msg:<48.48} {bar:24} {pos}/{len}  {elapsed} (left {eta})") {
             whole.set_style(style);
         }
         whole.set_message("family");
@@ -129,7 +129,7 @@ impl Watch for Screen {
 
     fn member(&self, name: &str) -> Box<dyn Observer + '_> {
         let bar = self.bars.add(ProgressBar::new(1));
-        if let Ok(style) = ProgressStyle::with_template("{msg:>32.32} {bar:40} {percent:>3} %") {
+        if let Ok(style) = ProgressStyle::with_template("{msg:<48.48} {bar:24} {percent:>3} %") {
             bar.set_style(style);
         }
         Box::new(MemberBar { screen: self, name: name.to_owned(), bar })
@@ -171,7 +171,7 @@ impl Drop for MemberBar<'_> {
 
 impl Observer for MemberBar<'_> {
     fn progress(&self, stage: Stage, done: usize, total: usize) {
-        self.bar.set_message(format!("{} {stage}", self.name));
+        self.bar.set_message(format!("{:<8} {}", stage.to_string(), self.name));
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
     }
