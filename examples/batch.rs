@@ -1,5 +1,7 @@
 //! A family from Rust: `cargo run --release --example batch -- FAMILY.toml OUT`. What `bladewright batch` does, in ten lines.
 
+#![allow(clippy::print_stdout)]
+
 use bladewright::batch::{self, Family, Options};
 use bladewright::observe::Silent;
 

@@ -33,7 +33,7 @@ pub(super) fn html(name: &str, records: &[Record], columns: &[Column]) -> Result
             "shown": SHOWN.contains(&c.name.as_str()) || records.iter().any(|r| r.parameters.contains_key(&c.name)),
             "cells": c.cells.iter().map(value).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
-        "links": records.iter().map(|r| link(r)).collect::<Vec<_>>(),
+        "links": records.iter().map(link).collect::<Vec<_>>(),
         "pictures": records.iter().map(|r| r.picture.as_ref().map(super::Picture::svg)).collect::<Vec<_>>(),
     });
     let data = serde_json::to_string(&data)
