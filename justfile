@@ -37,6 +37,18 @@ occ-load *models="models/steam_root.step models/compressor_twist.step models/tur
 bench:
     cargo bench --bench closest
 
+# report.html and preview.glb of every example in headless Chromium, and Khronos' validator: Node 20, chromium
+look:
+    bash viewer/test/run.sh
+
+# The pictures of README and examples, made anew from runs of the examples
+pictures:
+    PICTURES=1 bash viewer/test/run.sh
+
+# The report's script anew from viewer/src and the pinned packages
+viewer:
+    cd viewer && npm ci && npm run build
+
 # The example program
 plan:
     cargo run --release -- plan models/steam_root.step -o out/steam_root

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Blade;
 use crate::artifact::report::Check;
-use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, CheckReport, Plan, Program, Schedule, Section};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Program, Schedule};
 use crate::channel::ChannelOptions;
 use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
@@ -20,19 +19,20 @@ use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, Stag
 use crate::output::summary::{self, ScheduleFigures, Summary};
 use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
-use crate::preview::report::{self, ReportInput};
-use crate::preview::{self, GltfOptions};
-use crate::schedule::{self, ScheduleOptions};
+use crate::schedule::ScheduleOptions;
 use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
 mod checking;
 pub mod compare;
+mod look;
 mod paths;
 mod planning;
 pub mod reuse;
 mod schedules;
+
+pub use look::{plots, preview_again};
 
 /// How far to go and what to do with a plan that fails its checks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -43,6 +43,10 @@ pub struct Course {
     pub force: bool,
     /// Leave times and memory out of `manifest.json`, so that the same job leaves the same bytes.
     pub timeless: bool,
+    /// Most bytes of preview.glb; `None`: as [`GltfOptions`] has it.
+    ///
+    /// [`GltfOptions`]: crate::preview::GltfOptions
+    pub preview_bytes: Option<usize>,
 }
 
 impl Course {
@@ -341,53 +345,6 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
     }
 }
 
-/// preview.glb (made, or as an earlier run of the same plan made it) and report.html.
-fn write_preview(
-    setup: &Setup,
-    sections: &[Section],
-    verdict: &Verdict<Plan>,
-    baseline: &Baseline,
-    scene: Option<Vec<u8>>,
-    folder: &mut RunFolder,
-    observer: &Recorder,
-) -> Result<()> {
-    let (blade, tool, plan) = (&setup.blade, &setup.job.tool, verdict.value());
-    let report = verdict.report();
-    let scene = match scene {
-        Some(made) => made,
-        None => {
-            let (uncut, uncut_cell_mm2) = (report.uncut.clone(), report.uncut_cell_mm2);
-            preview::gltf(Some(plan), blade, tool, &GltfOptions { uncut, uncut_cell_mm2, ..GltfOptions::default() })?
-        }
-    };
-    folder.add("preview.glb", scene)?;
-    let model = &setup.inputs[0];
-    let provenance = [
-        ("Program".to_owned(), program()),
-        ("Model".to_owned(), setup.post_options().part_file),
-        ("BLAKE3 of the model".to_owned(), model.blake3.clone()),
-    ];
-    let page = report::html(&ReportInput {
-        title: &blade.name,
-        blade,
-        tool,
-        machine: &setup.machine,
-        plan: Some(plan),
-        baseline: Some(report::Baseline {
-            name: "fixed lead",
-            schedule: &baseline.schedule,
-            motion: Some(&baseline.motion),
-        }),
-        sections,
-        checks: Some(verdict.report()),
-        forced: false,
-        warnings: &observer.warnings(),
-        job_toml: &setup.job.to_toml()?,
-        provenance: &provenance,
-    })?;
-    folder.add("report.html", page)
-}
-
 /// Writes all programs; the checks of their reading back. A program that does not come back as the plan is not written.
 fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Vec<Check>> {
     let mut found = Vec::new();
@@ -401,23 +358,11 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
     Ok(found)
 }
 
-/// preview.glb and report.html of a plan taken up again: sections and the fixed-lead baseline are made anew.
-///
-/// # Errors
-/// Those of the stages.
-pub fn preview_again(
-    setup: &Setup,
-    verdict: &Verdict<Plan>,
-    folder: &mut RunFolder,
-    observer: &dyn Observer,
-) -> Result<()> {
-    let recorder = Recorder::new(observer);
-    let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;
-    let plan = verdict.value();
-    let options = setup.schedule_options();
-    let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, &recorder)?;
-    let motion = feed::plan(&plan.toolpath, &schedule, &setup.machine, &setup.feed_options(), &recorder)?;
-    write_preview(setup, &sections, verdict, &Baseline { schedule, motion }, None, folder, &recorder)
+/// What reading all programs of the job back finds; nothing is written.
+fn post_all_checks(setup: &Setup, verified: &Verified<Plan>) -> Result<Vec<Check>> {
+    let dialects = setup.dialects()?;
+    let all = dialects.iter().map(|d| Ok(setup.program(d, verified)?.1)).collect::<Result<Vec<_>>>()?;
+    Ok(all.into_iter().flatten().collect())
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

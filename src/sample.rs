@@ -215,6 +215,8 @@ pub fn report() -> CheckReport {
         uncut_height_mm: 0.0,
         uncut: Vec::new(),
         uncut_cell_mm2: 0.0,
+        scallop: Vec::new(),
+        ridges: Vec::new(),
         ridge_max_mm: 0.0101,
         ridge_p99_mm: 0.0100,
         ridge_p50_mm: 0.0098,

@@ -238,6 +238,13 @@ fn plan_verify_post_and_preview_of_the_prism() {
         assert!(a == b, "{name} differs between 1 and 2 threads");
     }
     // The resolved job gives the same plan again.
+    figures_are_those_of_the_files(&d.join("1"));
+    let out = bladewright(&["plot", "1", "--turn", "1", "--width", "400"], d);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    for file in ["channel-turn-1.svg", "channel-turn-1.png", "axis-a-turn-1.png", "scallop-map.svg", "section.png"] {
+        assert!(d.join("1/plots").join(file).is_file(), "{file}");
+    }
+    std::fs::remove_dir_all(d.join("1/plots")).expect("removable");
     let again = bladewright(&["plan", "1/job.resolved.toml", "-o", "again"], d);
     assert_eq!(again.status.code(), Some(0), "{}", String::from_utf8_lossy(&again.stderr));
     let csv = |out: &str| std::fs::read(d.join(out).join("cutter_locations.csv")).expect("readable");
@@ -275,6 +282,58 @@ fn planted_gouge_is_found(d: &Path) {
     );
     let out = bladewright(&["post", "1", "--control", "linuxcnc"], d);
     assert_eq!(out.status.code(), Some(1), "a plan with a gouge was posted");
+}
+
+/// Every figure that the report shows is the file's, to the last digit shown.
+fn figures_are_those_of_the_files(out: &Path) {
+    let page = std::fs::read_to_string(out.join("report.html")).expect("readable");
+    let file = |name: &str| -> serde_json::Value {
+        let text = std::fs::read_to_string(out.join(format!("{name}.json"))).expect("readable");
+        serde_json::from_str(&text).expect("JSON")
+    };
+    let (summary, verify) = (file("summary"), file("verify"));
+    let mut count = 0;
+    for part in page.split("data-figure=\"").skip(1) {
+        let Some((from, rest)) = part.split_once("\">") else { continue };
+        let Some((shown, _)) = rest.split_once("</span>") else { continue };
+        let Some((name, pointer)) = from.split_once('/') else { continue };
+        let json = match name {
+            "summary" => &summary,
+            "verify" => &verify,
+            // The page's own script has such words too.
+            _ => continue,
+        };
+        let value = json.pointer(&format!("/{pointer}")).and_then(serde_json::Value::as_f64).expect(from);
+        let number: f64 = shown.parse().expect(from);
+        let (digits, power) = shown.split_once('e').unwrap_or((shown, "0"));
+        let decimals = digits.split_once('.').map_or(0, |(_, d)| d.len() as i32);
+        let unit = 10f64.powi(power.parse::<i32>().expect(from) - decimals);
+        assert!((number - value).abs() <= 0.500_001 * unit.max(value.abs() * 5e-4), "{from}: {shown}, {value}");
+        count += 1;
+    }
+    let checks = verify["checks"].as_array().map_or(0, Vec::len);
+    assert!(count > 60 + 2 * checks, "{count} figures");
+    assert!(verify["checks"].as_array().is_some_and(|c| c.iter().any(|c| c["name"] == "program-centre")));
+}
+
+#[test]
+fn what_helps_to_type_the_command() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let out = bladewright(&["completions", "bash"], dir.path());
+    let text = String::from_utf8_lossy(&out.stdout);
+    assert!(out.status.success() && text.contains("preview-budget") && text.contains("completions"));
+    let out = bladewright(&["--json", "man", "-o", "man"], dir.path());
+    assert!(out.status.success());
+    let page = std::fs::read_to_string(dir.path().join("man/bladewright-plan.1")).expect("a page");
+    assert!(page.contains("preview") && page.contains("Examples"));
+    // Standard output is JSON lines, the last with the exit code.
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    let lines: Vec<serde_json::Value> = text.lines().map(|l| serde_json::from_str(l).expect(l)).collect();
+    assert!(lines.iter().any(|l| l["event"] == "output" && l["text"] == "man/bladewright.1"), "{text}");
+    assert_eq!(lines.last().map(|l| l["exit_code"].clone()), Some(0.into()));
+    let out = bladewright(&["--json", "verify", "nowhere"], dir.path());
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert!(text.contains("\"event\":\"error\"") && text.contains("\"exit_code\":4"), "{text}");
 }
 
 #[test]

@@ -76,6 +76,17 @@ pub struct UncutPlace {
     pub left_mm: f64,
 }
 
+/// A height over the part, and where it was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The place, blade frame, mm.
+    pub point: Point,
+    /// Row of the path.
+    pub row: usize,
+    /// Height, mm.
+    pub height_mm: f64,
+}
+
 /// All checks of a run.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CheckReport {
@@ -115,6 +126,12 @@ pub struct CheckReport {
     /// Area that each place stands for, mm².
     #[serde(skip)]
     pub uncut_cell_mm2: f64,
+    /// Scallop at the samples of the machined band, the lowest first, for the report; found anew by each check.
+    #[serde(skip)]
+    pub scallop: Vec<Place>,
+    /// Ridges between neighbouring turns, likewise.
+    #[serde(skip)]
+    pub ridges: Vec<Place>,
     /// Deepest gouge, mm.
     pub gouge_mm: f64,
     /// Least clearance between tool (without ball) and part, mm.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Again, Post};
+use super::args::{Again, Format, Plot, Post, Preview};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::{CheckReport, Plan};
@@ -12,6 +12,7 @@ use crate::observe::Observer;
 use crate::output::{RunFolder, tables};
 use crate::pipeline::{self, Setup};
 use crate::post::Dialect;
+use crate::preview::drawing;
 use crate::verify;
 
 /// A finished run.
@@ -111,15 +112,38 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
 }
 
 /// `preview`: preview.glb and report.html again.
-pub fn preview(args: &Again, quiet: bool) -> Result<u8> {
+pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let written = read(&args.out, &terminal).and_then(|run| check(run, &terminal)).and_then(|(setup, verdict)| {
         let mut folder = RunFolder::begin(&args.out)?;
-        pipeline::preview_again(&setup, &verdict, &mut folder, &terminal)?;
+        pipeline::preview_again(&setup, &verdict, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();
     for file in written? {
+        sayln!("{}", file.display());
+    }
+    Ok(0)
+}
+
+/// `plot`: the report's plots as files.
+pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let drawn = read(&args.run, &terminal).and_then(|run| check(run, &terminal)).and_then(|(setup, verdict)| {
+        let turn = args.turn.unwrap_or(verdict.value().toolpath.turns.len() / 2);
+        pipeline::plots(&setup, &verdict, turn, &terminal)
+    });
+    terminal.finish();
+    let mut folder = RunFolder::begin(&args.out.clone().unwrap_or_else(|| args.run.join("plots")))?;
+    for (name, svg) in drawn? {
+        if args.format.contains(&Format::Png) {
+            folder.add(&format!("{name}.png"), drawing::png(&svg, args.width)?)?;
+        }
+        if args.format.contains(&Format::Svg) {
+            folder.add(&format!("{name}.svg"), svg)?;
+        }
+    }
+    for file in folder.finish()? {
         sayln!("{}", file.display());
     }
     Ok(0)

@@ -15,7 +15,7 @@ use crate::error::Stage;
     name = "bladewright",
     version,
     about,
-    after_help = "Examples:\n  bladewright inspect blade.step\n  bladewright plan blade.step -o out/blade\n  bladewright plan blade.stl --unit m --set tool.radius_mm=2 -o out/blade\n  bladewright plan job.toml -o out/blade --until path\n  bladewright post out/blade --control linuxcnc\n\nExit codes: 0 good, 1 findings, 2 usage or job file, 3 no feasible plan, 4 input or output, 130 cancelled."
+    after_help = "Examples:\n  bladewright inspect blade.step\n  bladewright plan blade.step -o out/blade\n  bladewright plan blade.stl --unit m --set tool.radius_mm=2 -o out/blade\n  bladewright plan job.toml -o out/blade --until path\n  bladewright post out/blade --control linuxcnc\n  bladewright plot out/blade --turn 12 --format png\n\nEvery verb has examples: bladewright plan --help. Colours follow NO_COLOR.\n\nExit codes: 0 good, 1 findings, 2 usage or job file, 3 no feasible plan, 4 input or output, 130 cancelled."
 )]
 pub struct Args {
     /// Threads to use; default: all cores. The result does not depend on it.
@@ -24,6 +24,9 @@ pub struct Args {
     /// No progress, only warnings and results.
     #[arg(long, short, global = true)]
     pub quiet: bool,
+    /// One JSON object a line on standard output: progress, warnings, what would be printed, the end with its exit code.
+    #[arg(long, global = true)]
+    pub json: bool,
     /// What to do.
     #[command(subcommand)]
     pub verb: Verb,
@@ -33,21 +36,51 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Verb {
     /// Tell what is in a model: bodies, faces, unit, box, closed or not, blade axis and regions.
+    #[command(
+        after_help = "Examples:\n  bladewright inspect blade.step\n  bladewright inspect scan.stl --unit mm --glb regions.glb"
+    )]
     Inspect(Inspect),
     /// Make a blade from parameters: STEP and OBJ.
+    #[command(
+        after_help = "Examples:\n  bladewright make turbine_camber -o out/models\n  bladewright make my_blade.toml -o out/models"
+    )]
     Make(Make),
     /// Plan a blade-root program from a model or a job file, check it and write everything.
+    #[command(
+        after_help = "Examples:\n  bladewright plan blade.step -o out/b\n  bladewright plan job.toml -o out/b --set tool.radius_mm=4 --set schedule.kind=optimal\n  bladewright plan blade.step -o out/b --until channel\n  bladewright plan blade.step -o out/b --preview-budget 3MB"
+    )]
     Plan(Plan),
     /// All schedules of a job side by side, over a sweep of machine limits: table, JSON, picture.
+    #[command(
+        after_help = "Examples:\n  bladewright compare blade.step -o out/c\n  bladewright compare job.toml -o out/c --no-jerk"
+    )]
     Compare(Compare),
     /// Plan a family of blades: many models or parameters from one file, resumable, in shards.
     Batch(Batch),
     /// Check a finished run again, from its files.
+    #[command(after_help = "Examples:\n  bladewright verify out/b && echo good")]
     Verify(Again),
     /// Write the NC program of a finished run for a control.
+    #[command(
+        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml"
+    )]
     Post(Post),
     /// Write preview.glb and report.html of a finished run again.
-    Preview(Again),
+    #[command(after_help = "Examples:\n  bladewright preview out/b\n  bladewright preview out/b --preview-budget 2MB")]
+    Preview(Preview),
+    /// The report's plots of a finished run as SVG and PNG files, for papers and slides.
+    #[command(
+        after_help = "Examples:\n  bladewright plot out/b\n  bladewright plot out/b --turn 12 --format png --width 2400 -o slides"
+    )]
+    Plot(Plot),
+    /// Print completions for a shell, to be sourced.
+    #[command(
+        after_help = "Examples:\n  bladewright completions bash > ~/.local/share/bash-completion/completions/bladewright\n  bladewright completions zsh > ~/.zfunc/_bladewright"
+    )]
+    Completions(Completions),
+    /// Write the man pages: bladewright.1 and one for each verb.
+    #[command(after_help = "Examples:\n  bladewright man -o ~/.local/share/man/man1")]
+    Man(Man),
 }
 
 /// Options that say how a model file is to be read.
@@ -195,6 +228,9 @@ pub struct Plan {
     /// Write programs even if the checks failed; their headers say so.
     #[arg(long)]
     pub force: bool,
+    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned to keep it.
+    #[arg(long, value_name = "SIZE", value_parser = parse_bytes)]
+    pub preview_budget: Option<Bytes>,
 }
 
 /// `compare`.
@@ -222,6 +258,83 @@ fn parse_stage(text: &str) -> Result<Stage, String> {
         .find(|(name, _)| *name == text)
         .map(|(_, stage)| *stage)
         .ok_or_else(|| format!("there is no stage {text}; stages: {}", stages.map(|(name, _)| name).join(", ")))
+}
+
+/// A size in bytes.
+#[derive(Debug, Clone, Copy)]
+pub struct Bytes(pub usize);
+
+fn parse_bytes(text: &str) -> Result<Bytes, String> {
+    let text = text.trim();
+    let digits = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(text.len());
+    let (number, unit) = text.split_at(digits);
+    let factor = match unit.trim().to_ascii_lowercase().as_str() {
+        "" | "b" => 1.0,
+        "kb" | "k" => 1e3,
+        "mb" | "m" => 1e6,
+        "gb" | "g" => 1e9,
+        _ => f64::NAN,
+    };
+    let bytes = number.parse::<f64>().unwrap_or(f64::NAN) * factor;
+    if bytes >= 1e4 && bytes <= 4e9 {
+        Ok(Bytes(bytes as usize))
+    } else {
+        Err("give a size from 10KB to 4GB, as in 10MB".into())
+    }
+}
+
+/// A kind of picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// Lines and text, at any size.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+/// `plot`.
+#[derive(Debug, clap::Args)]
+pub struct Plot {
+    /// The folder of a finished run.
+    pub run: PathBuf,
+    /// Turn to plot; default: the middle one.
+    #[arg(long, value_name = "N")]
+    pub turn: Option<usize>,
+    /// Kinds of files.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png")]
+    pub format: Vec<Format>,
+    /// Width of the PNG files, pixels.
+    #[arg(long, value_name = "PX", default_value_t = 1720, value_parser = clap::value_parser!(u32).range(100..=20_000))]
+    pub width: u32,
+    /// Folder for the pictures; default: plots in the run's folder.
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// `completions`.
+#[derive(Debug, clap::Args)]
+pub struct Completions {
+    /// For which shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// `man`.
+#[derive(Debug, clap::Args)]
+pub struct Man {
+    /// Folder for the pages.
+    #[arg(short, long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// `preview`.
+#[derive(Debug, clap::Args)]
+pub struct Preview {
+    /// The folder of a finished run.
+    pub out: PathBuf,
+    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned to keep it.
+    #[arg(long, value_name = "SIZE", value_parser = parse_bytes)]
+    pub preview_budget: Option<Bytes>,
 }
 
 /// `batch`.

@@ -5,6 +5,7 @@ mod again;
 mod args;
 mod batch;
 mod compare;
+mod help;
 mod inspect;
 mod make;
 mod out;
@@ -30,13 +31,19 @@ pub fn run() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    out::json_lines(args.json);
     let quiet = args.quiet;
     let ended = match threads(args.threads) {
         Err(e) => Err(e),
         Ok(pool) => pool.install(|| dispatch(args.verb, quiet)),
     };
-    match ended.and_then(|code| out::end().map(|()| code)) {
-        Ok(code) => ExitCode::from(code),
+    let code = ended.unwrap_or_else(|e| {
+        report(&e);
+        e.kind.exit_code()
+    });
+    out::event(&serde_json::json!({ "event": "end", "exit_code": code }));
+    match out::end() {
+        Ok(()) => ExitCode::from(code),
         Err(e) => {
             report(&e);
             ExitCode::from(e.kind.exit_code())
@@ -54,6 +61,9 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Verify(a) => again::verify(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),
         Verb::Preview(a) => again::preview(&a, quiet),
+        Verb::Plot(a) => again::plot(&a, quiet),
+        Verb::Completions(a) => help::completions(&a),
+        Verb::Man(a) => help::man(&a),
     }
 }
 
@@ -69,6 +79,12 @@ fn threads(count: Option<usize>) -> Result<rayon::ThreadPool> {
 
 /// One line for the error, one for what to do.
 fn report(e: &Error) {
+    let told = serde_json::json!({
+        "event": "error", "stage": e.stage, "kind": format!("{:?}", e.kind), "message": e.message, "advice": e.advice,
+    });
+    if out::event(&told) {
+        return;
+    }
     let advice = e.advice.as_ref().map(|a| format!("       {a}\n")).unwrap_or_default();
     // Where not even the error can be told, the exit code still tells.
     let _ = write!(std::io::stderr(), "error: {}: {}\n{advice}", e.stage, e.message);

@@ -3,14 +3,46 @@
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::error::{Error, Result, Stage};
 
 /// The first error of a write.
 static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
 
-/// Writes to standard output.
+/// Standard output holds JSON lines.
+static JSON: AtomicBool = AtomicBool::new(false);
+/// What was said since the last line's end, where standard output holds JSON lines.
+static LINE: Mutex<String> = Mutex::new(String::new());
+
+/// From here on standard output holds one JSON object a line, or not.
+pub fn json_lines(on: bool) {
+    JSON.store(on, Ordering::Relaxed);
+}
+
+/// Writes an object as a JSON line; says whether standard output holds such lines.
+pub fn event(value: &serde_json::Value) -> bool {
+    let on = JSON.load(Ordering::Relaxed);
+    if on {
+        plain(format_args!("{value}\n"));
+    }
+    on
+}
+
+/// Writes to standard output; where it holds JSON lines, each line as an object of its own.
 pub fn write(text: Arguments<'_>) {
+    if !JSON.load(Ordering::Relaxed) {
+        return plain(text);
+    }
+    let Ok(mut line) = LINE.lock() else { return };
+    line.push_str(&text.to_string());
+    while let Some(end) = line.find('\n') {
+        let said: String = line.drain(..=end).collect();
+        event(&serde_json::json!({ "event": "output", "text": said.trim_end_matches('\n') }));
+    }
+}
+
+fn plain(text: Arguments<'_>) {
     let mut out = std::io::stdout().lock();
     if let Err(e) = out.write_fmt(text).and_then(|()| out.flush())
         && let Ok(mut failed) = FAILED.lock()

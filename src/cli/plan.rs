@@ -17,7 +17,8 @@ use crate::pipeline::{self, Course, Outcome};
 pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
     let draft = draft_of(&args.job)?;
     let terminal = Terminal::new(quiet);
-    let course = Course { until: args.until, force: args.force, ..Course::default() };
+    let preview_bytes = args.preview_budget.map(|b| b.0);
+    let course = Course { until: args.until, force: args.force, preview_bytes, ..Course::default() };
     let outcome = pipeline::run(&draft, &args.job.out, course, &terminal);
     terminal.finish();
     let outcome = outcome?;

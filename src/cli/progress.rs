@@ -1,18 +1,26 @@
-//! How the command speaks while it works: one progress bar a stage on a terminal, plain lines elsewhere.
+//! How the command speaks while it works: one progress bar a stage with rate and time left on a terminal, JSON lines with `--json`, nothing
+//! but warnings elsewhere.
 
 use std::io::IsTerminal;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::out;
 use crate::error::Stage;
 use crate::observe::{Observer, Warning};
+
+/// Least time between two lines of progress.
+const BETWEEN: Duration = Duration::from_millis(200);
 
 /// Shows progress and warnings; Ctrl-C asks the stages to stop.
 pub struct Terminal {
     bar: ProgressBar,
     shown: AtomicUsize,
+    told: Mutex<Option<Instant>>,
+    json: bool,
     stop: Arc<AtomicBool>,
     quiet: bool,
 }
@@ -21,17 +29,20 @@ impl Terminal {
     /// A terminal observer; `quiet` shows no progress (warnings are still printed).
     pub fn new(quiet: bool) -> Self {
         let bar = ProgressBar::new(1);
-        if quiet || !std::io::stderr().is_terminal() {
+        let json = out::event(&serde_json::json!({ "event": "start", "program": crate::pipeline::program() }));
+        if quiet || json || !std::io::stderr().is_terminal() {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }
-        if let Ok(style) = ProgressStyle::with_template("{msg:>9} {bar:40} {percent:>3} %  {elapsed} (left {eta})") {
+        if let Ok(style) =
+            ProgressStyle::with_template("{msg:>9} {bar:40} {percent:>3} %  {per_sec}  {elapsed} (left {eta})")
+        {
             bar.set_style(style);
         }
         let stop = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&stop);
         // A second handler in one process (tests) is refused; the first goes on working.
         let _ = ctrlc::set_handler(move || flag.store(true, Ordering::SeqCst));
-        Terminal { bar, shown: AtomicUsize::new(usize::MAX), stop, quiet }
+        Terminal { bar, shown: AtomicUsize::new(usize::MAX), told: Mutex::new(None), json, stop, quiet }
     }
 
     /// Takes the bar away.
@@ -40,20 +51,42 @@ impl Terminal {
     }
 }
 
+impl Terminal {
+    /// A line of progress: a stage's first and last, and no more than some a second between.
+    fn tell(&self, stage: Stage, done: usize, total: usize) {
+        let Ok(mut last) = self.told.lock() else { return };
+        if done < total && last.is_some_and(|t| t.elapsed() < BETWEEN) {
+            return;
+        }
+        *last = Some(Instant::now());
+        out::event(&serde_json::json!({
+            "event": "progress", "stage": stage, "done": done, "total": total,
+            "per_s": self.bar.per_sec(), "left_s": self.bar.eta().as_secs_f64(),
+        }));
+    }
+}
+
 impl Observer for Terminal {
     fn progress(&self, stage: Stage, done: usize, total: usize) {
         if self.shown.swap(stage as usize, Ordering::Relaxed) != stage as usize {
             self.bar.set_message(stage.to_string());
             self.bar.reset();
-            if self.bar.is_hidden() && !self.quiet {
-                eprintln!("{stage} …");
+            if let Ok(mut told) = self.told.lock() {
+                *told = None;
             }
         }
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
+        if self.json && !self.quiet {
+            self.tell(stage, done, total);
+        }
     }
 
     fn warn(&self, warning: Warning) {
+        let told = serde_json::json!({ "event": "warning", "stage": warning.stage, "message": warning.message });
+        if self.json && out::event(&told) {
+            return;
+        }
         self.bar.suspend(|| eprintln!("warning: {}: {}", warning.stage, warning.message));
     }
 

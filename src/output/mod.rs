@@ -48,6 +48,11 @@ impl RunFolder {
         Ok(RunFolder { target: target.to_path_buf(), staging, files: Vec::new() })
     }
 
+    /// Text of a file that an earlier run left in the folder.
+    pub fn existing(&self, name: &str) -> Option<String> {
+        std::fs::read_to_string(self.target.join(name)).ok()
+    }
+
     /// Adds a file.
     ///
     /// # Errors

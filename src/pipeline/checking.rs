@@ -1,7 +1,8 @@
 //! From a plan to its verdict and files.
 
+use super::look::{self, Look};
 use super::reuse::{self, Checks};
-use super::{Baseline, Course, Setup, accept, compare, paths, post_all, write_preview};
+use super::{Baseline, Course, Setup, accept, compare, paths, post_all};
 use crate::artifact::{CheckReport, Plan, Section};
 use crate::error::{Result, Stage};
 use crate::observe::Recorder;
@@ -44,8 +45,7 @@ impl Run<'_, '_> {
         self.folder.add("axes.csv", tables::axes(&plan))?;
         let plan_json = output::json_compact(&plan)?;
         self.folder.add("plan.json", &plan_json)?;
-        let (verdict, seal, preview) = self.check(plan, &plan_json, before)?;
-        let recalled = preview.is_some();
+        let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;
         let mut report = verdict.report().clone();
         let figures = compare(setup, verdict.value(), baseline)?;
         let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
@@ -58,31 +58,34 @@ impl Run<'_, '_> {
         let plan = verdict.value().clone();
         if !course.ends_at(Stage::Verify) {
             let (folder, observer) = (&mut *self.folder, self.observer);
-            self.clock.time(Stage::Preview, || {
-                write_preview(setup, sections, &verdict, baseline, preview, folder, observer)
-            })?;
+            let mut forced = false;
+            if recalled {
+                self.clock.time(Stage::Verify, || {
+                    verify::places(&plan, &setup.blade, &setup.verify_options(), &mut report);
+                    Ok(())
+                })?;
+            }
             if let Some(verified) = accept(verdict, course.force) {
+                forced = verified.forced();
                 report.checks.extend(self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
             }
+            let (summary, report, budget_bytes) = (&summary, &report, course.preview_bytes);
+            let look = Look { sections, baseline, summary, report, forced, budget_bytes };
+            self.clock.time(Stage::Preview, || look::write(setup, &plan, &look, folder, observer))?;
         }
         self.folder.add_json("verify.json", &report)?;
         Ok(Checked { summary: Some(summary), report, plan, seal, recalled })
     }
 
-    /// The verdict with its seal; recalled from an earlier run, with its preview, where that was about the very same.
-    fn check(
-        &mut self,
-        plan: Plan,
-        plan_json: &str,
-        before: Option<Checks>,
-    ) -> Result<(Verdict<Plan>, String, Option<Vec<u8>>)> {
+    /// The verdict with its seal, and whether it was recalled from an earlier run that was about the very same.
+    fn check(&mut self, plan: Plan, plan_json: &str, before: Option<Checks>) -> Result<(Verdict<Plan>, String, bool)> {
         let (setup, options) = (self.setup, self.setup.verify_options());
         let part = reuse::part(setup);
         let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
         let plan = match before {
             None => plan,
             Some(b) => match seal::recall(plan, plan_json, b.report, &b.seal, &about)? {
-                Ok(verdict) => return Ok((verdict, b.seal, Some(b.preview))),
+                Ok(verdict) => return Ok((verdict, b.seal, true)),
                 Err(plan) => plan,
             },
         };
@@ -90,6 +93,6 @@ impl Run<'_, '_> {
             verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &options, self.observer)
         })?;
         let seal = seal::seal(plan_json, verdict.report(), &about)?;
-        Ok((verdict, seal, None))
+        Ok((verdict, seal, false))
     }
 }

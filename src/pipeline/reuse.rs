@@ -10,7 +10,7 @@
 //! | path and channel | those, the whole tool, `[channel]`, B |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
-//! | checks and `preview.glb` | those, `[verify]` |
+//! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
 
 use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
@@ -85,7 +85,7 @@ impl<'a> Earlier<'a> {
     fn checks(&self) -> Option<Checks> {
         let mut report: CheckReport = serde_json::from_slice(&(self.read)("verify.json")?).ok()?;
         report.checks.retain(|c| !c.name.starts_with("program-"));
-        Some(Checks { report, seal: self.before.seal.clone()?, preview: (self.read)("preview.glb")? })
+        Some(Checks { report, seal: self.before.seal.clone()? })
     }
 }
 
@@ -120,7 +120,6 @@ fn same_path(a: &PathJob, b: &PathJob) -> bool {
 pub(super) struct Checks {
     pub report: CheckReport,
     pub seal: String,
-    pub preview: Vec<u8>,
 }
 
 /// What was taken over.

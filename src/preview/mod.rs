@@ -3,9 +3,12 @@
 //! **In**: the artifacts of a run. **Out**: bytes of a `.glb` file and text of a self-contained `.html` file.
 //! Both are thinned for the eye and say so; neither is meant to be measured from.
 
+pub mod colour;
+pub mod drawing;
 pub mod gltf;
 pub mod report;
 mod thin;
+pub mod values;
 
-pub use gltf::{GltfOptions, gltf, regions};
+pub use gltf::{GltfOptions, Scene, gltf, regions};
 pub use report::{Baseline, ReportInput};

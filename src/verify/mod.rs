@@ -90,6 +90,13 @@ pub fn check(
     Ok(Verdict::of(plan, report))
 }
 
+/// Puts the places into a report that was read from a file: where the scallop, the ridges and what stays uncut were measured. Its
+/// figures stay as they are.
+pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut CheckReport) {
+    let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
+    scallop::measure(&part, &sweep::Sweep::new(&plan.toolpath), options, report);
+}
+
 /// Every list has one row per location and every number is finite.
 fn well_formed(plan: &Plan) -> Result<()> {
     let n = plan.toolpath.locations.len();

@@ -17,7 +17,7 @@ use super::ridge;
 use super::samples;
 use super::sweep::Sweep;
 use super::uncut;
-use crate::artifact::report::Check;
+use crate::artifact::report::{Check, Place};
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
@@ -33,6 +33,12 @@ pub(super) struct Height {
     pub row: usize,
     /// Area that it stands for, in any unit.
     pub weight: f64,
+}
+
+impl Height {
+    fn place(&self) -> Place {
+        Place { point: self.point, row: self.row, height_mm: self.height_mm }
+    }
 }
 
 /// Percentile `q` (0 to 1) by area of sorted heights, interpolated linearly between the middles of their areas; 0 of none.
@@ -149,6 +155,22 @@ pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
     Band { heights: sort(measured.iter().map(judged).collect()), lowest, uncut }
 }
 
+/// Heights and ridges; their places and the uncut ones go into `report`.
+pub(super) fn measure(
+    part: &Allowed,
+    sweep: &Sweep,
+    options: &VerifyOptions,
+    report: &mut CheckReport,
+) -> (Band, Vec<Height>) {
+    let band = heights(part, sweep, options.scallop_mm, options.surface_samples);
+    let ridges = ridge::all(part, sweep, options.scallop_mm, false);
+    let places = |sorted: &[Height]| sorted.iter().map(Height::place).collect();
+    (report.scallop, report.ridges) = (places(&band.heights), places(&ridges));
+    (report.uncut, report.uncut_cell_mm2) =
+        uncut::measure(part, sweep, options.scallop_mm, options.surface_samples / 2);
+    (band, ridges)
+}
+
 /// Measures and judges the scallop; the percentiles go into `report`.
 pub(super) fn check(
     plan: &Plan,
@@ -158,12 +180,8 @@ pub(super) fn check(
     options: &VerifyOptions,
     report: &mut CheckReport,
 ) {
-    let Band { heights: samples, lowest, uncut: unreached } =
-        heights(part, sweep, options.scallop_mm, options.surface_samples);
-    let ridges = ridge::all(part, sweep, options.scallop_mm, false);
+    let (Band { heights: samples, lowest, uncut: unreached }, ridges) = measure(part, sweep, options, report);
     report.uncut_samples = unreached;
-    (report.uncut, report.uncut_cell_mm2) =
-        uncut::measure(part, sweep, options.scallop_mm, options.surface_samples / 2);
     report.uncut_area_mm2 = report.uncut.len() as f64 * report.uncut_cell_mm2;
     report.uncut_height_mm = report.uncut.iter().map(|p| p.left_mm).fold(0.0, f64::max);
     report.scallop_samples = samples.len();

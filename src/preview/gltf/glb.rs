@@ -5,9 +5,13 @@ use std::collections::BTreeMap;
 use gltf_json as json;
 use json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
 use json::buffer::{Buffer, Target, View};
-use json::material::{Material, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
+use json::extensions::mesh::Mapping;
+use json::extensions::scene::khr_materials_variants::Variant;
+use json::image::{Image, MimeType};
+use json::material::{AlphaMode, Material, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
 use json::mesh::{Mesh, Mode, Primitive, Semantic};
 use json::scene::{Node, Scene};
+use json::texture::{Info, MagFilter, MinFilter, Sampler, Texture, WrappingMode};
 use json::validation::{Checked, USize64};
 use json::{Animation, Index, Root};
 use serde_json::json;
@@ -104,16 +108,6 @@ impl Glb {
     pub(super) fn rotations(&mut self, rows: &[[f32; 4]]) -> Index<Accessor> {
         self.floats(rows, None, Type::Vec4, false)
     }
-    /// Vertex colours, linear red, green, blue, opacity in 255ths.
-    pub(super) fn colours(&mut self, rows: &[[u8; 4]]) -> Index<Accessor> {
-        let bytes: Vec<u8> = rows.iter().flatten().copied().collect();
-        let view = self.view(&bytes, Some(Target::ArrayBuffer));
-        let index = self.accessor(view, rows.len(), ComponentType::U8, Type::Vec4);
-        if let Some(a) = self.root.accessors.get_mut(index.value()) {
-            a.normalized = true;
-        }
-        index
-    }
     /// Vertex indices.
     pub(super) fn indices(&mut self, indices: &[u32]) -> Index<Accessor> {
         let bytes: Vec<u8> = indices.iter().flat_map(|i| i.to_le_bytes()).collect();
@@ -136,6 +130,80 @@ impl Glb {
                 .then_some(json::extensions::material::Material { unlit: Some(json::extensions::material::Unlit {}) }),
             ..Material::default()
         })
+    }
+
+    /// A see-through material, drawn as it is.
+    pub(super) fn glass(&mut self, name: &str, rgb: [f32; 3], opacity: f32) -> Index<Material> {
+        let index = self.material(name, rgb, false);
+        if let Some(m) = self.root.materials.get_mut(index.value()) {
+            m.alpha_mode = Checked::Valid(AlphaMode::Blend);
+            m.double_sided = true;
+            m.pbr_metallic_roughness.base_color_factor = PbrBaseColorFactor([rgb[0], rgb[1], rgb[2], opacity]);
+        }
+        index
+    }
+
+    /// A texture of one row or column of pixels, as they are, from a PNG file.
+    pub(super) fn texture(&mut self, name: &str, png: &[u8]) -> Index<Texture> {
+        let view = self.view(png, None);
+        let source = self.root.push(Image {
+            buffer_view: Some(view),
+            mime_type: Some(MimeType("image/png".into())),
+            name: Some(name.into()),
+            uri: None,
+            extensions: None,
+            extras: None,
+        });
+        let sampler = self.root.push(Sampler {
+            mag_filter: Some(Checked::Valid(MagFilter::Nearest)),
+            min_filter: Some(Checked::Valid(MinFilter::Nearest)),
+            wrap_s: Checked::Valid(WrappingMode::ClampToEdge),
+            wrap_t: Checked::Valid(WrappingMode::ClampToEdge),
+            ..Sampler::default()
+        });
+        self.root.push(Texture {
+            name: Some(name.into()),
+            sampler: Some(sampler),
+            source,
+            extensions: None,
+            extras: None,
+        })
+    }
+
+    /// A material that takes its colour from a texture at the coordinates of a set, drawn as it is.
+    pub(super) fn textured(&mut self, name: &str, texture: Index<Texture>, set: u32) -> Index<Material> {
+        let index = self.material(name, [1.0; 3], false);
+        if let Some(m) = self.root.materials.get_mut(index.value()) {
+            m.pbr_metallic_roughness.base_color_texture =
+                Some(Info { index: texture, tex_coord: set, extensions: None, extras: None });
+        }
+        index
+    }
+
+    /// Texture coordinates.
+    pub(super) fn coordinates(&mut self, rows: &[[f32; 2]]) -> Index<Accessor> {
+        self.floats(rows, Some(Target::ArrayBuffer), Type::Vec2, false)
+    }
+
+    /// Names of the variants that primitives may map their material to.
+    pub(super) fn variants(&mut self, names: &[String]) {
+        let variants = names.iter().map(|name| Variant { name: name.clone() }).collect();
+        let list = json::extensions::root::KhrMaterialsVariants { variants };
+        self.root.extensions.get_or_insert_default().khr_materials_variants = Some(list);
+        self.root.extensions_used.push("KHR_materials_variants".into());
+    }
+
+    /// The materials of a primitive, one for each variant, the first of them where variants are not known.
+    pub(super) fn by_variant(mut primitive: Primitive, materials: &[Index<Material>]) -> Primitive {
+        let mapping = |(variant, material): (u32, &Index<Material>)| Mapping {
+            material: u32::try_from(material.value()).unwrap_or(0),
+            variants: vec![variant],
+        };
+        let mappings = (0u32..).zip(materials).map(mapping).collect();
+        let found = json::extensions::mesh::KhrMaterialsVariants { mappings };
+        primitive.extensions = Some(json::extensions::mesh::Primitive { khr_materials_variants: Some(found) });
+        primitive.material = materials.first().copied();
+        primitive
     }
 
     /// A primitive of a mesh.
@@ -165,6 +233,14 @@ impl Glb {
     /// A node.
     pub(super) fn node(&mut self, node: Node) -> Index<Node> {
         self.root.push(node)
+    }
+
+    /// Puts a node where it is at rest.
+    pub(super) fn place(&mut self, node: Index<Node>, at: [f32; 3], turned: [f32; 4]) {
+        if let Some(node) = self.root.nodes.get_mut(node.value()) {
+            node.translation = Some(at);
+            node.rotation = Some(json::scene::UnitQuaternion(turned));
+        }
     }
 
     /// The file.

@@ -1,20 +1,32 @@
-//! A glTF 2.0 scene in one binary file (`.glb`): the blade, the path coloured by turn, the tool, and the tool's motion.
+//! A glTF 2.0 scene in one binary file (`.glb`): what a run did, for any viewer.
 //!
 //! Below the root node everything is in the model frame in millimetres; the root node scales to metres and turns
 //! the model's +Z up (glTF's +Y). Nodes:
 //!
-//! * `blade`: one primitive and material for each kind of face, smooth normals up to a crease angle;
-//! * `path`: ball centres, one `LINE_STRIP` a turn, coloured from the first turn (dark violet) to the last (yellow);
-//! * `uncut`, where there is any: what no ball of this radius can reach, red;
-//! * `channel` (optional): at some locations the two limits of the tool axis;
-//! * `tool`: surface of revolution, origin at the ball centre, +Z towards the spindle; moved by the animation.
+//! * `workpiece`, moved by the machine's animation:
+//!   * `blade`: one primitive and material for each kind of face, smooth normals up to a crease angle;
+//!   * `path`: ball centres, one `LINE_STRIP` a turn; its material is chosen by `KHR_materials_variants`: coloured by turn, scallop,
+//!     width of the channel, feed or axis acceleration, dark for the least value and bright for the greatest (the values stand in the
+//!     node's `extras`);
+//!   * `cutter contacts`: where the ball touches the part;
+//!   * `uncut`, where there is any: what no ball of this radius can reach, red;
+//!   * `channel`: the angles that the whole tool may take, as fans, at the narrowest place of turns and, orange, of all;
+//!   * `base vectors`: the tool axis at each turn's base point; `altered points`: where the curvature of sections changes sign;
+//!   * `table`: the machine's table, schematic;
+//! * `tool`: origin at the ball centre, +Z towards the spindle, moved by both animations; its parts are nodes of their own (`ball`,
+//!   `taper`, `shank`, `holder 1` …), and so is `head`: spindle and pivot, schematic, true in length only.
 //!
-//! Limits: meshes over the budget are thinned by clustering vertices on a grid, the path by leaving out locations, the
-//! animation to at most [`GltfOptions::max_keys`] keys; each says so in its node's `extras`.
+//! Animations: the part fixed, and as on the machine ([`motion`]); real time × the factor in their names.
+//!
+//! **Size**: [`GltfOptions::budget_bytes`] is kept by drawing fewer triangles (vertices clustered on a grid), fewer path points (every so many
+//! locations) and fewer keys, all by the same share; each node says in its `extras` what it shows.
 
 mod blade;
 mod glb;
+mod machine;
+mod marks;
 mod motion;
+mod path;
 mod tool;
 mod uncut;
 
@@ -24,83 +36,150 @@ use json::scene::{Node, UnitQuaternion};
 use serde_json::json;
 
 use crate::artifact::blade::Area;
-use crate::artifact::report::UncutPlace;
-use crate::artifact::{Blade, Plan};
+use crate::artifact::{Blade, CheckReport, Plan, Section};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
+use crate::machine::Machine;
 use crate::tool::Tool;
 use glb::Glb;
 
-/// What the scene shows besides blade, path and tool, and how large it may be.
+/// How large the file may be and how it is played.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfOptions {
-    /// Most triangles of the blade. Default 300 000.
-    pub max_triangles: usize,
-    /// Most points of the path. Default 200 000.
-    pub max_path_points: usize,
-    /// Most keys of the animation. Default 5000.
-    pub max_keys: usize,
+    /// Most bytes. Default 10 MB. What cannot be left out (a few triangles, two points a turn) may exceed a smaller one.
+    pub budget_bytes: usize,
     /// Triangles whose normals differ by more meet at an edge, degrees. Default 30.
     pub crease_deg: f64,
     /// A longer machining time is played faster, to take this long, s. Default 120.
     pub max_play_s: f64,
-    /// Show limits of the channel at some locations. Default true.
-    pub channel_limits: bool,
-    /// Places that stay uncut, blade frame. Default: none.
-    pub uncut: Vec<UncutPlace>,
-    /// Area that each of them stands for, mm².
-    pub uncut_cell_mm2: f64,
+    /// Path with its colours and animations: what a viewer with colours and motions of its own leaves out. Default true.
+    pub path_and_motion: bool,
 }
 
 impl Default for GltfOptions {
     fn default() -> Self {
-        GltfOptions {
-            max_triangles: 300_000,
-            max_path_points: 200_000,
-            max_keys: 5000,
-            crease_deg: 30.0,
-            max_play_s: 120.0,
-            channel_limits: true,
-            uncut: Vec::new(),
-            uncut_cell_mm2: 0.0,
-        }
+        GltfOptions { budget_bytes: 10_000_000, crease_deg: 30.0, max_play_s: 120.0, path_and_motion: true }
     }
 }
 
-/// The scene as the bytes of a `.glb` file. `plan`: `None` shows the blade alone.
+/// What a scene is made from.
+#[derive(Clone, Copy)]
+pub struct Scene<'a> {
+    /// The blade.
+    pub blade: &'a Blade,
+    /// The tool.
+    pub tool: &'a Tool,
+    /// The machine.
+    pub machine: &'a Machine,
+    /// The plan; `None`: the blade alone.
+    pub plan: Option<&'a Plan>,
+    /// Plane sections; may be empty.
+    pub sections: &'a [Section],
+    /// What the checks found.
+    pub checks: Option<&'a CheckReport>,
+    /// Figures of the run, for the root's `extras`.
+    pub figures: Option<&'a serde_json::Value>,
+    /// How.
+    pub options: &'a GltfOptions,
+}
+
+impl Scene<'_> {
+    /// How many times faster than real time the animations run.
+    fn play_speed(&self, plan: &Plan) -> f64 {
+        (plan.motion.time_s / self.options.max_play_s.max(1e-3)).max(1.0)
+    }
+}
+
+/// How much is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Detail {
+    triangles: usize,
+    path_points: usize,
+    keys: usize,
+}
+
+impl Detail {
+    /// Shares of a budget by what each takes: 30 bytes a triangle, 50 a point of path and contacts, 116 a key.
+    fn of(budget_bytes: usize) -> Self {
+        Detail { triangles: budget_bytes / 75, path_points: budget_bytes / 110, keys: (budget_bytes / 1500).min(6000) }
+    }
+
+    fn scaled(self, share: f64) -> Self {
+        let less = |n: usize| (n as f64 * share) as usize;
+        Detail { triangles: less(self.triangles), path_points: less(self.path_points), keys: less(self.keys) }
+    }
+}
+
+/// Times that a scene too large is made again, smaller.
+const TRIES: usize = 6;
+
+/// The scene as the bytes of a `.glb` file.
 ///
 /// # Errors
 /// `Usage` where a coordinate, angle or time is not a finite number; `InputOutput` where the scene cannot be encoded
 /// (over 4 GiB).
-pub fn gltf(plan: Option<&Plan>, blade: &Blade, tool: &Tool, options: &GltfOptions) -> Result<Vec<u8>> {
-    let mut glb = Glb::default();
-    let mut children = Vec::new();
-    children.extend(blade::node(&mut glb, blade, options)?);
-    children.extend(uncut::node(&mut glb, blade, options)?);
-    let mut animations = Vec::new();
-    if let Some(plan) = plan {
-        children.extend(motion::path_node(&mut glb, plan, blade, options)?);
-        if options.channel_limits {
-            children.extend(motion::channel_node(&mut glb, plan, blade, tool, options)?);
+pub fn gltf(scene: &Scene) -> Result<Vec<u8>> {
+    let budget = scene.options.budget_bytes.max(1);
+    let mut detail = Detail::of(budget);
+    // A turn of the table needs some keys, or it would be played as another one.
+    let least_keys = 24 * scene.plan.map_or(0, |p| p.toolpath.turns.len());
+    for _ in 0..TRIES {
+        let bytes = built(scene, &Detail { keys: detail.keys.max(least_keys), ..detail })?;
+        if bytes.len() <= budget {
+            return Ok(bytes);
         }
-        let tool_node = tool::node(&mut glb, tool)?;
-        children.push(tool_node);
-        animations.extend(motion::animation(&mut glb, plan, blade, tool_node, options)?);
+        detail = detail.scaled(0.9 * budget as f64 / bytes.len() as f64);
+    }
+    built(scene, &Detail { keys: detail.keys.max(least_keys), ..detail })
+}
+
+fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
+    let mut glb = Glb::default();
+    let mut on_table = Vec::new();
+    on_table.extend(blade::node(&mut glb, scene, detail)?);
+    on_table.extend(uncut::node(&mut glb, scene)?);
+    on_table.extend(marks::altered_points(&mut glb, scene)?);
+    let (mut children, mut animations) = (Vec::new(), Vec::new());
+    if let Some(plan) = scene.plan {
+        if scene.options.path_and_motion {
+            on_table.extend(path::node(&mut glb, plan, scene, detail)?);
+        }
+        on_table.extend(path::contacts(&mut glb, plan, scene, detail)?);
+        on_table.extend(marks::fans(&mut glb, plan, scene)?);
+        on_table.extend(marks::base_vectors(&mut glb, plan, scene)?);
+        on_table.extend(machine::table(&mut glb, scene)?);
+    }
+    let workpiece = group(&mut glb, "workpiece", on_table, &json!({ "what": "all that the table turns" }));
+    children.push(workpiece);
+    if let Some(plan) = scene.plan {
+        let tool = tool::node(&mut glb, plan, scene)?;
+        children.push(tool);
+        if scene.options.path_and_motion {
+            animations = motion::animations(&mut glb, plan, scene, (workpiece, tool), detail)?;
+        }
     }
     let half = std::f32::consts::FRAC_1_SQRT_2;
     let root = glb.node(Node {
-        name: Some(format!("{} (model frame, mm)", blade.name)),
-        children: (!children.is_empty()).then_some(children),
+        name: Some(format!("{} (model frame, mm)", scene.blade.name)),
+        children: Some(children),
         scale: Some([0.001; 3]),
         rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
         extras: extras(&json!({
             "frame": "model frame of the CAD file, mm, below this node",
-            "head_angle_b_deg": plan.map(|p| p.channel.b_rad.to_degrees()),
-            "ball_radius_mm": tool.radius_mm,
+            "head_angle_b_deg": scene.plan.map(|p| p.channel.b_rad.to_degrees()),
+            "ball_radius_mm": scene.tool.radius_mm,
+            "machine": scene.machine.name,
+            "figures": scene.figures,
         })),
         ..empty_node()
     });
     glb.finish(root, animations)
+}
+
+/// A node that holds others.
+fn group(glb: &mut Glb, name: &str, children: Vec<Index<Node>>, note: &serde_json::Value) -> Index<Node> {
+    let children = (!children.is_empty()).then_some(children);
+    glb.node(Node { name: Some(name.into()), children, extras: extras(note), ..empty_node() })
 }
 
 /// The part coloured by what its surface belongs to, one entry of `areas` for each triangle, as the bytes of a `.glb` file. The mesh

@@ -6,8 +6,28 @@ use crate::geometry::{Point, Vector};
 use crate::sample;
 use nalgebra::{Quaternion, UnitQuaternion};
 
-fn read(bytes: &[u8]) -> (gltf::Document, Vec<u8>) {
-    let glb = gltf::Gltf::from_slice(bytes).unwrap();
+/// The scene of a plan, and of what else a run has.
+fn scene(plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let (sections, mut checks) = (sample::sections(), sample::report());
+    checks.uncut_cell_mm2 = 0.5;
+    checks.uncut =
+        vec![crate::artifact::report::UncutPlace { point: Point::origin(), normal: Vector::x(), left_mm: 0.1 }];
+    let figures = json!({ "turns": 3 });
+    gltf(&Scene {
+        blade: &blade,
+        tool: &tool,
+        machine: &machine,
+        plan,
+        sections: &sections,
+        checks: Some(&checks),
+        figures: Some(&figures),
+        options,
+    })
+}
+
+fn read(bytes: &[u8]) -> (::gltf::Document, Vec<u8>) {
+    let glb = ::gltf::Gltf::from_slice(bytes).unwrap();
     (glb.document, glb.blob.unwrap())
 }
 
@@ -15,21 +35,33 @@ fn point(v: [f32; 3]) -> Point {
     Point::from(v.map(f64::from))
 }
 
+fn rotation(q: [f32; 4]) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_quaternion(Quaternion::from(q.map(f64::from)))
+}
+
+fn names<'a>(nodes: impl Iterator<Item = ::gltf::Node<'a>>) -> Vec<String> {
+    nodes.map(|n| n.name().unwrap().to_string()).collect()
+}
+
 #[test]
-fn the_scene_holds_blade_path_and_tool_under_a_root_in_metres() {
+fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
     let plan = sample::plan(3, 60);
-    let (doc, blob) = read(&super::gltf(Some(&plan), &sample::blade(), &sample::tool(), &Default::default()).unwrap());
+    let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
     let root = doc.default_scene().unwrap().nodes().next().unwrap();
-    let names: Vec<String> = root.children().map(|n| n.name().unwrap().to_string()).collect();
-    assert_eq!(names, ["blade", "path", "channel", "tool"]);
-    let (_, rotation, scale) = root.transform().decomposed();
+    assert_eq!(names(root.children()), ["workpiece", "tool"]);
+    let parts = ["blade", "uncut", "altered points", "path", "cutter contacts", "channel", "base vectors", "table"];
+    assert_eq!(names(root.children().next().unwrap().children()), parts);
+    let tool = root.children().nth(1).unwrap();
+    assert_eq!(names(tool.children()), ["ball", "taper", "shank", "holder 1", "holder 2", "head"]);
+    let (_, q, scale) = root.transform().decomposed();
     assert_eq!(scale, [0.001; 3]);
-    let q = UnitQuaternion::from_quaternion(Quaternion::from(rotation.map(f64::from)));
-    assert!((q * Vector::z() - Vector::y()).norm() < 1e-6, "the model's z is up");
-    let path = root.children().nth(1).unwrap().mesh().unwrap();
+    assert!((rotation(q) * Vector::z() - Vector::y()).norm() < 1e-6, "the model's z is up");
+    let extras: serde_json::Value = serde_json::from_str(root.extras().as_ref().unwrap().get()).unwrap();
+    assert_eq!(extras["figures"]["turns"], 3);
+    let path = doc.meshes().find(|m| m.name() == Some("path")).unwrap();
     assert_eq!(path.primitives().count(), 3);
     for (t, p) in path.primitives().enumerate() {
-        assert_eq!(p.mode(), gltf::mesh::Mode::LineStrip);
+        assert_eq!(p.mode(), ::gltf::mesh::Mode::LineStrip);
         let points: Vec<_> = p.reader(|_| Some(&blob)).read_positions().unwrap().map(point).collect();
         assert_eq!(points.len(), 61);
         for (i, at) in points.iter().enumerate() {
@@ -40,86 +72,151 @@ fn the_scene_holds_blade_path_and_tool_under_a_root_in_metres() {
 }
 
 #[test]
-fn the_tool_follows_the_plan() {
-    let (plan, blade) = (sample::plan(3, 60), sample::blade());
-    let options = GltfOptions { max_play_s: 5.0, max_keys: 100, ..GltfOptions::default() };
-    let (doc, blob) = read(&super::gltf(Some(&plan), &blade, &sample::tool(), &options).unwrap());
-    let animation = doc.animations().next().unwrap();
-    let (mut times, mut centres, mut axes) = (Vec::new(), Vec::new(), Vec::new());
-    for channel in animation.channels() {
-        let reader = channel.reader(|_| Some(&blob));
-        times = reader.read_inputs().unwrap().collect();
-        match reader.read_outputs().unwrap() {
-            gltf::animation::util::ReadOutputs::Translations(t) => centres = t.map(point).collect(),
-            gltf::animation::util::ReadOutputs::Rotations(r) => {
-                axes = r
-                    .into_f32()
-                    .map(|q| UnitQuaternion::from_quaternion(Quaternion::from(q.map(f64::from))) * Vector::z())
-                    .collect();
-            }
-            _ => panic!("another kind of output"),
-        }
+fn every_variant_reads_its_own_values() {
+    let mut plan = sample::plan(3, 60);
+    for (i, f) in plan.motion.feed.iter_mut().enumerate() {
+        *f = 10.0 + i as f64;
     }
-    assert_eq!(times.len(), 100);
-    assert!((times[99] - 5.0).abs() < 1e-5 && times.windows(2).all(|w| w[0] < w[1]));
-    for (k, i) in (0..100).map(|k| (k, k * 180 / 99)) {
-        let want = blade.model_from_blade * plan.toolpath.locations[i].centre;
-        let axis = blade.model_from_blade * tool_axis(&plan, i);
-        assert!((centres[k] - want).norm() < 1e-4 && (axes[k] - axis).norm() < 1e-6, "key {k}");
-    }
-}
-
-fn tool_axis(plan: &Plan, i: usize) -> Vector {
-    crate::tool::axis(plan.channel.b_rad, plan.schedule.theta[i])
+    let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
+    let variants: Vec<_> = doc.variants().unwrap().map(|v| v.name().to_string()).collect();
+    assert_eq!(variants.len(), 5);
+    let path = doc.meshes().find(|m| m.name() == Some("path")).unwrap();
+    let strip = path.primitives().nth(1).unwrap();
+    let mappings: Vec<_> = strip.mappings().collect();
+    assert_eq!(mappings.len(), 5);
+    // What variant k shows at vertex i: the pixel of its texture.
+    let shown = |k: usize, i: usize| {
+        let material = mappings[k].material();
+        assert_eq!(material.name(), Some(&*variants[k]));
+        let info = material.pbr_metallic_roughness().base_color_texture().unwrap();
+        let uv: Vec<[f32; 2]> =
+            strip.reader(|_| Some(&blob)).read_tex_coords(info.tex_coord()).unwrap().into_f32().collect();
+        let along = if info.texture().name() == Some("scale, along") { 0 } else { 1 };
+        (uv[i][along] * 256.0 - 0.5).round()
+    };
+    // Turn 1 of 0..2 is half way; nothing measured is pixel 0; feed grows along the path.
+    assert_eq!(shown(0, 10), 128.0);
+    assert_eq!(shown(1, 10), 0.0);
+    assert!(shown(3, 50) > shown(3, 10) && shown(3, 10) > 80.0);
 }
 
 #[test]
-fn the_tools_mesh_lies_on_its_profile_and_faces_outward() {
+fn both_motions_carry_the_tool_to_the_same_place_of_the_part() {
+    let (plan, blade) = (sample::plan(3, 60), sample::blade());
+    let options = GltfOptions { max_play_s: 5.0, ..GltfOptions::default() };
+    let (doc, blob) = read(&scene(Some(&plan), &options).unwrap());
+    let animations: Vec<_> = doc.animations().collect();
+    assert_eq!(animations.len(), 2);
+    let track = |a: &::gltf::Animation, node: &str| {
+        let (mut at, mut turned, mut times) = (Vec::new(), Vec::new(), Vec::new());
+        for channel in a.channels().filter(|c| c.target().node().name() == Some(node)) {
+            let reader = channel.reader(|_| Some(&blob));
+            times = reader.read_inputs().unwrap().collect();
+            match reader.read_outputs().unwrap() {
+                ::gltf::animation::util::ReadOutputs::Translations(t) => at = t.map(point).collect(),
+                ::gltf::animation::util::ReadOutputs::Rotations(r) => turned = r.into_f32().map(rotation).collect(),
+                _ => panic!("another kind of output"),
+            }
+        }
+        (times, at, turned)
+    };
+    let (times, at, turned) = track(&animations[0], "tool");
+    assert_eq!(times.len(), 181);
+    assert!((times[180] - 5.0).abs() < 1e-5 && times.windows(2).all(|w| w[0] < w[1]));
+    let (_, on_machine, head) = track(&animations[1], "tool");
+    let (_, carried, table) = track(&animations[1], "workpiece");
+    for k in 0..181 {
+        let want = blade.model_from_blade * plan.toolpath.locations[k].centre;
+        let axis = blade.model_from_blade * crate::tool::axis(plan.channel.b_rad, plan.schedule.theta[k]);
+        assert!((at[k] - want).norm() < 1e-4 && (turned[k] * Vector::z() - axis).norm() < 1e-6, "key {k}");
+        // On the machine the head never turns, and part and tool meet at the same place of the part.
+        assert!((head[k] * Vector::z() - head[0] * Vector::z()).norm() < 1e-6);
+        let in_part = table[k].inverse() * (on_machine[k] - carried[k].coords);
+        assert!((in_part - want).norm() < 1e-3, "key {k}: {in_part} {want}");
+        assert!((table[k].inverse() * (head[k] * Vector::z()) - axis).norm() < 1e-5);
+    }
+    let spindle = head[0] * Vector::z();
+    assert!((spindle - Vector::new(sample::B_RAD.sin(), 0.0, sample::B_RAD.cos())).norm() < 1e-6);
+}
+
+#[test]
+fn tool_and_machine_face_outward_and_the_ball_is_round() {
+    let (doc, blob) = read(&scene(Some(&sample::plan(1, 12)), &GltfOptions::default()).unwrap());
     let tool = sample::tool();
-    let (doc, blob) =
-        read(&super::gltf(Some(&sample::plan(1, 12)), &sample::blade(), &tool, &Default::default()).unwrap());
-    let mesh = doc.meshes().find(|m| m.name() == Some("tool")).unwrap();
     let mut height = 0.0f64;
-    for p in mesh.primitives() {
-        let reader = p.reader(|_| Some(&blob));
-        let at: Vec<_> = reader.read_positions().unwrap().map(point).collect();
-        let normals: Vec<_> = reader.read_normals().unwrap().map(|n| point(n).coords).collect();
-        let indices: Vec<usize> = reader.read_indices().unwrap().into_u32().map(|i| i as usize).collect();
-        for t in indices.chunks(3) {
-            let flat = (at[t[1]] - at[t[0]]).cross(&(at[t[2]] - at[t[0]]));
-            assert!(flat.norm() > 1e-9, "a triangle without area");
-            let mean: Vector = t.iter().map(|&i| normals[i]).sum();
-            assert!(flat.dot(&mean) > 0.0, "{:?} faces inward", p.material().name());
+    for mesh in doc.meshes() {
+        let name = mesh.name().unwrap();
+        let of_tool = ["ball", "taper", "shank", "holder 1", "holder 2"].contains(&name);
+        if !of_tool && !["table", "spindle", "pivot of B", "altered points"].contains(&name) {
+            continue;
         }
-        if p.material().name() == Some("ball") {
-            assert!(at.iter().all(|p| (p.coords.norm() - tool.radius_mm).abs() < 1e-5));
+        for p in mesh.primitives() {
+            let reader = p.reader(|_| Some(&blob));
+            let at: Vec<_> = reader.read_positions().unwrap().map(point).collect();
+            let normals: Vec<_> = reader.read_normals().unwrap().map(|n| point(n).coords).collect();
+            let indices: Vec<usize> = reader.read_indices().unwrap().into_u32().map(|i| i as usize).collect();
+            for t in indices.chunks(3) {
+                let flat = (at[t[1]] - at[t[0]]).cross(&(at[t[2]] - at[t[0]]));
+                assert!(flat.norm() > 1e-9, "a triangle without area in {name}");
+                let mean: Vector = t.iter().map(|&i| normals[i]).sum();
+                assert!(flat.dot(&mean) > 0.0, "{name} faces inward");
+            }
+            if name == "ball" {
+                assert!(at.iter().all(|p| (p.coords.norm() - tool.radius_mm).abs() < 1e-5));
+            }
+            if of_tool {
+                height = at.iter().fold(height, |h, p| h.max(p.z));
+            }
         }
-        height = at.iter().fold(height, |h, p| h.max(p.z));
     }
     assert!((height - tool.length_mm()).abs() < 1e-4);
 }
 
 #[test]
+fn fans_open_as_far_as_the_channel() {
+    let plan = sample::plan(3, 60);
+    let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
+    let mesh = doc.meshes().find(|m| m.name() == Some("channel")).unwrap();
+    let first = mesh.primitives().next().unwrap();
+    let at: Vec<_> = first.reader(|_| Some(&blob)).read_positions().unwrap().map(point).collect();
+    let row = plan.channel.narrowest_row;
+    let axis = |theta| sample::blade().model_from_blade * crate::tool::axis(plan.channel.b_rad, theta);
+    let (lo, hi) = (plan.channel.rows[row].theta_min, plan.channel.rows[row].theta_max);
+    assert!(((at[1] - at[0]).normalize() - axis(lo)).norm() < 1e-5);
+    assert!(((at[25] - at[0]).normalize() - axis(hi)).norm() < 1e-5);
+}
+
+#[test]
+fn a_budget_is_kept_while_there_is_something_to_leave_out() {
+    let plan = sample::plan(20, 600);
+    let whole = scene(Some(&plan), &GltfOptions::default()).unwrap().len();
+    for budget_bytes in [whole / 2, whole / 4] {
+        let bytes = scene(Some(&plan), &GltfOptions { budget_bytes, ..GltfOptions::default() }).unwrap();
+        assert!(bytes.len() <= budget_bytes, "{} over {budget_bytes}", bytes.len());
+        assert_eq!(read(&bytes).0.animations().count(), 2);
+    }
+}
+
+#[test]
 fn odd_inputs_give_a_scene_or_an_error_and_no_panic() {
-    let (blade, tool) = (sample::blade(), sample::tool());
     let options = GltfOptions::default();
-    assert!(read(&super::gltf(None, &blade, &tool, &options).unwrap()).0.animations().next().is_none());
+    assert!(read(&scene(None, &options).unwrap()).0.animations().next().is_none());
     let mut empty = sample::plan(1, 12);
     empty.toolpath.locations.clear();
-    assert!(super::gltf(Some(&empty), &blade, &tool, &options).is_ok());
+    assert!(scene(Some(&empty), &options).is_ok());
     let mut wild = sample::plan(1, 12);
     wild.toolpath.turns[0].first = usize::MAX;
-    assert!(super::gltf(Some(&wild), &blade, &tool, &options).is_ok());
+    wild.channel.narrowest_row = usize::MAX;
+    assert!(scene(Some(&wild), &options).is_ok());
     let mut bad = sample::plan(1, 12);
     bad.toolpath.locations[3].centre.x = f64::NAN;
-    assert!(super::gltf(Some(&bad), &blade, &tool, &options).is_err());
-    let tight = GltfOptions { max_triangles: 0, max_path_points: 0, max_keys: 0, ..options };
-    assert!(super::gltf(Some(&sample::plan(2, 30)), &blade, &tool, &tight).is_ok());
+    assert!(scene(Some(&bad), &options).is_err());
+    let tight = GltfOptions { budget_bytes: 0, ..options };
+    assert!(scene(Some(&sample::plan(2, 30)), &tight).is_ok());
 }
 
 #[test]
 fn the_same_input_gives_the_same_bytes() {
-    let make =
-        || super::gltf(Some(&sample::plan(2, 30)), &sample::blade(), &sample::tool(), &Default::default()).unwrap();
+    let make = || scene(Some(&sample::plan(2, 30)), &GltfOptions::default()).unwrap();
     assert_eq!(make(), make());
 }

@@ -8,9 +8,13 @@ use json::mesh::{Mode, Primitive, Semantic};
 use json::scene::Node;
 use serde_json::json;
 
+use nalgebra::UnitQuaternion;
+
 use super::glb::Glb;
-use super::{mesh_node, single};
+use super::{Scene, mesh_node, single, triple};
+use crate::artifact::Plan;
 use crate::error::Result;
+use crate::geometry::Vector;
 use crate::tool::Tool;
 
 /// Facets around.
@@ -19,10 +23,33 @@ const AROUND: u32 = 48;
 const BALL: u32 = 16;
 
 /// A ring of the profile: height, radius, and the profile's outward normal (along radius, along height).
-type Ring = [f64; 4];
+pub(super) type Ring = [f64; 4];
 
-/// The node.
-pub(super) fn node(glb: &mut Glb, tool: &Tool) -> Result<Index<Node>> {
+/// The node with a child for each part of the tool and one for the machine's head, where the path begins.
+pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<Node>> {
+    let tool = scene.tool;
+    let mut children = Vec::new();
+    for (name, rings) in &parts(tool) {
+        let shown = revolved(glb, name, look(name), rings)?;
+        children.push(mesh_node(glb, name, vec![shown], json!({ "part_of": "tool" })));
+    }
+    children.push(super::machine::head(glb, plan, scene)?);
+    let note = json!({
+        "origin": "ball centre", "z": "towards the spindle", "ball_radius_mm": tool.radius_mm,
+        "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
+    });
+    let node = super::group(glb, "tool", children, &note);
+    if let (Some(l), Some(theta)) = (plan.toolpath.locations.first(), plan.schedule.theta.first()) {
+        let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), *theta);
+        let q = scene.blade.model_from_blade.rotation * turn * super::motion::lean(plan.channel.b_rad);
+        let at = triple(&(scene.blade.model_from_blade * l.centre).coords)?;
+        glb.place(node, at, [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
+    }
+    Ok(node)
+}
+
+/// Ball, taper, shank and holder stages as rings.
+fn parts(tool: &Tool) -> Vec<(String, Vec<Ring>)> {
     let mut parts: Vec<(String, Vec<Ring>)> = vec![("ball".into(), ball(tool))];
     let mut before = tool.radius_mm * tool.taper_deg.to_radians().cos();
     for s in tool.segments() {
@@ -42,15 +69,7 @@ pub(super) fn node(glb: &mut Glb, tool: &Tool) -> Result<Index<Node>> {
         let top = rings.last().map_or(0.0, |r| r[0]);
         rings.extend([[top, before, 0.0, 1.0], [top, 0.0, 0.0, 1.0]]);
     }
-    let mut primitives = Vec::new();
-    for (name, rings) in &parts {
-        primitives.push(revolved(glb, name, rings)?);
-    }
-    let note = json!({
-        "origin": "ball centre", "z": "towards the spindle", "ball_radius_mm": tool.radius_mm,
-        "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
-    });
-    Ok(mesh_node(glb, "tool", primitives, note))
+    parts
 }
 
 fn ball(tool: &Tool) -> Vec<Ring> {
@@ -73,7 +92,7 @@ fn look(name: &str) -> [f32; 3] {
 }
 
 /// Bands between consecutive rings; two rings at one place start a new band with its own normals.
-fn revolved(glb: &mut Glb, name: &str, rings: &[Ring]) -> Result<Primitive> {
+pub(super) fn revolved(glb: &mut Glb, name: &str, rgb: [f32; 3], rings: &[Ring]) -> Result<Primitive> {
     let (mut points, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for [z, r, nr, nz] in rings {
         for k in 0..=AROUND {
@@ -99,6 +118,6 @@ fn revolved(glb: &mut Glb, name: &str, rings: &[Ring]) -> Result<Primitive> {
         }
     }
     let attributes = [(Semantic::Positions, glb.positions(&points)), (Semantic::Normals, glb.normals(&normals))];
-    let (indices, material) = (glb.indices(&indices), glb.material(name, look(name), true));
+    let (indices, material) = (glb.indices(&indices), glb.material(name, rgb, true));
     Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))
 }

@@ -7,8 +7,7 @@ use serde_json::json;
 
 use super::blade::{corner_normals, primitive};
 use super::glb::Glb;
-use super::{GltfOptions, mesh_node};
-use crate::artifact::Blade;
+use super::{Scene, mesh_node};
 use crate::error::Result;
 use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
@@ -19,13 +18,11 @@ const MOST: usize = 20_000;
 const COLOUR: [f32; 3] = [0.85, 0.05, 0.05];
 
 /// The node, or `None` where all can be reached.
-pub(super) fn node(glb: &mut Glb, blade: &Blade, options: &GltfOptions) -> Result<Option<Index<Node>>> {
-    let places = &options.uncut;
-    if places.is_empty() {
-        return Ok(None);
-    }
+pub(super) fn node(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>> {
+    let Some(checks) = scene.checks.filter(|c| !c.uncut.is_empty()) else { return Ok(None) };
+    let (places, cell_mm2) = (&checks.uncut, checks.uncut_cell_mm2);
     let every = places.len().div_ceil(MOST);
-    let half = 0.5 * (options.uncut_cell_mm2 * every as f64).max(0.0).sqrt();
+    let half = 0.5 * (cell_mm2 * every as f64).max(0.0).sqrt();
     let mut mesh = Mesh::default();
     for place in places.iter().step_by(every) {
         let n = place.normal;
@@ -38,14 +35,14 @@ pub(super) fn node(glb: &mut Glb, blade: &Blade, options: &GltfOptions) -> Resul
         mesh.points.extend([p - e - f, p + e - f, p + e + f, p - e + f]);
         mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
     }
-    let mesh = mesh.moved(&blade.model_from_blade);
+    let mesh = mesh.moved(&scene.blade.model_from_blade);
     let normals = corner_normals(&mesh, 0.5);
     let all: Vec<usize> = (0..mesh.triangles.len()).collect();
     let shown = primitive(glb, &mesh, &normals, &all, ("uncut", COLOUR))?;
     let note = json!({
         "places": places.len(),
         "shown_one_in": every,
-        "area_mm2": places.len() as f64 * options.uncut_cell_mm2,
+        "area_mm2": places.len() as f64 * cell_mm2,
         "highest_left_mm": places.iter().map(|p| p.left_mm).fold(0.0, f64::max),
     });
     Ok(Some(mesh_node(glb, "uncut", vec![shown], note)))

@@ -1,9 +1,9 @@
-//! Figures of the run as static HTML: cards, peaks of the axes, scallop.
+//! Figures of the run as static HTML, all of them from `summary.json`: cards, schedules, kinds of path, comparison, peaks of the axes.
 
-use super::{ReportInput, escape, number};
-use crate::artifact::AxisMotion;
+use serde_json::Value;
+
+use super::{ReportInput, escape, figure, number};
 use crate::artifact::axis_motion::AXES;
-use crate::artifact::report::LimitSource;
 
 fn card(out: &mut String, label: &str, value: &str, note: &str) {
     out.push_str(&format!(
@@ -12,44 +12,22 @@ fn card(out: &mut String, label: &str, value: &str, note: &str) {
     ));
 }
 
+fn value(input: &ReportInput, pointer: &str) -> f64 {
+    input.summary.json.pointer(pointer).and_then(Value::as_f64).unwrap_or(f64::NAN)
+}
+
+fn text(input: &ReportInput, pointer: &str) -> String {
+    input.summary.json.pointer(pointer).and_then(Value::as_str).map(escape).unwrap_or_default()
+}
+
 /// Cards with the figures of the run.
 pub(super) fn figures(input: &ReportInput) -> String {
     let mut cards = String::new();
-    if let Some(plan) = input.plan {
-        let path = &plan.toolpath;
-        let length = path.locations.last().map_or(f64::NAN, |l| l.s_mm);
-        card(&mut cards, "Machining time", &duration(plan.motion.time_s), &time_note(input, plan.motion.time_s));
-        card(
-            &mut cards,
-            "Path",
-            &format!("{} mm", number(length)),
-            &format!("{} turns, {} locations", path.turns.len(), path.locations.len()),
-        );
-        if path.stock_mm > 0.0 {
-            card(&mut cards, "Stock", &format!("{} mm", number(path.stock_mm)), "stay on the part");
-        }
-        let [from, to] = path.region_x_mm;
-        card(
-            &mut cards,
-            "Region",
-            &format!("{} – {} mm", number(from), number(to)),
-            "along the blade axis, ball centres",
-        );
-        let row = plan.channel.rows.get(plan.channel.narrowest_row);
-        let width = row.map_or(f64::NAN, |r| (r.hull_max - r.hull_min).to_degrees());
-        let turn = path.locations.get(plan.channel.narrowest_row).map_or(String::new(), |l| format!("turn {}", l.turn));
-        card(&mut cards, "Narrowest channel", &format!("{}°", number(width)), &turn);
-        let kind = format!("{:?}", plan.schedule.kind).to_lowercase();
-        card(&mut cards, "Schedule", &kind, &format!("{} reversals of θ", plan.schedule.reversals));
+    if input.plan.is_some() {
+        plan_cards(input, &mut cards);
     }
-    if let Some(r) = input.checks {
-        let asked = input.plan.map_or(String::new(), |p| format!("{} asked for", number(p.toolpath.scallop_mm)));
-        card(&mut cards, "Greatest scallop", &format!("{} mm", number(r.scallop_max_mm)), &asked);
-        card(&mut cards, "Deepest gouge", &format!("{} mm", number(r.gouge_mm)), "");
-        let uncut = format!("{} mm²", number(r.uncut_area_mm2));
-        let most = format!("no ball of this radius reaches it; at most {} mm are left", number(r.uncut_height_mm));
-        card(&mut cards, "Uncut", &uncut, if r.uncut_area_mm2 > 0.0 { &most } else { "" });
-        card(&mut cards, "Least clearance", &format!("{} mm", number(r.clearance_mm)), "tool without ball");
+    if input.checks.is_some() {
+        check_cards(input, &mut cards);
     }
     let t = input.tool;
     let holder = t.holder.iter().map(|h| format!("R {} × {}", number(h.radius_mm), number(h.length_mm)));
@@ -64,25 +42,53 @@ pub(super) fn figures(input: &ReportInput) -> String {
     format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl></section>\n")
 }
 
-fn duration(seconds: f64) -> String {
-    if !seconds.is_finite() {
-        return "–".into();
+fn plan_cards(input: &ReportInput, cards: &mut String) {
+    let f = |pointer: &str| figure(&input.summary, pointer);
+    let time = value(input, "/machining_time_s");
+    let against = value(input, "/schedules/1/machining_time_s");
+    let change =
+        if against.is_finite() { format!("{} against fixed lead", change(time, against)) } else { String::new() };
+    card(cards, "Machining time", &format!("{} s", f("/machining_time_s")), &joined(&[minutes(time), change]));
+    let note = format!("{} turns, {} locations", f("/turns"), f("/cutter_locations"));
+    card(cards, "Path", &format!("{} mm", f("/path_length_mm")), &note);
+    if value(input, "/stock_mm") > 0.0 {
+        card(cards, "Stock", &format!("{} mm", f("/stock_mm")), "stays on the part");
     }
-    if seconds < 60.0 {
-        return format!("{seconds:.1} s");
+    let region = format!("{} – {} mm", f("/region_x_mm/0"), f("/region_x_mm/1"));
+    card(cards, "Region", &region, &format!("ball centres along the blade axis; end: {}", text(input, "/end_reason")));
+    card(
+        cards,
+        "Narrowest channel",
+        &format!("{}°", f("/channel_width_min_deg")),
+        &format!("location {}", f("/channel_narrowest_row")),
+    );
+    let note = format!("{} reversals of θ", f("/schedules/0/reversals"));
+    card(cards, "Schedule", &text(input, "/schedules/0/kind"), &note);
+}
+
+fn check_cards(input: &ReportInput, cards: &mut String) {
+    let f = |pointer: &str| figure(&input.summary, pointer);
+    let asked = format!("{} asked for; 99 % at most {}", f("/scallop_asked_mm"), f("/scallop_p99_mm"));
+    card(cards, "Greatest scallop", &format!("{} mm", f("/scallop_max_mm")), &asked);
+    card(cards, "Length over the limit", &f("/limit/ratio"), "inner turns beside the least that their area needs");
+    card(cards, "Deepest gouge", &format!("{} mm", f("/gouge_mm")), "");
+    let most = format!("no ball of this radius reaches it; at most {} mm are left", f("/uncut_height_mm"));
+    let uncut = value(input, "/uncut_area_mm2") > 0.0;
+    card(cards, "Uncut", &format!("{} mm²", f("/uncut_area_mm2")), if uncut { &most } else { "" });
+    card(cards, "Least clearance", &format!("{} mm", f("/clearance_mm")), "tool without ball");
+}
+
+fn joined(parts: &[String]) -> String {
+    parts.iter().filter(|p| !p.is_empty()).cloned().collect::<Vec<_>>().join("; ")
+}
+
+fn minutes(seconds: f64) -> String {
+    if !(seconds.is_finite() && seconds >= 60.0) {
+        return String::new();
     }
     // Whole seconds first, so that there are never 60 of them.
     let whole = seconds.round();
     format!("{:.0} min {:.0} s", (whole / 60.0).floor(), whole % 60.0)
-}
-
-fn time_note(input: &ReportInput, time_s: f64) -> String {
-    match input.baseline.and_then(|b| b.motion.map(|m| (b.name, m.time_s))) {
-        Some((name, other)) if other > 0.0 => {
-            format!("{} against {} with {}", change(time_s, other), duration(other), escape(name))
-        }
-        _ => String::new(),
-    }
 }
 
 /// Change from `old` to `new` in per cent, with its sign.
@@ -94,102 +100,155 @@ fn change(new: f64, old: f64) -> String {
     }
 }
 
-fn peak(rows: &[[f64; 5]], axis: usize) -> f64 {
-    let scale = if axis < 3 { 1.0 } else { 1f64.to_degrees() };
-    let peak = rows.iter().map(|r| (r[axis] * scale).abs()).fold(f64::NAN, f64::max);
-    // Less is the noise of rounding: the axis stands still.
-    if peak < 1e-6 { 0.0 } else { peak }
+/// A table that scrolls by itself.
+pub(super) fn table(label: &str, head: &[(&str, bool)], body: &str) -> String {
+    let cells: String = head
+        .iter()
+        .map(|(name, number)| format!("<th scope=\"col\"{}>{name}</th>", if *number { " class=\"n\"" } else { "" }))
+        .collect();
+    format!(
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{label}\"><table><thead><tr>{cells}</tr></thead>\
+         <tbody>{body}</tbody></table></div>\n"
+    )
+}
+
+/// The schedule beside the others of the run; paths of other kinds; the comparison over the machine's limits, where there is one.
+pub(super) fn comparison(input: &ReportInput) -> String {
+    let mut out = String::new();
+    out.push_str(&schedules(input));
+    out.push_str(&paths(input));
+    if let Some(file) = &input.compare {
+        out.push_str(&compared(file));
+    }
+    if out.is_empty() { out } else { format!("<section id=\"compare\"><h2>Compared</h2>\n{out}</section>\n") }
+}
+
+fn count(input: &ReportInput, pointer: &str) -> usize {
+    input.summary.json.pointer(pointer).and_then(Value::as_array).map_or(0, Vec::len)
+}
+
+fn row(name: &str, cells: impl Iterator<Item = String>) -> String {
+    let cells: String = cells.map(|c| format!("<td class=\"n\">{c}</td>")).collect();
+    format!("<tr><th scope=\"row\">{name}</th>{cells}</tr>\n")
+}
+
+fn schedules(input: &ReportInput) -> String {
+    let n = count(input, "/schedules");
+    if n == 0 {
+        return String::new();
+    }
+    let kind = |k: usize| text(input, &format!("/schedules/{k}/kind"));
+    let names: Vec<String> = (0..n).map(|k| if k == 0 { format!("{} (in use)", kind(k)) } else { kind(k) }).collect();
+    let mut head = vec![("Schedule", false)];
+    head.extend(names.iter().map(|n| (n.as_str(), true)));
+    let figures = [
+        ("machining time, s", "machining_time_s"),
+        ("reversals of θ", "reversals"),
+        ("locations outside the channel", "outside_channel"),
+        ("greatest |dθ/ds|, °/mm", "theta_rate_peak_deg_per_mm"),
+        ("greatest |d²θ/ds²|, °/mm²", "theta_acceleration_peak_deg_per_mm2"),
+        ("A at full feed, °/s", "a_velocity_at_constant_feed_deg_s"),
+        ("A at full feed, °/s²", "a_acceleration_at_constant_feed_deg_s2"),
+    ];
+    let body: String = figures
+        .iter()
+        .map(|(name, key)| row(name, (0..n).map(|k| figure(&input.summary, &format!("/schedules/{k}/{key}")))))
+        .collect();
+    format!("<h3>Schedules on this path</h3>\n{}", table("Schedules", &head, &body))
+}
+
+fn paths(input: &ReportInput) -> String {
+    let n = count(input, "/other_paths");
+    if n == 0 {
+        return String::new();
+    }
+    let line = |k: usize| {
+        let f = |key: &str| figure(&input.summary, &format!("/other_paths/{k}/{key}"));
+        let cells = ["turns", "path_length_mm", "limit/ratio", "ratio_at_same_scallop"].map(f);
+        row(&text(input, &format!("/other_paths/{k}/kind")), cells.into_iter())
+    };
+    let body: String = (0..n).map(line).collect();
+    let head = [
+        ("Kind", false),
+        ("turns", true),
+        ("length, mm", true),
+        ("over the limit", true),
+        ("at the same scallop", true),
+    ];
+    format!("<h3>Paths of other kinds over the same region</h3>\n{}", table("Kinds of path", &head, &body))
+}
+
+/// `compare.json`: all schedules under the machine's own limits and others.
+fn compared(file: &super::File) -> String {
+    let list = |pointer: &str| file.json.pointer(pointer).and_then(Value::as_array).map_or(0, Vec::len);
+    let name = |pointer: &str| file.json.pointer(pointer).and_then(Value::as_str).map(escape).unwrap_or_default();
+    let mut out = String::new();
+    for l in 0..list("/sweep") {
+        let runs = list(&format!("/sweep/{l}/runs"));
+        let line = |k: usize| {
+            let f = |key: &str| figure(file, &format!("/sweep/{l}/runs/{k}/{key}"));
+            let cells = ["time_s", "over_bound", "constant_feed_mm_min", "constant_feed_time_s"].map(f);
+            row(&name(&format!("/sweep/{l}/runs/{k}/name")), cells.into_iter())
+        };
+        let body: String = (0..runs).map(line).collect();
+        let head = [
+            ("Schedule", false),
+            ("time, s", true),
+            ("over the bound", true),
+            ("constant feed, mm/min", true),
+            ("time at it, s", true),
+        ];
+        let scale = figure(file, &format!("/sweep/{l}/scale"));
+        let bound = figure(file, &format!("/sweep/{l}/bound_s"));
+        out.push_str(&format!(
+            "<h4>{scale} times the machine's limits (no schedule takes less than {bound} s)</h4>\n{}",
+            table("Comparison", &head, &body)
+        ));
+    }
+    format!("<h3>All schedules over the machine's limits</h3>\n{out}")
 }
 
 /// Table of peak velocity, acceleration and jerk of each axis.
 pub(super) fn axes(input: &ReportInput) -> String {
-    let Some(plan) = input.plan else { return String::new() };
-    let baseline = input.baseline.and_then(|b| b.motion.map(|m| (b.name, m)));
+    if input.plan.is_none() {
+        return String::new();
+    }
     let limits = input.machine.limits();
+    let others = count(input, "/schedules") > 1;
     let mut rows = String::new();
     for (i, axis) in AXES.iter().enumerate() {
-        let unit = if i < 3 { "mm" } else { "deg" };
+        let unit = if i < 3 { "mm" } else { "°" };
         let scale = if i < 3 { 1.0 } else { 1f64.to_degrees() };
-        type Pick = fn(&AxisMotion) -> &[[f64; 5]];
-        let kinds: [(&str, &str, Pick, f64); 3] = [
-            ("velocity", "/s", |m| &m.velocity, limits[i].velocity),
-            ("acceleration", "/s²", |m| &m.acceleration, limits[i].acceleration),
-            ("jerk (not limited)", "/s³", |m| &m.jerk, f64::NAN),
+        let kinds = [
+            ("velocity", "/s", limits[i].velocity),
+            ("acceleration", "/s²", limits[i].acceleration),
+            ("jerk", "/s³", limits[i].jerk),
         ];
-        for (kind, per, pick, limit) in kinds {
-            let now = peak(pick(&plan.motion), i);
-            let before = baseline.map_or(f64::NAN, |(_, m)| peak(pick(m), i));
-            rows.push_str(&format!(
-                "<tr><th scope=\"row\">{axis} {kind}</th><td>{unit}{per}</td><td class=\"n\">{}</td>\
-                 <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                number(now),
-                number(before),
+        for (kind, per, limit) in kinds {
+            let at = |k: usize| format!("/schedules/{k}/axes/{i}/{kind}");
+            let (now, before) = (value(input, &at(0)), value(input, &at(1)));
+            let cells = [
+                figure(&input.summary, &at(0)),
+                if others { figure(&input.summary, &at(1)) } else { "–".into() },
                 change(now, before),
-                number(limit * scale)
-            ));
+                number(limit * scale),
+                number(100.0 * now / (limit * scale)),
+            ];
+            rows.push_str(&row(&format!("{axis} {kind}, {unit}{per}"), cells.into_iter()));
         }
     }
-    let name = baseline.map_or("no baseline", |(n, _)| n);
+    let head = [
+        ("Axis", false),
+        ("This plan", true),
+        ("fixed lead", true),
+        ("Change", true),
+        ("Limit", true),
+        ("% of limit", true),
+    ];
     format!(
         "<section id=\"peaks\"><h2>Peaks of the axes</h2><p>Over all cutter locations. Limits are those of the machine \
-         file ({}).</p><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of peaks\"><table><thead><tr>\
-         <th scope=\"col\">Axis</th><th scope=\"col\">Unit</th><th scope=\"col\" class=\"n\">This plan</th>\
-         <th scope=\"col\" class=\"n\">{}</th><th scope=\"col\" class=\"n\">Change</th><th scope=\"col\" class=\"n\">Limit</th>\
-         </tr></thead><tbody>{rows}</tbody></table></div></section>\n",
+         file ({}).</p>{}</section>\n",
         if limits.iter().any(|l| l.provenance == crate::machine::Provenance::Assumed) { "assumed" } else { "measured" },
-        escape(name)
+        table("Peaks of the axes", &head, &rows)
     )
-}
-
-/// Bars of scallop percentiles against what was asked for.
-pub(super) fn scallop(input: &ReportInput) -> String {
-    let mut out = String::from("<section id=\"scallop\"><h2>Scallop</h2>\n");
-    let Some(r) = input.checks else {
-        out.push_str("<p>Scallop was not measured in this run.</p></section>\n");
-        return out;
-    };
-    let asked = input.plan.map_or(f64::NAN, |p| p.toolpath.scallop_mm);
-    let rows = [
-        ("greatest", r.scallop_max_mm),
-        ("99 %", r.scallop_p99_mm),
-        ("95 %", r.scallop_p95_mm),
-        ("median", r.scallop_p50_mm),
-        ("5 %", r.scallop_p05_mm),
-        ("ridges, greatest", r.ridge_max_mm),
-        ("ridges, 99 %", r.ridge_p99_mm),
-        ("ridges, median", r.ridge_p50_mm),
-        ("ridges, 5 %", r.ridge_p05_mm),
-    ];
-    let top = rows.iter().map(|r| r.1).chain([asked]).filter(|v| v.is_finite()).fold(1e-12, f64::max);
-    out.push_str(&format!(
-        "<p>Height left over the part, mm: percentiles over {} points of the machined band, and of the ridges between \
-         neighbouring turns. The line marks what was asked for ({} mm).</p><table class=\"bars\"><tbody>\n",
-        r.scallop_samples,
-        number(asked)
-    ));
-    for (name, value) in rows {
-        let width = if value.is_finite() { (100.0 * value / top).clamp(0.0, 100.0) } else { 0.0 };
-        let line = if asked.is_finite() {
-            format!("<i style=\"left:{:.1}%\"></i>", (100.0 * asked / top).clamp(0.0, 100.0))
-        } else {
-            String::new()
-        };
-        out.push_str(&format!(
-            "<tr><th scope=\"row\">{name}</th><td class=\"n\">{}</td><td class=\"bar\"><div><b style=\"width:{width:.1}%\"></b>\
-             {line}</div></td></tr>\n",
-            number(value)
-        ));
-    }
-    out.push_str("</tbody></table>\n");
-    let l = &r.limit;
-    out.push_str(&format!(
-        "<p>Inner turns: {} mm along the contacts over {} mm²; the least for that area and scallop is {} mm (from the {}), so the \
-         path is {} times as long as it must be.</p></section>\n",
-        number(l.path_length_mm),
-        number(l.area_mm2),
-        number(l.limit_length_mm),
-        if l.source == LimitSource::Curvature { "curvature of the faces" } else { "measured ridges" },
-        number(l.ratio)
-    ));
-    out
 }

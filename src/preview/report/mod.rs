@@ -1,19 +1,28 @@
-//! One self-contained page about a run: verdicts, figures, plots, a 3-D picture, the job and where it all came from.
+//! One self-contained page about a run: verdicts, figures, a 3-D view, plots, the job and where it all came from.
 //!
 //! **In**: a [`ReportInput`] of plain references, every part of a run optional. **Out**: HTML text that needs no
-//! network: style and script (plain JavaScript, `page.js`) are inside, and the data as JSON. Tables are static; plots
-//! are drawn by the script, follow the width of the window and can be read with the keyboard.
+//! network: style, script and data are inside. Tables are static; the 3-D view and the plots are drawn by the script `viewer/dist/viewer.js`,
+//! which is built from `viewer/src` with three.js and uPlot by versions that `viewer/package-lock.json` pins. The bundle is part of the
+//! repository, so building the product needs no npm, and `npm run check` there tells whether it is what its sources make.
+//!
+//! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the file and the JSON pointer that they were made from
+//! (`data-figure`), and tests compare what is shown with the files.
 //!
 //! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where they come *nearest*
-//! to the schedule and the *greatest* of its velocities and accelerations, so nothing that matters is smoothed away. Peaks in tables are of all
-//! cutter locations. The 3-D picture is in the blade frame, sorted by depth, without perspective.
+//! to the schedule and the *greatest* of its velocities, accelerations and jerks, so nothing that matters is smoothed away. Peaks in tables are
+//! of all cutter locations. The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
 
 mod data;
 mod figures;
+mod pack;
+mod scallop;
 mod scene;
 mod tables;
 #[cfg(test)]
 mod tests;
+
+pub use scallop::{Histogram, histogram as scallop_histogram};
+use serde_json::Value;
 
 use crate::artifact::{AxisMotion, Blade, CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
@@ -32,6 +41,15 @@ pub struct Baseline<'a> {
     pub motion: Option<&'a AxisMotion>,
 }
 
+/// The JSON of one of the run's files.
+#[derive(Clone, Copy, Debug)]
+pub struct File<'a> {
+    /// Its name without `.json`.
+    pub name: &'static str,
+    /// What is in it.
+    pub json: &'a Value,
+}
+
 /// What a report is made from. All lists may be empty.
 #[derive(Clone, Copy)]
 pub struct ReportInput<'a> {
@@ -47,6 +65,14 @@ pub struct ReportInput<'a> {
     pub plan: Option<&'a Plan>,
     /// What to compare it with.
     pub baseline: Option<Baseline<'a>>,
+    /// Schedules for the same path to show beside it in the S–θ plot, the baseline among them.
+    pub others: &'a [Baseline<'a>],
+    /// `summary.json`.
+    pub summary: File<'a>,
+    /// `verify.json`.
+    pub verify: File<'a>,
+    /// `compare.json`, if the run has one.
+    pub compare: Option<File<'a>>,
     /// Plane sections.
     pub sections: &'a [Section],
     /// What the checks found; `None`: nothing was checked.
@@ -66,28 +92,55 @@ pub struct ReportInput<'a> {
 /// # Errors
 /// `InputOutput` where the data cannot be encoded; numbers that are not finite are shown as missing.
 pub fn html(input: &ReportInput) -> Result<String> {
-    let data = serde_json::to_string(&data::payload(input))
+    let mut pack = pack::Pack::default();
+    let data = serde_json::to_string(&data::payload(input, &mut pack))
         .map_err(|e| Error::io(Stage::Preview, format!("the report's data cannot be encoded: {e}")).caused_by(e))?
         // Inside a script element the text must not contain `</script` or `<!--`.
         .replace('<', "\\u003c");
-    let mut page = String::with_capacity(data.len() + 64 * 1024);
+    // A coordinate that is not a number leaves the page without its picture, not the user without the page.
+    let (numbers, scene) = (pack.base64(), scene::glb(input).unwrap_or_default());
+    let mut page = String::with_capacity(data.len() + numbers.len() + scene.len() + 1024 * 1024);
     page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
     page.push_str(&format!("<title>{} – bladewright report</title>\n", escape(input.title)));
-    page.push_str(&format!("<style>\n{}</style>\n</head>\n<body>\n", include_str!("page.css")));
+    page.push_str("<link rel=\"icon\" href=\"data:,\">\n");
+    page.push_str(&format!("<style>\n{PLOT_STYLE}{}</style>\n</head>\n<body>\n", include_str!("page.css")));
     page.push_str(&tables::header(input));
     page.push_str("<main id=\"main\">\n");
+    page.push_str(include_str!("view.html"));
     page.push_str(&figures::figures(input));
     page.push_str(&tables::checks(input));
-    page.push_str(&figures::axes(input));
     page.push_str(include_str!("plots.html"));
-    page.push_str(&figures::scallop(input));
+    page.push_str(&figures::axes(input));
+    page.push_str(&scallop::section(input));
+    page.push_str(&figures::comparison(input));
+    page.push_str(include_str!("sections.html"));
     page.push_str(&tables::warnings(input));
     page.push_str(&tables::provenance(input));
     page.push_str("</main>\n");
-    page.push_str(&format!("<script id=\"data\" type=\"application/json\">{data}</script>\n"));
-    page.push_str(&format!("<script>\n{}</script>\n</body>\n</html>\n", include_str!("page.js")));
+    for (id, kind, text) in
+        [("data", "application/json", &data), ("numbers", "text/plain", &numbers), ("scene-glb", "text/plain", &scene)]
+    {
+        page.push_str(&format!("<script id=\"{id}\" type=\"{kind}\">{text}</script>\n"));
+    }
+    page.push_str(&format!("<script>\n{VIEWER}</script>\n</body>\n</html>\n"));
     Ok(page)
+}
+
+/// The script, with the licences of what it was built from at its head.
+const VIEWER: &str = include_str!("../../../viewer/dist/viewer.js");
+/// uPlot's style.
+const PLOT_STYLE: &str = include_str!("../../../viewer/dist/viewer.css");
+
+/// A number of one of the run's files as it is shown, with the place that it came from.
+fn figure(file: &File, pointer: &str) -> String {
+    let value = file.json.pointer(pointer);
+    let shown = match value {
+        Some(Value::Number(n)) if n.is_u64() => n.to_string(),
+        Some(v) => number(v.as_f64().unwrap_or(f64::NAN)),
+        None => return "–".into(),
+    };
+    format!("<span data-figure=\"{}{pointer}\">{shown}</span>", file.name)
 }
 
 /// Text as it may stand in HTML, also in attributes.

@@ -1,6 +1,7 @@
 //! The page's words and tables: header, checks, warnings, where it came from.
 
-use super::{ReportInput, escape, number};
+use super::figures::table;
+use super::{ReportInput, escape, figure};
 use crate::artifact::report::Check;
 
 /// Header with the verdict and the ways through the page.
@@ -17,9 +18,9 @@ pub(super) fn header(input: &ReportInput) -> String {
          bladewright report</p><h1>{title}</h1><p class=\"sub\">Blade {blade}, machine {}</p></div>\
          <button id=\"theme\" type=\"button\" aria-pressed=\"false\">Dark</button></div>\n\
          <p class=\"verdict {class}\"><span aria-hidden=\"true\">{mark}</span> {verdict}</p>\n{forced}\n\
-         <nav aria-label=\"Sections\"><a href=\"#figures\">Figures</a><a href=\"#checks\">Checks</a>\
-         <a href=\"#view\">3-D view</a><a href=\"#channel\">Channel</a><a href=\"#axes\">Axes</a>\
-         <a href=\"#sections\">Sections</a><a href=\"#scallop\">Scallop</a><a href=\"#job\">Job</a></nav>\n</header>\n",
+         <nav aria-label=\"Sections\"><a href=\"#view\">3-D view</a><a href=\"#figures\">Figures</a><a href=\"#checks\">Checks</a>\
+         <a href=\"#channel\">Channel</a><a href=\"#axes\">Axes</a><a href=\"#scallop\">Scallop</a>\
+         <a href=\"#compare\">Compared</a><a href=\"#sections\">Sections</a><a href=\"#job\">Job</a></nav>\n</header>\n",
         escape(&input.machine.name)
     )
 }
@@ -44,26 +45,31 @@ pub(super) fn checks(input: &ReportInput) -> String {
         out.push_str("<p>Nothing was checked in this run.</p></section>\n");
         return out;
     };
-    out.push_str(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of checks\"><table><thead><tr>\
-         <th scope=\"col\">Result</th><th scope=\"col\">Check</th><th scope=\"col\" class=\"n\">Worst</th>\
-         <th scope=\"col\" class=\"n\">Limit</th><th scope=\"col\">Unit</th><th scope=\"col\">Measured</th>\
-         <th scope=\"col\">Where</th></tr></thead><tbody>\n",
-    );
-    for c in &report.checks {
+    let mut body = String::new();
+    for (k, c) in report.checks.iter().enumerate() {
         let (class, word) = if c.passed { ("good", "✓ passed") } else { ("bad", "✗ failed") };
-        out.push_str(&format!(
+        body.push_str(&format!(
             "<tr><td class=\"{class}\">{word}</td><th scope=\"row\">{}</th><td class=\"n\">{}</td>\
              <td class=\"n\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
             escape(&c.name),
-            number(c.worst),
-            number(c.limit),
+            figure(&input.verify, &format!("/checks/{k}/worst")),
+            figure(&input.verify, &format!("/checks/{k}/limit")),
             escape(&c.unit),
             escape(&c.quantity),
             place(c)
         ));
     }
-    out.push_str("</tbody></table></div></section>\n");
+    let head = [
+        ("Result", false),
+        ("Check", false),
+        ("Worst", true),
+        ("Limit", true),
+        ("Unit", false),
+        ("Measured", false),
+        ("Where", false),
+    ];
+    out.push_str(&table("Table of checks", &head, &body));
+    out.push_str("</section>\n");
     out
 }
 
@@ -73,7 +79,7 @@ fn place(c: &Check) -> String {
         words.push(format!("turn {t}"));
     }
     if let Some(r) = c.row {
-        words.push(format!("location {r}"));
+        words.push(format!("<button type=\"button\" class=\"go\" data-row=\"{r}\">location {r}</button>"));
     }
     if let Some([x, y, z]) = c.point_mm {
         words.push(format!("model ({x:.3}, {y:.3}, {z:.3}) mm"));

@@ -13,18 +13,31 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
     let (sections, report) = (sample::sections(), sample::report());
     let warnings = [Warning { stage: Stage::Model, message: "an <odd> face".into() }];
     let provenance = [("File".to_string(), "cylinder.obj".to_string())];
+    let summary = serde_json::json!({
+        "turns": 3, "path_length_mm": 471.23889803846896, "machining_time_s": 50.0, "end_reason": "<here>",
+        "schedules": [
+            { "kind": "piecewise", "machining_time_s": 50.0, "axes": [{ "velocity": 10.0 }] },
+            { "kind": "fixed", "machining_time_s": 100.0, "axes": [{ "velocity": 20.0 }] },
+        ],
+    });
+    let verify = serde_json::to_value(&report).unwrap();
     let mut other = sample::plan(3, 600);
     for (i, (row, theta)) in other.motion.velocity.iter_mut().zip(&mut other.schedule.theta).enumerate() {
         row[3] *= 2.0;
         *theta += 0.2 * (i as f64 * 0.05).sin();
     }
+    let fixed = Baseline { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) };
     run(ReportInput {
         title: "Cylinder </script><b> & co",
         blade: &blade,
         tool: &tool,
         machine: &machine,
         plan,
-        baseline: plan.map(|_| Baseline { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) }),
+        baseline: plan.map(|_| fixed),
+        others: &[fixed],
+        summary: File { name: "summary", json: &summary },
+        verify: File { name: "verify", json: &verify },
+        compare: None,
         sections: &sections,
         checks: Some(&report),
         forced: false,
@@ -40,8 +53,12 @@ fn data(page: &str) -> Value {
     serde_json::from_str(from.split("</script>").next().unwrap()).unwrap()
 }
 
-fn numbers(v: &Value) -> Vec<f64> {
-    v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
+/// The list of the page that a reference means.
+fn numbers(page: &str, v: &Value) -> Vec<f64> {
+    let from = page.split("id=\"numbers\" type=\"text/plain\">").nth(1).unwrap();
+    let all = pack::unpacked(from.split("</script>").next().unwrap());
+    let at = v["at"].as_u64().unwrap() as usize;
+    all[at..at + v["n"].as_u64().unwrap() as usize].iter().map(|v| f64::from(*v)).collect()
 }
 
 #[test]
@@ -51,21 +68,27 @@ fn stretches_show_the_tightest_walls_and_the_greatest_rates() {
     plan.channel.rows[901].theta_min = plan.schedule.theta[901] - 0.01;
     plan.channel.rows[901].theta_max = plan.schedule.theta[901] + 0.01;
     plan.motion.acceleration[901][3] = -7.0;
-    let d = data(&with_input(Some(&plan), |i| html(&i)).unwrap());
+    let page = with_input(Some(&plan), |i| html(&i)).unwrap();
+    let (d, list) = (data(&page), |v: &Value| numbers(&page, v));
     let turn = &d["turns"][1];
-    let (s, min, max) = (numbers(&turn["s"]), numbers(&turn["min"]), numbers(&turn["max"]));
+    let (s, min, max) = (list(&turn["s"]), list(&turn["min"]), list(&turn["max"]));
     assert_eq!(s.len(), 400);
-    let theta = numbers(&turn["theta"]);
+    let theta = list(&turn["theta"]);
     let gaps = |wall: &[f64]| wall.iter().zip(&theta).map(|(w, t)| (w - t).abs()).fold(f64::INFINITY, f64::min);
     assert!((gaps(&min) - 0.573).abs() < 0.006 && (gaps(&max) - 0.573).abs() < 0.006);
     // Elsewhere the walls are where they are, not pulled in by the slope of θ within a stretch.
     assert!(min.iter().zip(&theta).all(|(w, t)| t - w < (sample::WIDTH_RAD + 0.3).to_degrees() + 0.01));
     assert!(min.iter().zip(&theta).any(|(w, t)| t - w > (sample::WIDTH_RAD + 0.3).to_degrees() - 0.1));
-    let acceleration = numbers(&d["axes"]["turns"][1]["plan"][3][2]);
+    let acceleration = list(&d["axes"]["turns"][1]["plan"]["axes"][3][2]);
     assert!(acceleration.iter().any(|v| (v + 7f64.to_degrees()).abs() < 0.01));
     assert_eq!(d["baseline"], "fixed lead");
-    let (velocity, other) = (&d["axes"]["turns"][1]["plan"][3][1], &d["axes"]["turns"][1]["baseline"][3][1]);
-    assert!((numbers(other)[50] / numbers(velocity)[50] - 2.0).abs() < 0.01);
+    let of = |who: &str| list(&d["axes"]["turns"][1][who]["axes"][3][1]);
+    assert!((of("baseline")[50] / of("plan")[50] - 2.0).abs() < 0.01);
+    // The path of the 3-D view is that of the plan.
+    let path = &d["scene"]["path"];
+    let (x, row) = (list(&path["x"]), list(&path["row"]));
+    assert_eq!((x.len(), row.len()), (1801, 1801));
+    assert!((x[901] - plan.toolpath.locations[row[901] as usize].centre.x).abs() < 1e-4);
 }
 
 #[test]
@@ -83,16 +106,24 @@ fn the_page_is_whole_and_needs_no_network() {
     ] {
         assert!(page.contains(part), "{part}");
     }
-    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("src="));
+    // The script itself is tried in a browser; all else names nothing outside.
+    let own = page.replace(VIEWER, "");
+    assert!(own.len() + VIEWER.len() == page.len());
+    assert!(!own.contains("http://") && !own.contains("https://") && !own.contains("src="));
     assert!(page.contains("Cylinder &lt;/script&gt;&lt;b&gt; &amp; co"));
     // The table's velocity peak of A: twice in the baseline, so half of it here.
     assert!(page.contains("−50.0 %"));
-    assert_eq!(page.matches("<script").count(), 2);
-    assert_eq!(page.matches("</script>").count(), 2);
+    assert_eq!(own.matches("<script").count(), 4);
+    assert_eq!(page.matches("</script").count(), 4);
+    assert!(!VIEWER.contains("<!--"));
     let d = data(&page);
     assert_eq!(d["turns"].as_array().unwrap().len(), 3);
-    assert_eq!(d["sections"][0]["loops"][0]["p"].as_array().unwrap().len(), 180);
-    assert_eq!(d["scene"]["triangles"].as_array().unwrap().len(), 3 * 192);
+    assert_eq!(d["sections"][0]["loops"][0]["y"]["n"], 90);
+    assert!(page.contains("<span data-figure=\"summary/path_length_mm\">471.2</span>"));
+    assert!(page.contains("<span data-figure=\"verify/checks/1/worst\">0.0101</span>"));
+    assert!(page.contains("&lt;here&gt;"));
+    let scene = page.split("id=\"scene-glb\" type=\"text/plain\">").nth(1).unwrap();
+    assert!(scene.starts_with("Z2xURg"), "a .glb file begins with glTF");
 }
 
 #[test]

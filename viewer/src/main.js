@@ -1,0 +1,160 @@
+// The page's script: theme, the 3-D view with its controls, the plots.
+import { $, before, data, show } from './data.js';
+import { legend } from './colour.js';
+import { cursor } from './cursor.js';
+import { redrawAll } from './plot.js';
+import { View, path, placeOf, timeOf } from './scene.js';
+import * as turns from './turns.js';
+import * as scallop from './scallop.js';
+import * as sections from './sections.js';
+
+const P = data.scene.path;
+let view = null;
+
+// ---- theme --------------------------------------------------------------------------------------------------------
+const setTheme = dark => {
+  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+  $('theme').setAttribute('aria-pressed', String(dark));
+  $('theme').textContent = dark ? 'Light' : 'Dark';
+};
+const drawn = () => { view?.theme(); redrawAll(); };
+setTheme(matchMedia('(prefers-color-scheme: dark)').matches);
+$('theme').addEventListener('click', () => { setTheme(document.documentElement.dataset.theme !== 'dark'); drawn(); });
+
+// ---- 3-D view -----------------------------------------------------------------------------------------------------
+const words = i => {
+  const of = k => P.quantities[k];
+  const values = P.quantities.slice(1).map((q, k) => `${q.name} ${show(listOf(of(k + 1))[i])} ${q.unit}`);
+  const deg = 180 / Math.PI;
+  return `turn ${path.turn[i]}, S ${show(path.turn_s[i])} mm · θ ${show(path.theta[i] * deg)}° in ${show(path.min[i] * deg)}° – ${show(path.max[i] * deg)}° · ${values.join(' · ')}`;
+};
+const cache = new Map();
+function listOf(q) {
+  if (!cache.has(q.key)) cache.set(q.key, numbers(q.of));
+  return cache.get(q.key);
+}
+import { list as numbers } from './data.js';
+
+const clock = t => `${Math.floor(t / 60)}:${(t % 60).toFixed(1).padStart(4, '0')}`;
+const total = path?.t.length ? path.t[path.t.length - 1] : 0;
+
+function follow(s, from) {
+  if (!path?.s.length) return;
+  view?.setPlace(s);
+  const t = timeOf(s);
+  if (from !== 'slider') $('along').value = total ? t / total : 0;
+  const i = before(path.s, s);
+  $('along-out').textContent = `turn ${path.turn[i]}, S ${show(path.turn_s[i])} mm, ${clock(t)} of ${clock(total)} min`;
+}
+
+let playing = null;
+function play(on) {
+  if (on === Boolean(playing)) return;
+  $('play').setAttribute('aria-pressed', String(on));
+  $('play').textContent = on ? '❚❚ Pause' : '▶ Play';
+  if (!on) { cancelAnimationFrame(playing); playing = null; return; }
+  let t = timeOf(cursor.s) >= total - 1e-6 ? 0 : timeOf(cursor.s);
+  let last = performance.now();
+  const step = now => {
+    t += ((now - last) / 1000) * +$('speed').value;
+    last = now;
+    cursor.set(placeOf(Math.min(t, total)), 'play');
+    if (t >= total) { playing = null; play(false); $('play').setAttribute('aria-pressed', 'false'); $('play').textContent = '▶ Play'; return; }
+    playing = requestAnimationFrame(step);
+  };
+  playing = requestAnimationFrame(step);
+}
+
+const LAYERS = [
+  ['blade', 'blade', true], ['path', 'path', true], ['tool', 'tool', true], ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
+  ['channel', 'channel limits', false], ['base vectors', 'base vectors', false], ['altered points', 'altered points', false],
+  ['scallop', 'scallop map', false], ['machine', 'machine parts', false],
+];
+
+function controls() {
+  $('colouring').innerHTML = (P?.quantities || []).map((q, k) => `<option value="${k}">${q.name}</option>`).join('');
+  const colouring = () => {
+    const q = P.quantities[+$('colouring').value];
+    view?.setColouring(+$('colouring').value);
+    $('scale').innerHTML = legend(q.name, q.unit, q.range, listOf(q).some(v => v !== v));
+  };
+  if (P) { $('colouring').addEventListener('change', colouring); colouring(); }
+  $('motion').addEventListener('change', () => {
+    view?.setMode($('motion').value);
+    if ($('motion').value === 'machine') { const box = $('layer-machine'); if (box && !box.checked) box.click(); }
+  });
+  $('look').addEventListener('change', () => view?.look($('look').value));
+  $('play').addEventListener('click', () => play(!playing));
+  $('scene').addEventListener('keydown', e => { if (e.key === ' ') { play(!playing); e.preventDefault(); } });
+  $('along').addEventListener('input', () => cursor.set(placeOf(+$('along').value * total), 'slider', true));
+  const box = data.scene.box || [[0], [1]];
+  const cut = () => {
+    const x = box[0][0] + (box[1][0] - box[0][0]) * (+$('cut').value / 1000);
+    view?.setCut($('cut-on').checked ? x : null);
+    $('cut-out').textContent = `at ${show(+x.toFixed(2))} mm`;
+  };
+  $('cut').addEventListener('input', () => { $('cut-on').checked = true; cut(); });
+  $('cut-on').addEventListener('change', cut);
+  cut();
+  const last = Math.max(0, (P?.turns || 1) - 1);
+  for (const id of ['first-turn', 'last-turn']) { $(id).max = last; $(id).addEventListener('change', () => view?.setTurns(+$('first-turn').value, +$('last-turn').value)); }
+  $('last-turn').value = last;
+}
+
+function layers() {
+  for (const [name, label, on] of LAYERS) {
+    const there = { path: view.lines, scallop: view.dots }[name] || view.layers.has(name);
+    if (!there) continue;
+    const id = `layer-${name.replaceAll(' ', '-')}`;
+    const l = document.createElement('label');
+    l.innerHTML = `<input type="checkbox" id="${id}"${on ? ' checked' : ''}> ${label}`;
+    l.firstChild.addEventListener('change', e => view.setLayer(name, e.target.checked));
+    $('layers').append(l);
+    view.setLayer(name, on);
+  }
+}
+
+function picked(i, settle, e) {
+  const tip = $('pick');
+  if (i < 0) { tip.hidden = true; return; }
+  tip.hidden = false;
+  tip.textContent = words(i);
+  const r = $('stage').getBoundingClientRect();
+  tip.style.left = `${Math.min(e.clientX - r.left + 12, Math.max(8, r.width - 330))}px`;
+  tip.style.top = `${e.clientY - r.top + 14}px`;
+  if (settle) cursor.set(path.s[i], 'view', true);
+}
+
+async function start() {
+  cursor.on((s, from) => follow(s, from));
+  controls();
+  turns.start();
+  scallop.drawHistogram();
+  scallop.drawMap();
+  sections.start();
+  for (const b of document.querySelectorAll('button.go')) {
+    b.addEventListener('click', () => {
+      if (!path?.row.length) return;
+      cursor.set(path.s[before(path.row, +b.dataset.row)], 'table', true);
+      $('view').scrollIntoView({ behavior: 'smooth' });
+    });
+  }
+  try {
+    view = new View($('scene'), picked);
+    view.theme();
+    await view.load();
+    layers();
+    if (P) view.setColouring(+$('colouring').value);
+  } catch (e) {
+    view = null;
+    $('stage').innerHTML = `<p class="empty">This browser cannot show the 3-D view (${String(e.message || e).replace(/[&<>]/g, '')}). Tables and plots hold all figures.</p>`;
+  }
+  globalThis.bladewright = { view, cursor };
+  follow(0, 'start');
+  view?.render();
+  document.documentElement.dataset.ready = String(Math.round(performance.now()));
+  let width = innerWidth;
+  addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; redrawAll(); } });
+  addEventListener('beforeprint', () => { setTheme(false); drawn(); view?.render(); });
+}
+start();

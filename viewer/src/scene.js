@@ -1,0 +1,340 @@
+// The 3-D view: the scene that the page carries as glTF, the path in colours, the tool where the cursor is, two ways of motion.
+//
+// Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the carrier.
+import {
+  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Line,
+  LineBasicMaterial, Matrix4, Mesh,
+  MeshBasicMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
+  WebGLRenderer, TOUCH,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { before, data, glb, list } from './data.js';
+import { colourOf, shareOf } from './colour.js';
+
+const S = data.scene;
+const P = S.path;
+const pick = names => Object.fromEntries(names.map(n => [n, list(P?.[n])]));
+export const path = P ? { ...pick(['x', 'y', 'z', 'px', 'py', 'pz', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row']), turn: list(P.quantities[0].of) } : null;
+
+/** Where between two points of the path a time or an arc length is. */
+const between = (rising, v) => {
+  const i = Math.min(before(rising, v), Math.max(0, rising.length - 2));
+  const span = rising[i + 1] - rising[i];
+  return [i, span > 0 ? Math.min(1, Math.max(0, (v - rising[i]) / span)) : 0];
+};
+const mix = (of, [i, f]) => of[i] + (of[Math.min(i + 1, of.length - 1)] - of[i]) * f;
+export const timeOf = s => mix(path.t, between(path.s, s));
+export const placeOf = t => mix(path.s, between(path.t, t));
+
+const axisOf = (b, theta) => new Vector3(Math.sin(b), Math.cos(b) * Math.cos(theta), Math.cos(b) * Math.sin(theta));
+const rigid = ({ q, t }) => new Matrix4().compose(new Vector3(...t), new Quaternion(...q), new Vector3(1, 1, 1));
+
+export class View {
+  constructor(canvas, onPick) {
+    this.canvas = canvas;
+    this.onPick = onPick;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.localClippingEnabled = true;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(30, 1, 1, 10000);
+    this.carrier = new Group();
+    this.carrier.matrixAutoUpdate = false;
+    this.tool = new Group();
+    this.tool.matrixAutoUpdate = false;
+    this.carrier.add(this.tool);
+    
+    this.scene.add(this.carrier, this.camera, new AmbientLight(0xffffff, 1.1));
+    const sun = new DirectionalLight(0xffffff, 2.4);
+    sun.position.set(-0.6, 0.9, 1);
+    this.camera.add(sun);
+    this.mode = 'part';
+    this.s = 0;
+    this.turns = [0, Math.max(0, (P?.turns || 1) - 1)];
+    this.cut = null;
+    this.plane = new Plane();
+    this.layers = new Map();
+    this.frame();
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.touches = { ONE: TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
+    canvas.style.touchAction = 'pan-y';
+    // The page scrolls by the wheel unless the view was clicked or Ctrl is held.
+    canvas.parentElement.addEventListener('wheel', e => {
+      if (!e.ctrlKey && document.activeElement !== canvas) e.stopPropagation();
+    }, { capture: true, passive: true });
+    this.controls.addEventListener('change', () => this.invalidate());
+    this.listen();
+    this.addPath();
+    this.addScallop();
+    this.place();
+    this.look('side');
+    new ResizeObserver(() => this.canvas.isConnected && this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  /** The glTF part of the page; resolves when it is shown. */
+  async load() {
+    const file = glb();
+    if (!file) return;
+    const loaded = await new GLTFLoader().parseAsync(file, '');
+    const nodes = {};
+    loaded.scene.traverse(n => { nodes[n.name] ??= n; });
+    const workpiece = nodes.workpiece;
+    if (workpiece) {
+      workpiece.matrixAutoUpdate = false;
+      workpiece.matrix.copy(rigid(S.model_from_blade).invert());
+      this.carrier.add(workpiece);
+      for (const child of workpiece.children) {
+        this.layers.set(child.name === 'table' ? 'machine' : child.userData.name || child.name, [child]);
+        const meshes = [];
+        child.traverse(m => { if (m.material) meshes.push(m); });
+        for (const m of meshes) this.prepare(m, child.name === 'blade');
+      }
+    }
+    if (nodes.tool) {
+      for (const part of [...nodes.tool.children]) {
+        this.tool.add(part);
+        if (part.name === 'head') this.layers.set('machine', [...(this.layers.get('machine') || []), part]);
+        part.traverse(m => { if (m.material) m.material.metalness = 0; });
+      }
+      this.layers.set('tool', [this.tool]);
+    }
+    this.invalidate();
+  }
+
+  prepare(mesh, solid) {
+    const m = mesh.material;
+    m.metalness = 0;
+    m.clippingPlanes = null;
+    (this.clipped ??= []).push(m);
+    if (solid) {
+      m.side = FrontSide;
+      // What is seen inside of a cut is the back of the far wall: painted flat, it looks like the cut itself.
+      const inside = new Mesh(mesh.geometry, new MeshBasicMaterial({ color: 0xb5651d, side: BackSide }));
+      inside.visible = false;
+      mesh.add(inside);
+      (this.insides ??= []).push(inside);
+      this.clipped.push(inside.material);
+    }
+  }
+
+  frame() {
+    const box = S.box || [[-1, -1, -1], [1, 1, 1]];
+    const extent = (lists, fallback) => lists.map((l, k) => (l?.length ? [Math.min(...minmax(l)), Math.max(...minmax(l))] : [fallback[0][k], fallback[1][k]]));
+    const blade = [0, 1, 2].map(k => [box[0][k], box[1][k]]);
+    const own = path?.x.length ? extent([path.x, path.y, path.z], box) : blade;
+    const diagonal = e => Math.hypot(...e.map(([a, b]) => b - a));
+    const chosen = diagonal(blade) < 2.2 * diagonal(own) ? blade.map(([a, b], k) => [Math.min(a, own[k][0]), Math.max(b, own[k][1])]) : own;
+    this.target = new Vector3(...chosen.map(([a, b]) => (a + b) / 2));
+    this.reach = 0.5 * diagonal(chosen);
+  }
+
+  /** Matrices of carrier and tool for the place and way of motion. */
+  place() {
+    let theta = 0;
+    if (path?.x.length) {
+      const at = between(path.s, this.s);
+      theta = mix(path.theta, at);
+      const centre = new Vector3(mix(path.x, at), mix(path.y, at), mix(path.z, at));
+      const lean = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), axisOf(P.b, 0));
+      const turn = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), theta);
+      this.tool.matrix.compose(centre, turn.multiply(lean), new Vector3(1, 1, 1));
+      this.toolPlace = { centre, axis: axisOf(P.b, theta) };
+    }
+    const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
+    if (this.mode === 'part') {
+      // Blade x is up.
+      this.carrier.matrix.makeBasis(y, z, x).premultiply(new Matrix4()).multiply(new Matrix4().makeTranslation(this.target.clone().negate()));
+    } else {
+      const [cy, cz] = S.machine.axis;
+      const phi = S.machine.turn[0] + S.machine.turn[1] * theta;
+      const table = new Matrix4().makeTranslation(0, cy, cz)
+        .multiply(new Matrix4().makeRotationX(phi))
+        .multiply(new Matrix4().makeTranslation(0, -cy, -cz))
+        .multiply(rigid(S.machine.part_at_zero));
+      const mid = this.target.clone().applyMatrix4(rigid(S.machine.part_at_zero));
+      // Machine Z is up.
+      this.carrier.matrix.makeBasis(x, z.clone().negate(), y).multiply(new Matrix4().makeTranslation(-mid.x, -cy, -cz)).multiply(table);
+    }
+    this.carrier.matrixWorldNeedsUpdate = true;
+    this.carrier.updateMatrixWorld(true);
+    if (this.cut != null) this.plane.set(new Vector3(-1, 0, 0), this.cut).applyMatrix4(this.carrier.matrixWorld);
+    this.invalidate();
+  }
+
+  setPlace(s) { this.s = s; this.place(); }
+  setMode(mode) { this.mode = mode; this.place(); this.look(mode === 'part' ? 'side' : 'front'); }
+
+  /** Height of the section along the blade axis, mm; null: none. */
+  setCut(x) {
+    this.cut = x;
+    const planes = x == null ? null : [this.plane];
+    for (const m of [...(this.clipped || []), this.lines?.material, this.dots?.material]) {
+      if (m) { m.clippingPlanes = planes; m.needsUpdate = true; }
+    }
+    for (const m of this.insides || []) m.visible = x != null;
+    this.place();
+  }
+
+  setLayer(name, on) {
+    if (name === 'path' && this.lines) this.lines.visible = on;
+    if (name === 'scallop' && this.dots) this.dots.visible = on;
+    for (const n of this.layers.get(name) || []) n.visible = on;
+    this.invalidate();
+  }
+
+  addPath() {
+    if (!path?.x.length) return;
+    const at = new Float32Array(3 * path.x.length);
+    path.x.forEach((x, i) => at.set([x, path.y[i], path.z[i]], 3 * i));
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(at, 3));
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(at.length), 3));
+    // Plain lines: fat ones are instanced, which takes seconds a frame where the browser draws without a graphics card.
+    this.lines = new Line(geometry, new LineBasicMaterial({ vertexColors: true }));
+    this.lines.frustumCulled = false;
+    this.carrier.add(this.lines);
+    this.setTurns(...this.turns);
+    this.setColouring(0);
+  }
+
+  /** Shows turns `from` to `to`. */
+  setTurns(from, to) {
+    const first = Math.max(0, path.turn.findIndex(t => t >= from));
+    let last = path.turn.length - 1;
+    while (last > first && path.turn[last] > to) last--;
+    this.shown = [first, last];
+    this.lines.geometry.setDrawRange(first, last - first + 1);
+    this.invalidate();
+  }
+
+  /** Colours the path by its quantity `k`. */
+  setColouring(k) {
+    const q = P.quantities[k];
+    const rgb = this.lines.geometry.attributes.color;
+    const c = new Color();
+    list(q.of).forEach((v, i) => {
+      c.setRGB(...colourOf(shareOf(v, q.range)), SRGBColorSpace);
+      rgb.setXYZ(i, c.r, c.g, c.b);
+    });
+    rgb.needsUpdate = true;
+    this.invalidate();
+  }
+
+  addScallop() {
+    const m = data.scallop?.map;
+    if (!m?.height.n) return;
+    const [h, x, y, z] = [m.height, m.x, m.y, m.z].map(list);
+    const range = [h[0], Math.max(h[h.length - 1], data.scallop.asked || 0)];
+    const [at, rgb, c] = [new Float32Array(3 * h.length), new Float32Array(3 * h.length), new Color()];
+    h.forEach((v, i) => {
+      at.set([x[i], y[i], z[i]], 3 * i);
+      c.setRGB(...colourOf(shareOf(v, range)), SRGBColorSpace);
+      rgb.set([c.r, c.g, c.b], 3 * i);
+    });
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(at, 3));
+    geometry.setAttribute('color', new BufferAttribute(rgb, 3));
+    this.dots = new Points(geometry, new PointsMaterial({ size: 4, sizeAttenuation: false, vertexColors: true }));
+    this.dots.visible = false;
+    this.carrier.add(this.dots);
+  }
+
+  look(from) {
+    const far = (this.reach / Math.sin((Math.PI / 180) * 15)) * (this.camera.aspect < 1 ? 1 / this.camera.aspect : 1) * 0.92;
+    let to = { side: [0.75, 0.42, 0.75], front: [0.12, 0.3, 1], tip: this.mode === 'part' ? [0.02, 1, 0.02] : [1, 0.15, 0.1] }[from];
+    if (from === 'tool' && this.toolPlace) {
+      const a = this.toolPlace.axis.clone().transformDirection(this.carrier.matrixWorld);
+      to = [a.x, a.y + 0.25, a.z];
+    }
+    this.camera.position.set(...(to || [1, 1, 1])).setLength(far);
+    this.camera.near = far / 100;
+    this.camera.far = far * 20;
+    this.camera.updateProjectionMatrix();
+    this.controls?.target.set(0, 0, 0);
+    this.controls?.update();
+    this.invalidate();
+  }
+
+  listen() {
+    let down = null;
+    this.canvas.addEventListener('pointerdown', e => { down = [e.clientX, e.clientY]; this.canvas.focus({ preventScroll: true }); });
+    this.canvas.addEventListener('click', e => {
+      if (!down || Math.hypot(e.clientX - down[0], e.clientY - down[1]) > 4) return;
+      const i = this.nearest(e);
+      if (i >= 0) this.onPick(i, true, e);
+    });
+    let queued = false;
+    this.canvas.addEventListener('pointermove', e => {
+      if (e.buttons || queued) return;
+      queued = true;
+      requestAnimationFrame(() => { queued = false; this.onPick(this.nearest(e), false, e); });
+    });
+    this.canvas.addEventListener('pointerleave', e => this.onPick(-1, false, e));
+    this.canvas.addEventListener('keydown', e => {
+      const step = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key];
+      const zoom = { '+': 0.85, '=': 0.85, '-': 1 / 0.85 }[e.key];
+      if (!step && !zoom) return;
+      const at = new Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
+      if (step) { at.theta += step[0]; at.phi = Math.min(3.1, Math.max(0.05, at.phi + step[1])); }
+      if (zoom) at.radius *= zoom;
+      this.camera.position.setFromSpherical(at).add(this.controls.target);
+      this.controls.update();
+      this.invalidate();
+      e.preventDefault();
+    });
+  }
+
+  /** Index of the path's point under the pointer: the nearest to the eye of those within some pixels; −1 without one. */
+  nearest(e) {
+    if (!path || !this.lines?.visible) return -1;
+    const r = this.canvas.getBoundingClientRect();
+    const [px, py] = [e.clientX - r.left, e.clientY - r.top];
+    const m = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).multiply(this.carrier.matrixWorld).elements;
+    const within = e.pointerType === 'touch' ? 18 : 7;
+    let [best, depth] = [-1, Infinity];
+    for (let i = this.shown[0]; i <= this.shown[1]; i++) {
+      const [x, y, z] = [path.x[i], path.y[i], path.z[i]];
+      if (this.cut != null && x > this.cut) continue;
+      const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+      const u = ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) * 0.5 * r.width;
+      const v = (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) * 0.5 * r.height;
+      if (w > 0 && w < depth && Math.abs(u - px) < within && Math.abs(v - py) < within) [best, depth] = [i, w];
+    }
+    return best;
+  }
+
+  resize() {
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    if (!box.width || !box.height) return;
+    const was = this.camera.aspect;
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    this.renderer.setSize(box.width, box.height, false);
+    this.camera.aspect = box.width / box.height;
+    this.camera.updateProjectionMatrix();
+    if (!this.sized || (was < 1) !== (this.camera.aspect < 1)) { this.sized = true; this.look('side'); }
+    this.render();
+  }
+
+  theme() {
+    const back = getComputedStyle(document.documentElement).getPropertyValue('--stage').trim();
+    this.scene.background = new Color(back);
+    this.invalidate();
+  }
+
+  invalidate() {
+    if (this.queued) return;
+    this.queued = true;
+    requestAnimationFrame(() => { this.queued = false; this.render(); });
+  }
+
+  render() { this.renderer.render(this.scene, this.camera); }
+}
+
+function minmax(l) {
+  let [lo, hi] = [Infinity, -Infinity];
+  for (const v of l) { if (v < lo) lo = v; if (v > hi) hi = v; }
+  return [lo, hi];
+}

@@ -1,0 +1,166 @@
+// report.html in headless Chromium: `node test/report.mjs RUN_FOLDER…`, with SHOTS=DIR also pictures.
+//
+// Opens from file://, no console error, no network; the 3-D canvas is not blank; slider, section, motion, colours, plots and the link
+// between them answer; every figure shown is the one in summary.json, verify.json and compare.json; a phone's width does not overflow.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, statSync } from 'node:fs';
+import { basename, join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { launch, open } from './browser.mjs';
+
+const READY_MS = +(process.env.READY_MS || 3000);
+const shots = process.env.SHOTS;
+if (shots) mkdirSync(shots, { recursive: true });
+
+/** How many colours the canvas shows, and a hash of its pixels. */
+const look = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+  const c = document.getElementById('scene');
+  const gl = c.getContext('webgl2');
+  const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+  const p = new Uint8Array(4 * w * h);
+  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+  const colours = new Set();
+  let hash = 0;
+  for (let i = 0; i < p.length; i += 4) {
+    const v = (p[i] << 16) | (p[i + 1] << 8) | p[i + 2];
+    colours.add(v);
+    hash = (Math.imul(hash, 31) + v) | 0;
+  }
+  done({ colours: colours.size, hash });
+}))));
+
+/** The canvas' picture changes by an action. */
+async function changes(page, what, act) {
+  const before = await look(page);
+  await act();
+  const after = await look(page);
+  assert.notEqual(after.hash, before.hash, `${what} does not change the 3-D view`);
+}
+
+const set = (page, id, value, event = 'input') => page.evaluate(([id, value, event]) => {
+  const e = document.getElementById(id);
+  e.value = value;
+  e.dispatchEvent(new Event(event, { bubbles: true }));
+}, [id, value, event]);
+
+const pointer = (json, path) => path.split('/').slice(1).reduce((v, k) => v?.[k], json);
+
+/** What is shown is the file's number, to the last digit shown. */
+async function figures(page, folder) {
+  const cells = await page.$$eval('[data-figure]', all => all.map(e => [e.dataset.figure, e.textContent]));
+  assert.ok(cells.length > 60, `only ${cells.length} figures`);
+  const files = {};
+  for (const [from, text] of cells) {
+    const [name, ...path] = from.split('/');
+    files[name] ??= JSON.parse(readFileSync(join(folder, `${name}.json`), 'utf8'));
+    const value = pointer(files[name], `/${path.join('/')}`);
+    if (text === '–') { assert.equal(value ?? null, null, `${from} is not shown`); continue; }
+    const shown = Number(text);
+    const [digits, power] = text.split('e');
+    const unit = 10 ** ((Number(power) || 0) - (digits.split('.')[1]?.length || 0));
+    assert.ok(Math.abs(shown - value) <= 0.5000001 * Math.max(unit, Math.abs(value) * 1e-4 * 5), `${from}: ${text} shown, ${value} in the file`);
+    assert.ok(Number.isInteger(value) ? shown === value || Math.abs(value) >= 1e4 : true, `${from}: ${text}, ${value}`);
+  }
+  return cells.length;
+}
+
+async function desktop(browser, folder, url) {
+  const name = basename(folder);
+  const { page, bad } = await open(browser, url, { viewport: { width: 1440, height: 900 } });
+  await page.waitForSelector('html[data-ready]', { timeout: 30000 });
+  const ready = +(await page.getAttribute('html', 'data-ready'));
+  const first = await look(page);
+  assert.ok(first.colours > 200, `the canvas is blank: ${first.colours} colours`);
+  const shown = await figures(page, folder);
+  const verify = JSON.parse(readFileSync(join(folder, 'verify.json'), 'utf8'));
+  assert.equal(await page.locator('#checks tbody tr').count(), verify.checks.length, 'every check has its row');
+
+  await changes(page, 'the slider', () => set(page, 'along', 0.4));
+  const said = await page.textContent('#along-out');
+  assert.match(said, /turn \d+, S /);
+  await changes(page, 'the section', () => page.check('#cut-on'));
+  await changes(page, 'the section\'s height', () => set(page, 'cut', 300));
+  await page.uncheck('#cut-on');
+  for (const k of await page.$$eval('#colouring option', o => o.map(e => e.value))) {
+    await page.selectOption('#colouring', k);
+    assert.ok((await page.textContent('#scale')).length > 10);
+  }
+  await changes(page, 'a colour', () => page.selectOption('#colouring', '2'));
+  await changes(page, 'the machine\'s motion', () => page.selectOption('#motion', 'machine'));
+  if (shots) { await page.locator('#view').scrollIntoViewIfNeeded(); await page.locator('#stage').screenshot({ path: join(shots, `${name}-machine.png`) }); }
+  await changes(page, 'playing', async () => { await page.click('#play'); await page.waitForTimeout(400); await page.click('#play'); });
+  await page.selectOption('#motion', 'part');
+  for (const box of await page.$$('#layers input')) await changes(page, await box.getAttribute('id'), () => box.click()).catch(e => { if (!/machine|uncut|layer-tool/.test(String(e))) throw e; });
+  for (const box of await page.$$('#layers input')) await box.click();
+  await changes(page, 'an arrow key', () => page.press('#scene', 'ArrowLeft'));
+
+  // Plots: values under the pointer, and the link to the 3-D view.
+  await page.locator('#chart-channel .u-over').scrollIntoViewIfNeeded();
+  const over = await page.locator('#chart-channel .u-over').boundingBox();
+  const place = await page.textContent('#along-out');
+  await page.mouse.move(over.x + over.width * 0.3, over.y + over.height * 0.5);
+  await page.mouse.move(over.x + over.width * 0.7, over.y + over.height * 0.5);
+  const readout = await page.textContent('#chart-channel .readout');
+  assert.match(readout, /S, mm .*true channel .*tangent channel .*schedule/);
+  assert.notEqual(await page.textContent('#along-out'), place, 'hovering the plot moves the tool');
+  const turn = await page.textContent('#turn-out');
+  await page.click('#turn-up');
+  assert.notEqual(await page.textContent('#turn-out'), turn, 'another turn is shown');
+  await page.focus('#chart-velocity .canvas');
+  for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight');
+  assert.match(await page.textContent('#chart-velocity .readout'), /time, s .*this plan/);
+  // A click on the path in the 3-D view goes to its turn.
+  await page.locator('#scene').scrollIntoViewIfNeeded();
+  const box = await page.locator('#scene').boundingBox();
+  const was = await page.textContent('#along-out');
+  let hit = false;
+  for (let k = 0; k < 300 && !hit; k++) {
+    await page.mouse.move(box.x + box.width * (0.3 + 0.4 * ((k * 0.618) % 1)), box.y + box.height * (0.2 + 0.6 * ((k * 0.382) % 1)));
+    await page.evaluate(() => new Promise(d => requestAnimationFrame(() => requestAnimationFrame(d))));
+    hit = await page.locator('#pick').isVisible();
+  }
+  assert.ok(hit, 'the pointer finds the path');
+  await page.mouse.down(); await page.mouse.up();
+  assert.notEqual(await page.textContent('#along-out'), was, 'a click on the path moves the tool');
+  await page.mouse.move(5, 5);
+  await page.click('#theme');
+  assert.equal(await page.getAttribute('html', 'data-theme'), 'dark');
+  if (shots) { await page.evaluate(() => scrollTo(0, 0)); await page.screenshot({ path: join(shots, `${name}-dark.png`) }); }
+  await page.click('#theme');
+  assert.deepEqual(bad, []);
+  await page.close();
+  return { ready, shown };
+}
+
+async function picture(browser, folder, url, [width, height], suffix) {
+  const { page, bad } = await open(browser, url, { viewport: { width, height } });
+  await page.waitForSelector('html[data-ready]', { timeout: 30000 });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(wide <= 0, `${wide} px too wide at ${width}`);
+  await set(page, 'along', 0.45);
+  await look(page);
+  if (shots) {
+    const name = basename(folder);
+    await page.screenshot({ path: join(shots, `${name}-${suffix}.png`) });
+    await page.screenshot({ path: join(shots, `${name}-${suffix}-full.png`), fullPage: true });
+  }
+  assert.deepEqual(bad, []);
+  await page.close();
+}
+
+const browser = await launch();
+try {
+  for (const folder of process.argv.slice(2)) {
+    const file = resolve(folder, 'report.html');
+    const mb = statSync(file).size / 1e6;
+    assert.ok(mb <= 15, `${file} is ${mb.toFixed(1)} MB`);
+    const url = pathToFileURL(file).href;
+    const { ready, shown } = await desktop(browser, folder, url);
+    assert.ok(ready <= READY_MS, `${file} is interactive after ${ready} ms only`);
+    await picture(browser, folder, url, [1440, 900], '1440');
+    await picture(browser, folder, url, [390, 844], '390');
+    console.log(`${folder}: ${mb.toFixed(2)} MB, interactive after ${ready} ms, ${shown} figures as in the files`);
+  }
+} finally {
+  await browser.close();
+}

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Plans every example, tries its report.html and preview.glb in headless Chromium and with Khronos' validator, and checks that
+# the committed bundle is what its sources make. Needs Node 20 and chromium. PICTURES=1: makes the pictures of docs/ anew.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+(cd viewer && npm ci --no-audit --no-fund --loglevel=error && npm run --silent check)
+cargo build --release --quiet
+mkdir -p out
+runs=()
+for job in examples/jobs/*.toml; do
+    name="$(basename "$job" .toml)"
+    ./target/release/bladewright --quiet plan "$job" -o "out/look/$name" >"out/look.$name.log" || { cat "out/look.$name.log"; exit 1; }
+    runs+=("out/look/$name")
+done
+node viewer/test/gltf.mjs "${runs[@]/%//preview.glb}"
+node viewer/test/report.mjs "${runs[@]}"
+if [ -n "${PICTURES:-}" ]; then
+    node viewer/test/pictures.mjs docs "${runs[@]}"
+fi
