@@ -276,7 +276,7 @@ fn parse_bytes(text: &str) -> Result<Bytes, String> {
         _ => f64::NAN,
     };
     let bytes = number.parse::<f64>().unwrap_or(f64::NAN) * factor;
-    if bytes >= 1e4 && bytes <= 4e9 {
+    if (1e4..=4e9).contains(&bytes) {
         Ok(Bytes(bytes as usize))
     } else {
         Err("give a size from 10KB to 4GB, as in 10MB".into())

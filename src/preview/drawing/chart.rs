@@ -18,11 +18,14 @@ pub(super) const PURPLE: &str = "#7a5195";
 pub(super) const PINK: &str = "#a8568a";
 pub(super) const BLACK: &str = "#111111";
 
+/// Points in order.
+pub(super) type Line = Vec<[f64; 2]>;
+
 /// One curve.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Curve {
     pub name: String,
-    pub points: Vec<[f64; 2]>,
+    pub points: Line,
     pub colour: &'static str,
     /// SVG's dashes; empty: solid.
     pub dash: &'static str,
@@ -47,7 +50,7 @@ pub(super) struct Chart {
     pub y: String,
     pub curves: Vec<Curve>,
     /// Lower and upper edge of a shaded band.
-    pub band: Option<(Vec<[f64; 2]>, Vec<[f64; 2]>)>,
+    pub band: Option<(Line, Line)>,
     /// Left edge, width and height of bars.
     pub bars: Vec<[f64; 3]>,
     pub dots: Option<Dots>,
