@@ -10,6 +10,7 @@ use super::typed::{JobFile, RegionReference, ToolKeys};
 use crate::artifact::Blade;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::PathKind;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::slice::slice;
 use crate::tool::{HolderStage, Tool};
@@ -111,7 +112,8 @@ impl Draft {
         let post = t.post.unwrap_or_default();
         let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
         let radius = tool.radius_mm;
-        let chord_mm = path.chord_mm.unwrap_or(0.001);
+        let (kind, scallop_mm) = (path.kind.unwrap_or_default(), path.scallop_mm.unwrap_or(0.01));
+        let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
         let job = Job {
             model: ModelJob {
                 file: self.model_saved_as.clone().unwrap_or_else(|| self.model.file.clone()),
@@ -120,8 +122,8 @@ impl Draft {
             },
             region: complete_region(&t.region.unwrap_or_default(), blade, radius)?,
             path: PathJob {
-                kind: path.kind.unwrap_or_default(),
-                scallop_mm: path.scallop_mm.unwrap_or(0.01),
+                kind,
+                scallop_mm,
                 chord_mm,
                 max_step_mm: path.max_step_mm.unwrap_or((0.25 * radius).min(1.0)),
                 max_lean_deg: path.max_lean_deg.unwrap_or(60.0),
@@ -254,6 +256,15 @@ fn default_radius(blade: &Blade) -> Result<f64> {
         )
         .advise("give tool.radius_mm, or check the unit of the model (model.unit)")
     })
+}
+
+/// A chord lets the ridge beside it rise by up to half its own height over the curve (on a hollow wall) or sink by as much: with turns of
+/// constant scallop this is kept within 2 % of the scallop.
+fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
+    match kind {
+        PathKind::ConstantScallop => (0.04 * scallop_mm).min(0.001),
+        PathKind::ConstantHeight | PathKind::IsoParametric => 0.001,
+    }
 }
 
 /// Greatest distance between two points of the largest loop at height `x_mm`, mm; 0 where there is none.

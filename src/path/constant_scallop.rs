@@ -5,12 +5,14 @@
 //! straight across, as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is off by does not add
 //! up: the next is measured against where the last one is.
 //!
-//! * **Beginning**: the ring at the start height is cut whole. The turn after it leaves it slowly: at the fraction `u` of the way round
-//!   it is as far off as leaves `h u²`, which is the share `u` of the stepover.
-//! * **End**: where a place has come to the region's end (a height, a wall that leans over too much, a corner in which the
-//!   ball touches two walls) it stays there and the turns after it run along the end, until a whole turn does. Turns tilt
+//! * **Beginning**: the ring at the start height is cut whole. The turn after it leaves it by a smooth ramp of [`RAMP_STEPOVERS`]: where it
+//!   is off by the share `u` of the stepover it leaves `h u²`. The turns after that have the same ramp one below the other, so that only
+//!   there and only between the first two turns anything is cut twice.
+//! * **End**: where a place has come to the region's end (a height, a wall that leans over too much, a sharp edge over which the ball
+//!   would only roll, a corner in which it touches two walls) it stays there and the turns after it run along the end, until a whole turn does. Turns tilt
 //!   where the way down is longer on one side than on the other; places that come first then wait, for as many turns as they are
-//!   ahead. Where the end is left open, they wait for a few turns only, and the helix ends short of it on the other side.
+//!   ahead. Where the end is left open, they wait for a few turns only, and the helix ends short of it on the other side. The last
+//!   turn ends where the last place has come to the end: the rest of it was cut by the turn before.
 //! * **Touches** of a turn thin out where the lines across the turns draw together and are added where they draw apart; a stretch
 //!   that would run backwards (a front that has folded) is left out.
 //! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn.
@@ -34,6 +36,9 @@ const MOST_TURNS: usize = 20_000;
 
 /// Ways shorter than this share of the flat stepover are none: the ball is stuck.
 const STUCK: f64 = 1e-2;
+/// Length of the ramp from a turn to the next, in stepovers on flat ground: steep enough to be short, and so gentle that the path tilts by
+/// less than 6° and its radius in the surface is over 60 stepovers.
+const RAMP_STEPOVERS: f64 = 20.0;
 /// Nodes of the closed ring that are left by less than this share of a stepover stay.
 pub(super) const LEAST_SHARE: f64 = 1e-3;
 /// Turns that run along the end in part before a path whose end was left open ends.
@@ -47,6 +52,8 @@ pub(super) struct Node {
     pub(super) way_mm: f64,
     /// Why it is at the end of the region.
     pub(super) stop: Option<Stop>,
+    /// Whether the turn before was at the end here already.
+    pub(super) waits: bool,
 }
 
 /// Turns laid, the last node of each being the first of the next.
@@ -122,6 +129,7 @@ fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> String {
             options.max_lean_rad.to_degrees(),
             place(blade, &p)
         ),
+        Some(Stop::Edge(p)) => format!("the ball comes to an edge of the part at {}", place(blade, &p)),
         Some(Stop::Corner(p)) => format!(
             "in the corner the ball meets a wall that leans over more than {:.0}° at {}",
             options.max_lean_rad.to_degrees(),
@@ -173,12 +181,13 @@ fn finish(
 impl March<'_> {
     /// Lays turns until one runs along the end all the way, or the surface is lost.
     fn lay(&self, ring: &[Touch], progress: impl Fn(f64) -> Result<()>) -> Result<Laid> {
-        let node = |t: &Touch| Node { touch: *t, way_mm: self.flat_mm, stop: None };
+        let node = |t: &Touch| Node { touch: *t, way_mm: self.flat_mm, stop: None, waits: false };
         let first: Vec<Node> = ring.iter().chain(ring.first()).map(node).collect();
         let mut turns = vec![self.tidy(first)];
         while let Some(last) = turns.last() {
             progress(last[0].touch.centre.x)?;
             if turns.len() > 1 && last.iter().all(|n| n.stop.is_some()) {
+                close(&mut turns);
                 break;
             }
             let waiting = turns.iter().rev().take_while(|t| t.iter().any(|n| n.stop.is_some())).count();
@@ -211,7 +220,7 @@ impl March<'_> {
         let centre = |k: usize| turn[k].touch.centre;
         let back = before.map_or(centre(n - 1), |b| b[b.len() - 2].touch.centre);
         let closed = before.is_none();
-        let shares = if closed { shares(turn) } else { vec![1.0; n + 1] };
+        let shares = if closed { ramp(turn, RAMP_STEPOVERS * self.flat_mm) } else { vec![1.0; n + 1] };
         let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
         let ahead = centre(1);
         let along = curve::tangents(Some(&back), &touches, closed.then_some(&ahead));
@@ -233,7 +242,7 @@ impl March<'_> {
     /// The neighbour of one node, at the share `share` of the stepover.
     fn next_node(&self, node: &Node, along: Vector, share: f64) -> Option<Node> {
         if node.stop.is_some() || share < LEAST_SHARE {
-            return Some(Node { way_mm: self.flat_mm, ..*node });
+            return Some(Node { way_mm: self.flat_mm, waits: node.stop.is_some(), ..*node });
         }
         let from = Place { touch: node.touch, along };
         let h_mm = self.options.scallop_mm * share * share;
@@ -242,13 +251,26 @@ impl March<'_> {
             return None;
         }
         // A last, shortened way says nothing about the next.
-        Some(Node { touch, way_mm: if stop.is_some() { node.way_mm } else { way_mm / share }, stop })
+        Some(Node { touch, way_mm: if stop.is_some() { node.way_mm } else { way_mm / share }, stop, waits: false })
     }
 }
 
-/// Fractions of the length at the nodes.
-fn shares(turn: &[Node]) -> Vec<f64> {
+/// Cuts off the part of the last turn that the turn before has cut already. A short rest is joined to the turn before, so that the last turn
+/// still goes all the way round.
+fn close(turns: &mut Vec<Vec<Node>>) {
+    let Some(last) = turns.last() else { return };
+    let cut_before = last.iter().rev().take_while(|n| n.waits).count();
+    let needed = (last.len() + 1).saturating_sub(cut_before).clamp(2, last.len());
+    if turns.len() > 2 && 2 * needed < last.len() {
+        let rest = turns.pop().unwrap_or_default();
+        turns.last_mut().into_iter().for_each(|t| t.extend_from_slice(&rest[1..needed]));
+    }
+}
+
+/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous curvature over the ramp's length.
+fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
     let s_mm = arc_lengths(turn);
-    let whole = s_mm.last().copied().unwrap_or(0.0).max(1e-12);
-    s_mm.iter().map(|x| x / whole).collect()
+    let whole = s_mm.last().copied().unwrap_or(0.0).min(ramp_mm).max(1e-12);
+    let smooth = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
+    s_mm.iter().map(|s| smooth((s / whole).min(1.0))).collect()
 }

@@ -22,6 +22,12 @@ const NEARLY: f64 = 0.02;
 const MOST_TRIES: usize = 14;
 /// Steps of a walk before it is given up.
 const MOST_STEPS: usize = 400;
+/// Round an edge the contact moves by less than this share of what the centre does: its radius is under a hundredth of the ball's.
+const STILL: f64 = 0.01;
+/// Turn of the normal about one contact from which on an edge ends a path, rad: less are facets and the edges between faces.
+const SHARP_RAD: f64 = 0.6;
+/// Halvings towards the place where the ball begins to roll over an edge.
+const EDGE_HALVINGS: usize = 12;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
 
@@ -32,6 +38,8 @@ pub enum Stop {
     Height,
     /// A wall that leans over too much, met at this contact.
     Lean(Point),
+    /// A sharp edge of the part: farther on the ball would only roll over it, at this contact.
+    Edge(Point),
     /// Two walls at once, of which the farther one leans over too much: its contact.
     Corner(Point),
 }
@@ -97,11 +105,41 @@ pub struct Across<'a> {
 impl Across<'_> {
     /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off. `None` where the ball cannot go there.
     pub fn neighbour(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
-        self.straight(from, h_mm, guess_mm).or_else(|| {
+        let next = self.straight(from, h_mm, guess_mm).or_else(|| {
             let ridge =
                 |t: &Touch, _: f64| ridge_height(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY);
             self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
-        })
+        })?;
+        Some(self.short_of_an_edge(from, next))
+    }
+
+    /// The same, or where the ball begins to roll over a sharp edge on the way there.
+    fn short_of_an_edge(&self, from: &Place, next: Next) -> Next {
+        let turn = from.touch.normal.angle(&next.touch.normal);
+        // Rolling by half the way turns the normal by so much.
+        if turn < 0.4 * next.way_mm / self.level.radius_mm {
+            return next;
+        }
+        let edge = next.touch.contact;
+        let rolls = |n: &Next, way_mm: f64| (n.touch.contact - edge).norm() < STILL * (way_mm - n.way_mm).abs();
+        let past_mm = next.way_mm + SHARP_RAD * self.level.radius_mm;
+        let half = self.at_way(from, 0.5 * next.way_mm);
+        let sharp = || self.at_way(from, past_mm).is_some_and(|n| rolls(&n, next.way_mm));
+        if !half.is_some_and(|n| rolls(&n, next.way_mm)) || !sharp() {
+            return next;
+        }
+        let start = Next { touch: from.touch, way_mm: 0.0, stop: None };
+        let (mut before, mut low, mut high) = (start, 0.0, 0.5 * next.way_mm);
+        if !rolls(&start, next.way_mm) {
+            for _ in 0..EDGE_HALVINGS {
+                let middle = 0.5 * (low + high);
+                match self.at_way(from, middle) {
+                    Some(n) if !rolls(&n, next.way_mm) => (low, before) = (middle, n),
+                    _ => high = middle,
+                }
+            }
+        }
+        Next { stop: Some(Stop::Edge(edge)), ..before }
     }
 
     /// The place at the given way.

@@ -168,7 +168,8 @@ impl March<'_> {
             if let Some(touch) = curve.between(i, 0.5) {
                 let outside = !self.across.bounds.hold(&touch);
                 let stop = if outside { w[0].stop.or(w[1].stop) } else { w[0].stop.and(w[1].stop) };
-                out.push(Node { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop });
+                let waits = w[0].waits && w[1].waits;
+                out.push(Node { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop, waits });
                 added = true;
             }
         }
@@ -189,7 +190,11 @@ impl March<'_> {
         let n = turn.len() - 1;
         let s_mm = arc_lengths(turn);
         let ways: Vec<Option<f64>> = (0..=n)
-            .map(|i| next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE).map(|x| x.way_mm.max(1e-9).ln()))
+            .map(|i| {
+                next[i]
+                    .filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE)
+                    .map(|x| x.way_mm.max(1e-9).ln())
+            })
             .collect();
         let reach = 2.5 * self.flat_mm;
         let mean = |i: usize| {
@@ -222,7 +227,7 @@ impl March<'_> {
                     return Some(node);
                 };
                 let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
-                Some(Node { touch: found.touch, way_mm, stop: found.stop })
+                Some(Node { touch: found.touch, way_mm, stop: found.stop, waits: false })
             })
             .collect()
     }
