@@ -241,7 +241,7 @@ fn a_full_disk_stops_and_is_taken_up_again() {
     let d = dir.path();
     std::fs::write(d.join("family.toml"), FAMILY).expect("writable");
     ends(&["batch", "family.toml", "-o", "whole"], d, 0);
-    let script = "mkdir disk && mount -t tmpfs -o size=1500k none disk || exit 77
+    let script = "mkdir disk && mount -t tmpfs -o size=$(($(du -sk whole | cut -f1) * 6 / 10))k none disk || exit 77
         \"$BLADEWRIGHT\" --quiet --threads 1 batch family.toml -o disk/out; echo first $?
         ls disk/out/members | wc -l
         mount -o remount,size=200m disk || exit 77
