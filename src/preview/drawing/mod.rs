@@ -1,6 +1,6 @@
 //! The report's plots as SVG and PNG files, for papers and slides.
 //!
-//! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as PNG ([`png`]), whose letters are those of DejaVu
+//! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as PNG ([`png()`]), whose letters are those of DejaVu
 //! Sans (Bitstream Vera licence: free to use and to embed) from the crate `dejavu`; so a picture is the same on any machine. Nothing is thinned but the
 //! scallop map.
 
