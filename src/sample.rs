@@ -112,7 +112,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
         scallop_mm: 0.01,
         chord_mm: 0.002,
         region_x_mm: [x0, x0 + pitch * turns as f64],
-        end_reason: "the end of the region".into(),
+        end_reason: Toolpath::END_OF_REGION.into(),
         planned_scallop_mm: 0.0099,
         turns: (0..turns)
             .map(|t| Turn {

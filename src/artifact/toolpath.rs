@@ -124,3 +124,8 @@ pub struct Toolpath {
     /// Locations in order.
     pub locations: Vec<CutterLocation>,
 }
+
+impl Toolpath {
+    /// [`Toolpath::end_reason`] of a path that goes as far as was asked.
+    pub const END_OF_REGION: &str = "the end of the region";
+}

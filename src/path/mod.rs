@@ -44,6 +44,7 @@ mod direction;
 mod helix;
 mod iso_parametric;
 mod level;
+mod march;
 mod neighbour;
 mod nodes;
 mod options;

@@ -34,7 +34,7 @@ const HALVINGS: usize = 27;
 /// What ends a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// The region's lower end.
+    /// The region's lower end, or as far up as a path may go.
     Height,
     /// A wall that leans over too much, met at this contact.
     Lean(Point),
@@ -47,8 +47,8 @@ pub enum Stop {
 /// Where a path may go.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
-    /// Least height of the ball centre, mm.
-    pub lowest_x_mm: f64,
+    /// Least and greatest height of the ball centre, mm.
+    pub x_mm: [f64; 2],
     /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge, away from it.
     pub max_sin_lean: f64,
 }
@@ -56,7 +56,7 @@ pub struct Bounds {
 impl Bounds {
     /// Whether a touch is within.
     pub fn hold(&self, t: &Touch) -> bool {
-        t.centre.x >= self.lowest_x_mm && t.normal.x.abs() <= self.max_sin_lean
+        (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x) && t.normal.x.abs() <= self.max_sin_lean
     }
 
     /// Why the path stops between two touches, the second of which is out of bounds.

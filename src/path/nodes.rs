@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::constant_scallop::{LEAST_SHARE, March, Node};
 use super::curve::{self, Curve};
 use super::level::Touch;
+use super::march::{LEAST_SHARE, March, Node};
 use super::neighbour::Place;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
@@ -168,8 +168,7 @@ impl March<'_> {
             if let Some(touch) = curve.between(i, 0.5) {
                 let outside = !self.across.bounds.hold(&touch);
                 let stop = if outside { w[0].stop.or(w[1].stop) } else { w[0].stop.and(w[1].stop) };
-                let waits = w[0].waits && w[1].waits;
-                out.push(Node { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop, waits });
+                out.push(Node { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop });
                 added = true;
             }
         }
@@ -227,7 +226,7 @@ impl March<'_> {
                     return Some(node);
                 };
                 let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
-                Some(Node { touch: found.touch, way_mm, stop: found.stop, waits: false })
+                Some(Node { touch: found.touch, way_mm, stop: found.stop })
             })
             .collect()
     }

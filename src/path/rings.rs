@@ -7,10 +7,10 @@ use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
 use super::{place, seed};
-use crate::artifact::Blade;
+use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
-use crate::observe::{Observer, Warning};
+use crate::observe::Observer;
 
 /// A concave stretch counts when the normal turns back by this much, rad: well over what facets and slivers do.
 const CONCAVE_TURN_RAD: f64 = 0.035;
@@ -90,7 +90,7 @@ pub fn lay(
                 .advise("allow a larger scallop or a smaller region"));
         }
     };
-    finish(blade, options, rings, end, observer)
+    finish(blade, options, rings, end)
 }
 
 /// How finely rings are traced for a path.
@@ -109,20 +109,12 @@ fn finish(
     options: &PathOptions,
     rings: Vec<Ring>,
     end: Option<Broken>,
-    observer: &dyn Observer,
 ) -> Result<Stack> {
-    let Some(broken) = end else { return Ok(Stack { rings, end_reason: "the end of the region".into() }) };
+    let Some(broken) = end else { return Ok(Stack { rings, end_reason: Toolpath::END_OF_REGION.into() }) };
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {
         return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"))
             .advise("start higher with region.start_mm, or take a smaller ball"));
-    }
-    if let Some(end_mm) = options.region_x_mm[1] {
-        let x = rings[rings.len() - 1].x_mm;
-        observer.warn(Warning {
-            stage: Stage::Path,
-            message: format!("the helix ends at height {x:.3} mm instead of region.end_mm = {end_mm} mm: {why}"),
-        });
     }
     Ok(Stack { rings, end_reason: why })
 }

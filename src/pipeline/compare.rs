@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Setup;
-use super::planning::channel_as_far_as_it_goes;
+use super::planning::{channel_as_far_as_it_goes, path_as_asked};
 use super::schedules::{machinable, paced};
 use crate::artifact::axis_motion::AXES;
 use crate::artifact::schedule::{Measure, ScheduleKind};
@@ -19,7 +19,6 @@ use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent};
 use crate::output::RunFolder;
 use crate::output::manifest::Clock;
-use crate::path;
 use crate::schedule;
 
 mod plot;
@@ -130,7 +129,7 @@ pub fn compare(
     let mut folder = RunFolder::begin(out)?;
     let mut clock = Clock::default();
     let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
-    let mut toolpath = clock.time(Stage::Path, || path::plan(&setup.blade, &setup.path_options(), &recorder))?;
+    let mut toolpath = clock.time(Stage::Path, || path_as_asked(&setup, &recorder))?;
     let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &mut clock, &recorder)?;
     let (made, names) = all(&setup, &toolpath, &channel)?;
     let feed = FeedOptions { limit_jerk, ..setup.feed_options() };

@@ -34,9 +34,9 @@ pub(super) fn others(
     let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
     kinds
         .map(|kind| {
-            let [a, b] = path.region_x_mm;
-            let region_x_mm = [Some(a.max(b)), Some(a.min(b))];
             let own = setup.path_options();
+            let [a, b] = path.region_x_mm;
+            let region_x_mm = [own.region_x_mm[0], Some(a.min(b))];
             let options = PathOptions { kind: *kind, region_x_mm, scallop_mm: worst_mm, ..own };
             let other = path::plan(&setup.blade, &options, observer)?;
             let samples = setup.job.verify.surface_samples as usize;

@@ -25,10 +25,10 @@ pub(super) fn plan(
     clock: &mut Clock,
     observer: &dyn Observer,
 ) -> Result<Option<(Plan, Baseline)>> {
-    let (blade, job) = (&setup.blade, &setup.job);
+    let job = &setup.job;
     let mut toolpath = match known.toolpath {
         Some(t) => t,
-        None => clock.time(Stage::Path, || path::plan(blade, &setup.path_options(), observer))?,
+        None => clock.time(Stage::Path, || path_as_asked(setup, observer))?,
     };
     if course.ends_at(Stage::Path) {
         folder.add_json("toolpath.json", &toolpath)?;
@@ -69,6 +69,23 @@ pub(super) fn plan(
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
     Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
+}
+
+/// The path of the job; says so where it ends before the height that the job asks for.
+pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
+    let path = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    if let Some(end_mm) = setup.job.region.end_mm
+        && path.end_reason != Toolpath::END_OF_REGION
+    {
+        let [a, b] = path.region_x_mm;
+        let message = format!(
+            "the helix ends at height {:.3} mm instead of region.end_mm = {end_mm} mm: {}",
+            a.min(b),
+            path.end_reason
+        );
+        observer.warn(Warning { stage: Stage::Path, message });
+    }
+    Ok(path)
 }
 
 /// The channel. Where the job leaves the end of the region open and the channel closes on the way down, the helix is laid anew

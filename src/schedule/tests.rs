@@ -39,7 +39,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 1.0],
-        end_reason: "the end of the region".into(),
+        end_reason: Toolpath::END_OF_REGION.into(),
         planned_scallop_mm: 0.01,
         turns,
         locations,

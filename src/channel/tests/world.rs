@@ -145,7 +145,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [from_x, from_x + pitch],
-        end_reason: "the end of the region".into(),
+        end_reason: Toolpath::END_OF_REGION.into(),
         planned_scallop_mm: 0.01,
         turns,
         locations,

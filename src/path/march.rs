@@ -1,0 +1,174 @@
+//! Turns laid one from the other, touch by touch, to either side.
+
+use rayon::prelude::*;
+
+use super::curve;
+use super::level::Touch;
+use super::neighbour::{Across, Next, Place, Stop};
+use super::nodes::arc_lengths;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Vector};
+
+/// More turns than this is a mistake in the options.
+const MOST_TURNS: usize = 20_000;
+/// Ways shorter than this share of the flat stepover are none: the ball is stuck.
+const STUCK: f64 = 1e-2;
+/// Length of the ramp from a turn to the next, in stepovers on flat ground: steep enough to be short, and so gentle that the path tilts by
+/// less than 6° and its radius in the surface is over 60 stepovers.
+const RAMP_STEPOVERS: f64 = 20.0;
+/// Nodes of the closed ring that are left by less than this share of a stepover stay.
+pub(super) const LEAST_SHARE: f64 = 1e-3;
+
+/// Turns that run along the end in part, before the end of a path that was left open is drawn level with the lowest of them.
+const MOST_WAITING: usize = 12;
+
+/// A touch of a turn, with how it came from the turn before.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub(super) touch: Touch,
+    /// Way from the turn before, mm.
+    pub(super) way_mm: f64,
+    /// Why it is at the end of the region.
+    pub(super) stop: Option<Stop>,
+}
+
+/// Turns laid, the first along a ring and the last node of each being the first of the next.
+pub(super) struct Laid {
+    pub(super) turns: Vec<Vec<Node>>,
+    /// Where a turn could not go on.
+    pub(super) lost: Option<Point>,
+}
+
+impl Laid {
+    /// The turn laid last.
+    pub(super) fn last(&self) -> &[Node] {
+        self.turns.last().map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether the last turn runs along the end all the way: it is closed then.
+    pub(super) fn is_at_the_end(&self) -> bool {
+        self.turns.len() > 1 && self.last().iter().all(|n| n.stop.is_some())
+    }
+}
+
+/// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise seen from the tip, else up.
+#[derive(Clone)]
+pub(super) struct March<'a> {
+    pub(super) across: Across<'a>,
+    /// Scallop between turns, mm.
+    pub(super) scallop_mm: f64,
+    /// Stepover on flat ground, mm.
+    pub(super) flat_mm: f64,
+    /// Usual distance of touches along a turn, mm.
+    pub(super) step_mm: f64,
+    /// Whether the part is a mesh.
+    pub(super) facets: bool,
+}
+
+impl March<'_> {
+    /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and one place has come to
+    /// a wall or an edge long before another, the end is drawn at the height that the other has then.
+    pub(super) fn to_the_end(
+        mut self,
+        ring: &[Touch],
+        open: bool,
+        progress: &dyn Fn(f64) -> Result<()>,
+    ) -> Result<Laid> {
+        let mut waiting = 0;
+        let laid = self.lay(self.along(ring), progress, |turn| {
+            waiting += usize::from(turn.iter().any(|n| n.stop.is_some()));
+            open && waiting > MOST_WAITING
+        })?;
+        if laid.lost.is_some() || laid.is_at_the_end() {
+            return Ok(laid);
+        }
+        self.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
+        self.lay(laid.turns, progress, |_| false)
+    }
+
+    /// A first turn, closed, along a ring.
+    pub(super) fn along(&self, ring: &[Touch]) -> Vec<Vec<Node>> {
+        let node = |t: &Touch| Node { touch: *t, way_mm: self.flat_mm, stop: None };
+        vec![self.tidy(ring.iter().chain(ring.first()).map(node).collect())]
+    }
+
+    /// Lays turns after the ones there until `enough` says so of the last, or it runs along the end all the way, or the surface is lost.
+    pub(super) fn lay(
+        &self,
+        turns: Vec<Vec<Node>>,
+        progress: &dyn Fn(f64) -> Result<()>,
+        mut enough: impl FnMut(&[Node]) -> bool,
+    ) -> Result<Laid> {
+        let mut laid = Laid { turns, lost: None };
+        while let Some((last, before)) = laid.turns.split_last_mut() {
+            progress(last[0].touch.centre.x)?;
+            match self.next_turn(before.last(), last) {
+                Ok(next) => laid.turns.push(next),
+                Err(lost) => {
+                    // The turn before the loss has gone as far as the ball could, past where its neighbours can follow.
+                    if laid.turns.len() > 3 {
+                        laid.turns.pop();
+                    }
+                    laid.lost = Some(lost);
+                    break;
+                }
+            }
+            if laid.is_at_the_end() || enough(laid.last()) {
+                break;
+            }
+            if laid.turns.len() > MOST_TURNS {
+                return Err(Error::infeasible(Stage::Path, format!("more than {MOST_TURNS} turns would be needed"))
+                    .advise("allow a larger scallop or a smaller region"));
+            }
+        }
+        Ok(laid)
+    }
+
+    /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`: where the ball cannot go on.
+    fn next_turn(&self, before: Option<&Vec<Node>>, turn: &mut Vec<Node>) -> std::result::Result<Vec<Node>, Point> {
+        let n = turn.len() - 1;
+        let centre = |k: usize| turn[k].touch.centre;
+        let back = before.map_or(centre(n - 1), |b| b[b.len() - 2].touch.centre);
+        let closed = before.is_none();
+        let shares = if closed { ramp(turn, RAMP_STEPOVERS * self.flat_mm) } else { vec![1.0; n + 1] };
+        let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
+        let ahead = centre(1);
+        let along = curve::tangents(Some(&back), &touches, closed.then_some(&ahead));
+        let mut next: Vec<Option<Node>> =
+            (0..=n).into_par_iter().map(|i| self.next_node(&turn[i], along[i], shares[i])).collect();
+        next[0] = Some(turn[n]);
+        if !closed && let Some(start) = next[1] {
+            // The way on from the last touch is known only now: to the first of the new turn.
+            let on = curve::tangent(Some(&centre(n - 1)), &turn[n].touch, Some(&start.touch.centre));
+            next[n] = self.next_node(&turn[n], on, 1.0);
+        }
+        if self.facets {
+            next = self.even_out(turn, &along, &shares, next);
+        }
+        let kept = self.without_folds(turn, &along, &next)?;
+        Ok(self.tidy(kept))
+    }
+
+    /// The neighbour of one node, at the share `share` of the stepover.
+    fn next_node(&self, node: &Node, along: Vector, share: f64) -> Option<Node> {
+        if node.stop.is_some() || share < LEAST_SHARE {
+            return Some(Node { way_mm: self.flat_mm, ..*node });
+        }
+        let from = Place { touch: node.touch, along };
+        let h_mm = self.scallop_mm * share * share;
+        let Next { touch, way_mm, stop } = self.across.neighbour(&from, h_mm, node.way_mm * share)?;
+        if stop.is_none() && way_mm < STUCK * share * self.flat_mm {
+            return None;
+        }
+        // A last, shortened way says nothing about the next.
+        Some(Node { touch, way_mm: if stop.is_some() { node.way_mm } else { way_mm / share }, stop })
+    }
+}
+
+/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous curvature over the ramp's length.
+fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
+    let s_mm = arc_lengths(turn);
+    let whole = s_mm.last().copied().unwrap_or(0.0).min(ramp_mm).max(1e-12);
+    let smooth = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
+    s_mm.iter().map(|s| smooth((s / whole).min(1.0))).collect()
+}
