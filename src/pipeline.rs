@@ -7,7 +7,7 @@ use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
 use crate::artifact::{AxisMotion, CheckReport, Plan, Program, Schedule};
 use crate::channel::ChannelOptions;
-use crate::error::{Result, Stage};
+use crate::error::{Error, Result, Stage};
 use crate::feed::{self, FeedOptions};
 use crate::job::{Draft, Job, ModelJob};
 use crate::machine::Machine;
@@ -29,6 +29,7 @@ pub mod compare;
 mod look;
 mod paths;
 mod planning;
+mod repost;
 pub mod reuse;
 mod schedules;
 
@@ -233,6 +234,12 @@ pub fn program() -> String {
     format!("bladewright {}", env!("CARGO_PKG_VERSION"))
 }
 
+/// The build: a hash of the sources, the built-in data and the versions of all dependencies. Two programs with the same one compute the same;
+/// what the system's own mathematics library gives for the last digit of a sine is not in it.
+pub fn build() -> &'static str {
+    env!("BLADEWRIGHT_BUILD")
+}
+
 /// How the job reads its model.
 fn model_options(m: &ModelJob) -> ModelOptions {
     ModelOptions {
@@ -298,42 +305,64 @@ pub fn run_on(
     let mut clock = Clock::default();
     let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
-    let sections = clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), &recorder))?;
-    folder.add_json("sections.json", &sections)?;
-    let (mut summary, mut report, mut plan, mut taken, mut seal) = (None, None, None, Vec::new(), None);
-    if !course.ends_at(Stage::Section) {
-        let mut known = reuse::take(&setup, earlier, &recorder);
-        taken = std::mem::take(&mut known.stages);
-        let before = known.checks.take();
-        let planned = planning::plan(&setup, course, known, &mut folder, &mut clock, &recorder)?;
-        if let Some((made, baseline)) = planned {
-            let mut run =
-                checking::Run { setup: &setup, course, folder: &mut folder, clock: &mut clock, observer: &recorder };
-            let checked = run.check_and_write(&sections, made, &baseline, before)?;
-            taken.extend(checked.recalled.then_some(Stage::Verify));
-            (summary, report, plan) = (checked.summary, Some(checked.report), Some(checked.plan));
-            seal = Some(checked.seal);
-        }
-    }
-    let status = match (&report, course.until) {
-        (Some(r), None) if r.passed() => "good".to_owned(),
+    let mut run = checking::Run { setup: &setup, course, folder: &mut folder, clock: &mut clock, observer: &recorder };
+    let made = match repost::again(&mut run, earlier)? {
+        Some(made) => made,
+        None => make(&mut run, earlier)?,
+    };
+    let status = match (&made.report, course.until) {
         (Some(r), None) if !r.passed() => "findings".to_owned(),
-        (_, until) => until.map_or_else(|| "good".to_owned(), |s| format!("until {s}")),
+        (_, until) => until.map_or_else(|| reuse::GOOD.to_owned(), |s| format!("until {s}")),
     };
     folder.add_json(
         "manifest.json",
         &Manifest {
             schema_version: SCHEMA_VERSION,
             program: program(),
+            build: build().to_owned(),
             inputs: setup.inputs.clone(),
             job: &setup.job,
             stages: if course.timeless { Vec::new() } else { clock.records.clone() },
             warnings: recorder.warnings(),
-            seal,
+            seal: made.seal,
+            outputs: folder.hashes().clone(),
             status,
         },
     )?;
+    let Made { summary, report, plan, taken, .. } = made;
     Ok(Outcome { files: folder.finish()?, summary, report, plan, stages: clock.records, taken })
+}
+
+/// What the stages after the model came to.
+#[derive(Default)]
+struct Made {
+    summary: Option<Summary>,
+    report: Option<CheckReport>,
+    plan: Option<Plan>,
+    seal: Option<String>,
+    taken: Vec<Stage>,
+}
+
+/// All stages after the model, as far as the course goes.
+fn make(run: &mut checking::Run, earlier: &[Earlier]) -> Result<Made> {
+    let (setup, observer) = (run.setup, run.observer);
+    let sections =
+        run.clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), observer))?;
+    run.folder.add_json("sections.json", &sections)?;
+    let mut made = Made::default();
+    if run.course.ends_at(Stage::Section) {
+        return Ok(made);
+    }
+    let mut known = reuse::take(setup, earlier, observer);
+    made.taken = std::mem::take(&mut known.stages);
+    let before = known.checks.take();
+    if let Some((plan, baseline)) = planning::plan(setup, run.course, known, run.folder, run.clock, observer)? {
+        let checked = run.check_and_write(&sections, plan, &baseline, before)?;
+        made.taken.extend(checked.recalled.then_some(Stage::Verify));
+        (made.summary, made.report, made.plan) = (checked.summary, Some(checked.report), Some(checked.plan));
+        made.seal = Some(checked.seal);
+    }
+    Ok(made)
 }
 
 /// The plan as evidence: passed, or failed and forced.
@@ -358,11 +387,43 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
     Ok(found)
 }
 
-/// What reading all programs of the job back finds; nothing is written.
-fn post_all_checks(setup: &Setup, verified: &Verified<Plan>) -> Result<Vec<Check>> {
-    let dialects = setup.dialects()?;
-    let all = dialects.iter().map(|d| Ok(setup.program(d, verified)?.1)).collect::<Result<Vec<_>>>()?;
-    Ok(all.into_iter().flatten().collect())
+/// What reading the programs of a finished run back finds: the files as they are there; where one is not, what would be in it. Programs of a plan
+/// that failed its checks are judged where they were written all the same.
+///
+/// # Errors
+/// Those of [`post::post`].
+pub fn programs_again(setup: &Setup, verified: &Verified<Plan>, folder: &RunFolder) -> Result<Vec<Check>> {
+    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
+    let mut found = Vec::new();
+    for dialect in setup.dialects()? {
+        let mut program = post::post(&dialect, verified, blade, tool, machine, &setup.post_options())?;
+        match folder.existing(&program.file_name) {
+            Some(text) => program.text = text,
+            None if verified.forced() => continue,
+            None => {}
+        }
+        match verify::program::read_back(&program, verified.value(), blade, tool, machine) {
+            Ok(checks) => found.extend(checks),
+            Err(e) => found.push(unreadable(&program.file_name, &e)),
+        }
+    }
+    Ok(found)
+}
+
+/// A program that a control would not understand either.
+fn unreadable(file_name: &str, e: &Error) -> Check {
+    Check {
+        name: "program-readable".into(),
+        quantity: format!("{file_name}: lines that cannot be read"),
+        worst: 1.0,
+        limit: 0.0,
+        unit: "lines".into(),
+        passed: false,
+        row: None,
+        turn: None,
+        point_mm: None,
+        note: e.message.clone(),
+    }
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

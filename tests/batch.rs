@@ -1,24 +1,12 @@
 //! Families as a user meets them: the same bytes however they came about, failures that harm no other, exit codes.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+mod families;
+
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-/// Four made blades of two shapes at two feeds, coarse and small.
-const FAMILY: &str = r#"
-design = "prism"
-[template]
-tool = { radius_mm = 5 }
-region = { start_mm = 7, end_mm = 6 }
-path = { scallop_mm = 0.2, chord_mm = 0.02, max_step_mm = 2 }
-channel = { tolerance_deg = 0.1 }
-verify = { surface_samples = 1000, resolution_mm = 0.02, scallop_ratio = 1000 }
-section = { count = 1 }
-[ranges]
-"design.fillet_radius_mm" = [6, 7]
-"feed.feed_mm_min" = [1000, 2000]
-"#;
+use families::{FAMILY, same, tree};
 
 fn command(args: &[&str], dir: &Path) -> Command {
     let mut c = Command::new(env!("CARGO_BIN_EXE_bladewright"));
@@ -37,37 +25,6 @@ fn ends(args: &[&str], dir: &Path, code: i32) -> String {
     assert_eq!(out.status.code(), Some(code), "{args:?}\n{text}");
     assert!(!text.contains("panicked"), "{text}");
     text
-}
-
-/// Every file but those of the log, by its path.
-fn tree(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    fn walk(dir: &Path, root: &Path, all: &mut BTreeMap<PathBuf, Vec<u8>>) {
-        for entry in std::fs::read_dir(dir).expect("readable") {
-            let path = entry.expect("entry").path();
-            let relative = path.strip_prefix(root).expect("inside").to_path_buf();
-            if relative == Path::new("log") {
-                continue;
-            }
-            if path.is_dir() {
-                all.insert(relative, Vec::new());
-                walk(&path, root, all);
-            } else {
-                all.insert(relative, std::fs::read(&path).expect("readable"));
-            }
-        }
-    }
-    let mut all = BTreeMap::new();
-    walk(root, root, &mut all);
-    all
-}
-
-#[track_caller]
-fn same(a: &Path, b: &Path) {
-    let (a, b) = (tree(a), tree(b));
-    assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>());
-    for (path, bytes) in &a {
-        assert!(b[path] == *bytes, "{} differs", path.display());
-    }
 }
 
 #[test]
@@ -155,14 +112,14 @@ fn only_what_changed_is_computed_and_stages_are_taken_over() {
     computed("out", 1);
     assert!(before == tree(&d.join("out")));
     // Each change against a run from nothing: the same bytes.
-    let all = ["path", "channel", "schedule", "feed", "verify"];
+    let all = ["section", "path", "channel", "schedule", "feed", "verify", "preview"];
     for (what, taken) in [
         ("post = { spindle_rpm = 7000 }", &all[..]),
         ("post = { control = [\"heidenhain\"] }", &all),
         ("feed = { feed_mm_min = 900 }", &all),
-        ("scallop_ratio = 999", &all[..4]),
-        ("schedule = { margin_deg = 1.0 }", &all[..2]),
-        ("machine = { b_deg = 6 }", &all[..1]),
+        ("scallop_ratio = 999", &all[1..5]),
+        ("schedule = { margin_deg = 1.0 }", &all[1..3]),
+        ("machine = { b_deg = 6 }", &all[1..2]),
     ] {
         let added = format!("{what}\nsection =");
         let by =
@@ -180,6 +137,15 @@ fn only_what_changed_is_computed_and_stages_are_taken_over() {
         ends(&["batch", "family.toml", "-o", "out"], d, 0);
     }
     assert!(before == tree(&d.join("out")));
+    // What is not as the earlier run left it is not taken over.
+    let report = d.join("out/members/fillet_radius_mm-6_feed_mm_min-1000/report.html");
+    let text = std::fs::read_to_string(&report).expect("readable");
+    std::fs::write(&report, text.replace("numbers", "figures")).expect("writable");
+    put(&small.replace("section =", "post = { spindle_rpm = 7000 }\nsection ="));
+    computed("out", 1);
+    assert_eq!(log("out"), all[1..6]);
+    ends(&["batch", "family.toml", "-o", "fresh"], d, 0);
+    same(&d.join("out"), &d.join("fresh"));
 }
 
 #[test]

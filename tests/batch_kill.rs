@@ -2,24 +2,13 @@
 //!
 //! `just kill`, or `BLADEWRIGHT_RUNS=100 cargo nextest run --release --run-ignored only --no-capture --test batch_kill`.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+mod families;
+
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-const FAMILY: &str = r#"
-design = "prism"
-[template]
-tool = { radius_mm = 5 }
-region = { start_mm = 7, end_mm = 6 }
-path = { scallop_mm = 0.2, chord_mm = 0.02, max_step_mm = 2 }
-channel = { tolerance_deg = 0.1 }
-verify = { surface_samples = 1000, resolution_mm = 0.02, scallop_ratio = 1000 }
-section = { count = 1 }
-[ranges]
-"design.fillet_radius_mm" = [6, 7]
-"feed.feed_mm_min" = [1000, 2000]
-"#;
+use families::{FAMILY, tree};
 
 fn start(dir: &Path, out: &Path, shard: &str) -> Child {
     Command::new(env!("CARGO_BIN_EXE_bladewright"))
@@ -30,27 +19,6 @@ fn start(dir: &Path, out: &Path, shard: &str) -> Child {
         .stderr(Stdio::null())
         .spawn()
         .expect("the command starts")
-}
-
-fn tree(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut all = BTreeMap::new();
-    let mut folders = vec![root.to_path_buf()];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(&folder).expect("readable") {
-            let path = entry.expect("entry").path();
-            let relative = path.strip_prefix(root).expect("inside").to_path_buf();
-            if relative == Path::new("log") {
-                continue;
-            }
-            if path.is_dir() {
-                all.insert(relative, Vec::new());
-                folders.push(path);
-            } else {
-                all.insert(relative, std::fs::read(&path).expect("readable"));
-            }
-        }
-    }
-    all
 }
 
 /// SplitMix64: the same runs for the same seed.

@@ -258,7 +258,33 @@ fn plan_verify_post_and_preview_of_the_prism() {
         let after = std::fs::read(d.join("1").join(name)).expect("readable");
         assert!(*before == after, "verify, preview or post changed {name}");
     }
+    // And the same checks stand in verify.json, those of the programs among them.
+    let checks = |bytes: &[u8]| -> Vec<(String, bool)> {
+        let report: serde_json::Value = serde_json::from_slice(bytes).expect("JSON");
+        let all = report["checks"].as_array().expect("a list");
+        all.iter().map(|c| (c["name"].to_string(), c["passed"] == true)).collect()
+    };
+    let before = one.iter().find(|(n, _)| n == "verify.json").map(|(_, bytes)| checks(bytes)).expect("verify.json");
+    assert!(before.iter().filter(|(n, _)| n.contains("program-")).count() >= 10, "{before:?}");
+    assert_eq!(before, checks(&std::fs::read(d.join("1/verify.json")).expect("readable")));
+    planted_faults_of_a_program_are_found(d);
     planted_gouge_is_found(d);
+}
+
+/// A program that was changed or damaged since is found by `verify`, which reads it from its file.
+fn planted_faults_of_a_program_are_found(d: &Path) {
+    let path = d.join("1/program.mpf");
+    let text = std::fs::read_to_string(&path).expect("readable");
+    let lines: Vec<&str> = text.lines().collect();
+    let k = lines.len() / 2;
+    let without = [&lines[..k], &lines[k + 1..]].concat().join("\n");
+    for (damaged, finding) in [(without, "finding: program-missing"), (text.replacen("Y", "?", 1), "finding: program-readable")] {
+        std::fs::write(&path, damaged).expect("writable");
+        let out = bladewright(&["verify", "1"], d);
+        let said = String::from_utf8_lossy(&out.stdout).into_owned();
+        assert!(out.status.code() == Some(1) && said.contains(finding), "{finding}: {said}");
+    }
+    std::fs::write(&path, text).expect("writable");
 }
 
 /// A ball centre moved 20 µm into the part is found by `verify`, named, and not posted.

@@ -1,6 +1,6 @@
 //! What a member is computed from, as one hash; and what it is likely to cost.
 //!
-//! The address is the BLAKE3 hash of the program's version, the job as typed (machine and post files by their content), and the model's name and
+//! The address is the BLAKE3 hash of the program's version and build, the job as typed (machine and post files by their content), and the model's name and
 //! content (that of its data files too), or the generator's design. Where a file lies does not matter. What stands in the address
 //! decides every byte of the result, so the same address is never computed twice.
 
@@ -62,6 +62,7 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
     let told = |content: Content| content.map_or_else(|| "unreadable".to_owned(), |(_, hash)| hash);
     add(&mut blade, LAYOUT);
     add(&mut blade, &pipeline::program());
+    add(&mut blade, pipeline::build());
     match &member.source {
         Source::Design(d) => {
             add(&mut blade, "design");

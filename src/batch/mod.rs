@@ -16,8 +16,8 @@
 //! * **A member that fails harms no other**: its stage and reason stand in the tables. What stops everything is only what would stop
 //!   every member: a full disk, an unwritable folder, Ctrl-C.
 //!
-//! Limits: memory is shared out by an estimate from the model's size and the scallop, not measured; two versions of the program with the same
-//! number are taken for the same.
+//! Limits: memory is shared out by an estimate from the model's size and the scallop, not measured. Programs built from the same sources are
+//! taken for the same, whatever machine they were built for.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

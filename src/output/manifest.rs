@@ -1,5 +1,6 @@
-//! `manifest.json`: what went in, what was done, how long it took.
+//! `manifest.json`: what went in, what was done, how long it took, what came out.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
 
@@ -38,6 +39,8 @@ pub struct Manifest<J: serde::Serialize> {
     pub schema_version: u32,
     /// Program and version.
     pub program: String,
+    /// The build: a hash of its sources.
+    pub build: String,
     /// Inputs with their hashes.
     pub inputs: Vec<Input>,
     /// The resolved job.
@@ -49,6 +52,8 @@ pub struct Manifest<J: serde::Serialize> {
     /// Seal of the checks, see [`crate::verify::seal`]; absent where nothing was checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seal: Option<String>,
+    /// Files that the run wrote, but for this one, with the BLAKE3 hashes of their content.
+    pub outputs: BTreeMap<String, String>,
     /// `good`, `findings` or the stage up to which the run went.
     pub status: String,
 }

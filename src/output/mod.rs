@@ -7,6 +7,7 @@ pub mod manifest;
 pub mod summary;
 pub mod tables;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result, Stage};
@@ -16,6 +17,7 @@ pub struct RunFolder {
     target: PathBuf,
     staging: tempfile::TempDir,
     files: Vec<String>,
+    hashes: BTreeMap<String, String>,
 }
 
 fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
@@ -45,7 +47,7 @@ impl RunFolder {
             .prefix(".bladewright-")
             .tempdir_in(&home)
             .map_err(|e| trouble("cannot write in", &home, e))?;
-        Ok(RunFolder { target: target.to_path_buf(), staging, files: Vec::new() })
+        Ok(RunFolder { target: target.to_path_buf(), staging, files: Vec::new(), hashes: BTreeMap::new() })
     }
 
     /// Text of a file that an earlier run left in the folder.
@@ -66,10 +68,16 @@ impl RunFolder {
             f.sync_all()
         };
         write().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
+        self.hashes.insert(name.to_owned(), blake3::hash(content.as_ref()).to_hex().to_string());
         if !self.files.iter().any(|f| f == name) {
             self.files.push(name.to_owned());
         }
         Ok(())
+    }
+
+    /// BLAKE3 hashes of the files added so far, by name.
+    pub fn hashes(&self) -> &BTreeMap<String, String> {
+        &self.hashes
     }
 
     /// Adds a value as indented JSON.

@@ -7,7 +7,7 @@ use crate::artifact::toolpath::{PathKind, Toolpath};
 use crate::artifact::{CheckReport, Plan, Schedule};
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisPeak {
     /// Axis.
     pub axis: String,
@@ -20,7 +20,7 @@ pub struct AxisPeak {
 }
 
 /// A schedule's figures.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct ScheduleFigures {
     /// Which.
     pub kind: ScheduleKind,
@@ -43,7 +43,7 @@ pub struct ScheduleFigures {
 }
 
 /// A path of another kind over the same region, laid for comparison alone.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct PathFigures {
     /// How its turns lie.
     pub kind: PathKind,
@@ -59,7 +59,7 @@ pub struct PathFigures {
 }
 
 /// The summary.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Summary {
     /// Blade.
     pub name: String,

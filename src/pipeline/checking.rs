@@ -69,9 +69,11 @@ impl Run<'_, '_> {
                 forced = verified.forced();
                 report.checks.extend(self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
             }
-            let (summary, report, budget_bytes) = (&summary, &report, course.preview_bytes);
-            let look = Look { sections, baseline, summary, report, forced, budget_bytes };
-            self.clock.time(Stage::Preview, || look::write(setup, &plan, &look, folder, observer))?;
+            let others = self.clock.time(Stage::Schedule, || Ok(look::others(setup, &plan)))?;
+            let (baseline, others, report) = (Some(baseline), &others[..], &report);
+            let look = Look { sections, baseline, others, report, forced, budget_bytes: course.preview_bytes };
+            let summary = look::json_of(&summary)?;
+            self.clock.time(Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
         }
         self.folder.add_json("verify.json", &report)?;
         Ok(Checked { summary: Some(summary), report, plan, seal, recalled })

@@ -1,30 +1,34 @@
 //! What people look at: `preview.glb` and `report.html`, from a run or from its files.
 
+use rayon::prelude::*;
 use serde_json::Value;
 
-use super::{Baseline, Setup, compare, post_all_checks};
+use super::{Baseline, Setup, compare, programs_again, schedules};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::feed;
 use crate::observe::{Observer, Recorder};
 use crate::output::RunFolder;
-use crate::output::summary::{self, Summary};
+use crate::output::summary;
 use crate::preview::drawing::{self, PlotInput};
-use crate::preview::report::{self, File, ReportInput};
+use crate::preview::report::{self, File, Payload, ReportInput};
 use crate::preview::{self, GltfOptions, Scene};
 use crate::schedule;
 use crate::section;
 use crate::verify::Verdict;
 
+/// A schedule for the same path that is shown beside the one in use, and its name.
+pub(super) type Other = (&'static str, Schedule);
+
 /// What is shown beside the plan.
 pub(super) struct Look<'a> {
     /// Plane sections.
     pub sections: &'a [Section],
-    /// The fixed lead.
-    pub baseline: &'a Baseline,
-    /// Figures of the run.
-    pub summary: &'a Summary,
+    /// The fixed lead; absent where the plots are an earlier run's.
+    pub baseline: Option<&'a Baseline>,
+    /// Other schedules.
+    pub others: &'a [Other],
     /// All checks, those of the programs among them.
     pub report: &'a CheckReport,
     /// Programs were written although checks failed.
@@ -34,48 +38,26 @@ pub(super) struct Look<'a> {
 }
 
 /// The JSON that a file of the run holds.
-fn json_of(value: &impl serde::Serialize) -> Result<Value> {
+pub(super) fn json_of(value: &impl serde::Serialize) -> Result<Value> {
     serde_json::to_value(value)
         .map_err(|e| Error::io(Stage::Preview, format!("the report's figures cannot be encoded: {e}")).caused_by(e))
 }
 
-/// Writes both files.
+/// Writes both files; `summary` is that of summary.json.
 pub(super) fn write(
     setup: &Setup,
     plan: &Plan,
     look: &Look,
+    summary: &Value,
     folder: &mut RunFolder,
     observer: &Recorder,
 ) -> Result<()> {
-    let (summary, verify) = (json_of(look.summary)?, json_of(look.report)?);
-    let compared = compared(folder, look.summary);
-    write_from(setup, plan, look, [&summary, &verify], compared.as_ref(), folder, observer)
-}
-
-/// `compare.json` of the folder, if it is of this path.
-fn compared(folder: &RunFolder, summary: &Summary) -> Option<Value> {
-    let found: Value = serde_json::from_str(&folder.existing("compare.json")?).ok()?;
-    let same = found["cutter_locations"].as_u64() == Some(summary.cutter_locations as u64)
-        && found["path_length_mm"].as_f64() == Some(summary.path_length_mm);
-    same.then_some(found)
-}
-
-fn write_from(
-    setup: &Setup,
-    plan: &Plan,
-    look: &Look,
-    [summary, verify]: [&Value; 2],
-    compared: Option<&Value>,
-    folder: &mut RunFolder,
-    observer: &Recorder,
-) -> Result<()> {
-    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
     let mut options = GltfOptions::default();
     options.budget_bytes = look.budget_bytes.unwrap_or(options.budget_bytes);
     let scene = Scene {
-        blade,
-        tool,
-        machine,
+        blade: &setup.blade,
+        tool: &setup.job.tool,
+        machine: &setup.machine,
         plan: Some(plan),
         sections: look.sections,
         checks: Some(look.report),
@@ -84,51 +66,95 @@ fn write_from(
     };
     folder.add("preview.glb", preview::gltf(&scene)?)?;
     observer.progress(Stage::Preview, 1, 2);
-    let model = &setup.inputs[0];
-    let mut provenance = vec![
-        ("Program".to_owned(), super::program()),
-        ("Model".to_owned(), setup.post_options().part_file),
-        ("BLAKE3 of the model".to_owned(), model.blake3.clone()),
-    ];
-    for input in setup.inputs.iter().skip(1) {
-        let name = std::path::Path::new(&input.path).file_name().map(|n| n.to_string_lossy().into_owned());
-        provenance.push((format!("BLAKE3 of {}", name.unwrap_or_default()), input.blake3.clone()));
-    }
-    let fixed =
-        report::Baseline { name: "fixed lead", schedule: &look.baseline.schedule, motion: Some(&look.baseline.motion) };
-    let made = others(setup, plan);
-    let mut others = vec![fixed];
-    others.extend(made.iter().map(|(name, schedule)| report::Baseline { name, schedule, motion: None }));
-    let page = report::html(&ReportInput {
-        title: &blade.name,
-        blade,
-        tool,
-        machine,
+    page(setup, plan, look, summary, None, folder, observer)
+}
+
+/// Writes the report; `payload`: what its plots and its 3-D view show, where that is known.
+pub(super) fn page(
+    setup: &Setup,
+    plan: &Plan,
+    look: &Look,
+    summary: &Value,
+    payload: Option<&Payload>,
+    folder: &mut RunFolder,
+    observer: &Recorder,
+) -> Result<()> {
+    let verify = json_of(look.report)?;
+    let compared = compared(folder, summary);
+    let fixed = look.baseline.map(fixed_lead_of);
+    let others: Vec<report::Baseline> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
+    let input = ReportInput {
+        title: &setup.blade.name,
+        blade: &setup.blade,
+        tool: &setup.job.tool,
+        machine: &setup.machine,
         plan: Some(plan),
-        baseline: Some(fixed),
+        baseline: fixed,
         others: &others,
         summary: File { name: "summary", json: summary },
-        verify: File { name: "verify", json: verify },
-        compare: compared.map(|json| File { name: "compare", json }),
+        verify: File { name: "verify", json: &verify },
+        compare: compared.as_ref().map(|json| File { name: "compare", json }),
         sections: look.sections,
         checks: Some(look.report),
         forced: look.forced,
         warnings: &observer.warnings(),
         job_toml: &setup.job.to_toml()?,
-        provenance: &provenance,
-    })?;
-    folder.add("report.html", page)?;
+        provenance: &provenance(setup),
+    };
+    let text = match payload {
+        Some(payload) => report::page(&input, payload),
+        None => report::html(&input)?,
+    };
+    folder.add("report.html", text)?;
     observer.progress(Stage::Preview, 2, 2);
     Ok(())
 }
 
-/// The schedules that cost next to nothing, beside the one in use; one that cannot be made here is left out.
-fn others(setup: &Setup, plan: &Plan) -> Vec<(&'static str, Schedule)> {
-    let kinds = [("quaternion", ScheduleKind::Quaternion), ("piecewise", ScheduleKind::Piecewise)];
-    let options = setup.schedule_options();
-    let make = |kind| schedule::plan(kind, &plan.toolpath, &plan.channel, &options, &crate::observe::Silent).ok();
-    let wanted = kinds.into_iter().filter(|(_, kind)| *kind != plan.schedule.kind);
-    wanted.filter_map(|(name, kind)| Some((name, make(kind)?))).collect()
+/// `compare.json` of the folder, if it is of this path.
+fn compared(folder: &RunFolder, summary: &Value) -> Option<Value> {
+    let found: Value = serde_json::from_str(&folder.existing("compare.json")?).ok()?;
+    let same = |key: &str| found[key].is_number() && found[key] == summary[key];
+    (same("cutter_locations") && same("path_length_mm")).then_some(found)
+}
+
+/// Where the run came from: labels and values.
+fn provenance(setup: &Setup) -> Vec<(String, String)> {
+    let mut rows = vec![
+        ("Program".to_owned(), super::program()),
+        ("Build".to_owned(), super::build().to_owned()),
+        ("Model".to_owned(), setup.post_options().part_file),
+        ("BLAKE3 of the model".to_owned(), setup.inputs[0].blake3.clone()),
+    ];
+    for input in setup.inputs.iter().skip(1) {
+        let name = std::path::Path::new(&input.path).file_name().map(|n| n.to_string_lossy().into_owned());
+        rows.push((format!("BLAKE3 of {}", name.unwrap_or_default()), input.blake3.clone()));
+    }
+    rows
+}
+
+fn fixed_lead_of(baseline: &Baseline) -> report::Baseline<'_> {
+    report::Baseline { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) }
+}
+
+fn shown((name, schedule): &Other) -> report::Baseline<'_> {
+    report::Baseline { name, schedule, motion: None }
+}
+
+/// All kinds of schedules but the fixed lead and the one in use; one that cannot be made here is left out.
+pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
+    let kinds = [
+        ("quaternion", ScheduleKind::Quaternion),
+        ("piecewise", ScheduleKind::Piecewise),
+        ("optimal", ScheduleKind::Optimal),
+        ("time", ScheduleKind::Time),
+    ];
+    let (path, channel, options) = (&plan.toolpath, &plan.channel, setup.schedule_options());
+    let make = |kind| match kind {
+        ScheduleKind::Time => schedules::paced(&setup.machine, &setup.feed_options(), path, channel, &options).ok(),
+        _ => schedule::plan(kind, path, channel, &options, &crate::observe::Silent).ok(),
+    };
+    let wanted: Vec<_> = kinds.into_iter().filter(|(_, kind)| *kind != plan.schedule.kind).collect();
+    wanted.into_par_iter().filter_map(|(name, kind)| Some((name, make(kind)?))).collect()
 }
 
 /// preview.glb and report.html of a plan taken up again: sections, the fixed-lead baseline and the figures are made anew; paths of
@@ -149,25 +175,23 @@ pub fn preview_again(
     let baseline = fixed_lead(setup, plan, &recorder)?;
     let mut report = verdict.report().clone();
     if let Verdict::Passed(verified) = verdict {
-        report.checks.extend(post_all_checks(setup, verified)?);
+        report.checks.extend(programs_again(setup, verified, folder)?);
     }
     let figures = compare(setup, plan, &baseline)?;
-    let summary = summary::summary(&setup.blade.name, plan, &report, figures);
-    let (mut shown, verify) = (json_of(&summary)?, json_of(&report)?);
+    let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;
     let before = folder.existing("summary.json").and_then(|t| serde_json::from_str::<Value>(&t).ok());
     if let Some(paths) = before.as_ref().and_then(|b| b.get("other_paths")) {
-        shown["other_paths"] = paths.clone();
+        summary["other_paths"] = paths.clone();
     }
-    let compared = compared(folder, &summary);
     let look = Look {
         sections: &sections,
-        baseline: &baseline,
-        summary: &summary,
+        baseline: Some(&baseline),
+        others: &others(setup, plan),
         report: &report,
         forced: false,
         budget_bytes,
     };
-    write_from(setup, plan, &look, [&shown, &verify], compared.as_ref(), folder, &recorder)
+    write(setup, plan, &look, &summary, folder, &recorder)
 }
 
 /// The fixed lead on the plan's path.
@@ -191,10 +215,8 @@ pub fn plots(
     let plan = verdict.value();
     let sections = section::plan(&setup.blade, &setup.section_options(), observer)?;
     let baseline = fixed_lead(setup, plan, observer)?;
-    let fixed = report::Baseline { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) };
     let made = others(setup, plan);
-    let mut shown = vec![fixed];
-    shown.extend(made.iter().map(|(name, schedule)| report::Baseline { name, schedule, motion: None }));
+    let shown: Vec<report::Baseline> = std::iter::once(fixed_lead_of(&baseline)).chain(made.iter().map(shown)).collect();
     let input =
         PlotInput { plan, machine: &setup.machine, others: &shown, checks: verdict.report(), sections: &sections };
     drawing::plots(&input, turn)

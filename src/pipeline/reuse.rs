@@ -1,7 +1,7 @@
 //! Stages taken over from earlier runs.
 //!
 //! A stage's result follows from its inputs alone, to the last bit, on any number of threads. So where the inputs of a stage and of
-//! all before it are those of an earlier run by the same version of the program, its result is taken from that run's `plan.json` instead of
+//! all before it are those of an earlier run by the same build of the program, its result is taken from that run's `plan.json` instead of
 //! being computed. JSON keeps every bit of a number. Checks are taken over where their seal fits ([`crate::verify::seal`]).
 //!
 //! | taken over | where these are the same |
@@ -11,12 +11,15 @@
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
+//! | all of these, sections, preview and plots | everything but `[post]`: see [`super::repost`] |
+
+use std::collections::BTreeMap;
 
 use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Toolpath};
 use crate::error::Stage;
-use crate::job::{Job, ModelJob, PathJob};
+use crate::job::{Job, MachineJob, ModelJob, PathJob};
 use crate::observe::{Observer, Warning};
 use crate::output::manifest::Input;
 
@@ -24,21 +27,27 @@ use crate::output::manifest::Input;
 pub(super) fn part(setup: &Setup) -> String {
     let model = ModelJob { file: Default::default(), ..setup.job.model.clone() };
     let files = Files::of(&setup.job, &setup.inputs).model.join(" ");
-    format!("{} {files} {model:?}", super::program())
+    format!("{} {} {files} {model:?}", super::program(), super::build())
 }
 
 /// Reads a file of an earlier run by its name; `None` where there is none.
 pub type ReadFile<'a> = Box<dyn Fn(&str) -> Option<Vec<u8>> + Send + Sync + 'a>;
 
+/// Status of a run that passed all its checks.
+pub(super) const GOOD: &str = "good";
+
 /// What of a manifest matters here.
 #[derive(serde::Deserialize)]
 struct Before {
     program: String,
+    build: String,
     inputs: Vec<Input>,
     job: Job,
     warnings: Vec<Warning>,
     #[serde(default)]
     seal: Option<String>,
+    outputs: BTreeMap<String, String>,
+    status: String,
 }
 
 /// A finished run made before. Its manifest is read at once, its plan when it is needed.
@@ -51,7 +60,8 @@ impl<'a> Earlier<'a> {
     /// Opens a run; `None` where it has no manifest that this program understands.
     pub fn open(read: ReadFile<'a>) -> Option<Self> {
         let before: Before = serde_json::from_slice(&read("manifest.json")?).ok()?;
-        (before.program == super::program()).then_some(Earlier { before, read })
+        let same = before.program == super::program() && before.build == super::build();
+        same.then_some(Earlier { before, read })
     }
 
     /// The last stage up to which this run may stand for that of `setup`; `None`: not at all.
@@ -77,12 +87,37 @@ impl<'a> Earlier<'a> {
         Some(if machine { Stage::Feed } else { Stage::Schedule })
     }
 
+    /// This good run stands for that of `setup` in all but its programs.
+    pub(super) fn differs_by_post_alone(&self, setup: &Setup) -> bool {
+        let (a, b) = (&self.before.job, &setup.job);
+        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &setup.inputs));
+        let bare = |job: &Job| Job {
+            model: bare_model(&job.model),
+            machine: MachineJob { file: None, ..job.machine.clone() },
+            post: b.post.clone(),
+            ..job.clone()
+        };
+        self.before.status == GOOD && mine == yours && bare(a) == bare(b)
+    }
+
+    /// A file of that run as it left it; `None` where it has been changed since.
+    pub(super) fn file(&self, name: &str) -> Option<Vec<u8>> {
+        let content = (self.read)(name)?;
+        let hash = blake3::hash(&content).to_hex();
+        self.before.outputs.get(name).is_some_and(|h| **h == *hash.as_str()).then_some(content)
+    }
+
+    /// What its stages warned of.
+    pub(super) fn warnings(&self) -> &[Warning] {
+        &self.before.warnings
+    }
+
     fn plan(&self) -> Option<Plan> {
         serde_json::from_slice(&(self.read)("plan.json")?).ok()
     }
 
     /// The checks of that run, without those of its programs.
-    fn checks(&self) -> Option<Checks> {
+    pub(super) fn checks(&self) -> Option<Checks> {
         let mut report: CheckReport = serde_json::from_slice(&(self.read)("verify.json")?).ok()?;
         report.checks.retain(|c| !c.name.starts_with("program-"));
         Some(Checks { report, seal: self.before.seal.clone()? })
@@ -90,6 +125,7 @@ impl<'a> Earlier<'a> {
 }
 
 /// Hashes of a run's input files.
+#[derive(PartialEq)]
 struct Files<'a> {
     model: Vec<&'a str>,
     machine: Option<&'a str>,
@@ -105,10 +141,13 @@ impl<'a> Files<'a> {
     }
 }
 
+fn bare_model(m: &ModelJob) -> ModelJob {
+    ModelJob { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() }
+}
+
 /// The same way of reading, wherever the file lies. Its name matters: it can be the blade's.
 fn same_model(a: &ModelJob, b: &ModelJob) -> bool {
-    let bare = |m: &ModelJob| ModelJob { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() };
-    bare(a) == bare(b)
+    bare_model(a) == bare_model(b)
 }
 
 fn same_path(a: &PathJob, b: &PathJob) -> bool {

@@ -2,15 +2,14 @@
 //
 // Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the carrier.
 import {
-  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Line,
-  LineBasicMaterial, Matrix4, Mesh,
-  MeshBasicMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
+  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
   WebGLRenderer, TOUCH,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { before, data, glb, list } from './data.js';
 import { colourOf, shareOf } from './colour.js';
+import { Ribbon } from './ribbon.js';
 
 const S = data.scene;
 const P = S.path;
@@ -187,14 +186,7 @@ export class View {
 
   addPath() {
     if (!path?.x.length) return;
-    const at = new Float32Array(3 * path.x.length);
-    path.x.forEach((x, i) => at.set([x, path.y[i], path.z[i]], 3 * i));
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(at, 3));
-    geometry.setAttribute('color', new BufferAttribute(new Float32Array(at.length), 3));
-    // Plain lines: fat ones are instanced, which takes seconds a frame where the browser draws without a graphics card.
-    this.lines = new Line(geometry, new LineBasicMaterial({ vertexColors: true }));
-    this.lines.frustumCulled = false;
+    this.lines = new Ribbon(path.x, path.y, path.z, data.colours, data.no_colour, 2);
     this.carrier.add(this.lines);
     this.setTurns(...this.turns);
     this.setColouring(0);
@@ -206,20 +198,14 @@ export class View {
     let last = path.turn.length - 1;
     while (last > first && path.turn[last] > to) last--;
     this.shown = [first, last];
-    this.lines.geometry.setDrawRange(first, last - first + 1);
+    this.lines.range(first, last);
     this.invalidate();
   }
 
   /** Colours the path by its quantity `k`. */
   setColouring(k) {
     const q = P.quantities[k];
-    const rgb = this.lines.geometry.attributes.color;
-    const c = new Color();
-    list(q.of).forEach((v, i) => {
-      c.setRGB(...colourOf(shareOf(v, q.range)), SRGBColorSpace);
-      rgb.setXYZ(i, c.r, c.g, c.b);
-    });
-    rgb.needsUpdate = true;
+    this.lines.colour(list(q.of).map(v => shareOf(v, q.range)));
     this.invalidate();
   }
 

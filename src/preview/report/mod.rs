@@ -15,17 +15,19 @@
 mod data;
 mod figures;
 mod pack;
+mod payload;
 mod scallop;
 mod scene;
 mod tables;
 #[cfg(test)]
 mod tests;
 
+pub use payload::Payload;
 pub use scallop::{Histogram, histogram as scallop_histogram};
 use serde_json::Value;
 
 use crate::artifact::{AxisMotion, Blade, CheckReport, Plan, Schedule, Section};
-use crate::error::{Error, Result, Stage};
+use crate::error::Result;
 use crate::machine::Machine;
 use crate::observe::Warning;
 use crate::tool::Tool;
@@ -90,16 +92,14 @@ pub struct ReportInput<'a> {
 /// The page.
 ///
 /// # Errors
-/// `InputOutput` where the data cannot be encoded; numbers that are not finite are shown as missing.
+/// As [`Payload::of`].
 pub fn html(input: &ReportInput) -> Result<String> {
-    let mut pack = pack::Pack::default();
-    let data = serde_json::to_string(&data::payload(input, &mut pack))
-        .map_err(|e| Error::io(Stage::Preview, format!("the report's data cannot be encoded: {e}")).caused_by(e))?
-        // Inside a script element the text must not contain `</script` or `<!--`.
-        .replace('<', "\\u003c");
-    // A coordinate that is not a number leaves the page without its picture, not the user without the page.
-    let (numbers, scene) = (pack.base64(), scene::glb(input).unwrap_or_default());
-    let mut page = String::with_capacity(data.len() + numbers.len() + scene.len() + 1024 * 1024);
+    Ok(page(input, &Payload::of(input)?))
+}
+
+/// The page with a payload that was made before; of the input only what stands in words and tables counts.
+pub fn page(input: &ReportInput, payload: &Payload) -> String {
+    let mut page = String::with_capacity(payload.len() + 1024 * 1024);
     page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
     page.push_str(&format!("<title>{} – bladewright report</title>\n", escape(input.title)));
@@ -118,13 +118,9 @@ pub fn html(input: &ReportInput) -> Result<String> {
     page.push_str(&tables::warnings(input));
     page.push_str(&tables::provenance(input));
     page.push_str("</main>\n");
-    for (id, kind, text) in
-        [("data", "application/json", &data), ("numbers", "text/plain", &numbers), ("scene-glb", "text/plain", &scene)]
-    {
-        page.push_str(&format!("<script id=\"{id}\" type=\"{kind}\">{text}</script>\n"));
-    }
+    payload.write(&mut page);
     page.push_str(&format!("<script>\n{VIEWER}</script>\n</body>\n</html>\n"));
-    Ok(page)
+    page
 }
 
 /// The script, with the licences of what it was built from at its head.
