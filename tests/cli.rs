@@ -278,7 +278,8 @@ fn planted_faults_of_a_program_are_found(d: &Path) {
     let lines: Vec<&str> = text.lines().collect();
     let k = lines.len() / 2;
     let without = [&lines[..k], &lines[k + 1..]].concat().join("\n");
-    for (damaged, finding) in [(without, "finding: program-missing"), (text.replacen("Y", "?", 1), "finding: program-readable")] {
+    let damaged = [&lines[..k], &["G1 X?"], &lines[k + 1..]].concat().join("\n");
+    for (damaged, finding) in [(without, "finding: program-missing"), (damaged, "finding: program-readable")] {
         std::fs::write(&path, damaged).expect("writable");
         let out = bladewright(&["verify", "1"], d);
         let said = String::from_utf8_lossy(&out.stdout).into_owned();

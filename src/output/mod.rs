@@ -8,6 +8,7 @@ pub mod summary;
 pub mod tables;
 
 use std::collections::BTreeMap;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result, Stage};
@@ -16,7 +17,7 @@ use crate::error::{Error, Result, Stage};
 pub struct RunFolder {
     target: PathBuf,
     staging: tempfile::TempDir,
-    files: Vec<String>,
+    files: Vec<(String, File)>,
     hashes: BTreeMap<String, String>,
 }
 
@@ -62,16 +63,15 @@ impl RunFolder {
     pub fn add(&mut self, name: &str, content: impl AsRef<[u8]>) -> Result<()> {
         use std::io::Write;
         let path = self.staging.path().join(name);
-        let write = || -> std::io::Result<()> {
-            let mut f = std::fs::File::create(&path)?;
+        let write = || -> std::io::Result<File> {
+            let mut f = File::create(&path)?;
             f.write_all(content.as_ref())?;
-            f.sync_all()
+            Ok(f)
         };
-        write().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
+        let file = write().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
         self.hashes.insert(name.to_owned(), blake3::hash(content.as_ref()).to_hex().to_string());
-        if !self.files.iter().any(|f| f == name) {
-            self.files.push(name.to_owned());
-        }
+        self.files.retain(|(known, _)| known != name);
+        self.files.push((name.to_owned(), file));
         Ok(())
     }
 
@@ -88,14 +88,18 @@ impl RunFolder {
         self.add(name, json(value)?)
     }
 
-    /// Moves all files into the target folder and names them.
+    /// Makes all files last through a loss of power, moves them into the target folder and names them.
     ///
     /// # Errors
     /// Kind `InputOutput`.
     pub fn finish(self) -> Result<Vec<PathBuf>> {
         std::fs::create_dir_all(&self.target).map_err(|e| trouble("cannot make the folder", &self.target, e))?;
         let mut done = Vec::with_capacity(self.files.len());
-        for name in &self.files {
+        // All at the end: a disk that is told to keep one file keeps what was written before on the way.
+        for (name, file) in &self.files {
+            file.sync_all().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
+        }
+        for (name, _) in &self.files {
             let to = self.target.join(name);
             std::fs::rename(self.staging.path().join(name), &to).map_err(|e| trouble("cannot write", &to, e))?;
             done.push(to);

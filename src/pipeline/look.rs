@@ -216,7 +216,8 @@ pub fn plots(
     let sections = section::plan(&setup.blade, &setup.section_options(), observer)?;
     let baseline = fixed_lead(setup, plan, observer)?;
     let made = others(setup, plan);
-    let shown: Vec<report::Baseline> = std::iter::once(fixed_lead_of(&baseline)).chain(made.iter().map(shown)).collect();
+    let shown: Vec<report::Baseline> =
+        std::iter::once(fixed_lead_of(&baseline)).chain(made.iter().map(shown)).collect();
     let input =
         PlotInput { plan, machine: &setup.machine, others: &shown, checks: verdict.report(), sections: &sections };
     drawing::plots(&input, turn)

@@ -51,8 +51,7 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
     let mut report = kept.verified.report().clone();
     report.checks.extend(run.clock.time(Stage::Post, || post_all(setup, &kept.verified, folder))?);
     let plan = kept.verified.value();
-    let look =
-        Look { sections: &[], baseline: None, others: &[], report: &report, forced: false, budget_bytes: None };
+    let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced: false, budget_bytes: None };
     let (shown, payload) = (&kept.shown, Some(&kept.payload));
     run.clock.time(Stage::Preview, || look::page(setup, plan, &look, shown, payload, folder, run.observer))?;
     run.folder.add_json("verify.json", &report)?;

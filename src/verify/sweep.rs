@@ -90,7 +90,7 @@ impl Sweep {
 
     /// The least `t` at which the line `p + t n` enters a ball of the sweep, among the moves that come within
     /// `reach_mm` of `p + R n`; `None` where none of those is met. Positive: material is left standing that high
-    /// over `p`; negative: the ball has cut that deep.
+    /// over `p`; negative: the ball has cut that deep. A ball wholly under `p` has not cut there: on a thin blade it runs on the far side.
     pub fn entry(&self, p: &Point, n: &Vector, reach_mm: f64) -> Option<f64> {
         let q = p + n * self.radius_mm;
         let reach2 = reach_mm * reach_mm;
@@ -104,6 +104,7 @@ impl Sweep {
                 let near = a + (b - a) * share_of_segment(&a, &b, &q);
                 if (near - q).norm_squared() <= reach2
                     && let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n)
+                    && (t >= 0.0 || self.covers(&a, &b, p))
                 {
                     best = Some(best.map_or(t, |o| o.min(t)));
                 }
@@ -112,7 +113,16 @@ impl Sweep {
         });
         best
     }
+
+    /// The ball moving from `a` to `b` comes over the point.
+    fn covers(&self, a: &Point, b: &Point, p: &Point) -> bool {
+        let near = a + (b - a) * share_of_segment(a, b, p);
+        (near - p).norm() <= self.radius_mm * (1.0 + ROUNDING)
+    }
 }
+
+/// How much farther than the radius a point may be and still count as in the ball, as a share of the radius: rounding only.
+const ROUNDING: f64 = 1e-9;
 
 /// Where the line `p + t n` (unit `n`) enters the ball about `c`.
 fn ball_entry(c: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
@@ -154,6 +164,23 @@ mod tests {
 
     fn vector() -> impl Strategy<Value = Vector> {
         [-3.0..3.0f64, -3.0..3.0f64, -3.0..3.0f64].prop_map(Vector::from)
+    }
+
+    /// A wall 0.3 mm thick, milled on one side by a ball of radius 0.5: on the other side nothing is cut, however far one looks; on the
+    /// milled side, 0.02 mm too deep.
+    #[test]
+    fn a_ball_behind_a_thin_wall_has_not_cut_in_front() {
+        let mut path = crate::sample::plan(1, 12).toolpath;
+        path.radius_mm = 0.5;
+        for (i, l) in path.locations.iter_mut().enumerate() {
+            l.centre = Point::new(i as f64, 0.0, -0.3 - 0.48);
+        }
+        let sweep = Sweep::new(&path);
+        for x in [3.0, 4.3, 5.5] {
+            assert_eq!(sweep.entry(&Point::new(x, 0.1, 0.0), &Vector::z(), 1.5), None);
+            let depth = sweep.entry(&Point::new(x, 0.0, -0.3), &-Vector::z(), 1.5).unwrap();
+            assert!((depth + 0.02).abs() < 1e-12, "{depth}");
+        }
     }
 
     proptest! {
