@@ -1,6 +1,7 @@
 // The page's data: JSON, and one block of 32-bit numbers that lists refer to by {at, n}.
 const bytes = id => {
   const text = document.getElementById(id).textContent;
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text).buffer;
   const raw = atob(text);
   const out = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);

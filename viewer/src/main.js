@@ -128,10 +128,6 @@ function picked(i, settle, e) {
 async function start() {
   cursor.on((s, from) => follow(s, from));
   controls();
-  turns.start();
-  scallop.drawHistogram();
-  scallop.drawMap();
-  sections.start();
   for (const b of document.querySelectorAll('button.go')) {
     b.addEventListener('click', () => {
       if (!path?.row.length) return;
@@ -151,8 +147,14 @@ async function start() {
   }
   globalThis.bladewright = { view, cursor };
   follow(0, 'start');
-  view?.render();
+  view?.finish();
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
+  // The view answers already; the plots come one after another, so that it goes on answering.
+  for (const draw of [turns.start, scallop.drawHistogram, scallop.drawMap, sections.start]) {
+    await new Promise(done => setTimeout(done));
+    draw();
+  }
+  document.documentElement.dataset.drawn = String(Math.round(performance.now()));
   let width = innerWidth;
   addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; redrawAll(); } });
   addEventListener('beforeprint', () => { setTheme(false); drawn(); view?.render(); });

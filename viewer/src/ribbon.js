@@ -1,6 +1,7 @@
 // Lines some pixels wide. WebGL draws lines one pixel wide only; three.js' fat lines are instanced, which takes seconds a frame where the browser
 // draws without a graphics card. Here each point is two vertices that the vertex shader moves apart across the line on the screen.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Vector2, Vector3 } from 'three';
+import { before } from './data.js';
 
 const vertex = `
 #include <clipping_planes_pars_vertex>
@@ -45,11 +46,6 @@ export class Ribbon extends Mesh {
       const o = 6 * (i + 1);
       at[o] = at[o + 3] = x[k]; at[o + 1] = at[o + 4] = y[k]; at[o + 2] = at[o + 5] = z[k];
     }
-    const index = new Uint32Array(6 * Math.max(0, n - 1));
-    for (let i = 0, o = 0; i + 1 < n; i++, o += 6) {
-      const a = 2 * i;
-      index[o] = a; index[o + 1] = a + 1; index[o + 2] = a + 2; index[o + 3] = a + 2; index[o + 4] = a + 1; index[o + 5] = a + 3;
-    }
     // One list of points seen from three places: the one before, the point itself, the one after.
     const points = new InterleavedBuffer(at, 3);
     const geometry = new BufferGeometry();
@@ -57,7 +53,6 @@ export class Ribbon extends Mesh {
     geometry.setAttribute('before', new InterleavedBufferAttribute(points, 3, 0));
     geometry.setAttribute('after', new InterleavedBufferAttribute(points, 3, 12));
     geometry.setAttribute('share', new BufferAttribute(new Float32Array(2 * n), 1));
-    geometry.setIndex(new BufferAttribute(index, 1));
     // Colours are those of the page: they pass as they are.
     const colour = hex => { const c = new Color(hex).convertLinearToSRGB(); return new Vector3(c.r, c.g, c.b); };
     super(geometry, new ShaderMaterial({
@@ -65,6 +60,10 @@ export class Ribbon extends Mesh {
       vertexShader: vertex, fragmentShader: fragment(stops.length), side: DoubleSide, clipping: true,
     }));
     this.frustumCulled = false;
+    this.all = Uint32Array.from({ length: n }, (_, i) => i);
+    this.few = this.all;
+    this.ends = [0, n - 1];
+    this.take(this.all);
     this.onBeforeRender = renderer => {
       renderer.getDrawingBufferSize(this.material.uniforms.size.value);
       this.material.uniforms.width.value = width * renderer.getPixelRatio();
@@ -79,5 +78,47 @@ export class Ribbon extends Mesh {
   }
 
   /** Shows the line from point `first` to point `last` only. */
-  range(first, last) { this.geometry.setDrawRange(6 * first, 6 * Math.max(0, last - first)); }
+  range(first, last) {
+    this.ends = [first, last];
+    const from = before(this.kept, first);
+    this.geometry.setDrawRange(6 * from, 6 * Math.max(0, before(this.kept, last) - from));
+  }
+
+  /** From here on the line can be drawn with fewer points: those that leave it by no more than `off`, and no farther apart than `apart`. */
+  thin(x, y, z, off, apart) {
+    const kept = [0];
+    let [length, angle] = [0, 0];
+    let was = null;
+    for (let i = 1; i < x.length; i++) {
+      const d = new Vector3(x[i] - x[i - 1], y[i] - y[i - 1], z[i] - z[i - 1]);
+      const step = d.length();
+      if (was && step > 0) angle += d.angleTo(was);
+      if (step > 0) was = d;
+      // An arc that turns by an angle is off its chord by an eighth of angle times length.
+      if (kept[kept.length - 1] !== i - 1 && (length + step > apart || ((length + step) * angle) / 8 > off)) {
+        kept.push(i - 1);
+        [length, angle] = [0, 0];
+      }
+      length += step;
+    }
+    kept.push(x.length - 1);
+    this.few = Uint32Array.from(kept);
+  }
+
+  /** Draws all points, or few of them. */
+  fine(all) {
+    const kept = all ? this.all : this.few;
+    if (kept !== this.kept) { this.take(kept); this.range(...this.ends); }
+  }
+
+  take(kept) {
+    this.kept = kept;
+    const index = new Uint32Array(6 * Math.max(0, kept.length - 1));
+    for (let i = 0, o = 0; i + 1 < kept.length; i++, o += 6) {
+      const [a, b] = [2 * kept[i], 2 * kept[i + 1]];
+      index[o] = a; index[o + 1] = a + 1; index[o + 2] = b; index[o + 3] = b; index[o + 4] = a + 1; index[o + 5] = b + 1;
+    }
+    this.geometry.index?.array && this.geometry.dispose();
+    this.geometry.setIndex(new BufferAttribute(index, 1));
+  }
 }

@@ -2,7 +2,7 @@
 //
 // Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the carrier.
 import {
-  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
+  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
   WebGLRenderer, TOUCH,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -33,9 +33,12 @@ export class View {
   constructor(canvas, onPick) {
     this.canvas = canvas;
     this.onPick = onPick;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.slow = withoutCard();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.localClippingEnabled = true;
+    // Milliseconds of rest after which the picture is drawn anew with finer pixels, where smooth edges are too dear in motion.
+    this.patience = this.slow ? 600 : Infinity;
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 1, 10000);
     this.carrier = new Group();
@@ -76,7 +79,7 @@ export class View {
   /** The glTF part of the page; resolves when it is shown. */
   async load() {
     const file = glb();
-    if (!file) return;
+    if (!file) { this.loaded = true; return; }
     const loaded = await new GLTFLoader().parseAsync(file, '');
     const nodes = {};
     loaded.scene.traverse(n => { nodes[n.name] ??= n; });
@@ -96,17 +99,15 @@ export class View {
       for (const part of [...nodes.tool.children]) {
         this.tool.add(part);
         if (part.name === 'head') this.layers.set('machine', [...(this.layers.get('machine') || []), part]);
-        part.traverse(m => { if (m.material) m.material.metalness = 0; });
+        part.traverse(m => { if (m.material) m.material = plain(m.material); });
       }
       this.layers.set('tool', [this.tool]);
     }
-    this.invalidate();
+    this.loaded = true;
   }
 
   prepare(mesh, solid) {
-    const m = mesh.material;
-    m.metalness = 0;
-    m.clippingPlanes = null;
+    const m = mesh.material = plain(mesh.material);
     (this.clipped ??= []).push(m);
     if (solid) {
       m.side = FrontSide;
@@ -187,6 +188,8 @@ export class View {
   addPath() {
     if (!path?.x.length) return;
     this.lines = new Ribbon(path.x, path.y, path.z, data.colours, data.no_colour, 2);
+    // Without a graphics card each piece of the line takes its time: from afar, fewer do, half a pixel off at most.
+    if (this.slow) this.lines.thin(path.x, path.y, path.z, this.reach / 600, this.reach / 75);
     this.carrier.add(this.lines);
     this.setTurns(...this.turns);
     this.setColouring(0);
@@ -229,7 +232,7 @@ export class View {
   }
 
   look(from) {
-    const far = (this.reach / Math.sin((Math.PI / 180) * 15)) * (this.camera.aspect < 1 ? 1 / this.camera.aspect : 1) * 0.92;
+    const far = this.far = (this.reach / Math.sin((Math.PI / 180) * 15)) * (this.camera.aspect < 1 ? 1 / this.camera.aspect : 1) * 0.92;
     let to = { side: [0.75, 0.42, 0.75], front: [0.12, 0.3, 1], tip: this.mode === 'part' ? [0.02, 1, 0.02] : [1, 0.15, 0.1] }[from];
     if (from === 'tool' && this.toolPlace) {
       const a = this.toolPlace.axis.clone().transformDirection(this.carrier.matrixWorld);
@@ -294,9 +297,10 @@ export class View {
 
   resize() {
     const box = this.canvas.parentElement.getBoundingClientRect();
-    if (!box.width || !box.height) return;
+    if (!box.width || !box.height || (box.width === this.width && box.height === this.height)) return;
+    [this.width, this.height] = [box.width, box.height];
     const was = this.camera.aspect;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, devicePixelRatio || 1));
     this.renderer.setSize(box.width, box.height, false);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
@@ -316,7 +320,43 @@ export class View {
     requestAnimationFrame(() => { this.queued = false; this.render(); });
   }
 
-  render() { this.renderer.render(this.scene, this.camera); }
+  /** Draws, once everything is there. */
+  render() {
+    if (!this.loaded) return;
+    if (this.slow) this.lines?.fine(this.camera.position.distanceTo(this.controls.target) < 0.3 * this.far);
+    if (this.slow && this.renderer.getPixelRatio() > 1) this.renderer.setPixelRatio(1);
+    this.renderer.render(this.scene, this.camera);
+    clearTimeout(this.rest);
+    if (this.patience < Infinity) this.rest = setTimeout(() => this.refine(), this.patience);
+  }
+
+  refine() {
+    this.renderer.setPixelRatio(2);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Draws and waits for the picture. */
+  finish() {
+    this.render();
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+}
+
+/** Whether this browser draws with the processor alone. */
+function withoutCard() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const named = gl?.getExtension('WEBGL_debug_renderer_info');
+  const words = gl ? gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(words);
+}
+
+/** A material that takes a processor half the time of the physical one, and looks no worse without surroundings to mirror. */
+function plain(m) {
+  if (!m.isMeshStandardMaterial) return m;
+  const { name, color, side, vertexColors, transparent, opacity, flatShading } = m;
+  return new MeshPhongMaterial({ name, color, side, vertexColors, transparent, opacity, flatShading, specular: 0x1c1c1c, shininess: 24 });
 }
 
 function minmax(l) {
