@@ -62,6 +62,11 @@ slurm:
     cargo build --release
     bash tests/slurm/run.sh target/release/bladewright
 
+# The Kubernetes Jobs' schemas and commands, without a cluster: Python (PYTHON=...) with `pip install kubernetes-validate pyyaml`
+kubernetes:
+    cargo build --release
+    bash tests/kubernetes/run.sh target/release/bladewright
+
 # A family on S3-compatible storage on this machine: Python (PYTHON=...) with `pip install "moto[server]" boto3`
 s3:
     cargo build --release --features s3

@@ -32,6 +32,7 @@ mod planning;
 mod repost;
 pub mod reuse;
 mod schedules;
+mod sketch;
 
 pub use look::{plots, preview_again};
 
@@ -311,7 +312,7 @@ pub fn run_on(
         None => make(&mut run, earlier)?,
     };
     let status = match (&made.report, course.until) {
-        (Some(r), None) if !r.passed() => "findings".to_owned(),
+        (Some(r), None) if !r.passed() => reuse::FINDINGS.to_owned(),
         (_, until) => until.map_or_else(|| reuse::GOOD.to_owned(), |s| format!("until {s}")),
     };
     folder.add_json(

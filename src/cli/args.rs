@@ -56,6 +56,9 @@ pub enum Verb {
     )]
     Compare(Compare),
     /// Plan a family of blades: many models or parameters from one file, resumable, in shards.
+    #[command(
+        after_help = "Examples:\n  bladewright batch family.toml -o out/family\n  bladewright batch family.toml --list\n  bladewright batch family.toml -o out/family --retry\n  bladewright batch family.toml -o /shared/out --shard 2/8\n  bladewright batch merge family.toml -o /shared/out\n\nA family that was interrupted goes on where it was: the same command again."
+    )]
     Batch(Batch),
     /// Check a finished run again, from its files.
     #[command(after_help = "Examples:\n  bladewright verify out/b && echo good")]

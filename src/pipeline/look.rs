@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::{Baseline, Setup, compare, programs_again, schedules};
+use super::{Baseline, Setup, compare, programs_again, sketch};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
@@ -140,17 +140,17 @@ fn shown((name, schedule): &Other) -> report::Baseline<'_> {
     report::Baseline { name, schedule, motion: None }
 }
 
-/// All kinds of schedules but the fixed lead and the one in use; one that cannot be made here is left out.
+/// All kinds of schedules but the fixed lead and the one in use, the costly ones as sketches; one that cannot be made here is left out.
 pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
     let kinds = [
         ("quaternion", ScheduleKind::Quaternion),
         ("piecewise", ScheduleKind::Piecewise),
-        ("optimal", ScheduleKind::Optimal),
-        ("time", ScheduleKind::Time),
+        ("optimal (sketch)", ScheduleKind::Optimal),
+        ("time (sketch)", ScheduleKind::Time),
     ];
     let (path, channel, options) = (&plan.toolpath, &plan.channel, setup.schedule_options());
     let make = |kind| match kind {
-        ScheduleKind::Time => schedules::paced(&setup.machine, &setup.feed_options(), path, channel, &options).ok(),
+        ScheduleKind::Optimal | ScheduleKind::Time => sketch::sketch(kind, setup, path, channel),
         _ => schedule::plan(kind, path, channel, &options, &crate::observe::Silent).ok(),
     };
     let wanted: Vec<_> = kinds.into_iter().filter(|(_, kind)| *kind != plan.schedule.kind).collect();

@@ -1,6 +1,6 @@
 //! A change of the post alone: programs are written and read back, the report gets its new words; everything else is the earlier run's, byte for byte.
 //!
-//! Taken from a run that was good, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
+//! Taken from a run that came to its end, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
 //! manifest) and whose checks fit their seal. Where any of this is not so, the run is made in the ordinary way.
 
 use serde_json::Value;
@@ -14,8 +14,8 @@ use crate::error::{Result, Stage};
 use crate::observe::Observer;
 use crate::output::summary::Summary;
 use crate::preview::report::Payload;
+use crate::verify::Verdict;
 use crate::verify::seal::{self, Subject};
-use crate::verify::{Verdict, Verified};
 
 /// Files that know nothing of the post.
 const KEPT: [&str; 6] =
@@ -30,7 +30,7 @@ struct Kept {
     files: Vec<(&'static str, Vec<u8>)>,
     summary: Summary,
     shown: Value,
-    verified: Verified<Plan>,
+    verdict: Verdict<Plan>,
     seal: String,
     payload: Payload,
 }
@@ -48,16 +48,18 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
         run.folder.add(name, content)?;
     }
     let (setup, folder) = (run.setup, &mut *run.folder);
-    let mut report = kept.verified.report().clone();
-    report.checks.extend(run.clock.time(Stage::Post, || post_all(setup, &kept.verified, folder))?);
-    let plan = kept.verified.value();
-    let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced: false, budget_bytes: None };
+    let (mut report, plan, mut forced) = (kept.verdict.report().clone(), kept.verdict.value().clone(), false);
+    if let Some(verified) = accept(kept.verdict, run.course.force) {
+        forced = verified.forced();
+        report.checks.extend(run.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
+    }
+    let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced, budget_bytes: None };
     let (shown, payload) = (&kept.shown, Some(&kept.payload));
-    run.clock.time(Stage::Preview, || look::page(setup, plan, &look, shown, payload, folder, run.observer))?;
+    run.clock.time(Stage::Preview, || look::page(setup, &plan, &look, shown, payload, folder, run.observer))?;
     run.folder.add_json("verify.json", &report)?;
     Ok(Some(Made {
         summary: Some(kept.summary),
-        plan: Some(plan.clone()),
+        plan: Some(plan),
         report: Some(report),
         seal: Some(kept.seal),
         taken: TAKEN.to_vec(),
@@ -76,7 +78,6 @@ fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
     let plan: Plan = serde_json::from_str(plan_json).ok()?;
     let checks = earlier.checks()?;
     let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &about).ok()?.ok()?;
-    let Verdict::Passed(_) = &verdict else { return None };
     let (summary, shown) = (serde_json::from_str(summary).ok()?, serde_json::from_str(summary).ok()?);
-    Some(Kept { verified: accept(verdict, false)?, seal: checks.seal, summary, shown, payload, files })
+    Some(Kept { verdict, seal: checks.seal, summary, shown, payload, files })
 }

@@ -35,6 +35,8 @@ pub type ReadFile<'a> = Box<dyn Fn(&str) -> Option<Vec<u8>> + Send + Sync + 'a>;
 
 /// Status of a run that passed all its checks.
 pub(super) const GOOD: &str = "good";
+/// Status of a run that came to its end but failed a check.
+pub(super) const FINDINGS: &str = "findings";
 
 /// What of a manifest matters here.
 #[derive(serde::Deserialize)]
@@ -87,7 +89,7 @@ impl<'a> Earlier<'a> {
         Some(if machine { Stage::Feed } else { Stage::Schedule })
     }
 
-    /// This good run stands for that of `setup` in all but its programs.
+    /// This run came to its end and stands for that of `setup` in all but its programs.
     pub(super) fn differs_by_post_alone(&self, setup: &Setup) -> bool {
         let (a, b) = (&self.before.job, &setup.job);
         let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &setup.inputs));
@@ -97,7 +99,7 @@ impl<'a> Earlier<'a> {
             post: b.post.clone(),
             ..job.clone()
         };
-        self.before.status == GOOD && mine == yours && bare(a) == bare(b)
+        [GOOD, FINDINGS].contains(&self.before.status.as_str()) && mine == yours && bare(a) == bare(b)
     }
 
     /// A file of that run as it left it; `None` where it has been changed since.

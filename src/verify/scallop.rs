@@ -235,7 +235,7 @@ fn ray_gouge(blade: &Blade, sweep: &Sweep, deepest: Option<Height>, samples: usi
     let point = deepest.map(|h| blade.model_from_blade * h.point);
     Check {
         name: "gouge-surface".into(),
-        quantity: "depth of the swept ball under samples of the surface".into(),
+        quantity: "how deep samples of the surface lie in the swept ball".into(),
         worst: depth,
         limit: options.gouge_mm,
         unit: "mm".into(),

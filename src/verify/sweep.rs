@@ -88,9 +88,10 @@ impl Sweep {
         a + (b - a) * t
     }
 
-    /// The least `t` at which the line `p + t n` enters a ball of the sweep, among the moves that come within
-    /// `reach_mm` of `p + R n`; `None` where none of those is met. Positive: material is left standing that high
-    /// over `p`; negative: the ball has cut that deep. A ball wholly under `p` has not cut there: on a thin blade it runs on the far side.
+    /// Height of the swept ball over `p`: the least `t` at which the line `p + t n` enters a ball of the sweep, among the moves that
+    /// come within `reach_mm` of `p + R n`; `None` where none of those is met. Positive: material is left standing that high over `p`.
+    /// Negative where `p` itself lies in a ball, by how deep it lies there: along the line a ball that rolls round a sharp edge, or behind a thin
+    /// wall, would seem to have cut much deeper than it has.
     pub fn entry(&self, p: &Point, n: &Vector, reach_mm: f64) -> Option<f64> {
         let q = p + n * self.radius_mm;
         let reach2 = reach_mm * reach_mm;
@@ -104,7 +105,7 @@ impl Sweep {
                 let near = a + (b - a) * share_of_segment(&a, &b, &q);
                 if (near - q).norm_squared() <= reach2
                     && let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n)
-                    && (t >= 0.0 || self.covers(&a, &b, p))
+                    && let Some(t) = if t < 0.0 { self.depth(&a, &b, p).map(|d| -d) } else { Some(t) }
                 {
                     best = Some(best.map_or(t, |o| o.min(t)));
                 }
@@ -114,10 +115,11 @@ impl Sweep {
         best
     }
 
-    /// The ball moving from `a` to `b` comes over the point.
-    fn covers(&self, a: &Point, b: &Point, p: &Point) -> bool {
+    /// How deep the point comes to lie in the ball moving from `a` to `b`; `None`: not at all.
+    fn depth(&self, a: &Point, b: &Point, p: &Point) -> Option<f64> {
         let near = a + (b - a) * share_of_segment(a, b, p);
-        (near - p).norm() <= self.radius_mm * (1.0 + ROUNDING)
+        let depth = self.radius_mm - (near - p).norm();
+        (depth >= -ROUNDING * self.radius_mm).then_some(depth.max(0.0))
     }
 }
 
@@ -180,6 +182,11 @@ mod tests {
             assert_eq!(sweep.entry(&Point::new(x, 0.1, 0.0), &Vector::z(), 1.5), None);
             let depth = sweep.entry(&Point::new(x, 0.0, -0.3), &-Vector::z(), 1.5).unwrap();
             assert!((depth + 0.02).abs() < 1e-12, "{depth}");
+            // An acute edge that the ball rolls round: the line along the face's normal runs far through the ball, which has cut next to nothing.
+            let (touch, edge) = (Vector::new(0.0, 0.6, 0.8), Vector::new(0.0, 0.8, 0.6));
+            let at = Point::new(x, 0.0, -0.78) + touch * (0.5 - 1e-6);
+            let depth = sweep.entry(&at, &edge, 1.5).unwrap();
+            assert!((depth + 1e-6).abs() < 1e-12, "{depth}");
         }
     }
 

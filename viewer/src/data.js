@@ -21,7 +21,7 @@ export const $ = id => document.getElementById(id);
 export const minus = text => String(text).replace('-', '−');
 
 /** A number for people: five digits that count. */
-export const show = v => (v == null || !Number.isFinite(v) ? '–' : minus(+v.toPrecision(5)));
+export const show = v => (v == null || !Number.isFinite(v) ? '–' : minus(Math.abs(v) < 1e-9 ? 0 : +v.toPrecision(5)));
 
 /** Index of the last value not above x in a rising list. */
 export const before = (rising, x) => {

@@ -2,7 +2,7 @@
 import { $, before, data, show } from './data.js';
 import { legend } from './colour.js';
 import { cursor } from './cursor.js';
-import { redrawAll } from './plot.js';
+import { plots, redrawAll } from './plot.js';
 import { View, path, placeOf, timeOf } from './scene.js';
 import * as turns from './turns.js';
 import * as scallop from './scallop.js';
@@ -145,7 +145,7 @@ async function start() {
     view = null;
     $('stage').innerHTML = `<p class="empty">This browser cannot show the 3-D view (${String(e.message || e).replace(/[&<>]/g, '')}). Tables and plots hold all figures.</p>`;
   }
-  globalThis.bladewright = { view, cursor };
+  globalThis.bladewright = { view, cursor, plots };
   follow(0, 'start');
   view?.finish();
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
@@ -157,6 +157,20 @@ async function start() {
   document.documentElement.dataset.drawn = String(Math.round(performance.now()));
   let width = innerWidth;
   addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; redrawAll(); } });
-  addEventListener('beforeprint', () => { setTheme(false); drawn(); view?.render(); });
+  let screen = null;
+  addEventListener('beforeprint', () => {
+    screen = { dark: document.documentElement.dataset.theme === 'dark', closed: [...document.querySelectorAll('details:not([open])')] };
+    for (const d of screen.closed) d.open = true;
+    setTheme(false);
+    drawn();
+    view?.refine();
+  });
+  addEventListener('afterprint', () => {
+    if (!screen) return;
+    for (const d of screen.closed) d.open = false;
+    setTheme(screen.dark);
+    drawn();
+    screen = null;
+  });
 }
 start();

@@ -2,7 +2,8 @@
 import uPlot from 'uplot';
 import { $, minus, show } from './data.js';
 
-const plots = new Map();
+/** The plots by their boxes. */
+export const plots = new Map();
 const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const dashes = { solid: [], dash: [7, 4], dot: [2, 3], long: [13, 4] };
 
@@ -11,14 +12,16 @@ export const redrawAll = () => { for (const f of [...plots.values()]) f.redraw()
 
 const ticks = (u, values) => {
   const step = values.length > 1 ? Math.abs(values[1] - values[0]) : 1;
-  const digits = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
+  // As many digits as the step has: 2.5 needs one.
+  let digits = 0;
+  while (digits < 6 && Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-6 * step * 10 ** digits) digits++;
   return values.map(v => minus(v.toFixed(digits)));
 };
 
 /**
  * A plot in a box.
  * spec: {x: label, y: label, series: [{name, x, y, colour, dash, width, fill, bars, marks, steps}], band: [i, j], equal,
- *        onMove(x), onPick(x), draw(u, context)}; series may have lists of x of their own.
+ *        onMove(x), onPick(x), draw(u, context), legend()}; series may have lists of x of their own.
  */
 export function plot(id, spec) {
   const box = $(id);
@@ -128,6 +131,7 @@ export function plot(id, spec) {
     e.preventDefault();
   });
   const keys = box.querySelector('.legend');
+  if (spec.legend) keys.innerHTML = spec.legend();
   for (const name of new Set(series.filter(s => !s.quiet).map(s => s.name))) {
     const s = series.find(q => q.name === name);
     const b = document.createElement('button');
@@ -153,6 +157,8 @@ export function plot(id, spec) {
     u,
     /** Shows the place of x without moving anything else. */
     mark(x) {
+      // A plot that was just made has its scales at the end of this task.
+      if (!u.status) { queueMicrotask(() => u.status && this.mark(x)); return; }
       if (!(x >= values[0][0] && x <= values[0][values[0].length - 1])) { u.setCursor({ left: -10, top: -10 }); return; }
       moved = false;
       u.setCursor({ left: u.valToPos(x, 'x'), top: 10 });

@@ -1,6 +1,6 @@
 // Lines some pixels wide. WebGL draws lines one pixel wide only; three.js' fat lines are instanced, which takes seconds a frame where the browser
 // draws without a graphics card. Here each point is two vertices that the vertex shader moves apart across the line on the screen.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Vector2, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Sphere, Vector2, Vector3 } from 'three';
 import { before } from './data.js';
 
 const vertex = `
@@ -53,6 +53,8 @@ export class Ribbon extends Mesh {
     geometry.setAttribute('before', new InterleavedBufferAttribute(points, 3, 0));
     geometry.setAttribute('after', new InterleavedBufferAttribute(points, 3, 12));
     geometry.setAttribute('share', new BufferAttribute(new Float32Array(2 * n), 1));
+    // Only the order of drawing asks for it, and the list above has more points than the line.
+    geometry.boundingSphere = new Sphere(new Vector3(x[n >> 1], y[n >> 1], z[n >> 1]), 1);
     // Colours are those of the page: they pass as they are.
     const colour = hex => { const c = new Color(hex).convertLinearToSRGB(); return new Vector3(c.r, c.g, c.b); };
     super(geometry, new ShaderMaterial({

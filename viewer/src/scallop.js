@@ -47,6 +47,7 @@ export function drawMap() {
   plot('chart-map', {
     x: 'way round the turn, %', y: 'height along the blade, mm',
     series: [{ name: 'scallop', x: Float64Array.from(order, i => round[i]), y: Float64Array.from(order, i => x[i]), colour: 'soft', marks: true, quiet: true }],
+    legend: () => `<div class="scale inline">${legend('scallop', 'µm', range, false)}</div>`,
     onMove: (_, i) => cursor.set(s[order[i]], 'map'), onPick: (_, i) => cursor.set(s[order[i]], 'map', true),
     more: i => `${show(1000 * height[order[i]])} µm at height ${show(x[order[i]])} mm`,
     draw: (u, c) => {
@@ -62,8 +63,4 @@ export function drawMap() {
       c.restore();
     },
   });
-  const key = document.createElement('div');
-  key.className = 'scale inline';
-  key.innerHTML = legend('scallop', 'µm', range, false);
-  box.querySelector('.legend')?.append(key);
 }

@@ -300,7 +300,8 @@ export class View {
     if (!box.width || !box.height || (box.width === this.width && box.height === this.height)) return;
     [this.width, this.height] = [box.width, box.height];
     const was = this.camera.aspect;
-    this.renderer.setPixelRatio(this.slow ? 1 : Math.min(2, devicePixelRatio || 1));
+    this.ratio = this.slow ? 1 : Math.min(2, devicePixelRatio || 1);
+    this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(box.width, box.height, false);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
@@ -324,13 +325,15 @@ export class View {
   render() {
     if (!this.loaded) return;
     if (this.slow) this.lines?.fine(this.camera.position.distanceTo(this.controls.target) < 0.3 * this.far);
-    if (this.slow && this.renderer.getPixelRatio() > 1) this.renderer.setPixelRatio(1);
+    if (this.renderer.getPixelRatio() !== this.ratio) this.renderer.setPixelRatio(this.ratio);
     this.renderer.render(this.scene, this.camera);
     clearTimeout(this.rest);
     if (this.patience < Infinity) this.rest = setTimeout(() => this.refine(), this.patience);
   }
 
+  /** Draws with finer pixels, at once. */
   refine() {
+    if (!this.loaded) return;
     this.renderer.setPixelRatio(2);
     this.renderer.render(this.scene, this.camera);
   }

@@ -27,6 +27,7 @@ function draw() {
   const point = (l, s) => { const at = list(l.s); let k = 0; for (let i = 0; i < at.length; i++) if (at[i] <= s) k = i; return [list(l.y)[k], list(l.z)[k]]; };
   plot('chart-section', {
     x: 'y, mm', y: 'z, mm', equal: true, extent,
+    legend: () => '<span class="key"><i style="background:var(--c2)"></i>into concave</span><span class="key"><i style="background:var(--c4)"></i>into convex</span><span class="key"><i style="background:var(--text)"></i>edges</span>',
     series: [{ name: 'corners', x: Float64Array.from(corner[0]), y: Float64Array.from(corner[1]), colour: 'panel', quiet: true, width: 0 }],
     draw: (u, c) => {
       c.save(); c.lineWidth = 2 * devicePixelRatio;
@@ -40,8 +41,6 @@ function draw() {
       c.restore();
     },
   });
-  const keys = $('chart-section').querySelector('.legend');
-  if (keys) keys.innerHTML = '<span class="key"><i style="background:var(--c2)"></i>into concave</span><span class="key"><i style="background:var(--c4)"></i>into convex</span><span class="key"><i style="background:var(--text)"></i>edges</span>';
   plot('chart-curvature', {
     x: 'arc length, mm', y: 'curvature, 1/mm',
     series: [{ name: 'curvature', x: list(loop.s), y: list(loop.k), colour: 'c1' }, { name: 'altered points', x: Float64Array.from(loop.altered, a => a[2]).sort(), y: new Float64Array(loop.altered.length), colour: 'c2', marks: true }],

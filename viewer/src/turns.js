@@ -33,7 +33,7 @@ export function drawChannel() {
   const slope = $('guide').checked && total > 0 ? rise / total : 0;
   const curve = field => joined(field, angle).map((v, i) => v - slope * x[i]);
   const names = data.others || [];
-  const looks = [['c2', 'long'], ['c4', 'dash'], ['c5', 'dot']];
+  const looks = [['c2', 'long'], ['c4', 'dash'], ['c5', 'dot'], ['c4', 'long'], ['c2', 'dot']];
   const series = [
     { key: 'min', name: 'true channel', x, y: curve('min'), colour: 'c1' },
     { key: 'max', name: 'true channel', x, y: curve('max'), colour: 'c1' },
@@ -41,7 +41,7 @@ export function drawChannel() {
     { name: 'monotone hull', x, y: curve('hull_max'), colour: 'c3', dash: 'dash' },
     { name: 'tangent channel', x, y: curve('tangent_min'), colour: 'c6', dash: 'dot' },
     { name: 'tangent channel', x, y: curve('tangent_max'), colour: 'c6', dash: 'dot' },
-    ...names.map((name, k) => ({ name, x, y: curve(t => t.others[k]), colour: looks[k % 3][0], dash: looks[k % 3][1] })),
+    ...names.map((name, k) => ({ name, x, y: curve(t => t.others[k]), colour: looks[k % looks.length][0], dash: looks[k % looks.length][1] })),
     { name: `schedule (${data.schedule})`, x, y: curve('theta'), colour: 'c0', width: 2.5 },
   ];
   const keys = shown.flatMap(t => turns[t].keys.map(([s, v]) => [s + turns[t].from - turns[first].from, v + angle(t)]));

@@ -37,6 +37,19 @@ async function changes(page, what, act) {
   assert.notEqual(after.hash, before.hash, `${what} does not change the 3-D view`);
 }
 
+/** Starts and stops the motion, which moves the place and says so. */
+async function plays(page, toggle) {
+  // From the start and slowly, so that the end is far.
+  await page.selectOption('#speed', '1');
+  await set(page, 'along', 0.1);
+  const from = +(await page.inputValue('#along'));
+  await toggle();
+  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'true');
+  await page.waitForFunction(from => +document.getElementById('along').value !== from, from, { timeout: 20000 });
+  await toggle();
+  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'false');
+}
+
 const set = (page, id, value, event = 'input') => page.evaluate(([id, value, event]) => {
   const e = document.getElementById(id);
   e.value = value;
@@ -82,6 +95,14 @@ async function desktop(browser, folder, url) {
   await changes(page, 'the slider', () => set(page, 'along', 0.4));
   const said = await page.textContent('#along-out');
   assert.match(said, /turn \d+, S /);
+  // The S–θ plot has gone to that turn and marks the place, to one of its stretches.
+  const [turnSaid, placeSaid] = said.match(/turn (\d+), S ([\d.]+)/).slice(1).map(Number);
+  assert.match(await page.textContent('#turn-out'), new RegExp(`^${turnSaid} of`));
+  const [marked, longest] = await page.evaluate(() => {
+    const plot = globalThis.bladewright.plots.get('chart-channel').u;
+    return [plot.posToVal(plot.cursor.left, 'x'), plot.scales.x.max];
+  });
+  assert.ok(Math.abs(marked - placeSaid) < 0.02 * longest, `S ${placeSaid} is marked at ${marked} of ${longest}`);
   await changes(page, 'the section', () => page.check('#cut-on'));
   await changes(page, 'the section\'s height', () => set(page, 'cut', 300));
   await page.uncheck('#cut-on');
@@ -92,8 +113,9 @@ async function desktop(browser, folder, url) {
   await changes(page, 'a colour', () => page.selectOption('#colouring', '2'));
   await changes(page, 'the machine\'s motion', () => page.selectOption('#motion', 'machine'));
   if (shots) { await page.locator('#view').scrollIntoViewIfNeeded(); await page.locator('#stage').screenshot({ path: join(shots, `${name}-machine.png`) }); }
-  await changes(page, 'playing', async () => { await page.click('#play'); await page.waitForTimeout(400); await page.click('#play'); });
+  await changes(page, 'playing as on the machine', () => plays(page, () => page.click('#play')));
   await page.selectOption('#motion', 'part');
+  await changes(page, 'playing with the part fixed', () => plays(page, () => page.press('#scene', ' ')));
   for (const box of await page.$$('#layers input')) await changes(page, await box.getAttribute('id'), () => box.click()).catch(e => { if (!/machine|uncut|layer-tool/.test(String(e))) throw e; });
   for (const box of await page.$$('#layers input')) await box.click();
   await changes(page, 'an arrow key', () => page.press('#scene', 'ArrowLeft'));
@@ -113,6 +135,16 @@ async function desktop(browser, folder, url) {
   await page.focus('#chart-velocity .canvas');
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight');
   assert.match(await page.textContent('#chart-velocity .readout'), /time, s .*this plan/);
+  // Every control is reached by the Tab key.
+  const wanted = await page.$$eval('main a[href], main button, main select, main input, main summary, main [tabindex="0"]', all => all.filter(e => !e.disabled && e.checkVisibility({ contentVisibilityAuto: true }) && !e.closest("details:not([open]) pre")).length);
+  await page.focus('#theme');
+  const reached = new Set();
+  for (let k = 0; k < wanted + 40; k++) {
+    await page.keyboard.press('Tab');
+    reached.add(await page.evaluate(() => { const e = document.activeElement; e.dataset.tab ??= String(document.querySelectorAll('[data-tab]').length); return e.closest('main') ? e.dataset.tab : ''; }));
+  }
+  reached.delete('');
+  assert.ok(reached.size >= wanted, `${reached.size} of ${wanted} controls are reached by the keyboard`);
   // A click on the path in the 3-D view goes to its turn.
   await page.locator('#scene').scrollIntoViewIfNeeded();
   const box = await page.locator('#scene').boundingBox();

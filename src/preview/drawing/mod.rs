@@ -84,7 +84,7 @@ fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Char
         curve("tangent channel", line(&|i| r[i].tangent_min), PURPLE, "2 3", 1.5),
         curve("tangent channel", line(&|i| r[i].tangent_max), PURPLE, "2 3", 1.5),
     ];
-    let looks = [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5")];
+    let looks = [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5"), (PINK, "13 4"), (ORANGE, "2 5")];
     for (o, (colour, dash)) in input.others.iter().zip(looks.into_iter().cycle()) {
         let of = |i: usize| o.schedule.theta.get(i).copied().unwrap_or(f64::NAN);
         curves.push(curve(o.name, line(&of), colour, dash, 1.5));

@@ -94,7 +94,9 @@ fn minutes(seconds: f64) -> String {
 /// Change from `old` to `new` in per cent, with its sign.
 fn change(new: f64, old: f64) -> String {
     if old.is_finite() && new.is_finite() && old.abs() > 1e-9 {
-        format!("{:+.1} %", 100.0 * (new / old - 1.0)).replace('-', "−")
+        // Adding 0 turns the −0.0 of a small loss into 0.0.
+        let percent = (1000.0 * (new / old - 1.0)).round() / 10.0 + 0.0;
+        format!("{percent:+.1} %").replace('-', "−").replace("+0.0 %", "0.0 %")
     } else {
         "–".into()
     }
