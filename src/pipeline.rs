@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::artifact::blade::Blade;
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, CheckReport, Plan, Program, Schedule};
+use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule};
 use crate::channel::ChannelOptions;
 use crate::error::{Error, Result, Stage};
 use crate::feed::{self, FeedOptions};
@@ -24,6 +24,7 @@ use crate::section::{self, SectionOptions};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
+mod around;
 mod checking;
 pub mod compare;
 mod look;
@@ -85,6 +86,8 @@ pub struct Setup {
     pub start_near: Option<[f64; 3]>,
     /// Own post files of the job.
     pub post_files: Vec<Dialect>,
+    /// Fixtures and stock.
+    pub obstacles: Vec<Obstacle>,
     /// Input files with their hashes: the model first.
     pub inputs: Vec<Input>,
 }
@@ -126,14 +129,16 @@ impl Setup {
             Start::Concave => None,
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
-        Ok(Setup { job, blade, machine, start_near, post_files, inputs })
+        let obstacles = around::obstacles(&job, &blade, &mut inputs, observer)?;
+        Ok(Setup { job, blade, machine, start_near, post_files, obstacles, inputs })
     }
 
     fn section_options(&self) -> SectionOptions {
         SectionOptions { count: self.job.section.count as usize, ..SectionOptions::default() }
     }
 
-    fn path_options(&self) -> PathOptions {
+    /// Options of the path as the job has them.
+    pub fn path_options(&self) -> PathOptions {
         let (p, r) = (&self.job.path, &self.job.region);
         PathOptions {
             kind: p.kind,
@@ -149,7 +154,8 @@ impl Setup {
         }
     }
 
-    fn channel_options(&self) -> ChannelOptions {
+    /// Options of the channel as the job and the machine have them.
+    pub fn channel_options(&self) -> ChannelOptions {
         let c = &self.job.channel;
         ChannelOptions {
             b_rad: self.job.machine.b_deg.to_radians(),
@@ -158,6 +164,11 @@ impl Setup {
             contact_angle_min_rad: c.contact_angle_min_deg.to_radians(),
             contact_angle_max_rad: c.contact_angle_max_deg.to_radians(),
             tolerance_rad: c.tolerance_deg.to_radians(),
+            prove_moves: c.prove_moves,
+            theta_limits_rad: self.machine.limits()[3].travel.map(|[lo, hi]| {
+                let (a, b) = (self.machine.theta_of_a(lo), self.machine.theta_of_a(hi));
+                [a.min(b), a.max(b)]
+            }),
             ..ChannelOptions::default()
         }
     }

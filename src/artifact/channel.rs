@@ -13,6 +13,17 @@ pub enum Binding {
         /// Triangle of the part's mesh.
         triangle: u32,
     },
+    /// A part of the tool would touch a fixture or the stock.
+    Fixture {
+        /// Which.
+        name: String,
+        /// Which part of the tool.
+        tool: String,
+        /// Triangle of its mesh.
+        triangle: u32,
+    },
+    /// A limit of the rotary axis.
+    AxisLimit,
     /// The permitted range of contact angle on the ball.
     ContactAngle,
     /// Nothing does: the whole circle is free, the interval was cut open opposite to the surface normal.
@@ -53,4 +64,29 @@ pub struct Channel {
     pub narrowest_row: usize,
     /// How many separate chains could be followed round the whole path.
     pub chains: usize,
+}
+
+/// How wide the channel is at one B, over places on the path (the moves between them are not looked at).
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Width {
+    /// B, degrees.
+    pub b_deg: f64,
+    /// Width of the channel at its narrowest place, degrees; none: closed.
+    pub narrowest_deg: Option<f64>,
+    /// Width between the monotone hulls where they are nearest, degrees; negative: a schedule would have to turn back;
+    /// none: closed.
+    pub monotone_deg: Option<f64>,
+    /// Turn of the narrowest place, or of where it closes.
+    pub turn: u32,
+    /// S there, mm.
+    pub turn_s_mm: f64,
+    /// What binds there, or why it is closed.
+    pub binds: String,
+}
+
+impl Width {
+    /// A schedule that never turns back exists.
+    pub fn is_open(&self) -> bool {
+        self.monotone_deg.is_some_and(|w| w >= 0.0)
+    }
 }

@@ -3,6 +3,7 @@
 pub mod axis_motion;
 pub mod blade;
 pub mod channel;
+pub mod obstacle;
 pub mod plan;
 pub mod program;
 pub mod report;
@@ -13,6 +14,7 @@ pub mod toolpath;
 pub use axis_motion::AxisMotion;
 pub use blade::Blade;
 pub use channel::Channel;
+pub use obstacle::Obstacle;
 pub use plan::Plan;
 pub use program::Program;
 pub use report::CheckReport;

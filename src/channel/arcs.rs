@@ -1,17 +1,23 @@
 //! Sets of angles on the circle as sorted, disjoint arcs, with what each end comes from.
 
+use std::f64::consts::PI;
+
 /// What an end of an arc comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Witness {
-    /// A part of the tool against a triangle of the part.
+    /// A part of the tool against a triangle of a body.
     Tool {
         /// Index of the profile's segment.
         segment: u16,
-        /// Leaf of the tree over the part's triangles.
+        /// The body.
+        body: u16,
+        /// Leaf of the tree over the body's triangles.
         leaf: u32,
     },
     /// The permitted range of contact angle.
     Contact,
+    /// A limit of the rotary axis.
+    Axis,
     /// The cut of the circle, not a limit.
     Cut,
 }
@@ -37,8 +43,15 @@ impl ArcSet {
         ArcSet { arcs: Vec::with_capacity(8), gap }
     }
 
-    pub fn clear(&mut self) {
+    /// Takes all arcs out; from now on arcs nearer than `gap` are one.
+    pub fn reset(&mut self, gap: f64) {
         self.arcs.clear();
+        self.gap = gap;
+    }
+
+    /// The arcs, rising.
+    pub fn arcs(&self) -> &[Arc] {
+        &self.arcs
     }
 
     /// Adds an arc.
@@ -101,14 +114,13 @@ impl ArcSet {
     /// As [`Self::all_uncovered`], but hands over only those ends of the parts at which the set or the circle's cut begins: an
     /// interval that reaches into a part from outside the arc's own ends holds one of them.
     pub fn all_borders(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64) -> bool) -> bool {
-        let border = |at: f64, own: f64| at != own || at.abs() >= std::f64::consts::PI;
+        let border = |at: f64, own: f64| at != own || at.abs() >= PI;
         self.all_uncovered(lo, hi, |from, to| (!border(from, lo) || visit(from)) && (!border(to, hi) || visit(to)))
     }
 
     /// What the set, widened by half the gap, leaves of the circle: intervals within -π..3π, each at least `least` long,
     /// centred in -π..=π. Where the set is empty, the whole circle cut at ±π.
     pub fn free(&self, least: f64) -> Vec<Arc> {
-        use std::f64::consts::PI;
         let half = 0.5 * self.gap;
         let (Some(first), Some(last)) = (self.arcs.first(), self.arcs.last()) else {
             return vec![Arc { lo: -PI, hi: PI, lo_by: Witness::Cut, hi_by: Witness::Cut }];
@@ -136,5 +148,48 @@ impl ArcSet {
         }
         out.retain(|a| a.hi - a.lo >= least);
         out
+    }
+}
+
+/// Arcs of θ within -π..=π on which `off + m cos(θ − psi)` lies in `range`; `m >= 0`, `psi` within -π..=π. `by` says what
+/// the range's lower and upper end come from.
+pub(super) fn push_arcs(off: f64, m: f64, psi: f64, range: (f64, f64), by: (Witness, Witness), out: &mut Vec<Arc>) {
+    let (below, above) = (range.0 <= off - m, range.1 >= off + m);
+    if range.1 < off - m || range.0 > off + m {
+        return;
+    }
+    if below && above {
+        out.push(Arc { lo: -PI, hi: PI, lo_by: Witness::Cut, hi_by: Witness::Cut });
+        return;
+    }
+    // Outer half width from the lower end of the range, inner from the upper end.
+    let outer = if below { PI } else { ((range.0 - off) / m).clamp(-1.0, 1.0).acos() };
+    let inner = if above { 0.0 } else { ((range.1 - off) / m).clamp(-1.0, 1.0).acos() };
+    if above {
+        push_wrapped(psi - outer, psi + outer, by.0, by.0, out);
+    } else if below {
+        push_wrapped(psi + inner, psi - inner + 2.0 * PI, by.1, by.1, out);
+    } else {
+        push_wrapped(psi + inner, psi + outer, by.1, by.0, out);
+        push_wrapped(psi - outer, psi - inner, by.0, by.1, out);
+    }
+}
+
+/// The arc `lo..=hi` (no longer than 2π) moved into -π..=π, cut in two where it crosses ±π.
+pub(super) fn push_wrapped(lo: f64, hi: f64, lo_by: Witness, hi_by: Witness, out: &mut Vec<Arc>) {
+    let turn = 2.0 * PI;
+    let shift = if lo >= PI {
+        -turn
+    } else if lo < -PI {
+        turn
+    } else {
+        0.0
+    };
+    let (lo, hi) = (lo + shift, hi + shift);
+    if hi <= PI {
+        out.push(Arc { lo, hi, lo_by, hi_by });
+    } else {
+        out.push(Arc { lo, hi: PI, lo_by, hi_by: Witness::Cut });
+        out.push(Arc { lo: -PI, hi: hi - turn, lo_by: Witness::Cut, hi_by });
     }
 }

@@ -1,16 +1,17 @@
 //! Whether a triangle keeps clear of a frustum at one angle.
 //!
-//! The margin (distance less clearance) is convex over the triangle, so a tangent plane at any point bounds it from below, and so
-//! does any mean of several. A plane is kept by its values at the triangle's corners, its least value is at one of them. The
-//! best mean of two planes is a tiny matrix game, solved by looking at its few vertices; where the two planes balance is
-//! the point to look at next (Kelley's cutting planes, with the planes so far kept as one aggregate).
+//! The margin (distance less clearance) is convex over the triangle's plane. A point of the plane where it is least has a closed form, from
+//! the frustum's support along the plane's normal. If the triangle holds that point, it is the least; if not, the least is on an edge:
+//! along each edge the derivative's root is closed in on by false position. Tangent planes bound what is left.
 
 use crate::geometry::Vector;
 
 use super::profile::Frustum;
 
-/// Planes after which the triangle is halved instead.
-const PLANES: usize = 8;
+/// Places on an edge that are looked at, at most.
+const ROUNDS: usize = 10;
+/// A margin that is none, mm.
+const NONE_MM: f64 = 1e-10;
 
 /// What is known of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +33,32 @@ pub(super) fn margin(frustum: &Frustum, axis: &Vector, p: &Vector) -> (f64, Vect
     (margin, axis * by_height + radial * (if radius > 0.0 { by_radius / radius } else { 0.0 }))
 }
 
+/// A tangent plane of the margin, at or near the point where that is least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Tangent {
+    pub at: Vector,
+    pub margin: f64,
+    pub slope: Vector,
+}
+
+impl Tangent {
+    /// The least value over a triangle, mm.
+    pub fn least(&self, corners: &[Vector; 3]) -> f64 {
+        self.margin + corners.iter().map(|c| self.slope.dot(&(c - self.at))).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What is known of a triangle, with the proof.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Near {
+    /// All points have a positive margin.
+    Clear(Tangent),
+    /// This point has none.
+    Taken(Vector),
+    /// Too near to tell.
+    Open,
+}
+
 /// Looks at the triangle `corners`, all of it within `radius` of its point `centre`.
 pub(super) fn triangle(
     frustum: &Frustum,
@@ -40,59 +67,73 @@ pub(super) fn triangle(
     centre: Vector,
     radius: f64,
 ) -> Verdict {
-    let at_corners = |p: &Vector, m: f64, slope: &Vector| corners.map(|c| m + slope.dot(&(c - p)));
-    let (m, slope) = margin(frustum, axis, &centre);
+    let (m, _) = margin(frustum, axis, &centre);
     if m > radius {
         return Verdict::Clear;
     }
-    if m <= 0.0 {
-        return Verdict::Taken(centre);
+    match nearest(frustum, axis, corners, &centre) {
+        Near::Clear(_) => Verdict::Clear,
+        Near::Taken(p) => Verdict::Taken(p),
+        Near::Open => Verdict::Open,
     }
-    let mut plane = at_corners(&centre, m, &slope);
-    let (mut least, mut next) = lowest(&plane, corners);
-    for _ in 0..PLANES {
-        if least > 0.0 {
-            return Verdict::Clear;
-        }
-        let (m, slope) = margin(frustum, axis, &next);
-        if m <= 0.0 {
-            return Verdict::Taken(next);
-        }
-        (least, next) = mix(&mut plane, &at_corners(&next, m, &slope), corners);
-    }
-    if least > 0.0 { Verdict::Clear } else { Verdict::Open }
 }
 
-fn lowest(plane: &[f64; 3], corners: &[Vector; 3]) -> (f64, Vector) {
-    let mut best = (plane[0], corners[0]);
-    for k in 1..3 {
-        if plane[k] < best.0 {
-            best = (plane[k], corners[k]);
+/// As [`triangle`], with the proof; `centre` is a point of the triangle.
+pub(super) fn nearest(frustum: &Frustum, axis: &Vector, corners: &[Vector; 3], centre: &Vector) -> Near {
+    let ends = corners.map(|c| margin(frustum, axis, &c));
+    if let Some(k) = ends.iter().position(|e| e.0 <= 0.0) {
+        return Near::Taken(corners[k]);
+    }
+    if let Some(normal) = (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).try_normalize(1e-14) {
+        let (room, slope, p) = frustum.from_plane(axis, &normal, normal.dot(&corners[0]), centre);
+        if room > NONE_MM {
+            return Near::Clear(Tangent { at: p, margin: room, slope });
+        }
+        let inside = [(0, 1), (1, 2), (2, 0)].map(|(j, k)| (corners[k] - corners[j]).cross(&(p - corners[j])).dot(&normal));
+        if inside.iter().all(|s| *s >= 0.0) && margin(frustum, axis, &p).0 <= 0.0 {
+            return Near::Taken(p);
         }
     }
-    best
-}
-
-/// Replaces `a` by the mean of `a` and `b` with the greatest least value; returns that and where to look next.
-fn mix(a: &mut [f64; 3], b: &[f64; 3], corners: &[Vector; 3]) -> (f64, Vector) {
-    let mean = |w: f64| [0, 1, 2].map(|k| w * a[k] + (1.0 - w) * b[k]);
-    let (of_a, of_b) = (lowest(a, corners), lowest(b, corners));
-    let (mut best, mut weight) = if of_a.0 > of_b.0 { (of_a, 1.0) } else { (of_b, 0.0) };
+    let mut least = Tangent { at: *centre, margin: f64::INFINITY, slope: Vector::zeros() };
     for (j, k) in [(0, 1), (1, 2), (2, 0)] {
-        let (dj, dk) = (a[j] - b[j], a[k] - b[k]);
-        let w = (b[k] - b[j]) / (dj - dk);
-        if !(w > 0.0 && w < 1.0) {
-            continue;
-        }
-        let least = lowest(&mean(w), corners).0;
-        if least > best.0 {
-            // Both planes are equal at this share of corner j.
-            let share = (-dk / (dj - dk)).clamp(0.0, 1.0);
-            (best, weight) = ((least, corners[k] + (corners[j] - corners[k]) * share), w);
+        match along_edge(frustum, axis, [&corners[j], &corners[k]], [ends[j], ends[k]]) {
+            Near::Clear(t) if t.margin < least.margin => least = t,
+            Near::Clear(_) => {}
+            other => return other,
         }
     }
-    *a = mean(weight);
-    best
+    Near::Clear(least)
+}
+
+/// The least margin on an edge with margins and slopes `at` its ends.
+fn along_edge(frustum: &Frustum, axis: &Vector, ends: [&Vector; 2], at: [(f64, Vector); 2]) -> Near {
+    let edge = ends[1] - ends[0];
+    let rise = at.map(|(_, slope)| slope.dot(&edge));
+    for (k, lowest) in [(0, rise[0] >= 0.0), (1, rise[1] <= 0.0)] {
+        if lowest {
+            return Near::Clear(Tangent { at: *ends[k], margin: at[k].0, slope: at[k].1 });
+        }
+    }
+    let (mut from, mut to) = ((0.0, rise[0]), (1.0, rise[1]));
+    for round in 0..ROUNDS {
+        let share = from.1 / (from.1 - to.1);
+        // Every third time the middle, so that both ends of the bracket move.
+        let share = if round % 3 == 2 { 0.5 } else { share };
+        let t = from.0 + (to.0 - from.0) * share;
+        let p = ends[0] + edge * t;
+        let (m, slope) = margin(frustum, axis, &p);
+        if m <= 0.0 {
+            return Near::Taken(p);
+        }
+        let rise = slope.dot(&edge);
+        let rest = if rise > 0.0 { t - from.0 } else { to.0 - t };
+        let room = m - rise.abs() * rest;
+        if room > NONE_MM && room > 0.5 * m {
+            return Near::Clear(Tangent { at: p, margin: m, slope });
+        }
+        if rise > 0.0 { to = (t, rise) } else { from = (t, rise) }
+    }
+    Near::Open
 }
 
 #[cfg(test)]

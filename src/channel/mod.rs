@@ -4,58 +4,152 @@
 //! **Out**: a [`Channel`], one row per cutter location: an interval of θ, unwrapped over the path (it grows by 2π a turn,
 //! since the path runs counter-clockwise), what binds its ends, its monotone hulls, and the paper's limits from tangents.
 //!
-//! **Method.** The tool axis is `a(θ) = (sin B, cos B cos θ, cos B sin θ)`. A point of the part forbids one or two arcs of
-//! θ in closed form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of spheres over the part's
-//! triangles and branch and bound give the union of arcs over the whole part (`forbidden`, and `clear` for triangles that the
+//! **Method.** The tool axis is `a(θ) = (sin B, cos B cos θ, cos B sin θ)`. A point of a body (the part, a fixture, the stock)
+//! forbids one or two arcs of θ in closed form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of
+//! spheres and boxes over the triangles and branch and bound give the union of arcs (`forbidden`, and `clear` for triangles that the
 //! tool nearly touches along their plane). What is left are free intervals; the permitted range of the contact angle
-//! `acos(a·n)` narrows them. Free intervals that overlap from place to place are joined to chains,
-//! and the chain whose least overlap is greatest is taken (`chain`). Hulls: `hull_min` is the running greatest of the
+//! `acos(a·n)` and the rotary axis' limits narrow them. What cannot bind is carried from place to place (`track`). Free
+//! intervals that overlap from place to place are joined to chains, and the chain whose least overlap is greatest is taken
+//! (`chain`). Between places, if `prove_moves` asks for it, the same search runs over the whole move (`region`, `moves`): walls
+//! are moved inwards until the
+//! straight lines between them hold. Hulls: `hull_min` is the running greatest of the
 //! lower limits, `hull_max` the running least of the upper limits from the end: a schedule that never turns back exists
 //! exactly where `hull_min <= hull_max`, and then everywhere between them one can go on.
 //!
-//! **Guaranteed**: at every place looked at (cutter locations and places between them, no farther apart than
-//! `max_step_mm` and a tenth of a radian of the normal) and every θ of its interval, no point of the part's mesh is nearer to taper, shank or holder than the
-//! clearance plus the mesh's deflection. Ends are at most `tolerance_rad` inside those of the exact mesh, or of a tool
-//! inflated by an eighth of the tolerance times the distance from the ball centre, where the tool touches the part
-//! along a whole line at once. Between places looked at, walls are taken as straight.
+//! **Guaranteed**: at every cutter location and every θ of its interval no point of a body's mesh is nearer to taper, shank or
+//! holder than the clearance plus the mesh's deflection; with `prove_moves` also at every time of the straight moves between
+//! locations, for every θ between the walls, which are then straight from location to location. Without it walls are taken as
+//! straight between places. Ends are at most `tolerance_rad` inside those of the
+//! exact mesh, or of a tool inflated by an eighth of the tolerance times the distance from the ball centre, where the tool
+//! touches the part along a whole line at once; walls that were moved in for the moves lie farther inside.
 //!
-//! **Not looked at**: the ball itself (the path's own promise), machine parts other than the holder, axis limits.
+//! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.
+//! The contact angle is held at the places, not between.
 //!
 //! **Fails** with kind `Infeasible` where no chain leads round the path, or where the hulls cross; the message names the
 //! turn, S, the point, the part of the tool and the face of the part.
 
+mod advise;
 mod arcs;
+mod ball;
+mod bound;
 mod chain;
 mod clear;
 mod forbidden;
+mod front;
+mod moves;
 mod options;
+mod pending;
 mod profile;
+mod region;
 mod report;
 mod samples;
 mod tangent;
+mod track;
 mod tree;
 mod walls;
 
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-use crate::artifact::channel::ChannelRow;
-use crate::artifact::{Blade, Channel, Toolpath};
+use crate::artifact::channel::{Binding, ChannelRow};
+use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
 
+pub use advise::{Advice, advise, sweep_b};
 pub use options::ChannelOptions;
 
-use forbidden::{Free, Scene, Search};
+use arcs::Witness;
+use forbidden::{Body, Free, Scene};
 use profile::Profile;
 use samples::Sample;
 use tree::SphereTree;
 
-/// Places that one thread works on in a row; fixed, so that the result does not depend on the number of threads.
-const BATCH: usize = 64;
+/// Everything that is in the tool's way, indexed once for a tool's radius: channels for several tools, angles or paths follow.
+pub struct Surroundings<'a> {
+    blade: &'a Blade,
+    obstacles: &'a [Obstacle],
+    trees: Vec<SphereTree>,
+}
 
-/// The channel of a tool path.
+impl<'a> Surroundings<'a> {
+    /// Indexes the part and the obstacles; `radius_mm` is the ball's radius, which only decides how finely large triangles
+    /// are cut.
+    ///
+    /// # Errors
+    /// Kind `Usage`: a mesh is empty or not finite.
+    pub fn new(blade: &'a Blade, obstacles: &'a [Obstacle], radius_mm: f64) -> Result<Self> {
+        let meshes = std::iter::once(("the part", &blade.part.mesh));
+        let meshes: Vec<_> = meshes.chain(obstacles.iter().map(|o| (o.name.as_str(), &o.part.mesh))).collect();
+        for (name, mesh) in &meshes {
+            let bad = |m: &str| Err(Error::usage(Stage::Channel, format!("{name} has {m}")));
+            if mesh.triangles.is_empty() {
+                return bad("no triangles");
+            }
+            if !mesh.points.iter().all(|p| p.coords.iter().all(|c| c.is_finite())) {
+                return bad("points that are not finite");
+            }
+        }
+        let trees = meshes.iter().map(|(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm)).collect();
+        Ok(Surroundings { blade, obstacles, trees })
+    }
+
+    fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> Scene<'s> {
+        let part = &self.blade.part;
+        let mut bodies = Vec::new();
+        let mut trees = self.trees.iter();
+        if let Some(tree) = trees.next() {
+            let room = [options.clearance_mm, options.holder_clearance_mm];
+            let profile = Profile::new(tool, room, part.deflection_mm);
+            bodies.push(Body { name: "part", mesh: &part.mesh, tree, profile });
+        }
+        for (o, tree) in self.obstacles.iter().zip(trees) {
+            let whole = Profile::new(tool, [o.clearance_mm, o.holder_clearance_mm], 0.0);
+            let profile = if o.cut_by_the_tool { whole.holder() } else { whole };
+            bodies.push(Body { name: &o.name, mesh: &o.part.mesh, tree, profile });
+        }
+        Scene { bodies, options }
+    }
+}
+
+/// A free interval at a cutter location, rad, unwrapped about the surface normal's azimuth, and what ends it.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct FreeInterval {
+    /// Least θ.
+    pub theta_min: f64,
+    /// Greatest θ.
+    pub theta_max: f64,
+    /// What limits `theta_min`.
+    pub binds_min: Binding,
+    /// What limits `theta_max`.
+    pub binds_max: Binding,
+}
+
+/// All free intervals at every cutter location, to `tolerance_rad`: before one chain is chosen and moves are looked at.
+///
+/// # Errors
+/// As [`plan`], but a location without a free angle is no error: its list is empty.
+pub fn intervals(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Vec<Vec<FreeInterval>>> {
+    check_input(tool, path, options)?;
+    let scene = surroundings.scene(tool, options);
+    let samples = samples::along(path, f64::INFINITY);
+    let layers = layers(&scene, &samples, observer)?;
+    let named = |f: &Free| FreeInterval {
+        theta_min: f.lo,
+        theta_max: f.hi,
+        binds_min: walls::binding(f.lo_by, &scene),
+        binds_max: walls::binding(f.hi_by, &scene),
+    };
+    let at_locations = samples.iter().zip(&layers).filter(|(s, _)| s.fraction == 0.0);
+    Ok(at_locations.map(|(_, layer)| layer.iter().map(named).collect()).collect())
+}
+
+/// The channel of a tool path among the part alone.
 ///
 /// # Errors
 /// Kind `Usage` for impossible options or tool, `Infeasible` where there is no channel or no monotone schedule in it,
@@ -67,37 +161,75 @@ pub fn plan(
     options: &ChannelOptions,
     observer: &dyn Observer,
 ) -> Result<Channel> {
-    options.validate()?;
-    tool.validate()?;
-    check_input(blade, path)?;
-    let part = &blade.part;
-    let tree = SphereTree::new(&part.mesh, 2.0 * tool.radius_mm);
-    let scene =
-        Scene { mesh: &part.mesh, tree: &tree, profile: Profile::new(tool, options, part.deflection_mm), options };
+    plan_among(&Surroundings::new(blade, &[], tool.radius_mm)?, tool, path, options, observer)
+}
+
+/// The channel of a tool path among the part and all obstacles.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_among(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    check_input(tool, path, options)?;
+    ball::check(path, surroundings.obstacles)?;
+    let scene = surroundings.scene(tool, options);
     let samples = samples::along(path, options.max_step_mm);
-    let layers = free_everywhere(&scene, &samples, observer)?;
-    let reporter = report::Reporter { blade, path, scene: &scene, samples: &samples };
+    let layers = layers(&scene, &samples, observer)?;
+    let reporter = report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples };
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
-    let s_mm: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let mut rows = walls::rows(&samples, &chosen, &s_mm, &scene);
+    let mut lifts = Vec::new();
+    if options.prove_moves {
+        let found = moves::lifts(&scene, &samples, &chosen, observer)?;
+        lifts = found.map_err(|i| reporter.closed_between(chosen[i], chosen[i + 1], i))?;
+    }
+    let mut rows = walls::rows(&samples, &moves::moved_in(&chosen, &lifts), &scene);
+    if let Some(row) = rows.iter().position(|r| r.theta_min > r.theta_max) {
+        let i = samples.iter().position(|s| s.row == row).unwrap_or(0).min(chosen.len().saturating_sub(2));
+        return Err(reporter.closed_between(chosen[i], chosen[i + 1], i));
+    }
     let azimuths = samples::azimuths(path);
     for (row, (least, greatest)) in rows.iter_mut().zip(tangent::limits(path, tool.taper_deg.to_radians(), &azimuths)) {
         (row.tangent_min, row.tangent_max) = (least, greatest);
     }
     let narrowest_row = walls::hulls(&mut rows).map_err(|crossing| reporter.crossing(&rows, crossing))?;
     warn_if_narrow(&rows, narrowest_row, path, observer);
+    if chain.count > 1 {
+        let message = format!(
+            "{} separate channels lead round the path; taken is the one whose narrowest place is widest",
+            chain.count
+        );
+        observer.warn(Warning { stage: Stage::Channel, message });
+    }
     Ok(Channel { b_rad: options.b_rad, tolerance_rad: options.tolerance_rad, rows, narrowest_row, chains: chain.count })
 }
 
-fn check_input(blade: &Blade, path: &Toolpath) -> Result<()> {
+/// Free intervals of all places within the rotary axis' limits.
+fn layers(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
+    let mut layers = track::free_everywhere(scene, samples, observer)?;
+    if let Some([least, greatest]) = scene.options.theta_limits_rad {
+        for f in layers.iter_mut().flatten() {
+            if f.lo < least {
+                (f.lo, f.lo_by) = (least, Witness::Axis);
+            }
+            if f.hi > greatest {
+                (f.hi, f.hi_by) = (greatest, Witness::Axis);
+            }
+        }
+        layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
+    }
+    Ok(layers)
+}
+
+fn check_input(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result<()> {
+    options.validate()?;
+    tool.validate()?;
     let bad = |m: &str| Err(Error::usage(Stage::Channel, m));
-    if blade.part.mesh.triangles.is_empty() {
-        return bad("the part has no triangles");
-    }
-    if !blade.part.mesh.points.iter().all(|p| p.coords.iter().all(|c| c.is_finite())) {
-        return bad("the part has points that are not finite");
-    }
     if path.locations.is_empty() {
         return bad("the tool path has no cutter locations");
     }
@@ -106,32 +238,6 @@ fn check_input(blade: &Blade, path: &Toolpath) -> Result<()> {
         return bad("the tool path has locations that are not finite");
     }
     Ok(())
-}
-
-/// The free intervals of every place, unwrapped; in order, whatever the number of threads.
-fn free_everywhere(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
-    let done = AtomicUsize::new(0);
-    let batches: Vec<Vec<Vec<Free>>> = samples
-        .par_chunks(BATCH)
-        .map(|batch| {
-            observer.check(Stage::Channel)?;
-            let mut search = Search::new(scene);
-            let free =
-                batch.iter().map(|s| unwrapped(search.free(&s.centre, &s.normal, s.azimuth), s.azimuth)).collect();
-            let so_far = done.fetch_add(batch.len(), Ordering::Relaxed) + batch.len();
-            observer.progress(Stage::Channel, so_far, samples.len());
-            Ok(free)
-        })
-        .collect::<Result<_>>()?;
-    Ok(batches.into_iter().flatten().collect())
-}
-
-fn unwrapped(mut free: Vec<Free>, azimuth: f64) -> Vec<Free> {
-    for f in &mut free {
-        f.lo += azimuth;
-        f.hi += azimuth;
-    }
-    free
 }
 
 /// Warns where the monotone channel is less than a degree wide.

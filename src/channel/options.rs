@@ -18,8 +18,13 @@ pub struct ChannelOptions {
     pub contact_angle_min_rad: f64,
     /// Greatest angle between tool axis and surface normal, rad. Over 90° the ball would cut with its upper half.
     pub contact_angle_max_rad: f64,
+    /// Limits of θ from those of the rotary axis, rad, unwrapped; `None`: it turns without end.
+    pub theta_limits_rad: Option<[f64; 2]>,
     /// Tolerance of the channel's ends, rad; always on the safe side.
     pub tolerance_rad: f64,
+    /// Prove that the walls hold at every time of the moves between places, and move them inwards where they do not. Takes
+    /// milliseconds a move; otherwise walls are taken as straight between places.
+    pub prove_moves: bool,
     /// Greatest distance between ball centres that are looked at, mm: longer moves get locations between their ends.
     pub max_step_mm: f64,
 }
@@ -32,7 +37,9 @@ impl Default for ChannelOptions {
             holder_clearance_mm: 1.0,
             contact_angle_min_rad: 0.0,
             contact_angle_max_rad: 90f64.to_radians(),
+            theta_limits_rad: None,
             tolerance_rad: 0.01f64.to_radians(),
+            prove_moves: false,
             max_step_mm: 1.5,
         }
     }

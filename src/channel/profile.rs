@@ -8,9 +8,8 @@
 //! the point contains those of all points of that ball: this is the bound that the search for the channel rests on.
 //! The distance from a frustum is also convex, so that its tangent plane bounds it from below over a whole triangle.
 
+use crate::geometry::Vector;
 use crate::tool::{Segment, Tool};
-
-use super::options::ChannelOptions;
 
 /// A frustum of the profile with its clearance.
 #[derive(Clone, Debug)]
@@ -24,6 +23,8 @@ pub(super) struct Frustum {
     c1: f64,
     sin: f64,
     cos: f64,
+    /// Length of the side, mm.
+    slant: f64,
     clearance: f64,
 }
 
@@ -41,7 +42,37 @@ impl Frustum {
             c1,
             sin: (s.r1 - s.r0) / slant,
             cos: (s.z1 - s.z0) / slant,
+            slant,
             clearance,
+        }
+    }
+
+    /// Margin of the plane `normal · p = offset`, its slope, and a point of the plane that has it; of several, one near `by`.
+    pub fn from_plane(&self, axis: &Vector, normal: &Vector, offset: f64, by: &Vector) -> (f64, Vector, Vector) {
+        let up = normal.dot(axis);
+        let out = normal - axis * up;
+        let off = out.norm();
+        // Farthest point of the frustum along the normal, times `sense`.
+        let farthest = |sense: f64| {
+            let ends = [(self.z0, self.r0), (self.z1, self.r1)];
+            let reach = ends.map(|(z, r)| sense * up * z + off * r);
+            let (z, r) = if reach[0] > reach[1] { ends[0] } else { ends[1] };
+            if off > 1e-12 {
+                return axis * z + out * (sense * r / off);
+            }
+            let across = by - axis * by.dot(axis);
+            let far = across.norm();
+            axis * z + if far > r { across * (r / far) } else { across }
+        };
+        let (top, bottom) = (farthest(1.0), farthest(-1.0));
+        let (high, low) = (normal.dot(&top), normal.dot(&bottom));
+        if offset > high {
+            (offset - high - self.clearance, *normal, top + normal * (offset - high))
+        } else if offset < low {
+            (low - offset - self.clearance, -normal, bottom + normal * (offset - low))
+        } else {
+            let share = if high > low { (offset - low) / (high - low) } else { 0.5 };
+            (-self.clearance, Vector::zeros(), bottom + (top - bottom) * share)
         }
     }
 
@@ -70,12 +101,11 @@ impl Frustum {
     pub fn margin(&self, z: f64, r: f64) -> (f64, f64, f64) {
         let (ez, er) = (z - self.z0, r - self.r0);
         let (along, off) = (ez * self.cos + er * self.sin, er * self.cos - ez * self.sin);
-        let length = (self.z1 - self.z0) / self.cos;
         let from = |ez: f64, er: f64| {
-            let d = ez.hypot(er);
+            let d = (ez * ez + er * er).sqrt();
             if d > 0.0 { (d, ez / d, er / d) } else { (0.0, 0.0, 0.0) }
         };
-        let (d, gz, gr) = if off > 0.0 && (0.0..=length).contains(&along) {
+        let (d, gz, gr) = if off > 0.0 && (0.0..=self.slant).contains(&along) {
             (off, -self.sin, self.cos)
         } else if ez < 0.0 {
             from(ez, er.max(0.0))
@@ -121,20 +151,22 @@ pub(super) struct Profile {
     pub names: Vec<String>,
     /// Height of the upper end, mm.
     pub length: f64,
+    /// No point of the tool with its clearances is farther from the ball centre, mm.
+    pub farthest: f64,
     /// Nowhere does the profile, clearances included, become narrower upwards, and nowhere does its outline come nearer to
     /// the ball centre: a point that leaves the tool as the tool turns away from it does not come into it again.
     pub widens: bool,
 }
 
 impl Profile {
-    /// Every clearance is enlarged by `deflection_mm`, what the part's mesh may lie off the part.
-    pub fn new(tool: &Tool, options: &ChannelOptions, deflection_mm: f64) -> Self {
+    /// `room_mm`: what taper and shank, and what the holder must keep; enlarged by `deflection_mm`, what the body's mesh may
+    /// lie off the body.
+    pub fn new(tool: &Tool, room_mm: [f64; 2], deflection_mm: f64) -> Self {
         let segments = tool.segments();
         let frusta: Vec<Frustum> = segments
             .iter()
             .map(|s| {
-                let holder = s.name.starts_with("holder");
-                let c = if holder { options.holder_clearance_mm } else { options.clearance_mm };
+                let c = room_mm[usize::from(s.name.starts_with("holder"))];
                 Frustum::new(s, c + deflection_mm)
             })
             .collect();
@@ -149,7 +181,9 @@ impl Profile {
                 a.z1 >= b.z0 - ROUNDING && a.r1 <= b.r0 + ROUNDING && a.clearance <= b.clearance
             });
         let length = frusta.last().map_or(0.0, |f| f.z1);
-        Profile { frusta, names, length, widens }
+        let reach = |f: &Frustum| f.z0.hypot(f.r0).max(f.z1.hypot(f.r1)) + f.clearance;
+        let farthest = frusta.iter().map(reach).fold(0.0, f64::max);
+        Profile { frusta, names, length, farthest, widens }
     }
 
     /// The same with only some of its parts, by index.
@@ -157,6 +191,11 @@ impl Profile {
         let kept = (0..self.frusta.len()).filter(|&k| keep(k));
         let (frusta, names) = kept.map(|k| (self.frusta[k].clone(), self.names[k].clone())).unzip();
         Self::of(frusta, names)
+    }
+
+    /// The holder alone.
+    pub fn holder(&self) -> Self {
+        self.only(|k| self.names[k].starts_with("holder"))
     }
 
     /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights lie in `within`:

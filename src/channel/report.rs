@@ -4,8 +4,7 @@ use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Stage};
 
-use super::arcs::Witness;
-use super::forbidden::{Free, Scene, Search};
+use super::forbidden::{Body, Free, Scene, Search};
 use super::samples::Sample;
 use super::walls::{Crossing, binding};
 
@@ -27,9 +26,9 @@ impl Reporter<'_> {
         let here = layers.get(at).map(Vec::as_slice).unwrap_or_default();
         if here.is_empty() {
             let (what, advice) = self.everything_taken(sample);
-            return Error::infeasible(Stage::Channel, format!("no angle of the tool axis is free at {place}: {what}"))
-                .advise(advice)
-                .region_may_end(self.above(sample.row));
+            let start = if at == 0 { "the tool starts in collision: " } else { "" };
+            let message = format!("{start}no angle of the tool axis is free at {place}: {what}");
+            return Error::infeasible(Stage::Channel, message).advise(advice).region_may_end(self.above(sample.row));
         }
         let before = at.checked_sub(1).and_then(|i| layers.get(i)).map(Vec::as_slice).unwrap_or_default();
         let ends: Vec<Binding> = here
@@ -52,6 +51,32 @@ impl Reporter<'_> {
         )
         .advise(advice_for(&ends))
         .region_may_end(self.above(sample.row))
+    }
+
+    /// The channel closes on the move from sample `at` to the next.
+    pub fn closed_between(&self, from: &Free, to: &Free, at: usize) -> Error {
+        let row = self.samples.get(at).map_or(0, |s| s.row);
+        let mut ends: Vec<Binding> = Vec::new();
+        for by in [from.lo_by, from.hi_by, to.lo_by, to.hi_by] {
+            let b = binding(by, self.scene);
+            if b != Binding::Free && !ends.contains(&b) {
+                ends.push(b);
+            }
+        }
+        let said: Vec<String> = ends.iter().map(|b| self.blame(b)).collect();
+        Error::infeasible(
+            Stage::Channel,
+            format!(
+                "the channel closes on the move after {}: {:.3}° wide before it and {:.3}° after it, no straight walls lead \
+                 through it ({})",
+                self.place(row),
+                (from.hi - from.lo).to_degrees(),
+                (to.hi - to.lo).to_degrees(),
+                said.join("; ")
+            ),
+        )
+        .advise(advice_for(&ends))
+        .region_may_end(self.above(row))
     }
 
     /// The hulls cross.
@@ -104,10 +129,12 @@ impl Reporter<'_> {
         match b {
             Binding::Part { tool, face, triangle } => {
                 let name = self.face_name(*face);
-                let corners = self.scene.mesh.corners(*triangle as usize);
+                let corners = self.blade.part.mesh.corners(*triangle as usize);
                 let at = (corners[0].coords + corners[1].coords + corners[2].coords) / 3.0;
                 format!("{tool} against {name}, {:.2} mm along the blade axis", at.x)
             }
+            Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
+            Binding::AxisLimit => "a limit of the rotary axis".into(),
             Binding::ContactAngle => "the permitted range of contact angle".into(),
             Binding::Free => "nothing".into(),
         }
@@ -123,41 +150,54 @@ impl Reporter<'_> {
         let mut said = Vec::new();
         let mut ends = Vec::new();
         let mut wide = self.scene.options.clone();
-        (wide.contact_angle_min_rad, wide.contact_angle_max_rad) = (0.0, std::f64::consts::PI);
-        for (k, name) in self.scene.profile.names.iter().enumerate() {
-            let without = self.scene.profile.only(|i| i != k);
-            if self.free_with(sample, without, self.scene.options).is_empty() {
+        (wide.contact_angle_min_rad, wide.contact_angle_max_rad, wide.theta_limits_rad) =
+            (0.0, std::f64::consts::PI, None);
+        let names = self.scene.bodies.first().map(|b| b.profile.names.clone()).unwrap_or_default();
+        for name in &names {
+            if self.free_with(sample, &|n| n != name, self.scene.options).is_empty() {
                 continue;
             }
-            let only = self.scene.profile.only(|i| i == k);
-            let by =
-                self.free_with(sample, only, &wide).iter().flat_map(|f| [f.lo_by, f.hi_by]).find_map(|w| match w {
-                    Witness::Tool { leaf, .. } => Some(self.scene.tree.triangle(leaf)),
-                    _ => None,
-                });
-            let triangle = by.unwrap_or(0);
-            let b = Binding::Part { tool: name.clone(), face: self.scene.mesh.face(triangle as usize), triangle };
+            let by = self.free_with(sample, &|n| n == name, &wide).into_iter().find(|b| *b != Binding::Free);
+            let b = by.unwrap_or_else(|| Binding::Part { tool: name.clone(), face: 0, triangle: 0 });
             said.push(format!("without the {name} there would be room ({})", self.blame(&b)));
             ends.push(b);
         }
-        if !self.free_with(sample, self.scene.profile.clone(), &wide).is_empty() {
-            said.push("with a wider range of contact angle there would be room".into());
+        if !self.free_with(sample, &|_| true, &wide).is_empty() {
+            said.push("with a wider range of contact angle, or of the rotary axis, there would be room".into());
             ends.push(Binding::ContactAngle);
         }
         if said.is_empty() {
-            said.push(format!("{} together take it", self.scene.profile.names.join(", ")));
+            said.push(format!("{} together take it", names.join(", ")));
         }
         (said.join("; "), advice_for(&ends))
     }
 
+    /// What ends the free intervals at a sample if the tool had only the parts with names that `keep` lets through; empty:
+    /// nothing is free.
     fn free_with(
         &self,
         sample: &Sample,
-        profile: super::profile::Profile,
+        keep: &dyn Fn(&str) -> bool,
         options: &super::options::ChannelOptions,
-    ) -> Vec<Free> {
-        let scene = Scene { mesh: self.scene.mesh, tree: self.scene.tree, profile, options };
-        Search::new(&scene).free(&sample.centre, &sample.normal, sample.azimuth)
+    ) -> Vec<Binding> {
+        let mut scene = Scene { bodies: Vec::new(), options };
+        for b in &self.scene.bodies {
+            let profile = b.profile.only(|k| b.profile.names.get(k).is_some_and(|n| keep(n)));
+            scene.bodies.push(Body { profile, ..b.clone() });
+        }
+        let free = Search::new(&scene).free(&sample.centre, &sample.normal, sample.azimuth, None);
+        free.iter().flat_map(|f| [f.lo_by, f.hi_by]).map(|by| binding(by, &scene)).collect()
+    }
+}
+
+/// A binding in two or three words.
+pub(super) fn short(b: &Binding) -> String {
+    match b {
+        Binding::Part { tool, face, .. } => format!("{tool} against face {face}"),
+        Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
+        Binding::AxisLimit => "rotary axis".into(),
+        Binding::ContactAngle => "contact angle".into(),
+        Binding::Free => "nothing".into(),
     }
 }
 
@@ -171,15 +211,19 @@ fn advice_for(ends: &[Binding]) -> String {
     };
     for b in ends {
         match b {
-            Binding::Part { tool, .. } if tool.starts_with("holder") => {
+            Binding::Part { tool, .. } | Binding::Fixture { tool, .. } if tool.starts_with("holder") => {
                 add("let the tool stick out farther or take a slimmer holder");
             }
             Binding::Part { tool, .. } if tool == "taper" => add("take a slimmer taper or less clearance"),
+            Binding::Fixture { .. } => add("move the fixture, or let it keep less clearance"),
             Binding::Part { .. } => add("take a slimmer or longer shank, or less clearance"),
+            Binding::AxisLimit => {
+                add("clamp the part turned by another angle, or take a machine whose table turns farther")
+            }
             Binding::ContactAngle => add("widen the range of contact angle"),
             Binding::Free => {}
         }
     }
-    add("try another B or a smaller ball radius");
+    add("try another B or a smaller ball radius (`bladewright advise` says which)");
     out.join("; ")
 }

@@ -1,5 +1,5 @@
-//! The places at which the channel is computed: cutter locations, left out where the path runs on nearly straight from the
-//! last place, and places between them where moves are long or the surface turns fast.
+//! The places at which the channel is computed: all cutter locations, and places between them where moves are long or the
+//! surface turns fast.
 
 use crate::artifact::Toolpath;
 use crate::geometry::{Point, Vector};
@@ -28,12 +28,7 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
         azimuth = unwrapped(azimuth, &normal);
         out.push(Sample { row, fraction, centre, normal, azimuth });
     };
-    let mut last = 0;
     for (row, here) in path.locations.iter().enumerate() {
-        if !needed(path, last, row, max_step_mm) {
-            continue;
-        }
-        last = row;
         push(row, 0.0, here.centre, here.normal);
         let Some(next) = path.locations.get(row + 1) else { continue };
         let length = (next.centre - here.centre).norm();
@@ -56,18 +51,6 @@ pub(super) fn azimuths(path: &Toolpath) -> Vec<f64> {
         azimuth
     };
     path.locations.iter().map(unwrap).collect()
-}
-
-/// Location `row` must be a place: it is an end of the path, or without it the next would lie too far or have turned too
-/// much from the last place.
-fn needed(path: &Toolpath, last: usize, row: usize, max_step_mm: f64) -> bool {
-    let Some(next) = path.locations.get(row + 1) else { return true };
-    let (from, here) = (&path.locations[last], &path.locations[row]);
-    row == 0
-        || next.s_mm - from.s_mm > max_step_mm
-        || next.normal.angle(&from.normal) > MAX_TURN_RAD
-        || here.normal.angle(&next.normal) > MAX_TURN_RAD
-        || (next.centre - here.centre).norm() > max_step_mm
 }
 
 /// The azimuth of `normal` nearest to `last`; `last` itself where the normal is parallel to the blade axis.

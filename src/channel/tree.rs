@@ -28,6 +28,8 @@ pub(super) enum Below {
 pub(super) struct SphereTree {
     nodes: Vec<Node>,
     pieces: Vec<[Point; 3]>,
+    /// Smallest spheres around the pieces.
+    spheres: Vec<(Point, f64)>,
     parents: Vec<u32>,
 }
 
@@ -61,12 +63,18 @@ impl SphereTree {
         if !order.is_empty() {
             build(&pieces, &centres, &mut order, &mut nodes);
         }
-        SphereTree { nodes, pieces, parents }
+        let spheres = pieces.iter().map(around_triangle).collect();
+        SphereTree { nodes, pieces, spheres, parents }
     }
 
     /// Corners of a piece.
     pub fn corners(&self, piece: u32) -> [Point; 3] {
         self.pieces[piece as usize]
+    }
+
+    /// A point of a piece, and the radius about it within which the piece lies.
+    pub fn sphere(&self, piece: u32) -> (Point, f64) {
+        self.spheres[piece as usize]
     }
 
     /// The triangle that a piece belongs to.

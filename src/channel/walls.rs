@@ -17,36 +17,27 @@ pub(super) struct Crossing {
 pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
     match by {
         Witness::Contact => Binding::ContactAngle,
+        Witness::Axis => Binding::AxisLimit,
         Witness::Cut => Binding::Free,
-        Witness::Tool { segment, leaf } => {
-            let triangle = scene.tree.triangle(leaf);
-            Binding::Part {
-                tool: scene.profile.names.get(usize::from(segment)).cloned().unwrap_or_default(),
-                face: scene.mesh.face(triangle as usize),
-                triangle,
+        Witness::Tool { segment, body, leaf } => {
+            let Some(b) = scene.bodies.get(usize::from(body)) else { return Binding::Free };
+            let triangle = b.tree.triangle(leaf);
+            let tool = b.profile.names.get(usize::from(segment)).cloned().unwrap_or_default();
+            if body == 0 {
+                Binding::Part { tool, face: b.mesh.face(triangle as usize), triangle }
+            } else {
+                Binding::Fixture { name: b.name.into(), tool, triangle }
             }
         }
     }
 }
 
-/// One row per location; straight walls between the places, over the arc lengths `s_mm` of the locations. Places between
-/// two locations narrow both rows, as far as the straight wall between them would be outside there.
-pub(super) fn rows(samples: &[Sample], chosen: &[&Free], s_mm: &[f64], scene: &Scene) -> Vec<ChannelRow> {
-    let mut rows: Vec<ChannelRow> = Vec::with_capacity(s_mm.len());
-    let mut last: Option<(usize, &Free)> = None;
-    for (sample, f) in samples.iter().zip(chosen).filter(|(s, _)| s.fraction == 0.0) {
-        if let Some((from, g)) = last {
-            for row in from + 1..sample.row {
-                let share = (s_mm[row] - s_mm[from]) / (s_mm[sample.row] - s_mm[from]).max(f64::MIN_POSITIVE);
-                let nearer = if share < 0.5 { g } else { f };
-                let at = |x: f64, y: f64| x + share * (y - x);
-                rows.push(row_of(at(g.lo, f.lo), at(g.hi, f.hi), nearer, scene));
-            }
-        }
-        rows.push(row_of(f.lo, f.hi, f, scene));
-        last = Some((sample.row, f));
-    }
-    for (s, f) in samples.iter().zip(chosen).filter(|(s, _)| s.fraction > 0.0) {
+/// One row per location; places between two locations narrow both rows, as far as the straight wall between them would be
+/// outside there.
+pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &Scene) -> Vec<ChannelRow> {
+    let at_locations = samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0);
+    let mut rows: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();
+    for (s, f) in samples.iter().zip(walls).filter(|(s, _)| s.fraction > 0.0) {
         let Some([a, b]) = rows.get_mut(s.row..s.row + 2) else { continue };
         let at = |x: f64, y: f64| x + s.fraction * (y - x);
         let rise = f.lo - at(a.theta_min, b.theta_min);
@@ -65,16 +56,16 @@ pub(super) fn rows(samples: &[Sample], chosen: &[&Free], s_mm: &[f64], scene: &S
     rows
 }
 
-fn row_of(theta_min: f64, theta_max: f64, by: &Free, scene: &Scene) -> ChannelRow {
+fn row_of(f: &Free, scene: &Scene) -> ChannelRow {
     ChannelRow {
-        theta_min,
-        theta_max,
-        hull_min: theta_min,
-        hull_max: theta_max,
-        tangent_min: theta_min,
-        tangent_max: theta_max,
-        binds_min: binding(by.lo_by, scene),
-        binds_max: binding(by.hi_by, scene),
+        theta_min: f.lo,
+        theta_max: f.hi,
+        hull_min: f.lo,
+        hull_max: f.hi,
+        tangent_min: f.lo,
+        tangent_max: f.hi,
+        binds_min: binding(f.lo_by, scene),
+        binds_max: binding(f.hi_by, scene),
     }
 }
 

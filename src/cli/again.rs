@@ -48,8 +48,15 @@ fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
 
 fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdict<Plan>)> {
     let Finished { setup, plan } = run;
-    let verdict =
-        verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &setup.verify_options(), observer)?;
+    let verdict = verify::check_among(
+        plan,
+        &setup.blade,
+        &setup.obstacles,
+        &setup.job.tool,
+        &setup.machine,
+        &setup.verify_options(),
+        observer,
+    )?;
     Ok((setup, verdict))
 }
 

@@ -55,6 +55,10 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright compare blade.step -o out/c\n  bladewright compare job.toml -o out/c --no-jerk"
     )]
     Compare(Compare),
+    /// The S–θ channel alone: all free angles at every cutter location, what binds them, and its width against B.
+    Channel(Channel),
+    /// What would open the channel, or open it wider: B, stick-out, holder.
+    Advise(Advise),
     /// Plan a family of blades: many models or parameters from one file, resumable, in shards.
     #[command(
         after_help = "Examples:\n  bladewright batch family.toml -o out/family\n  bladewright batch family.toml --list\n  bladewright batch family.toml -o out/family --retry\n  bladewright batch family.toml -o /shared/out --shard 2/8\n  bladewright batch merge family.toml -o /shared/out\n\nA family that was interrupted goes on where it was: the same command again."
@@ -245,6 +249,62 @@ pub struct Compare {
     /// Limit velocity and acceleration only: quicker to compute.
     #[arg(long)]
     pub no_jerk: bool,
+}
+
+/// `channel`.
+#[derive(Debug, clap::Args)]
+pub struct Channel {
+    /// The model, or a job file (TOML).
+    pub input: PathBuf,
+    /// Folder for the results.
+    #[arg(short, long, value_name = "OUT")]
+    pub out: PathBuf,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Change a key of the job; may be given more than once.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// Width at the narrowest place against B: from, to and step in degrees; without a value -20,45,2.5.
+    #[arg(
+        long,
+        value_name = "FROM,TO,STEP",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "-20,45,2.5",
+        allow_hyphen_values = true,
+        value_parser = parse_sweep
+    )]
+    pub sweep_b: Option<Sweep>,
+}
+
+/// From, to, step.
+#[derive(Debug, Clone, Copy)]
+pub struct Sweep(pub [f64; 3]);
+
+fn parse_sweep(text: &str) -> Result<Sweep, String> {
+    let numbers: Vec<f64> =
+        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    match numbers[..] {
+        [from, to, step] if from < to && step > 0.0 && (to - from) / step <= 1000.0 => Ok(Sweep([from, to, step])),
+        _ => Err("give FROM,TO,STEP in degrees, at most 1000 steps, as in -20,45,2.5".into()),
+    }
+}
+
+/// `advise`.
+#[derive(Debug, clap::Args)]
+pub struct Advise {
+    /// The model, or a job file (TOML).
+    pub input: PathBuf,
+    /// Folder for advice.json; without it, it is only printed.
+    #[arg(short, long, value_name = "OUT")]
+    pub out: Option<PathBuf>,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Change a key of the job; may be given more than once.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
 }
 
 fn parse_stage(text: &str) -> Result<Stage, String> {

@@ -4,6 +4,7 @@
 mod again;
 mod args;
 mod batch;
+mod channel;
 mod compare;
 mod help;
 mod inspect;
@@ -58,6 +59,8 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Plan(a) => plan::run(&a, quiet),
         Verb::Compare(a) => compare::run(&a, quiet),
         Verb::Batch(a) => batch::run(&a, quiet),
+        Verb::Channel(a) => channel::run(&a, quiet),
+        Verb::Advise(a) => channel::advise(&a, quiet),
         Verb::Verify(a) => again::verify(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),
         Verb::Preview(a) => again::preview(&a, quiet),

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::resolved::{
-    ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, TINY,
-    VerifyJob, check_ranges,
+    ChannelJob, FeedJob, FixtureJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob,
+    TINY, VerifyJob, check_ranges,
 };
-use super::typed::{JobFile, RegionReference, ToolKeys};
+use super::typed::{FixtureKeys, JobFile, RegionReference, ToolKeys};
 use crate::artifact::Blade;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
@@ -30,6 +30,7 @@ pub struct Draft {
     machine_file: Option<PathBuf>,
     post_files: Vec<PathBuf>,
     model_saved_as: Option<PathBuf>,
+    base_dir: PathBuf,
 }
 
 /// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder of the job file, or
@@ -64,7 +65,8 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     early_checks(&typed)?;
     let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
     let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f)).collect();
-    Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None })
+    let base_dir = base_dir.to_path_buf();
+    Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None, base_dir })
 }
 
 /// Values that are wrong on any blade are refused before the model is read.
@@ -114,6 +116,10 @@ impl Draft {
         let radius = tool.radius_mm;
         let (kind, scallop_mm) = (path.kind.unwrap_or_default(), path.scallop_mm.unwrap_or(0.01));
         let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
+        let room = [channel.clearance_mm.unwrap_or(0.1), channel.holder_clearance_mm.unwrap_or(1.0)];
+        let fixtures = t.fixture.unwrap_or_default();
+        let fixture = fixtures.iter().map(|f| self.fixture("fixture", f, room)).collect::<Result<_>>()?;
+        let stock = t.stock.map(|f| self.fixture("stock", &f, room)).transpose()?;
         let job = Job {
             model: ModelJob {
                 file: self.model_saved_as.clone().unwrap_or_else(|| self.model.file.clone()),
@@ -138,6 +144,7 @@ impl Draft {
                 contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(0.0),
                 contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(90.0),
                 tolerance_deg: channel.tolerance_deg.unwrap_or(0.01),
+                prove_moves: channel.prove_moves.unwrap_or(false),
             },
             machine: MachineJob {
                 file: self.machine_file.clone(),
@@ -169,9 +176,25 @@ impl Draft {
             },
             section: SectionJob { count: t.section.and_then(|s| s.count).unwrap_or(12) },
             tool,
+            fixture,
+            stock,
         };
         job.validate()?;
         Ok(job)
+    }
+
+    /// A fixture or the stock; `room` is what the channel keeps from the part.
+    fn fixture(&self, section: &str, keys: &FixtureKeys, room: [f64; 2]) -> Result<FixtureJob> {
+        let Some(file) = keys.file.as_ref().filter(|f| !f.is_empty()) else {
+            return Err(Error::usage(Stage::Job, format!("{section}.file is missing: which body is in the way?")));
+        };
+        let file = self.base_dir.join(file);
+        Ok(FixtureJob {
+            file: std::path::absolute(&file).unwrap_or(file),
+            unit: keys.unit,
+            clearance_mm: keys.clearance_mm.unwrap_or(room[0]),
+            holder_clearance_mm: keys.holder_clearance_mm.or(keys.clearance_mm).unwrap_or(room[1]),
+        })
     }
 }
 

@@ -38,6 +38,27 @@ pub struct Job {
     pub section: SectionJob,
     /// The tool.
     pub tool: Tool,
+    /// What else is in the tool's way. Default, left out: nothing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fixture: Vec<FixtureJob>,
+    /// Material that is still to be cut away: the holder keeps clear of it. Default, left out: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stock: Option<FixtureJob>,
+}
+
+/// `[[fixture]]` or `[stock]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FixtureJob {
+    /// Its file; absolute.
+    pub file: PathBuf,
+    /// Length unit. Default, left out: what the file states, else mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<Unit>,
+    /// Clearance of taper and shank, mm. Default: `channel.clearance_mm`.
+    pub clearance_mm: f64,
+    /// Clearance of the holder, mm. Default: `clearance_mm` where that is typed, else `channel.holder_clearance_mm`.
+    pub holder_clearance_mm: f64,
 }
 
 /// `[model]`, known before the blade is read.
@@ -127,6 +148,10 @@ pub struct ChannelJob {
     pub contact_angle_max_deg: f64,
     /// Tolerance of the channel's ends, degrees. Default 0.01: well below what a rotary table repeats.
     pub tolerance_deg: f64,
+    /// Prove the walls for the moves between locations too. Default false: it takes milliseconds a move, and the clearance
+    /// check covers the motion that is used.
+    #[serde(default)]
+    pub prove_moves: bool,
 }
 
 /// `[machine]`
@@ -272,6 +297,12 @@ impl Job {
             ("post.safe_clearance_mm", self.post.safe_clearance_mm, TINY, 1000.0),
             ("section.count", f64::from(self.section.count), 1.0, 1000.0),
         ])?;
+        for f in self.fixture.iter().chain(&self.stock) {
+            check_ranges(&[
+                ("fixture.clearance_mm", f.clearance_mm, 0.0, 100.0),
+                ("fixture.holder_clearance_mm", f.holder_clearance_mm, 0.0, 100.0),
+            ])?;
+        }
         self.tool.validate()?;
         if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {
             let (a, b) = (self.region.start_mm, self.region.end_mm.unwrap_or_default());

@@ -23,6 +23,12 @@ pub struct JobFile {
     /// The tool.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<ToolKeys>,
+    /// What else is in the tool's way; entries of a list.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fixture: Option<Vec<FixtureKeys>>,
+    /// Material that is still to be cut away.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stock: Option<FixtureKeys>,
     /// The helix.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathKeys>,
@@ -110,6 +116,20 @@ keys! {
     }
 }
 keys! {
+    /// `[[fixture]]` and `[stock]`: a closed body in the frame of the model's file. Of the stock only the holder keeps clear: the
+    /// cutter cuts it.
+    FixtureKeys {
+        /// The file, in any format of a model; relative to the job file.
+        file: String,
+        /// Length unit of the file; default: what the file states, else mm.
+        unit: Unit,
+        /// Room that taper and shank keep from it, mm; default: that of `channel`.
+        clearance_mm: f64,
+        /// Room that the holder keeps from it, mm; default: that of `channel`, or `clearance_mm` where that is given.
+        holder_clearance_mm: f64,
+    }
+}
+keys! {
     /// `[tool]`
     ToolKeys {
         /// Ball radius, mm.
@@ -161,6 +181,8 @@ keys! {
         contact_angle_max_deg: f64,
         /// Tolerance of the channel's ends, degrees.
         tolerance_deg: f64,
+        /// Prove the walls for the moves between locations too, and move them inwards where they do not hold; slow.
+        prove_moves: bool,
     }
 }
 keys! {

@@ -11,6 +11,7 @@
 //! [`openings::check`] decides whether an opening matters for the tool.
 
 pub mod faces;
+mod fixture;
 pub mod format;
 pub mod gltf;
 pub mod heal;
@@ -48,6 +49,7 @@ use crate::geometry::brep::{Brep, SurfaceKind};
 use crate::geometry::{Aabb, Point};
 use crate::observe::{Observer, Warning};
 
+pub use fixture::{fixture, obstacle};
 use format::Format;
 pub use inspect::inspect_text;
 pub use survey::Survey;

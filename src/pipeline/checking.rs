@@ -92,7 +92,8 @@ impl Run<'_, '_> {
             },
         };
         let verdict = self.clock.time(Stage::Verify, || {
-            verify::check(plan, &setup.blade, &setup.job.tool, &setup.machine, &options, self.observer)
+            let (blade, tool) = (&setup.blade, &setup.job.tool);
+            verify::check_among(plan, blade, &setup.obstacles, tool, &setup.machine, &options, self.observer)
         })?;
         let seal = seal::seal(plan_json, verdict.report(), &about)?;
         Ok((verdict, seal, false))

@@ -97,11 +97,12 @@ pub(super) fn channel_as_far_as_it_goes(
     observer: &dyn Observer,
 ) -> Result<Channel> {
     let (blade, options) = (&setup.blade, setup.channel_options());
+    let around = clock.time(Stage::Channel, || setup.surroundings())?;
+    let plan = |path: &Toolpath| channel::plan_among(&around, &setup.job.tool, path, &options, observer);
     let mut cut = None;
     let mut ended_mm = None;
     for _ in 0..MOST_ENDS {
-        let planned =
-            clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer));
+        let planned = clock.time(Stage::Channel, || plan(toolpath));
         let blocked = match planned {
             Ok(channel) => {
                 if let Some(message) = cut {
@@ -128,5 +129,5 @@ pub(super) fn channel_as_far_as_it_goes(
             blocked.advice.unwrap_or_else(|| "another tool".into())
         ));
     }
-    clock.time(Stage::Channel, || channel::plan(blade, &setup.job.tool, toolpath, &options, observer))
+    clock.time(Stage::Channel, || plan(toolpath))
 }

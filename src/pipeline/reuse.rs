@@ -7,7 +7,7 @@
 //! | taken over | where these are the same |
 //! | --- | --- |
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
-//! | path and channel | those, the whole tool, `[channel]`, B |
+//! | path and channel | those, the whole tool, `[channel]`, B, fixtures and stock |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
@@ -26,8 +26,10 @@ use crate::output::manifest::Input;
 /// Names the part that the checks were about, and the program: what its exact shape follows from.
 pub(super) fn part(setup: &Setup) -> String {
     let model = ModelJob { file: Default::default(), ..setup.job.model.clone() };
-    let files = Files::of(&setup.job, &setup.inputs).model.join(" ");
-    format!("{} {} {files} {model:?}", super::program(), super::build())
+    let (job, files) = (&setup.job, Files::of(&setup.job, &setup.inputs));
+    let (read, among) = (files.model.join(" "), files.obstacles.join(" "));
+    let by = (super::program(), super::build());
+    format!("{} {} {read} {model:?} {among} {:?} {:?}", by.0, by.1, job.fixture, job.stock)
 }
 
 /// Reads a file of an earlier run by its name; `None` where there is none.
@@ -78,7 +80,8 @@ impl<'a> Earlier<'a> {
         if !path {
             return None;
         }
-        if !(a.tool == b.tool && a.channel == b.channel && a.machine.b_deg == b.machine.b_deg) {
+        let among = mine.obstacles == yours.obstacles && a.fixture == b.fixture && a.stock == b.stock;
+        if !(among && a.tool == b.tool && a.channel == b.channel && a.machine.b_deg == b.machine.b_deg) {
             return b.region.end_mm.is_some().then_some(Stage::Path);
         }
         let machine = mine.machine == yours.machine && a.feed == b.feed;
@@ -131,15 +134,20 @@ impl<'a> Earlier<'a> {
 struct Files<'a> {
     model: Vec<&'a str>,
     machine: Option<&'a str>,
+    /// Fixtures and stock.
+    obstacles: Vec<&'a str>,
 }
 
 impl<'a> Files<'a> {
-    /// Inputs stand in this order: the model with its data files, the machine if it is a file, own post files.
+    /// Inputs stand in this order: the model with its data files, the machine if it is a file, own post files, fixtures, stock.
     fn of(job: &Job, inputs: &'a [Input]) -> Self {
         let hashes: Vec<&str> = inputs.iter().map(|i| i.blake3.as_str()).collect();
-        let models = inputs.len().saturating_sub(job.post.files.len() + usize::from(job.machine.file.is_some()));
+        let around = job.fixture.len() + usize::from(job.stock.is_some());
+        let others = job.post.files.len() + usize::from(job.machine.file.is_some()) + around;
+        let models = inputs.len().saturating_sub(others);
         let machine = job.machine.file.as_ref().and_then(|_| hashes.get(models).copied());
-        Files { model: hashes.into_iter().take(models).collect(), machine }
+        let obstacles = hashes.iter().skip(inputs.len().saturating_sub(around)).copied().collect();
+        Files { model: hashes.into_iter().take(models).collect(), machine, obstacles }
     }
 }
 

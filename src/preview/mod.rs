@@ -6,6 +6,7 @@
 pub mod colour;
 pub mod drawing;
 pub mod gltf;
+pub mod plot;
 pub mod report;
 mod thin;
 pub mod values;

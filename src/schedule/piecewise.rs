@@ -54,6 +54,8 @@ pub(super) fn place(path: &Toolpath, row: usize) -> String {
 fn describe(binding: &Binding) -> String {
     match binding {
         Binding::Part { tool, face, .. } => format!("the tool's {tool} against face {face}"),
+        Binding::Fixture { name, tool, .. } => format!("the tool's {tool} against {name}"),
+        Binding::AxisLimit => "a limit of the rotary axis".into(),
         Binding::ContactAngle => "the permitted contact angle on the ball".into(),
         Binding::Free => "the cut through a free circle".into(),
     }

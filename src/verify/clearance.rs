@@ -12,7 +12,7 @@ use super::gouge::face_name;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
+use crate::artifact::{Blade, Obstacle, Plan};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::tool::{self, Segment, Tool};
@@ -201,6 +201,33 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOpt
         checks.push(check);
     }
     (checks, if least.is_finite() { least } else { FAR_MM })
+}
+
+/// The check of one fixture, or of the stock, of which only the holder keeps clear.
+pub(super) fn check_obstacle(
+    plan: &Plan,
+    blade: &Blade,
+    obstacle: &Obstacle,
+    tool: &Tool,
+    options: &VerifyOptions,
+) -> Option<Check> {
+    let all = tool.segments().into_iter();
+    let segments: Vec<Segment> = all.filter(|s| !obstacle.cut_by_the_tool || s.name.starts_with("holder")).collect();
+    if segments.is_empty() || obstacle.part.mesh.triangles.is_empty() {
+        return None;
+    }
+    let (near, bound) = measure(plan, &obstacle.part, &segments, options.clearance_resolution_mm);
+    let asked = obstacle.clearance_mm.min(obstacle.holder_clearance_mm);
+    let mut check = judge("obstacle-clearance", &near, bound, asked, plan, blade, &segments);
+    let who = segments.get(near.segment).map_or("nothing", |s| s.name.as_str());
+    check.quantity = format!("least distance of the tool without its ball to {}, between locations too", obstacle.name);
+    check.worst = bound;
+    check.passed = bound >= 0.0;
+    check.note = format!(
+        "{who} to {}; measured {:.6}, nowhere less than {bound:.6}; asked for {asked}",
+        obstacle.name, near.found_mm
+    );
+    Some(check)
 }
 
 fn judge(

@@ -44,7 +44,7 @@ pub use limit::limit;
 pub use options::VerifyOptions;
 pub use verdict::{Rejected, Verdict, Verified};
 
-use crate::artifact::{Blade, CheckReport, Plan};
+use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::machine::Machine;
@@ -59,6 +59,22 @@ use crate::tool::Tool;
 pub fn check(
     plan: Plan,
     blade: &Blade,
+    tool: &Tool,
+    machine: &Machine,
+    options: &VerifyOptions,
+    observer: &dyn Observer,
+) -> Result<Verdict<Plan>> {
+    check_among(plan, blade, &[], tool, machine, options, observer)
+}
+
+/// As [`check`], with fixtures and stock.
+///
+/// # Errors
+/// As [`check`].
+pub fn check_among(
+    plan: Plan,
+    blade: &Blade,
+    obstacles: &[Obstacle],
     tool: &Tool,
     machine: &Machine,
     options: &VerifyOptions,
@@ -83,6 +99,7 @@ pub fn check(
     let (checks, least) = clearance::check(&plan, blade, tool, options);
     report.clearance_mm = least;
     report.checks.extend(checks);
+    report.checks.extend(obstacles.iter().flat_map(|o| clearance::check_obstacle(&plan, blade, o, tool, options)));
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
     report.checks.extend(limits::check(&plan, blade, tool, machine, options));

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 
 use super::super::arcs::{Arc, Witness};
-use super::super::forbidden::{Scene, Search};
+use super::super::forbidden::{Body, Scene, Search};
 use super::super::options::ChannelOptions;
 use super::super::profile::Profile;
 use super::super::tree::SphereTree;
@@ -14,24 +14,27 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 use crate::tool::Tool;
 
-const TOL: f64 = 1.745e-4;
+pub const TOL: f64 = 1.745e-4;
 
-fn open_options(b_rad: f64) -> ChannelOptions {
+pub fn open_options(b_rad: f64) -> ChannelOptions {
     ChannelOptions {
         b_rad,
         clearance_mm: 0.2,
         holder_clearance_mm: 1.0,
         contact_angle_min_rad: 0.0,
         contact_angle_max_rad: PI,
+        theta_limits_rad: None,
         tolerance_rad: TOL,
+        prove_moves: false,
         max_step_mm: 1.0,
     }
 }
 
 fn free(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, centre: &Point, normal: &Vector) -> Vec<Arc> {
     let tree = SphereTree::new(mesh, 2.5);
-    let scene = Scene { mesh, tree: &tree, profile: Profile::new(tool, options, 0.0), options };
-    Search::new(&scene).free(centre, normal, normal.z.atan2(normal.y))
+    let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
+    let scene = Scene { bodies: vec![Body { name: "part", mesh, tree: &tree, profile }], options };
+    Search::new(&scene).free(centre, normal, normal.z.atan2(normal.y), None)
 }
 
 fn triangle(a: Point, b: Point, c: Point) -> Mesh {
@@ -49,7 +52,7 @@ fn a_point_forbids_the_arc_in_which_a_cylinder_holds_it() {
     assert_eq!(found.len(), 1);
     assert!((found[0].lo - (FRAC_PI_2 + half - TAU)).abs() <= TOL, "{found:?} {half}");
     assert!((found[0].hi - (FRAC_PI_2 - half)).abs() <= TOL, "{found:?} {half}");
-    assert!(matches!(found[0].hi_by, Witness::Tool { segment: 0, leaf: 0 }));
+    assert!(matches!(found[0].hi_by, Witness::Tool { segment: 0, body: 0, leaf: 0 }));
 }
 
 #[test]
@@ -159,7 +162,7 @@ fn random_case() -> impl Strategy<Value = (Mesh, Tool, f64, Point)> {
     })
 }
 
-fn inside(found: &[Arc], t: f64, margin: f64) -> bool {
+pub fn inside(found: &[Arc], t: f64, margin: f64) -> bool {
     found.iter().any(|f| [-TAU, 0.0, TAU].iter().any(|k| t + k >= f.lo - margin && t + k <= f.hi + margin))
 }
 

@@ -1,6 +1,7 @@
 //! Tests of the channel.
 #![allow(clippy::unwrap_used)]
 
+mod brute;
 mod location;
 mod whole;
 pub mod world;

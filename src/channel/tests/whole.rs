@@ -125,3 +125,120 @@ fn impossible_options_are_usage_errors() {
         assert_eq!(e.kind, ErrorKind::Usage);
     }
 }
+
+#[test]
+fn walls_hold_between_locations() {
+    let outline = banana(40.0, 1.0, 4.0);
+    let blade = on_platform(&outline, 90, 60.0);
+    // Coarse: about 2 mm from location to location, round the ends up to 40 degrees of the normal.
+    let path = helix(&outline, 4.0, 45, 1, 12.0, 0.4);
+    let (o, t) = (ChannelOptions { prove_moves: true, ..ChannelOptions::default() }, tool(4.0, 5.0));
+    let channel = plan(&blade, &t, &path, &o, &Silent).unwrap();
+    for i in (0..path.locations.len() - 1).step_by(4) {
+        let (a, b) = (&channel.rows[i], &channel.rows[i + 1]);
+        for time in [0.3, 0.5, 0.8] {
+            let from = path.locations[i].centre;
+            let centre = from + (path.locations[i + 1].centre - from) * time;
+            let mix = |x: f64, y: f64| x + time * (y - x);
+            for theta in [mix(a.theta_min, b.theta_min), mix(a.theta_max, b.theta_max)] {
+                let m = least_margin(&blade.part.mesh, &t, (0.1, 1.0), o.b_rad, &centre, theta);
+                assert!(m > -1e-9, "after location {i}, time {time}: {m}");
+            }
+        }
+    }
+}
+
+/// A square post along the blade axis with the given middle.
+fn post(y: f64, z: f64) -> crate::geometry::mesh::Mesh {
+    let mut mesh = crate::geometry::mesh::Mesh::default();
+    let w = 3.0;
+    super::world::prism(&[[y - w, z - w], [y + w, z - w], [y + w, z + w], [y - w, z + w]], [-20.0, 80.0], 0, &mut mesh);
+    mesh
+}
+
+fn fixture(mesh: crate::geometry::mesh::Mesh, cut_by_the_tool: bool) -> crate::artifact::Obstacle {
+    crate::artifact::Obstacle {
+        name: "fixture post.stl".into(),
+        part: crate::geometry::part::Part::from_mesh(mesh),
+        clearance_mm: 0.5,
+        holder_clearance_mm: 0.5,
+        cut_by_the_tool,
+    }
+}
+
+#[test]
+fn a_fixture_binds_where_it_stands_and_the_stock_only_for_the_holder() {
+    use super::super::{Surroundings, intervals, plan_among};
+    let outline = ellipse(20.0, 8.0);
+    let blade = on_platform(&outline, 60, 40.0);
+    let path = helix(&outline, 4.0, 60, 1, 12.0, 0.4);
+    let (o, t) = (ChannelOptions::default(), tool(4.0, 3.0));
+    // Beyond the nose, where only some angles meet it.
+    let fixtures = [fixture(post(40.0, 22.0), false)];
+    let among = Surroundings::new(&blade, &fixtures, 4.0).unwrap();
+    let channel = plan_among(&among, &t, &path, &o, &Silent).unwrap();
+    let named = |b: &Binding| matches!(b, Binding::Fixture { name, .. } if name == "fixture post.stl");
+    assert!(channel.rows.iter().any(|r| named(&r.binds_min) || named(&r.binds_max)));
+    for (r, l) in channel.rows.iter().zip(&path.locations) {
+        for theta in [r.theta_min, r.theta_max] {
+            let m = least_margin(&fixtures[0].part.mesh, &t, (0.5, 0.5), o.b_rad, &l.centre, theta);
+            assert!(m > -1e-9, "{m}");
+        }
+    }
+    // As stock, it is met by the holder alone: never more is taken.
+    let stock = [fixture(post(40.0, 22.0), true)];
+    let among_stock = Surroundings::new(&blade, &stock, 4.0).unwrap();
+    let width = |s: &Surroundings| {
+        let all = intervals(s, &t, &path, &o, &Silent).unwrap();
+        all.iter().flatten().map(|f| f.theta_max - f.theta_min).sum::<f64>()
+    };
+    assert!(width(&among_stock) > width(&among) + 0.1);
+    // On the path of the ball, or all round it, there is nothing to turn to.
+    let on_it = [fixture(post(27.0, 0.0), false)];
+    let e = plan_among(&Surroundings::new(&blade, &on_it, 4.0).unwrap(), &t, &path, &o, &Silent).unwrap_err();
+    assert!(e.kind == ErrorKind::Infeasible && e.message.contains("the tool starts in collision"), "{e}");
+}
+
+#[test]
+fn limits_of_the_rotary_axis_bind_and_close() {
+    let outline = ellipse(20.0, 8.0);
+    let blade = on_platform(&outline, 60, 40.0);
+    let path = helix(&outline, 4.0, 60, 1, 12.0, 0.4);
+    let t = tool(4.0, 3.0);
+    let wide = plan(&blade, &t, &path, &ChannelOptions::default(), &Silent).unwrap();
+    let least = wide.rows[0].theta_min + 0.3;
+    let limited =
+        |greatest: f64| ChannelOptions { theta_limits_rad: Some([least, greatest]), ..ChannelOptions::default() };
+    let channel = plan(&blade, &t, &path, &limited(20.0), &Silent).unwrap();
+    assert!((channel.rows[0].theta_min - least).abs() < 1e-9);
+    assert_eq!(channel.rows[0].binds_min, Binding::AxisLimit);
+    let e = plan(&blade, &t, &path, &limited(2.0), &Silent).unwrap_err();
+    assert!(e.message.contains("rotary axis"), "{e}");
+}
+
+#[test]
+fn advice_opens_what_is_closed_and_widths_follow_b() {
+    use super::super::{Surroundings, advise, sweep_b};
+    let outline = ellipse(20.0, 8.0);
+    let blade = on_platform(&outline, 40, 60.0);
+    let path = helix(&outline, 4.0, 40, 1, 6.0, 0.4);
+    let mut t = tool(4.0, 3.0);
+    t.stickout_mm = 14.0;
+    let around = Surroundings::new(&blade, &[], 4.0).unwrap();
+    let o = ChannelOptions::default();
+    let found = advise(&around, &t, &path, &o, &[0.0, 10.0, 20.0, 30.0, 40.0], &Silent).unwrap();
+    assert!(!found.now.is_open());
+    let least = found.least_stickout_mm.unwrap();
+    t.stickout_mm = least + 0.5;
+    assert!(plan(&blade, &t, &path, &o, &Silent).is_ok(), "{least}");
+    t.stickout_mm = least - 1.0;
+    assert!(plan(&blade, &t, &path, &o, &Silent).is_err(), "{least}");
+    let radii = found.holder_radii_mm.unwrap();
+    t.stickout_mm = 14.0;
+    assert!(radii[0] < t.holder[0].radius_mm);
+    t.holder[0].radius_mm = 0.98 * radii[0];
+    assert!(plan(&blade, &t, &path, &o, &Silent).is_ok(), "{radii:?}");
+    let widths = sweep_b(&around, &t, &path, &o, &[-10.0, 5.0], 100, &Silent).unwrap();
+    assert_eq!(widths[1].b_deg, 5.0);
+    assert!(widths[1].narrowest_deg.unwrap() >= widths[1].monotone_deg.unwrap());
+}

@@ -210,3 +210,35 @@ fn distance_to_frustum(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     };
     to_segment(a, b).min(to_segment([a[0], 0.0], a)).min(to_segment(b, [b[0], 0.0]))
 }
+
+/// How deep a point is inside the inflated segments of a tool; negative: outside.
+pub fn inside_by(
+    segments: &[crate::tool::Segment],
+    clearance: (f64, f64),
+    b_rad: f64,
+    centre: &Point,
+    theta: f64,
+    p: &Point,
+) -> f64 {
+    let a = axis(b_rad, theta);
+    let v = p - centre;
+    let z = v.dot(&a);
+    let r = (v - a * z).norm();
+    let depth = |s: &crate::tool::Segment| {
+        let c = if s.name.starts_with("holder") { clearance.1 } else { clearance.0 };
+        c - distance_to_frustum([z, r], [s.z0, s.r0], [s.z1, s.r1])
+    };
+    segments.iter().map(depth).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The deepest of many points.
+pub fn deepest(
+    points: &[Point],
+    segments: &[crate::tool::Segment],
+    clearance: (f64, f64),
+    b_rad: f64,
+    centre: &Point,
+    theta: f64,
+) -> f64 {
+    points.iter().map(|p| inside_by(segments, clearance, b_rad, centre, theta, p)).fold(f64::NEG_INFINITY, f64::max)
+}

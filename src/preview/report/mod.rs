@@ -12,6 +12,7 @@
 //! to the schedule and the *greatest* of its velocities, accelerations and jerks, so nothing that matters is smoothed away. Peaks in tables are
 //! of all cutter locations. The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
 
+mod channel;
 mod data;
 mod figures;
 mod pack;
@@ -26,6 +27,7 @@ pub use payload::Payload;
 pub use scallop::{Histogram, histogram as scallop_histogram};
 use serde_json::Value;
 
+use crate::artifact::channel::Width;
 use crate::artifact::{AxisMotion, Blade, CheckReport, Plan, Schedule, Section};
 use crate::error::Result;
 use crate::machine::Machine;
@@ -75,6 +77,8 @@ pub struct ReportInput<'a> {
     pub verify: File<'a>,
     /// `compare.json`, if the run has one.
     pub compare: Option<File<'a>>,
+    /// Width of the channel at other angles B; may be empty.
+    pub widths: &'a [Width],
     /// Plane sections.
     pub sections: &'a [Section],
     /// What the checks found; `None`: nothing was checked.
@@ -111,6 +115,7 @@ pub fn page(input: &ReportInput, payload: &Payload) -> String {
     page.push_str(&figures::figures(input));
     page.push_str(&tables::checks(input));
     page.push_str(include_str!("plots.html"));
+    page.push_str(&channel::section(input));
     page.push_str(&figures::axes(input));
     page.push_str(&scallop::section(input));
     page.push_str(&figures::comparison(input));

@@ -38,6 +38,7 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         summary: File { name: "summary", json: &summary },
         verify: File { name: "verify", json: &verify },
         compare: None,
+        widths: &[],
         sections: &sections,
         checks: Some(&report),
         forced: false,

@@ -1,0 +1,58 @@
+//! The ball among fixtures: it must keep clear of them too, and the tool must not be inside one from the start.
+//!
+//! From the part the ball is kept by the path. A fixture is closed: where the first ball centre is outside and no move brings
+//! the ball to its surface, ball and tool stay outside.
+
+use rayon::prelude::*;
+
+use crate::artifact::{Obstacle, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::geometry::mesh::Mesh;
+
+/// Checks all moves against all fixtures; the stock may be cut.
+///
+/// # Errors
+/// Kind `Infeasible` at the first location whose ball comes too near, or inside; the distance asked for is the ball's radius, the
+/// clearance of taper and shank, and half of the longer move beside the location.
+pub(super) fn check(path: &Toolpath, obstacles: &[Obstacle]) -> Result<()> {
+    let Some(first) = path.locations.first() else { return Ok(()) };
+    for o in obstacles.iter().filter(|o| !o.cut_by_the_tool) {
+        if winding(&o.part.mesh, &first.centre).abs() > 0.5 {
+            return Err(too_near(o, path, 0, "the tool starts in collision: the ball centre is inside"));
+        }
+        let step = |i: usize| {
+            let beside = [i.checked_sub(1), Some(i + 1)];
+            let near = beside.into_iter().flatten().filter_map(|k| path.locations.get(k));
+            near.map(|l| (l.centre - path.locations[i].centre).norm()).fold(0.0, f64::max)
+        };
+        let hit = (0..path.locations.len()).into_par_iter().find_first(|&i| {
+            let cap = path.radius_mm + o.clearance_mm + 0.5 * step(i);
+            o.part.closest_on_mesh(&path.locations[i].centre, cap).is_some()
+        });
+        if let Some(i) = hit {
+            let start = if i == 0 { "the tool starts in collision: " } else { "" };
+            return Err(too_near(o, path, i, &format!("{start}the ball comes nearer than {} mm to", o.clearance_mm)));
+        }
+    }
+    Ok(())
+}
+
+fn too_near(o: &Obstacle, path: &Toolpath, i: usize, what: &str) -> Error {
+    let place = path.locations.get(i).map_or_else(String::new, |l| {
+        format!("turn {}, S = {:.2} mm, {:.3} mm along the blade axis", l.turn, l.turn_s_mm, l.centre.x)
+    });
+    Error::infeasible(Stage::Channel, format!("{what} {} at {place}", o.name))
+        .advise("move the fixture, let the region end before it, or let it keep less clearance")
+}
+
+/// How often the closed mesh winds round a point: 0 outside, ±1 inside.
+fn winding(mesh: &Mesh, p: &Point) -> f64 {
+    let solid_angle = |t: usize| {
+        let [a, b, c] = mesh.corners(t).map(|q| q - p);
+        let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+        let below = la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb;
+        2.0 * a.dot(&b.cross(&c)).atan2(below)
+    };
+    (0..mesh.triangles.len()).map(solid_angle).sum::<f64>() / (4.0 * std::f64::consts::PI)
+}

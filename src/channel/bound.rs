@@ -1,0 +1,268 @@
+//! Lower bounds of the room between the tool, turned through whole intervals of θ, and nodes of a tree, in the blade frame
+//! seen from the ball centre.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::geometry::Vector;
+
+use super::profile::Profile;
+
+/// Steps after which a walk over angles is given up.
+const WALK: usize = 48;
+/// Room that is none, mm.
+const NONE_MM: f64 = 1e-9;
+
+/// A free interval, absolute angles, with the tool axes at its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sweep {
+    pub lo: f64,
+    pub hi: f64,
+    pub axes: [Vector; 2],
+    /// (cos, sin) of the ends.
+    ends: [(f64, f64); 2],
+}
+
+/// How much room a node has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Room {
+    pub mm: f64,
+    /// What a radian of growth of the intervals may cost, mm.
+    pub across: f64,
+    /// At both ends of the one interval, where that decides.
+    pub facets: Option<[Facet; 2]>,
+}
+
+impl Room {
+    pub fn new(mm: f64, across: f64) -> Self {
+        Room { mm, across, facets: None }
+    }
+}
+
+/// The tool axis at θ; `b` is (sin B, cos B).
+pub(super) fn axis(b: (f64, f64), theta: f64) -> Vector {
+    let (sin, cos) = theta.sin_cos();
+    Vector::new(b.0, b.1 * cos, b.1 * sin)
+}
+
+impl Sweep {
+    pub fn new(lo: f64, hi: f64, b: (f64, f64)) -> Self {
+        let ends = [lo, hi].map(|t| {
+            let (sin, cos) = t.sin_cos();
+            (cos, sin)
+        });
+        Sweep { lo, hi, axes: ends.map(|(cos, sin)| Vector::new(b.0, b.1 * cos, b.1 * sin)), ends }
+    }
+
+    /// The end `k` as a slope in the frame of the tool there, and back.
+    pub fn into_tool(&self, k: usize, s: &Vector) -> Vector {
+        let (cos, sin) = self.ends[k];
+        Vector::new(s.x, cos * s.y + sin * s.z, cos * s.z - sin * s.y)
+    }
+
+    pub fn from_tool(&self, k: usize, s: &Vector) -> Vector {
+        let (cos, sin) = self.ends[k];
+        Vector::new(s.x, cos * s.y - sin * s.z, cos * s.z + sin * s.y)
+    }
+
+    /// The azimuths of all points within `radius` of `v` are outside the interval.
+    pub fn is_beside(&self, v: &Vector, radius: f64) -> bool {
+        let across = |(cos, sin): (f64, f64)| cos * v.z - sin * v.y;
+        let (before, after) = (across(self.ends[0]) < -radius, across(self.ends[1]) > radius);
+        let width = self.hi - self.lo;
+        if width <= PI { before || after } else { width < TAU && before && after }
+    }
+}
+
+/// Margin of a point from the tool about `axis`, mm.
+pub(super) fn margin(profile: &Profile, axis: &Vector, v: &Vector) -> f64 {
+    let z = v.dot(axis);
+    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    profile.frusta.iter().map(|f| f.margin(z, r).0).fold(f64::INFINITY, f64::min)
+}
+
+/// Lower bounds of the margin over a node at one axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facet {
+    /// Over all parts of the tool, mm.
+    pub least: f64,
+    /// Over all but the nearest part, mm.
+    pub others: f64,
+    /// Of the nearest part's margin, in space: with the value `least` at the node's centre it bounds what is left of the margin
+    /// wherever node and tool move.
+    pub slope: Vector,
+}
+
+impl Facet {
+    pub fn none() -> Self {
+        Facet { least: f64::INFINITY, others: f64::INFINITY, slope: Vector::zeros() }
+    }
+
+    pub fn add(&mut self, least: f64, slope: &Vector) {
+        if least < self.least {
+            *self = Facet { least, others: self.least, slope: *slope };
+        } else if least < self.others {
+            self.others = least;
+        }
+    }
+}
+
+/// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes of the convex distance.
+pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
+    let z = v.dot(axis);
+    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    let mut out = Facet::none();
+    for f in &profile.frusta {
+        let (m, by_z, by_r) = f.margin(z, r);
+        if m - radius >= out.others {
+            continue;
+        }
+        let k = if r > 0.0 { by_r / r } else { 0.0 };
+        let slope = v * k + axis * (by_z - k * z);
+        let fall: f64 = half.iter().map(|h| slope.dot(h).abs()).sum();
+        out.add(m - fall.min(radius), &slope);
+        if out.least <= 0.0 {
+            break;
+        }
+    }
+    out
+}
+
+/// Lower bound of the margin over a box, mm.
+pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
+    facet(profile, axis, v, radius, half).least
+}
+
+/// As [`least_margin`], with the tool turned to each point's own azimuth. There the margin depends on the point's `x` and
+/// distance `ρ` from the turning axis alone and is convex in both; over the node `ρ` exceeds its tangent plane at the centre by at
+/// most `radius² / 2(ρ − radius)`.
+fn least_at_own_azimuth(profile: &Profile, b: (f64, f64), v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
+    let rho = (v.y * v.y + v.z * v.z).sqrt();
+    if rho <= 2.0 * radius {
+        // A point of the turning axis has the same margin at all angles.
+        let (z, r) = (v.x * b.0, (v.x * b.1).abs());
+        let on_axis = profile.frusta.iter().map(|f| f.margin(z, r).0).fold(f64::INFINITY, f64::min);
+        return on_axis - rho - radius;
+    }
+    let away = Vector::new(0.0, v.y / rho, v.z / rho);
+    let axis = Vector::new(b.0, b.1 * away.y, b.1 * away.z);
+    let bend = 0.5 * radius * radius / (rho - radius);
+    let z = v.dot(&axis);
+    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    let mut least = f64::INFINITY;
+    for f in &profile.frusta {
+        let (m, by_z, by_r) = f.margin(z, r);
+        if m - radius - bend >= least {
+            continue;
+        }
+        let k = if r > 0.0 { by_r / r } else { 0.0 };
+        let slope = v * k + axis * (by_z - k * z);
+        let fall: f64 = half.iter().map(|h| slope.dot(h).abs()).sum();
+        least = least.min(m - (fall + (-slope.dot(&away)).max(0.0) * bend).min(radius + bend));
+    }
+    least
+}
+
+/// Points within `radius` of `v` are inside the inflated tool for one arc about their own azimuth, if at all.
+fn one_arc(profile: &Profile, v: &Vector, radius: f64) -> bool {
+    profile.widens && v.norm() + radius <= profile.length
+}
+
+/// The room that all intervals leave for a node; `None` where none can be shown.
+pub(super) fn room(
+    profile: &Profile,
+    sweeps: &[Sweep],
+    b: (f64, f64),
+    v: &Vector,
+    radius: f64,
+    half: &[Vector; 3],
+) -> Option<Room> {
+    let far = v.norm() - radius - profile.farthest;
+    if far > NONE_MM {
+        return Some(Room::new(far, 0.0));
+    }
+    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
+    if !one_arc(profile, v, radius) {
+        return walked(profile, sweeps, b, v, radius, half, rho);
+    }
+    if !sweeps.iter().all(|s| s.is_beside(v, radius)) {
+        let mm = least_at_own_azimuth(profile, b, v, radius, half);
+        return (mm > NONE_MM).then_some(Room::new(mm, 0.0));
+    }
+    let (mut mm, mut facets) = (f64::INFINITY, None);
+    for s in sweeps {
+        let both = s.axes.map(|axis| facet(profile, &axis, v, radius, half));
+        mm = mm.min(both[0].least).min(both[1].least);
+        if mm <= NONE_MM {
+            return None;
+        }
+        facets = Some(both);
+    }
+    if mm == f64::INFINITY {
+        // Nothing is free: any room will do until something is.
+        return Some(Room::new(radius, rho));
+    }
+    Some(Room { mm, across: rho + mm, facets: facets.filter(|_| sweeps.len() == 1) })
+}
+
+/// Room from margins at angles so near to one another that none between them is less than half of one of theirs.
+fn walked(
+    profile: &Profile,
+    sweeps: &[Sweep],
+    b: (f64, f64),
+    v: &Vector,
+    radius: f64,
+    half: &[Vector; 3],
+    rho: f64,
+) -> Option<Room> {
+    let mut mm = f64::INFINITY;
+    for s in sweeps {
+        let mut at = s.lo;
+        let mut steps = 0;
+        loop {
+            let here = least_margin(profile, &axis(b, at), v, radius, half);
+            steps += 1;
+            if here <= NONE_MM || steps > WALK {
+                return None;
+            }
+            mm = mm.min(0.5 * here);
+            if at >= s.hi {
+                break;
+            }
+            at = (at + 0.5 * here / rho).min(s.hi);
+        }
+    }
+    let mm = mm.min(radius.max(1.0));
+    Some(Room::new(mm, rho + mm))
+}
+
+/// What there is to say about a triangle between the ends of the intervals.
+pub(super) enum Between {
+    /// It has this room at all angles, mm.
+    Room(f64),
+    /// The margins at the ends decide.
+    Ends,
+    /// Nothing: it is too large to tell.
+    Nothing,
+}
+
+/// As [`room`] for a triangle within `radius` of its point `v`, but for the margins at the ends of the intervals.
+pub(super) fn between_ends(
+    profile: &Profile,
+    sweeps: &[Sweep],
+    b: (f64, f64),
+    corners: &[Vector; 3],
+    v: &Vector,
+    radius: f64,
+) -> Between {
+    if one_arc(profile, v, radius) && sweeps.iter().all(|s| s.is_beside(v, radius)) {
+        return Between::Ends;
+    }
+    let half = [corners[1] - corners[0], corners[2] - corners[0], Vector::zeros()];
+    let mm = if one_arc(profile, v, radius) {
+        least_at_own_azimuth(profile, b, v, radius, &half)
+    } else {
+        let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
+        walked(profile, sweeps, b, v, radius, &half, rho).map_or(0.0, |r| r.mm)
+    };
+    if mm > NONE_MM { Between::Room(mm) } else { Between::Nothing }
+}

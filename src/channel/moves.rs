@@ -1,0 +1,158 @@
+//! Between the places: the walls hold for the whole motion, or are moved inwards until they do.
+//!
+//! Between two places the ball centre moves straight and the tool may turn along any line of the (time, θ) plane between a
+//! lower and an upper wall that are straight from place to place. In a frame that turns along the lower wall that wall is one
+//! angle, and the search over the move ([`super::forbidden::Search::free_moving`]) gives an interval that is free during the
+//! whole move: how far its lower end lies above the wall is how far the wall must be moved in. Likewise for the upper wall. The two
+//! intervals together cover all that is between the moved walls; where they do not, one frame serves both.
+
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+use crate::error::{Result, Stage};
+use crate::observe::Observer;
+
+use super::arcs::{Arc, Witness, push_wrapped};
+use super::forbidden::{Free, MOVE_TOLERANCES, Scene, Search, Start, View};
+use super::region::{Motion, turned_about_x};
+use super::samples::Sample;
+
+/// How far the walls of a move must be moved inwards at both its ends, rad, and what makes that necessary.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lift {
+    pub lo: f64,
+    pub hi: f64,
+    pub lo_by: Witness,
+    pub hi_by: Witness,
+}
+
+/// The lifts of all moves; the inner error is a move during which the channel closes.
+pub(super) fn lifts(
+    scene: &Scene,
+    samples: &[Sample],
+    chosen: &[&Free],
+    observer: &dyn Observer,
+) -> Result<std::result::Result<Vec<Lift>, usize>> {
+    let moves: Vec<usize> = (1..samples.len()).collect();
+    let some = |moves: &[usize]| -> Result<Vec<Option<Lift>>> {
+        observer.check(Stage::Channel)?;
+        let mut search = Search::new(scene);
+        let one = |&i: &usize| {
+            let (from, to) = ((&samples[i - 1], chosen[i - 1]), (&samples[i], chosen[i]));
+            lift(&mut search, scene, from, to, None)
+        };
+        Ok(moves.iter().map(one).collect())
+    };
+    let all: Vec<Vec<Option<Lift>>> = moves.par_chunks(64).map(some).collect::<Result<_>>()?;
+    let all: Vec<Option<Lift>> = all.into_iter().flatten().collect();
+    Ok(match all.iter().position(Option::is_none) {
+        Some(i) => Err(i),
+        None => Ok(all.into_iter().flatten().collect()),
+    })
+}
+
+/// The intervals chosen at both ends, moved inwards as both moves beside each place ask for.
+pub(super) fn moved_in(chosen: &[&Free], lifts: &[Lift]) -> Vec<Free> {
+    let mut out: Vec<Free> = chosen.iter().map(|f| **f).collect();
+    for (k, f) in out.iter_mut().enumerate() {
+        let beside = [k.checked_sub(1).and_then(|i| lifts.get(i)), lifts.get(k)];
+        let (lo, hi) = (f.lo, f.hi);
+        for l in beside.into_iter().flatten() {
+            if lo + l.lo > f.lo {
+                (f.lo, f.lo_by) = (lo + l.lo, l.lo_by);
+            }
+            if hi - l.hi < f.hi {
+                (f.hi, f.hi_by) = (hi - l.hi, l.hi_by);
+            }
+        }
+    }
+    out
+}
+
+/// One move, in frames that turn along its walls.
+struct Move<'a> {
+    from: (&'a Sample, &'a Free),
+    to: (&'a Sample, &'a Free),
+    /// Angle of all frames in the middle.
+    azimuth: f64,
+}
+
+fn lift(
+    search: &mut Search,
+    scene: &Scene,
+    from: (&Sample, &Free),
+    to: (&Sample, &Free),
+    starts: Option<&[Start]>,
+) -> Option<Lift> {
+    let m = Move { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
+    let tolerance = MOVE_TOLERANCES * scene.options.tolerance_rad;
+    let (low, high) = (0.5 * (to.1.lo - from.1.lo), 0.5 * (to.1.hi - from.1.hi));
+    let mut free_at = |turn: f64| m.widest(search, turn, tolerance, starts);
+    let lift = if (low - high).abs() <= 0.1 * tolerance {
+        let mean = 0.5 * (low + high);
+        let f = free_at(mean)?;
+        m.lift((f, mean), (f, mean))
+    } else {
+        let (l, h) = ((free_at(low)?, low), (free_at(high)?, high));
+        let covered = [-1.0, 1.0].iter().all(|t| l.0.hi + l.1 * t >= h.0.lo + h.1 * t);
+        if covered {
+            m.lift(l, h)
+        } else {
+            let mean = 0.5 * (low + high);
+            let f = free_at(mean)?;
+            m.lift((f, mean), (f, mean))
+        }
+    };
+    let open = |f: &Free| f.lo + lift.lo <= f.hi - lift.hi;
+    (open(from.1) && open(to.1)).then_some(lift)
+}
+
+impl Move<'_> {
+    /// The free interval of the whole move that has most in common with those of both ends, in a frame that turns by ± `turn`.
+    fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
+        let half_move = (self.to.0.centre - self.from.0.centre) * 0.5;
+        let view = View {
+            centre: self.from.0.centre + half_move,
+            azimuth: self.azimuth,
+            motion: Motion { half_move: turned_about_x(&half_move, -self.azimuth), half_turn: turn, stray: 0.0 },
+        };
+        let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
+        let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
+        let (hi, hi_by) = if a.hi < b.hi { (a.hi, a.hi_by) } else { (b.hi, b.hi_by) };
+        if lo > hi {
+            return None;
+        }
+        let mut taken: Vec<Arc> = Vec::new();
+        let (start, end) = (hi + 0.5 * tolerance, lo - 0.5 * tolerance + TAU);
+        if start < end {
+            // Into the circle that the search looks at.
+            let turns = ((start + std::f64::consts::PI) / TAU).floor() * TAU;
+            push_wrapped(start - turns, end - turns, hi_by, lo_by, &mut taken);
+        }
+        let found = search.free_moving(&view, &taken, starts);
+        let mut best: Option<(f64, Free)> = None;
+        for f in found {
+            for k in [-TAU, 0.0, TAU] {
+                let piece = Free { lo: (f.lo + k).max(lo), hi: (f.hi + k).min(hi), ..f };
+                let width = piece.hi - piece.lo;
+                if width >= 0.0 && best.is_none_or(|(w, _)| width > w) {
+                    best = Some((width, piece));
+                }
+            }
+        }
+        best.map(|(_, piece)| piece)
+    }
+
+    /// The interval of an end as seen in a frame that is turned by `turn` there.
+    fn seen(&self, f: &Free, turn: f64) -> Free {
+        Free { lo: f.lo - self.azimuth - turn, hi: f.hi - self.azimuth - turn, ..*f }
+    }
+
+    /// How far the walls lie outside: the lower one of the first interval, the upper one of the second, each with its frame.
+    fn lift(&self, (low, low_turn): (Free, f64), (high, high_turn): (Free, f64)) -> Lift {
+        let ends = [(-1.0, self.from.1), (1.0, self.to.1)];
+        let lo = ends.map(|(t, f)| low.lo - self.seen(f, low_turn * t).lo);
+        let hi = ends.map(|(t, f)| self.seen(f, high_turn * t).hi - high.hi);
+        Lift { lo: lo[0].max(lo[1]).max(0.0), hi: hi[0].max(hi[1]).max(0.0), lo_by: low.lo_by, hi_by: high.hi_by }
+    }
+}

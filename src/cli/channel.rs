@@ -1,0 +1,155 @@
+//! `channel` and `advise`: the S–θ channel by itself.
+
+use std::fmt::Write;
+
+use super::args::{Advise, Channel};
+use super::out::sayln;
+use super::plan::draft_of;
+use super::progress::Terminal;
+use crate::artifact::Toolpath;
+use crate::artifact::channel::{Binding, Width};
+use crate::channel::{self, FreeInterval};
+use crate::error::Result;
+use crate::observe::Observer;
+use crate::output::{self, RunFolder};
+use crate::path;
+use crate::pipeline::Setup;
+use crate::preview::plot;
+
+/// Angles B that advice looks at: from, to, step, degrees.
+const ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 2.5];
+
+/// Runs `channel`; the exit code.
+pub fn run(args: &Channel, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let ended = study(args, &terminal);
+    terminal.finish();
+    ended
+}
+
+fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
+    let mut folder = RunFolder::begin(&args.out)?;
+    let setup = Setup::load(&draft_of(&args.input, &args.reading, &args.set)?, observer)?;
+    folder.add("job.resolved.toml", setup.job.to_toml()?)?;
+    let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
+    let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;
+    folder.add("channel_intervals.csv", table(&toolpath, &intervals))?;
+    let planned = channel::plan_among(&around, tool, &toolpath, &options, observer);
+    if let Ok(channel) = &planned {
+        folder.add("channel.json", output::json_compact(channel)?)?;
+    }
+    if let Some(sweep) = args.sweep_b {
+        let angles = setup.angles_b(sweep.0);
+        let widths = channel::sweep_b(&around, tool, &toolpath, &options, &angles, toolpath.locations.len(), observer)?;
+        folder.add("sweep_b.csv", plot::widths_csv(&widths))?;
+        folder.add_json("sweep_b.json", &widths)?;
+        folder.add("sweep_b.svg", plot::widths_svg(&widths))?;
+        print_widths(&widths);
+    }
+    let closed = intervals.iter().filter(|l| l.is_empty()).count();
+    sayln!("{} cutter locations, {closed} of them without a free angle", intervals.len());
+    for file in folder.finish()? {
+        sayln!("{}", file.display());
+    }
+    let channel = planned?;
+    let width = channel.rows.get(channel.narrowest_row).map_or(0.0, |r| r.hull_max - r.hull_min);
+    sayln!("narrowest between the monotone hulls: {:.3}°; separate channels: {}", width.to_degrees(), channel.chains);
+    Ok(0)
+}
+
+/// `channel_intervals.csv`: one row per free interval of a location; angles in degrees.
+fn table(path: &Toolpath, intervals: &[Vec<FreeInterval>]) -> String {
+    let mut out = String::from("location,turn,S,interval,theta_min_deg,theta_max_deg,binds_min,binds_max\n");
+    for (i, (l, here)) in path.locations.iter().zip(intervals).enumerate() {
+        for (k, f) in here.iter().enumerate() {
+            let _ = writeln!(
+                out,
+                "{i},{},{},{k},{},{},{},{}",
+                l.turn,
+                l.turn_s_mm,
+                f.theta_min.to_degrees(),
+                f.theta_max.to_degrees(),
+                name(&f.binds_min),
+                name(&f.binds_max)
+            );
+        }
+    }
+    out
+}
+
+/// A binding as one cell of a table.
+fn name(b: &Binding) -> String {
+    match b {
+        Binding::Part { tool, face, triangle } => format!("{tool} / part / face {face} / triangle {triangle}"),
+        Binding::Fixture { name, tool, triangle } => {
+            format!("{tool} / {} / triangle {triangle}", name.replace([',', '\n'], " "))
+        }
+        Binding::AxisLimit => "rotary axis".into(),
+        Binding::ContactAngle => "contact angle".into(),
+        Binding::Free => "nothing".into(),
+    }
+}
+
+fn print_widths(widths: &[Width]) {
+    sayln!("{:>8} {:>12} {:>12}  narrowest at", "B", "narrowest", "monotone");
+    for w in widths {
+        let number = |v: Option<f64>| v.map_or_else(|| "closed".to_owned(), |v| format!("{v:.2}°"));
+        let (a, b) = (number(w.narrowest_deg), number(w.monotone_deg));
+        sayln!("{:>7}° {a:>12} {b:>12}  turn {}, S = {:.2} mm: {}", w.b_deg, w.turn, w.turn_s_mm, w.binds);
+    }
+}
+
+/// Runs `advise`; the exit code.
+pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let ended = advice(args, &terminal);
+    terminal.finish();
+    ended
+}
+
+fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
+    let setup = Setup::load(&draft_of(&args.input, &args.reading, &args.set)?, observer)?;
+    let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
+    let angles = setup.angles_b(ANGLES_DEG);
+    let found = channel::advise(&around, tool, &toolpath, &options, &angles, observer)?;
+    let now = &found.now;
+    let row = |name: &str, value: String| sayln!("{name:<34} {value}");
+    row(
+        "channel as the job has it",
+        match now.monotone_deg {
+            Some(w) if w >= 0.0 => format!("open, {w:.2}° between the monotone hulls at the narrowest place"),
+            Some(w) => format!("no schedule without turning back: the hulls cross by {:.2}°", -w),
+            None => "closed".into(),
+        },
+    );
+    row("decided at", format!("turn {}, S = {:.2} mm: {}", now.turn, now.turn_s_mm, now.binds));
+    let ranges: Vec<String> = found.b_ranges_deg.iter().map(|[a, b]| format!("{a:.1}° to {b:.1}°")).collect();
+    let looked = angles.first().zip(angles.last()).map_or_else(String::new, |(a, b)| format!(" within {a}° to {b}°"));
+    row("B that opens it", if ranges.is_empty() { format!("none{looked}") } else { ranges.join(", ") + &looked });
+    if let Some(b) = found.best_b_deg {
+        row("widest at B", format!("{b}°"));
+    }
+    let mm = |v: Option<f64>, none: &str| v.map_or_else(|| none.to_owned(), |v| format!("{v:.1} mm"));
+    let now_mm = format!(" (now {} mm)", tool.stickout_mm);
+    row(
+        "least stick-out that opens it",
+        mm(found.least_stickout_mm, "none: the cutter itself is in the way") + &now_mm,
+    );
+    let radii =
+        found.holder_radii_mm.as_ref().map(|r| r.iter().map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(", "));
+    row(
+        "thickest holder that opens it",
+        radii.map_or_else(|| "none, not even without".into(), |r| format!("radii {r} mm")),
+    );
+    sayln!("looked at {} places of the path; a plan with these values proves the moves between them", found.places);
+    if let Some(out) = &args.out {
+        let mut folder = RunFolder::begin(out)?;
+        folder.add_json("advice.json", &found)?;
+        for file in folder.finish()? {
+            sayln!("{}", file.display());
+        }
+    }
+    Ok(0)
+}

@@ -1,0 +1,108 @@
+//! The channel as a user meets it: what is in the way is named, and what would help is said.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn prism() -> String {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("models/prism.step").display().to_string()
+}
+
+fn bladewright(args: &[&str], dir: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bladewright"))
+        .arg("--quiet")
+        .args(args)
+        .current_dir(dir)
+        .output()
+        .expect("the command starts")
+}
+
+fn fails(args: &[&str], dir: &Path, code: i32, words: &[&str]) {
+    let out = bladewright(args, dir);
+    let text = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(code), "{args:?}\n{text}");
+    for word in words {
+        assert!(text.contains(word), "`{word}` is not in the message of {args:?}:\n{text}");
+    }
+}
+
+/// A box from `lo` to `hi` as OBJ with its first `count` of 12 triangles.
+fn box_obj(lo: f64, hi: f64, count: usize) -> String {
+    let side = |b: usize| if b == 0 { lo } else { hi };
+    let mut text = String::new();
+    for i in 0..8usize {
+        text += &format!("v {} {} {}\n", side(i & 1), side(i >> 1 & 1), side(i >> 2));
+    }
+    let faces =
+        ["1 3 4", "1 4 2", "5 6 8", "5 8 7", "1 2 6", "1 6 5", "3 7 8", "3 8 4", "1 5 7", "1 7 3", "2 4 8", "2 8 6"];
+    for f in faces.iter().take(count) {
+        text += &format!("f {f}\n");
+    }
+    text
+}
+
+/// A job with one fixture.
+fn job(dir: &Path, fixture: &str) {
+    let text = format!(
+        "[model]\nfile = {:?}\n[path]\nscallop_mm = 0.2\n[[fixture]]\nfile = {fixture:?}\nclearance_mm = 0.5\n",
+        prism()
+    );
+    std::fs::write(dir.join("job.toml"), text).expect("writable");
+}
+
+#[test]
+fn what_is_in_the_way_is_named() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let write = |name: &str, text: String| std::fs::write(d.join(name), text).expect("writable");
+    write("open.obj", box_obj(-10.0, 10.0, 11));
+    write("round.obj", box_obj(-400.0, 400.0, 12));
+    job(d, "open.obj");
+    fails(&["plan", "job.toml", "-o", "out"], d, 4, &["open.obj has a hole, the longest of 3 edges"]);
+    job(d, "missing.obj");
+    fails(&["plan", "job.toml", "-o", "out"], d, 4, &["missing.obj"]);
+    job(d, "round.obj");
+    let words = ["the tool starts in collision: the ball centre is inside fixture round.obj at turn 0"];
+    fails(&["plan", "job.toml", "-o", "out"], d, 3, &words);
+    let swallows = ["--set", "tool.stickout_mm=10", "--set", "tool.holder=[{radius_mm=300, length_mm=200}]"];
+    let args = [&["plan", &prism(), "-o", "out", "--set", "path.scallop_mm=0.2"], &swallows[..]].concat();
+    let words =
+        ["the tool starts in collision: no angle of the tool axis is free", "holder 1 against face", "stick out"];
+    fails(&args, d, 3, &words);
+    assert!(!d.join("out").exists());
+}
+
+#[test]
+fn the_channel_alone_is_written_with_its_width_against_b() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let args = ["channel", &prism(), "-o", "out", "--set", "path.scallop_mm=0.2", "--sweep-b=-5,15,5"];
+    let out = bladewright(&args, d);
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let table = std::fs::read_to_string(d.join("out/channel_intervals.csv")).expect("written");
+    assert!(table.lines().count() > 100 && table.contains("taper / part / face"), "{}", &table[..500]);
+    let widths = std::fs::read_to_string(d.join("out/sweep_b.csv")).expect("written");
+    assert_eq!(widths.lines().count(), 6, "{widths}");
+    assert!(std::fs::read_to_string(d.join("out/sweep_b.svg")).expect("written").starts_with("<svg"));
+    fails(&["channel", &prism(), "-o", "out", "--sweep-b=5,1,1"], d, 2, &["FROM,TO,STEP"]);
+}
+
+#[test]
+fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let tool = ["--set", "path.scallop_mm=0.2", "--set", "tool.stickout_mm=12"];
+    let args = [&["advise", &prism(), "-o", "out"], &tool[..]].concat();
+    let out = bladewright(&args, d);
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let text = std::fs::read_to_string(d.join("out/advice.json")).expect("written");
+    let advice: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert!(advice["now"]["monotone_deg"].is_null(), "{text}");
+    let least = advice["least_stickout_mm"].as_f64().expect("a stick-out opens it");
+    assert!(least > 12.0, "{text}");
+    // What is advised works, and a little less does not.
+    for (stickout, code) in [(least + 0.5, 0), (least - 2.0, 3)] {
+        let set = format!("tool.stickout_mm={stickout}");
+        let args = ["channel", &prism(), "-o", "again", "--set", "path.scallop_mm=0.2", "--set", &set];
+        assert_eq!(bladewright(&args, d).status.code(), Some(code), "{stickout}");
+    }
+}
