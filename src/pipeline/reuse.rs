@@ -7,7 +7,7 @@
 //! | taken over | where these are the same |
 //! | --- | --- |
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
-//! | path and channel | those, the whole tool, `[channel]`, B, fixtures and stock |
+//! | path and channel | those, the whole tool, `[channel]`, the machine, B, fixtures and stock |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
@@ -81,6 +81,8 @@ impl<'a> Earlier<'a> {
             return None;
         }
         let among = mine.obstacles == yours.obstacles && a.fixture == b.fixture && a.stock == b.stock;
+        // The machine limits the rotary axis.
+        let among = among && mine.machine == yours.machine;
         if !(among && a.tool == b.tool && a.channel == b.channel && a.machine.b_deg == b.machine.b_deg) {
             return b.region.end_mm.is_some().then_some(Stage::Path);
         }
