@@ -261,7 +261,11 @@ fn main() {
     let alone: Vec<usize> = std::env::args().filter_map(|a| a.parse().ok()).collect();
     let sizes: &[usize] = if !alone.is_empty() {
         &alone
-    } else if quick { &[10_000, 50_000] } else { &[10_000, 100_000, 200_000, 1_000_000] };
+    } else if quick {
+        &[10_000, 50_000]
+    } else {
+        &[10_000, 100_000, 200_000, 1_000_000]
+    };
     let options = ChannelOptions {
         clearance_mm: 0.0,
         holder_clearance_mm: 0.0,

@@ -64,8 +64,8 @@ fn what_is_in_the_way_is_named() {
     let words = ["the tool starts in collision: the ball centre is inside fixture round.obj at turn 0"];
     fails(&["plan", "job.toml", "-o", "out"], d, 3, &words);
     let swallows = ["--set", "tool.stickout_mm=10", "--set", "tool.holder=[{radius_mm=300, length_mm=200}]"];
-    let prism = prism();
-    let args = [&["plan", &prism, "-o", "out", "--set", "path.scallop_mm=0.2"], &swallows[..]].concat();
+    let model = prism();
+    let args = [&["plan", &model, "-o", "out", "--set", "path.scallop_mm=0.2"], &swallows[..]].concat();
     let words =
         ["the tool starts in collision: no angle of the tool axis is free", "holder 1 against face", "stick out"];
     fails(&args, d, 3, &words);
@@ -92,8 +92,8 @@ fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();
     let tool = ["--set", "path.scallop_mm=0.2", "--set", "tool.stickout_mm=12"];
-    let prism = prism();
-    let args = [&["advise", &prism, "-o", "out"], &tool[..]].concat();
+    let model = prism();
+    let args = [&["advise", &model, "-o", "out"], &tool[..]].concat();
     let out = bladewright(&args, d);
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
     let text = std::fs::read_to_string(d.join("out/advice.json")).expect("written");

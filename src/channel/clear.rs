@@ -89,7 +89,8 @@ pub(super) fn nearest(frustum: &Frustum, axis: &Vector, corners: &[Vector; 3], c
         if room > NONE_MM {
             return Near::Clear(Tangent { at: p, margin: room, slope });
         }
-        let inside = [(0, 1), (1, 2), (2, 0)].map(|(j, k)| (corners[k] - corners[j]).cross(&(p - corners[j])).dot(&normal));
+        let inside =
+            [(0, 1), (1, 2), (2, 0)].map(|(j, k)| (corners[k] - corners[j]).cross(&(p - corners[j])).dot(&normal));
         if inside.iter().all(|s| *s >= 0.0) && margin(frustum, axis, &p).0 <= 0.0 {
             return Near::Taken(p);
         }

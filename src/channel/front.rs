@@ -68,7 +68,14 @@ impl Front {
     }
 
     /// Takes a node in, `centre` seen from the ball at `ball`; `used` is the way and the growth so far, `sweeps` what its room is about.
-    pub fn hold(&mut self, (at, centre, radius): (Start, Point, f64), room: &Room, used: [f64; 2], ball: &Point, sweeps: &[Sweep]) {
+    pub fn hold(
+        &mut self,
+        (at, centre, radius): (Start, Point, f64),
+        room: &Room,
+        used: [f64; 2],
+        ball: &Point,
+        sweeps: &[Sweep],
+    ) {
         let none = Plane { slope: Vector::zeros(), offset: 0.0, theta: 0.0 };
         let mut node = Node { at, centre, radius, others: None, planes: [none; 2] };
         if let (Some(facets), [sweep]) = (&room.facets, sweeps) {

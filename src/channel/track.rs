@@ -24,8 +24,8 @@ use crate::observe::Observer;
 use super::arcs::{Arc, Witness};
 use super::bound::{self, Between, Facet, Room, Sweep};
 use super::clear::{self, Near, Verdict};
-use super::front::Front;
 use super::forbidden::{Free, Scene, Search, Start, View};
+use super::front::Front;
 use super::profile::Profile;
 use super::region::Motion;
 use super::samples::Sample;
@@ -74,7 +74,6 @@ struct Seed {
     point: Point,
 }
 
-
 /// Workspace for the places of a stretch of the path, in their order.
 pub(super) struct Tracker<'a> {
     search: Search<'a>,
@@ -117,7 +116,8 @@ impl<'a> Tracker<'a> {
 
     /// The free intervals at a place, rising, unwrapped about the azimuth of its normal.
     pub fn next(&mut self, place: &Sample) -> Vec<Free> {
-        self.search.begin(&View { centre: place.centre, azimuth: place.azimuth, motion: Motion::none() }, &place.normal);
+        self.search
+            .begin(&View { centre: place.centre, azimuth: place.azimuth, motion: Motion::none() }, &place.normal);
         self.path_mm += self.last.map_or(0.0, |l| (place.centre - l).norm());
         self.last = Some(place.centre);
         for s in std::mem::take(&mut self.seeds) {

@@ -254,17 +254,9 @@ pub struct Compare {
 /// `channel`.
 #[derive(Debug, clap::Args)]
 pub struct Channel {
-    /// The model, or a job file (TOML).
-    pub input: PathBuf,
-    /// Folder for the results.
-    #[arg(short, long, value_name = "OUT")]
-    pub out: PathBuf,
-    /// How to read the model.
+    /// What is to be looked at.
     #[command(flatten)]
-    pub reading: Reading,
-    /// Change a key of the job; may be given more than once.
-    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
+    pub job: Job,
     /// Width at the narrowest place against B: from, to and step in degrees; without a value -20,45,2.5.
     #[arg(
         long,

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::args::{Advise, Channel};
 use super::out::sayln;
-use super::plan::draft_of;
+use super::plan::{draft_from, draft_of};
 use super::progress::Terminal;
 use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
@@ -28,8 +28,8 @@ pub fn run(args: &Channel, quiet: bool) -> Result<u8> {
 }
 
 fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
-    let mut folder = RunFolder::begin(&args.out)?;
-    let setup = Setup::load(&draft_of(&args.input, &args.reading, &args.set)?, observer)?;
+    let mut folder = RunFolder::begin(&args.job.out)?;
+    let setup = Setup::load(&draft_of(&args.job)?, observer)?;
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
     let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
@@ -109,7 +109,7 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 }
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
-    let setup = Setup::load(&draft_of(&args.input, &args.reading, &args.set)?, observer)?;
+    let setup = Setup::load(&draft_from(&args.input, &args.reading, &args.set)?, observer)?;
     let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let angles = setup.angles_b(ANGLES_DEG);

@@ -29,12 +29,16 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
 
 /// The job as typed: a job file, or a model with defaults; then the flags.
 pub(super) fn draft_of(args: &Job) -> Result<Draft> {
-    let input = args.input.as_path();
+    draft_from(&args.input, &args.reading, &args.set)
+}
+
+/// A model or job file, how to read it, and changed keys as a draft.
+pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Result<Draft> {
     let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     let is_job = is_toml && !model::table::is_header_file(input);
     let mut file = if is_job { job::load(input)? } else { JobFile::from_model(input) };
-    read_as(&mut file, &args.reading)?;
-    for assignment in &args.set {
+    read_as(&mut file, reading)?;
+    for assignment in set {
         file.set(assignment)?;
     }
     let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
