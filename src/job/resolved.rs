@@ -152,6 +152,10 @@ pub struct ChannelJob {
     /// check covers the motion that is used.
     #[serde(default)]
     pub prove_moves: bool,
+    /// Show the channel's width at other angles B in the report. Default false: it takes some seconds and changes no plan; `channel --sweep-b`
+    /// writes it as a table too.
+    #[serde(default)]
+    pub sweep_b: bool,
 }
 
 /// `[machine]`

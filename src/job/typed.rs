@@ -183,6 +183,8 @@ keys! {
         tolerance_deg: f64,
         /// Prove the walls for the moves between locations too, and move them inwards where they do not hold; slow.
         prove_moves: bool,
+        /// Show the channel's width at other angles B in the report; takes some seconds.
+        sweep_b: bool,
     }
 }
 keys! {

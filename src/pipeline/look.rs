@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::{Baseline, Setup, compare, programs_again, sketch};
+use super::{Baseline, Setup, around, compare, programs_again, sketch};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
@@ -83,6 +83,7 @@ pub(super) fn page(
     let compared = compared(folder, summary);
     let fixed = look.baseline.map(fixed_lead_of);
     let others: Vec<report::Baseline> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
+    let widths = if setup.job.channel.sweep_b { around::widths(setup, plan, observer)? } else { Vec::new() };
     let input = ReportInput {
         title: &setup.blade.name,
         blade: &setup.blade,
@@ -94,6 +95,7 @@ pub(super) fn page(
         summary: File { name: "summary", json: summary },
         verify: File { name: "verify", json: &verify },
         compare: compared.as_ref().map(|json| File { name: "compare", json }),
+        widths: &widths,
         sections: look.sections,
         checks: Some(look.report),
         forced: look.forced,

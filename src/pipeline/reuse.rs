@@ -7,7 +7,7 @@
 //! | taken over | where these are the same |
 //! | --- | --- |
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
-//! | path and channel | those, the whole tool, `[channel]`, the machine, B, fixtures and stock |
+//! | path and channel | those, the whole tool, `[channel]` but `sweep_b`, the machine, B, fixtures and stock |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed | those, the machine, the feed |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
@@ -19,7 +19,7 @@ use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Toolpath};
 use crate::error::Stage;
-use crate::job::{Job, MachineJob, ModelJob, PathJob};
+use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob};
 use crate::observe::{Observer, Warning};
 use crate::output::manifest::Input;
 
@@ -83,7 +83,7 @@ impl<'a> Earlier<'a> {
         let among = mine.obstacles == yours.obstacles && a.fixture == b.fixture && a.stock == b.stock;
         // The machine limits the rotary axis.
         let among = among && mine.machine == yours.machine;
-        if !(among && a.tool == b.tool && a.channel == b.channel && a.machine.b_deg == b.machine.b_deg) {
+        if !(among && a.tool == b.tool && same_channel(&a.channel, &b.channel) && a.machine.b_deg == b.machine.b_deg) {
             return b.region.end_mm.is_some().then_some(Stage::Path);
         }
         let machine = mine.machine == yours.machine && a.feed == b.feed;
@@ -164,6 +164,11 @@ fn same_model(a: &ModelJob, b: &ModelJob) -> bool {
 
 fn same_path(a: &PathJob, b: &PathJob) -> bool {
     let bare = |p: &PathJob| PathJob { compare: false, ..p.clone() };
+    bare(a) == bare(b)
+}
+
+fn same_channel(a: &ChannelJob, b: &ChannelJob) -> bool {
+    let bare = |c: &ChannelJob| ChannelJob { sweep_b: false, ..c.clone() };
     bare(a) == bare(b)
 }
 
