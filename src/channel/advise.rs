@@ -1,22 +1,24 @@
 //! What would open a channel, or open it wider: another B, a longer tool, a slimmer holder.
 //!
-//! All of it looks at places on the path no nearer to one another than they must be for the count asked for, and not at the moves between
-//! them: a plan with the values found is what proves them. Stick-out and holder are found by bisection: a longer
-//! shank in place of holder, or a slimmer holder, never takes room away.
+//! All of it looks at some turns of the path ([`super::stretches`]), not at all and not at the moves between locations: a plan with the values
+//! found is what proves them. Stick-out and holder are found by bisection: a longer shank in place of holder, or a slimmer
+//! holder, never takes room away.
 
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
 use crate::artifact::channel::Width;
-use crate::error::{Result, Stage};
+use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
 use crate::tool::Tool;
 
 use super::forbidden::Free;
+use super::stretches::{Stretch, stretches};
 use super::{ChannelOptions, Surroundings, chain, check_input, layers, report, samples, walls};
 
-/// Places on the path that advice looks at, about.
-const PLACES: usize = 2000;
+/// Locations of the path that advice looks at, about.
+const PLACES: usize = 3000;
 /// Bisections stop at these.
 const B_DEG: f64 = 0.1;
 const STICKOUT_MM: f64 = 0.5;
@@ -36,51 +38,132 @@ pub struct Advice {
     /// Least stick-out that has a channel at the job's B, mm, to 0.5 mm; none: no stick-out up to six times the tool's own does.
     pub least_stickout_mm: Option<f64>,
     /// Radii of the holder's stages, mm, thinner by the same factor, with which the tool has a channel at the job's B and stick-out,
-    /// as thick as possible; none: not even without a holder.
+    /// as thick as possible; none: not even one as thin as the shank, or the tool has no holder.
     pub holder_radii_mm: Option<Vec<f64>>,
     /// Places on the path that were looked at.
     pub places: usize,
 }
 
-/// About `places` of the path's locations, evenly.
-fn thinned(path: &Toolpath, places: usize) -> Toolpath {
-    let every = path.locations.len().div_ceil(places.max(1)).max(1);
-    let last = path.locations.len().saturating_sub(1);
-    let keep = path.locations.iter().enumerate().filter(|(i, _)| i % every == 0 || *i == last);
-    Toolpath { locations: keep.map(|(_, l)| *l).collect(), turns: Vec::new(), ..path.clone() }
+/// What widths are looked for in.
+struct Look<'a> {
+    around: &'a Surroundings<'a>,
+    stretches: Vec<Stretch>,
+    observer: &'a dyn Observer,
+    /// The stretch that was closed last: the likeliest to be closed again.
+    closed: AtomicUsize,
 }
 
-/// Width of the channel at the places of `path` as it is.
-fn width(around: &Surroundings, tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result<Width> {
-    let scene = around.scene(tool, options);
-    let samples = samples::along(path, f64::INFINITY);
-    let layers = layers(&scene, &samples, &Silent)?;
-    let at = |row: usize| path.locations.get(row).map_or((0, 0.0), |l| (l.turn, l.turn_s_mm));
-    let b_deg = options.b_rad.to_degrees();
-    let chain = match chain::widest(&layers, 2.0 * options.tolerance_rad) {
-        Ok(chain) => chain,
-        Err(closed) => {
-            let reporter = report::Reporter { blade: around.blade, path, scene: &scene, samples: &samples };
-            let (turn, turn_s_mm) = at(samples.get(closed.at).map_or(0, |s| s.row));
-            let binds = reporter.closed(&layers, closed.at).message;
-            return Ok(Width { b_deg, narrowest_deg: None, monotone_deg: None, turn, turn_s_mm, binds });
+impl<'a> Look<'a> {
+    fn new(around: &'a Surroundings<'a>, path: &Toolpath, places: usize, observer: &'a dyn Observer) -> Self {
+        let samples = samples::along(path, f64::INFINITY);
+        let stretches = stretches(path, &samples, places);
+        Look { around, stretches, observer, closed: AtomicUsize::new(0) }
+    }
+
+    /// Locations that are looked at.
+    fn places(&self) -> usize {
+        self.stretches.iter().map(|s| s.path.locations.len()).sum()
+    }
+
+    /// Width of the channel; of several stretches the narrowest, or the first that is closed.
+    fn width(&self, tool: &Tool, options: &ChannelOptions) -> Result<Width> {
+        let first_closed = AtomicUsize::new(usize::MAX);
+        let one = |(i, stretch): (usize, &Stretch)| {
+            // What comes after a closed one does not matter any more; what comes before does.
+            if i > first_closed.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
+            let width = self.width_of(stretch, tool, options, true)?;
+            if width.monotone_deg.is_none() {
+                first_closed.fetch_min(i, Ordering::Relaxed);
+            }
+            Ok(Some(width))
+        };
+        let found: Vec<Option<Width>> = self.stretches.par_iter().enumerate().map(one).collect::<Result<_>>()?;
+        let mut all = found.into_iter().flatten();
+        let Some(mut least) = all.next() else {
+            return Err(Error::usage(Stage::Channel, "the tool path has no cutter locations"));
+        };
+        for w in all {
+            if least.monotone_deg.is_none() {
+                break;
+            }
+            let narrowest_deg = least.narrowest_deg.zip(w.narrowest_deg).map(|(a, b)| a.min(b));
+            if w.monotone_deg < least.monotone_deg {
+                least = w;
+            }
+            least.narrowest_deg = narrowest_deg.filter(|_| least.monotone_deg.is_some());
         }
-    };
-    let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k).copied()).collect();
-    let mut rows = walls::rows(&samples, &chosen, &scene);
-    let narrowest_deg = rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).reduce(f64::min);
-    let _ = walls::hulls(&mut rows);
-    let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
-    let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
-    let (turn, turn_s_mm) = at(row);
-    let binds = rows.get(row).map_or_else(String::new, |r| {
-        let (low, high) = (report::short(&r.binds_min), report::short(&r.binds_max));
-        format!("{low} below, {high} above")
-    });
-    Ok(Width { b_deg, narrowest_deg, monotone_deg: Some(monotone.to_degrees()), turn, turn_s_mm, binds })
+        Ok(least)
+    }
+
+    /// A schedule that never turns back exists in every stretch.
+    fn is_open(&self, tool: &Tool, options: &ChannelOptions) -> Result<bool> {
+        let likeliest = self.closed.load(Ordering::Relaxed);
+        if let Some(s) = self.stretches.get(likeliest)
+            && !self.width_of(s, tool, options, false)?.is_open()
+        {
+            return Ok(false);
+        }
+        let others = self.stretches.par_iter().enumerate().filter(|(i, _)| *i != likeliest);
+        let ended = others.try_for_each(|(i, s)| match self.width_of(s, tool, options, false) {
+            Ok(w) if w.is_open() => Ok(()),
+            Ok(_) => {
+                self.closed.store(i, Ordering::Relaxed);
+                Err(None)
+            }
+            Err(e) => Err(Some(e)),
+        });
+        match ended {
+            Ok(()) => Ok(true),
+            Err(None) => Ok(false),
+            Err(Some(e)) => Err(e),
+        }
+    }
+
+    /// With `why` a closed one says what closes it.
+    fn width_of(&self, stretch: &Stretch, tool: &Tool, options: &ChannelOptions, why: bool) -> Result<Width> {
+        self.observer.check(Stage::Channel)?;
+        let scene = self.around.scene(tool, options);
+        let (path, samples) = (&stretch.path, &stretch.samples);
+        let layers = layers(&scene, samples, &Silent)?;
+        let at = |row: usize| path.locations.get(row).map_or((0, 0.0), |l| (l.turn, l.turn_s_mm));
+        let b_deg = options.b_rad.to_degrees();
+        let chain = match chain::widest(&layers, 2.0 * options.tolerance_rad) {
+            Ok(chain) => chain,
+            Err(closed) => {
+                let (blade, is_start) = (self.around.blade, stretch.is_start);
+                let reporter = report::Reporter { blade, path, scene: &scene, samples, is_start };
+                let (turn, turn_s_mm) = at(samples.get(closed.at).map_or(0, |s| s.row));
+                let binds = if why { reporter.closed(&layers, closed.at).message } else { String::new() };
+                return Ok(Width { b_deg, narrowest_deg: None, monotone_deg: None, turn, turn_s_mm, binds });
+            }
+        };
+        let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k).copied()).collect();
+        let mut rows = walls::rows(samples, &chosen, &scene);
+        let narrowest_deg = rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).reduce(f64::min);
+        let _ = walls::hulls(&mut rows);
+        let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
+        let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+        let (turn, turn_s_mm) = at(row);
+        let binds = rows.get(row).map_or_else(String::new, |r| {
+            let (low, high) = (report::short(&r.binds_min), report::short(&r.binds_max));
+            format!("{low} below, {high} above")
+        });
+        Ok(Width { b_deg, narrowest_deg, monotone_deg: Some(monotone.to_degrees()), turn, turn_s_mm, binds })
+    }
+
+    fn sweep(&self, tool: &Tool, options: &ChannelOptions, b_deg: &[f64]) -> Result<Vec<Width>> {
+        let one = |b: &f64| {
+            let options = ChannelOptions { b_rad: b.to_radians(), ..options.clone() };
+            options.validate()?;
+            self.width(tool, &options)
+        };
+        b_deg.par_iter().map(one).collect()
+    }
 }
 
-/// The channel's width at each of the angles `b_deg`, in their order, at about `places` of the path's locations.
+/// The channel's width at each of the angles `b_deg`, in their order, over about `places` locations in whole turns.
 ///
 /// # Errors
 /// Those of [`super::plan`], but a closed channel is none.
@@ -94,14 +177,7 @@ pub fn sweep_b(
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
     check_input(tool, path, options)?;
-    let path = thinned(path, places);
-    let one = |b: &f64| {
-        observer.check(Stage::Channel)?;
-        let options = ChannelOptions { b_rad: b.to_radians(), ..options.clone() };
-        options.validate()?;
-        width(around, tool, &path, &options)
-    };
-    b_deg.par_iter().map(one).collect()
+    Look::new(around, path, places, observer).sweep(tool, options, b_deg)
 }
 
 /// What would open a channel; `b_deg` are the angles to look at, rising.
@@ -116,13 +192,11 @@ pub fn advise(
     b_deg: &[f64],
     observer: &dyn Observer,
 ) -> Result<Advice> {
-    let widths = sweep_b(around, tool, path, options, b_deg, PLACES, observer)?;
-    let thin = thinned(path, PLACES);
-    let at_b = |b: f64| width(around, tool, &thin, &ChannelOptions { b_rad: b.to_radians(), ..options.clone() });
-    let with = |tool: &Tool| -> Result<bool> {
-        observer.check(Stage::Channel)?;
-        Ok(width(around, tool, &thin, options)?.is_open())
-    };
+    check_input(tool, path, options)?;
+    let look = Look::new(around, path, PLACES, observer);
+    let widths = look.sweep(tool, options, b_deg)?;
+    let at_b = |b: f64| look.is_open(tool, &ChannelOptions { b_rad: b.to_radians(), ..options.clone() });
+    let with = |tool: &Tool| look.is_open(tool, options);
     let mut best: Option<&Width> = None;
     for w in widths.iter().filter(|w| w.is_open()) {
         if best.is_none_or(|b| w.monotone_deg > b.monotone_deg) {
@@ -130,12 +204,12 @@ pub fn advise(
         }
     }
     Ok(Advice {
-        now: width(around, tool, &thin, options)?,
-        b_ranges_deg: open_ranges(&widths, |b| Ok(at_b(b)?.is_open()))?,
+        now: look.width(tool, options)?,
+        b_ranges_deg: open_ranges(&widths, at_b)?,
         best_b_deg: best.map(|w| w.b_deg),
         least_stickout_mm: least_stickout(tool, with)?,
         holder_radii_mm: thickest_holder(tool, with)?,
-        places: thin.locations.len(),
+        places: look.places(),
     })
 }
 
@@ -183,15 +257,18 @@ fn least_stickout(tool: &Tool, open: impl Fn(&Tool) -> Result<bool>) -> Result<O
 }
 
 fn thickest_holder(tool: &Tool, open: impl Fn(&Tool) -> Result<bool>) -> Result<Option<Vec<f64>>> {
-    let thinner = |factor: f64| {
-        let mut t = tool.clone();
-        t.holder.iter_mut().for_each(|h| h.radius_mm *= factor);
-        t
-    };
-    if !open(&Tool { holder: Vec::new(), ..tool.clone() })? {
+    if tool.holder.is_empty() {
         return Ok(None);
     }
-    // From the tool's own holder (0) to one of a hundredth of its radius (0.99).
-    let found = bisect(0.0, 1.0 - FACTOR, FACTOR, |less| open(&thinner(1.0 - less)))?;
+    let shank_mm = tool.shank_radius_mm;
+    let thinner = |factor: f64| {
+        let mut t = tool.clone();
+        t.holder.iter_mut().for_each(|h| h.radius_mm = (h.radius_mm * factor).max(h.radius_mm.min(shank_mm)));
+        t
+    };
+    // From the tool's own holder (0) to one that is nowhere thicker than the shank.
+    let thickest_mm = tool.holder.iter().map(|h| h.radius_mm).fold(shank_mm, f64::max);
+    let most = (1.0 - shank_mm / thickest_mm).max(FACTOR);
+    let found = bisect(0.0, most, FACTOR, |less| open(&thinner(1.0 - less)))?;
     Ok(found.map(|less| thinner(1.0 - less).holder.iter().map(|h| h.radius_mm).collect()))
 }

@@ -180,10 +180,28 @@ pub(super) fn room(
     if far > NONE_MM {
         return Some(Room::new(far, 0.0));
     }
-    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
-    if !one_arc(profile, v, radius) {
-        return walked(profile, sweeps, b, v, radius, half, rho);
+    if one_arc(profile, v, radius) {
+        return room_beside(profile, sweeps, b, v, radius, half);
     }
+    // What is clear of a longer and thicker tool is clear of this one.
+    let tall = profile.tall.as_ref().filter(|t| one_arc(t, v, radius));
+    if let Some(room) = tall.and_then(|t| room_beside(t, sweeps, b, v, radius, half)) {
+        return Some(room);
+    }
+    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
+    walked(profile, sweeps, b, v, radius, half, rho)
+}
+
+/// As [`room`] for a node whose points are inside the tool for one arc each.
+fn room_beside(
+    profile: &Profile,
+    sweeps: &[Sweep],
+    b: (f64, f64),
+    v: &Vector,
+    radius: f64,
+    half: &[Vector; 3],
+) -> Option<Room> {
+    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
     if !sweeps.iter().all(|s| s.is_beside(v, radius)) {
         let mm = least_at_own_azimuth(profile, b, v, radius, half);
         return (mm > NONE_MM).then_some(Room::new(mm, 0.0));
@@ -214,6 +232,11 @@ fn walked(
     half: &[Vector; 3],
     rho: f64,
 ) -> Option<Room> {
+    // Most that are not clear at all are not clear at an end.
+    let mut ends = sweeps.iter().flat_map(|s| s.axes);
+    if ends.any(|axis| least_margin(profile, &axis, v, radius, half) <= NONE_MM) {
+        return None;
+    }
     let mut mm = f64::INFINITY;
     for s in sweeps {
         let mut at = s.lo;
@@ -236,33 +259,57 @@ fn walked(
 }
 
 /// What there is to say about a triangle between the ends of the intervals.
-pub(super) enum Between {
+pub(super) enum Between<'a> {
     /// It has this room at all angles, mm.
     Room(f64),
     /// The margins at the ends decide.
     Ends,
+    /// If it is clear of this tool around the tool at the ends, it is clear.
+    Around(&'a Profile),
     /// Nothing: it is too large to tell.
     Nothing,
 }
 
 /// As [`room`] for a triangle within `radius` of its point `v`, but for the margins at the ends of the intervals.
-pub(super) fn between_ends(
+pub(super) fn between_ends<'a>(
+    profile: &'a Profile,
+    sweeps: &[Sweep],
+    b: (f64, f64),
+    corners: &[Vector; 3],
+    v: &Vector,
+    radius: f64,
+) -> Between<'a> {
+    let beside = sweeps.iter().all(|s| s.is_beside(v, radius));
+    let one = one_arc(profile, v, radius);
+    if one && beside {
+        return Between::Ends;
+    }
+    let tall = profile.tall.as_deref().filter(|t| !one && one_arc(t, v, radius));
+    if let Some(tall) = tall.filter(|_| beside) {
+        return Between::Around(tall);
+    }
+    let half = [corners[1] - corners[0], corners[2] - corners[0], Vector::zeros()];
+    let own = if one { Some(profile) } else { tall };
+    let mm = own.map_or(0.0, |p| least_at_own_azimuth(p, b, v, radius, &half));
+    if mm > NONE_MM {
+        Between::Room(mm)
+    } else if one {
+        Between::Nothing
+    } else {
+        by_steps(profile, sweeps, b, corners, v, radius)
+    }
+}
+
+/// As [`between_ends`] for any profile, angle by angle.
+pub(super) fn by_steps(
     profile: &Profile,
     sweeps: &[Sweep],
     b: (f64, f64),
     corners: &[Vector; 3],
     v: &Vector,
     radius: f64,
-) -> Between {
-    if one_arc(profile, v, radius) && sweeps.iter().all(|s| s.is_beside(v, radius)) {
-        return Between::Ends;
-    }
+) -> Between<'static> {
     let half = [corners[1] - corners[0], corners[2] - corners[0], Vector::zeros()];
-    let mm = if one_arc(profile, v, radius) {
-        least_at_own_azimuth(profile, b, v, radius, &half)
-    } else {
-        let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
-        walked(profile, sweeps, b, v, radius, &half, rho).map_or(0.0, |r| r.mm)
-    };
-    if mm > NONE_MM { Between::Room(mm) } else { Between::Nothing }
+    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
+    walked(profile, sweeps, b, v, radius, &half, rho).map_or(Between::Nothing, |r| Between::Room(r.mm))
 }

@@ -44,6 +44,7 @@ mod profile;
 mod region;
 mod report;
 mod samples;
+mod stretches;
 mod tangent;
 mod track;
 mod tree;
@@ -180,7 +181,8 @@ pub fn plan_among(
     let scene = surroundings.scene(tool, options);
     let samples = samples::along(path, options.max_step_mm);
     let layers = layers(&scene, &samples, observer)?;
-    let reporter = report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples };
+    let reporter =
+        report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
     let mut lifts = Vec::new();

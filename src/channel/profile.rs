@@ -156,6 +156,39 @@ pub(super) struct Profile {
     /// Nowhere does the profile, clearances included, become narrower upwards, and nowhere does its outline come nearer to
     /// the ball centre: a point that leaves the tool as the tool turns away from it does not come into it again.
     pub widens: bool,
+    /// A tool around this one that widens and is longer than all that this one reaches; none where there is no such simple one.
+    pub tall: Option<Box<Profile>>,
+}
+
+/// Nowhere narrower upwards, and nowhere is the outline nearer to the ball centre.
+fn widens(frusta: &[Frustum]) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    frusta.iter().all(|f| f.c1 >= 0.0 && f.z0 * f.cos + f.r0 * f.sin >= -ROUNDING)
+        && frusta.windows(2).all(|w| {
+            let (a, b) = (&w[0], &w[1]);
+            a.z1 >= b.z0 - ROUNDING && a.r1 <= b.r0 + ROUNDING && a.clearance <= b.clearance
+        })
+}
+
+/// Every part at least as thick as those below it, the last drawn out upwards.
+fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
+    let (mut radius, mut clearance) = (0.0f64, 0.0f64);
+    let mut out: Vec<Frustum> = Vec::with_capacity(frusta.len());
+    for (k, f) in frusta.iter().enumerate() {
+        let drawn_out = if k + 1 == frusta.len() { 8.0 * farthest } else { 0.0 };
+        let (z1, r1) = (f.z1 + drawn_out, f.r1 + drawn_out * f.c1.max(0.0));
+        let r0 = f.r0.max(radius);
+        // Of a cone that begins thinner than what is below it the cylinder at its upper end is enough.
+        let (r0, r1) = if r0 > f.r0 { (r0.max(r1), r0.max(r1)) } else { (r0, r1.max(r0)) };
+        clearance = clearance.max(f.clearance);
+        radius = r1;
+        let segment = Segment { name: String::new(), z0: f.z0, z1, r0, r1 };
+        out.push(Frustum::new(&segment, clearance));
+    }
+    let length = out.last().map_or(0.0, |f| f.z1);
+    widens(&out).then(|| {
+        Box::new(Profile { frusta: out, names: Vec::new(), length, farthest: 2.0 * length, widens: true, tall: None })
+    })
 }
 
 impl Profile {
@@ -174,16 +207,12 @@ impl Profile {
     }
 
     fn of(frusta: Vec<Frustum>, names: Vec<String>) -> Self {
-        const ROUNDING: f64 = 1e-9;
-        let widens = frusta.iter().all(|f| f.c1 >= 0.0 && f.z0 * f.cos + f.r0 * f.sin >= -ROUNDING)
-            && frusta.windows(2).all(|w| {
-                let (a, b) = (&w[0], &w[1]);
-                a.z1 >= b.z0 - ROUNDING && a.r1 <= b.r0 + ROUNDING && a.clearance <= b.clearance
-            });
+        let widens = widens(&frusta);
         let length = frusta.last().map_or(0.0, |f| f.z1);
         let reach = |f: &Frustum| f.z0.hypot(f.r0).max(f.z1.hypot(f.r1)) + f.clearance;
         let farthest = frusta.iter().map(reach).fold(0.0, f64::max);
-        Profile { frusta, names, length, farthest, widens }
+        let tall = tall(&frusta, farthest);
+        Profile { frusta, names, length, farthest, widens, tall }
     }
 
     /// The same with only some of its parts, by index.

@@ -14,6 +14,8 @@ pub(super) struct Reporter<'a> {
     pub path: &'a Toolpath,
     pub scene: &'a Scene<'a>,
     pub samples: &'a [Sample],
+    /// The first of them is where the tool starts.
+    pub is_start: bool,
 }
 
 impl Reporter<'_> {
@@ -26,7 +28,7 @@ impl Reporter<'_> {
         let here = layers.get(at).map(Vec::as_slice).unwrap_or_default();
         if here.is_empty() {
             let (what, advice) = self.everything_taken(sample);
-            let start = if at == 0 { "the tool starts in collision: " } else { "" };
+            let start = if at == 0 && self.is_start { "the tool starts in collision: " } else { "" };
             let message = format!("{start}no angle of the tool axis is free at {place}: {what}");
             return Error::infeasible(Stage::Channel, message).advise(advice).region_may_end(self.above(sample.row));
         }

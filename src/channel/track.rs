@@ -291,15 +291,30 @@ impl<'a> Tracker<'a> {
                 if self.sweeps.is_empty() {
                     return None;
                 }
-                let between = bound::between_ends(&on.profile, &self.sweeps, b, &corners, &middle, radius);
-                let found = match between {
+                let mut between = bound::between_ends(&on.profile, &self.sweeps, b, &corners, &middle, radius);
+                let mut found = Look::Open;
+                if let Between::Around(tall) = between {
+                    found = look(tall, &self.sweeps, &corners, &middle, radius);
+                    let mut axes = self.sweeps.iter().flat_map(|s| s.axes);
+                    let mut own = |p: &Vector| axes.any(|axis| bound::margin(&on.profile, &axis, p) <= 0.0);
+                    let decided = match &found {
+                        Look::Clear(_) => true,
+                        Look::Taken(p) => own(p),
+                        Look::Open => false,
+                    };
+                    if !decided {
+                        found = Look::Open;
+                        between = bound::by_steps(&on.profile, &self.sweeps, b, &corners, &middle, radius);
+                    }
+                }
+                match between {
                     Between::Room(mm) => {
                         least = least.min(mm);
                         continue 'pieces;
                     }
-                    Between::Nothing => Look::Open,
-                    Between::Ends => look(&on.profile, &self.sweeps, &corners, &middle, radius),
-                };
+                    Between::Ends => found = look(&on.profile, &self.sweeps, &corners, &middle, radius),
+                    Between::Nothing | Between::Around(_) => {}
+                }
                 match found {
                     Look::Taken(p) => {
                         self.search.take_point(body, leaf, &(centre + p));

@@ -141,7 +141,7 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
         found.holder_radii_mm.as_ref().map(|r| r.iter().map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(", "));
     row(
         "thickest holder that opens it",
-        radii.map_or_else(|| "none, not even without".into(), |r| format!("radii {r} mm")),
+        radii.map_or_else(|| "none, not even as thin as the shank".into(), |r| format!("radii {r} mm")),
     );
     sayln!("looked at {} places of the path; a plan with these values proves the moves between them", found.places);
     if let Some(out) = &args.out {

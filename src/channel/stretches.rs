@@ -1,0 +1,51 @@
+//! Parts of a path that stand for all of it: whole turns, at full density.
+//!
+//! Places far apart would not do: the free angles turn by half a circle within a millimetre at an edge of the blade, so intervals of
+//! places next to one another would not overlap, and what is carried from place to place would be lost. Neighbouring turns are
+//! alike. A schedule that never turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
+//! turn and a quarter of the next.
+
+use crate::artifact::Toolpath;
+
+use super::samples::Sample;
+
+/// Share of the next turn that belongs to a stretch.
+const OVERLAP: f64 = 0.25;
+
+/// A part of the path.
+pub(super) struct Stretch {
+    /// Its locations as a path of their own; no turns.
+    pub path: Toolpath,
+    /// Its places; rows count from the part's beginning, angles are those of the whole path.
+    pub samples: Vec<Sample>,
+    /// The tool starts here.
+    pub is_start: bool,
+}
+
+/// Stretches with about `places` locations in all, the first and the last turn among them; the whole path in one where it has no more than
+/// that. `samples` are those of the path.
+pub(super) fn stretches(path: &Toolpath, samples: &[Sample], places: usize) -> Vec<Stretch> {
+    let count = path.locations.len();
+    let turns = path.turns.len();
+    let each = ((1.0 + OVERLAP) * count as f64 / turns.max(1) as f64).max(1.0);
+    let wanted = ((places as f64 / each) as usize).max(2);
+    if count <= places || wanted >= turns {
+        return vec![part(path, samples, 0, count)];
+    }
+    let chosen = (0..wanted).map(|k| k * (turns - 1) / (wanted - 1));
+    let ranges = chosen.filter_map(|t| {
+        let turn = path.turns.get(t)?;
+        let beyond = (OVERLAP * turn.count as f64) as usize;
+        Some((turn.first, turn.first.saturating_add(turn.count).saturating_add(beyond).min(count)))
+    });
+    ranges.filter(|(from, to)| from < to).map(|(from, to)| part(path, samples, from, to)).collect()
+}
+
+/// Locations `from .. to`.
+fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> Stretch {
+    let inside = |s: &&Sample| s.row >= from && (s.row + 1 < to || (s.row + 1 == to && s.fraction == 0.0));
+    let samples = samples.iter().filter(inside).map(|s| Sample { row: s.row - from, ..*s }).collect();
+    let locations = path.locations.get(from..to).unwrap_or_default().to_vec();
+    let path = Toolpath { locations, turns: Vec::new(), end_reason: String::new(), ..*path };
+    Stretch { path, samples, is_start: from == 0 }
+}
