@@ -33,6 +33,14 @@ occ-load *models="models/steam_root.step models/compressor_twist.step models/tur
     cargo build --release --examples
     "${PYTHON:-python3}" tests/occ/load.py target/release {{models}}
 
+# Free angles against brute force and parry3d: tens of thousands of random tools, parts and moves
+brute times="50":
+    BLADEWRIGHT_CASES={{times}} cargo nextest run --release --lib channel::tests::brute
+
+# The channel of 100 000 locations beside generic collision tests
+bench-channel:
+    cargo bench --bench channel
+
 # Closest points a second, beside parry's query to the triangles
 bench:
     cargo bench --bench closest

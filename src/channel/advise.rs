@@ -40,8 +40,24 @@ pub struct Advice {
     /// Radii of the holder's stages, mm, thinner by the same factor, with which the tool has a channel at the job's B and stick-out,
     /// as thick as possible; none: not even one as thin as the shank, or the tool has no holder.
     pub holder_radii_mm: Option<Vec<f64>>,
-    /// Places on the path that were looked at.
+    /// Greatest shank radius, mm, no less than the ball's, that has a channel with the rest of the tool as it is; none: not even a cutter as
+    /// thin as its ball.
+    pub shank_radius_mm: Option<f64>,
+    /// Where no B opens it: which B leads farthest.
+    pub farthest: Option<Farthest>,
+    /// Locations of the path that were looked at.
     pub places: usize,
+}
+
+/// How far a channel leads before it closes.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Farthest {
+    /// B, degrees.
+    pub b_deg: f64,
+    /// Turn in which it closes first, of those that were looked at.
+    pub turn: u32,
+    /// Height of the ball centre there along the blade axis, mm.
+    pub height_mm: f64,
 }
 
 /// What widths are looked for in.
@@ -209,6 +225,8 @@ pub fn advise(
         best_b_deg: best.map(|w| w.b_deg),
         least_stickout_mm: least_stickout(tool, with)?,
         holder_radii_mm: thickest_holder(tool, with)?,
+        shank_radius_mm: thickest_shank(tool, with)?,
+        farthest: if best.is_none() { farthest(&widths, path) } else { None },
         places: look.places(),
     })
 }
@@ -271,4 +289,27 @@ fn thickest_holder(tool: &Tool, open: impl Fn(&Tool) -> Result<bool>) -> Result<
     let most = (1.0 - shank_mm / thickest_mm).max(FACTOR);
     let found = bisect(0.0, most, FACTOR, |less| open(&thinner(1.0 - less)))?;
     Ok(found.map(|less| thinner(1.0 - less).holder.iter().map(|h| h.radius_mm).collect()))
+}
+
+fn thickest_shank(tool: &Tool, open: impl Fn(&Tool) -> Result<bool>) -> Result<Option<f64>> {
+    let most_mm = (tool.shank_radius_mm - tool.radius_mm).max(0.0);
+    let step_mm = (FACTOR * tool.shank_radius_mm).max(0.5 * FACTOR);
+    // From the tool's own shank (0) to one as thin as the ball.
+    let thinner = |by_mm: f64| Tool { shank_radius_mm: tool.shank_radius_mm - by_mm, ..tool.clone() };
+    let found = bisect(0.0, most_mm, step_mm, |by_mm| open(&thinner(by_mm)))?;
+    Ok(found.map(|by_mm| thinner(by_mm).shank_radius_mm))
+}
+
+/// Of closed channels the one that closes last.
+fn farthest(widths: &[Width], path: &Toolpath) -> Option<Farthest> {
+    let far = |w: &Width| (w.turn, w.turn_s_mm);
+    let mut best: Option<&Width> = None;
+    for w in widths.iter().filter(|w| w.monotone_deg.is_none()) {
+        if best.is_none_or(|b| far(b) < far(w)) {
+            best = Some(w);
+        }
+    }
+    let w = best?;
+    let at = path.locations.iter().find(|l| far(w) <= (l.turn, l.turn_s_mm))?;
+    Some(Farthest { b_deg: w.b_deg, turn: w.turn, height_mm: at.centre.x })
 }

@@ -56,7 +56,7 @@ use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
 
-pub use advise::{Advice, advise, sweep_b};
+pub use advise::{Advice, Farthest, advise, sweep_b};
 pub use options::ChannelOptions;
 
 use arcs::Witness;

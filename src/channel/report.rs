@@ -226,6 +226,6 @@ fn advice_for(ends: &[Binding]) -> String {
             Binding::Free => {}
         }
     }
-    add("try another B or a smaller ball radius (`bladewright advise` says which)");
+    add("try another B (`bladewright advise` says which) or a smaller ball radius");
     out.join("; ")
 }

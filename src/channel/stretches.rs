@@ -49,3 +49,35 @@ fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> Stretch 
     let path = Toolpath { locations, turns: Vec::new(), end_reason: String::new(), ..*path };
     Stretch { path, samples, is_start: from == 0 }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::samples;
+    use super::super::tests::world::{ellipse, helix};
+    use super::*;
+
+    #[test]
+    fn stretches_are_parts_of_the_path_with_its_own_angles() {
+        let path = helix(&ellipse(20.0, 8.0), 4.0, 60, 12, 6.0, 0.4);
+        let all = samples::along(&path, f64::INFINITY);
+        let parts = stretches(&path, &all, 240);
+        assert_eq!(parts.len(), 3);
+        assert_eq!(parts.iter().map(|p| p.path.locations.len()).collect::<Vec<_>>(), [75, 75, 60]);
+        assert!(parts[0].is_start && !parts[1].is_start);
+        assert_eq!(parts[2].path.locations.last(), path.locations.last());
+        for p in &parts {
+            let at_locations: Vec<_> = p.samples.iter().filter(|s| s.fraction == 0.0).collect();
+            assert_eq!(at_locations.len(), p.path.locations.len());
+            for (i, s) in at_locations.iter().enumerate() {
+                let l = p.path.locations[i];
+                assert_eq!((s.row, s.centre), (i, l.centre));
+                let of_all = all.iter().find(|a| a.centre == l.centre).unwrap();
+                assert_eq!(s.azimuth, of_all.azimuth);
+            }
+        }
+        // All of it where that is asked for.
+        let whole = stretches(&path, &all, 720);
+        assert_eq!((whole.len(), whole[0].samples.len()), (1, all.len()));
+    }
+}

@@ -133,17 +133,19 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     }
     let mm = |v: Option<f64>, none: &str| v.map_or_else(|| none.to_owned(), |v| format!("{v:.1} mm"));
     let now_mm = format!(" (now {} mm)", tool.stickout_mm);
-    row(
-        "least stick-out that opens it",
-        mm(found.least_stickout_mm, "none: the cutter itself is in the way") + &now_mm,
-    );
+    row("least stick-out that opens it", mm(found.least_stickout_mm, "none") + &now_mm);
     let radii =
         found.holder_radii_mm.as_ref().map(|r| r.iter().map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(", "));
     row(
         "thickest holder that opens it",
         radii.map_or_else(|| "none, not even as thin as the shank".into(), |r| format!("radii {r} mm")),
     );
-    sayln!("looked at {} places of the path; a plan with these values proves the moves between them", found.places);
+    let now_mm = format!(" (now {} mm)", tool.shank_radius_mm);
+    row("thickest shank that opens it", mm(found.shank_radius_mm, "none, not even as thin as the ball") + &now_mm);
+    if let Some(f) = &found.farthest {
+        row("leads farthest", format!("B = {}°: to height {:.2} mm, turn {}", f.b_deg, f.height_mm, f.turn));
+    }
+    sayln!("looked at {} locations of the path; a plan with these values proves the moves between them", found.places);
     if let Some(out) = &args.out {
         let mut folder = RunFolder::begin(out)?;
         folder.add_json("advice.json", &found)?;

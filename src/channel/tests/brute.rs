@@ -22,6 +22,12 @@ use crate::tool::{HolderStage, Tool};
 const GRID: usize = 9;
 const ROOM: (f64, f64) = (0.2, 1.0);
 
+/// Cases of a test: so many times what the environment says.
+fn cases(some: u32) -> u32 {
+    let times = std::env::var("BLADEWRIGHT_CASES").ok().and_then(|v| v.parse().ok());
+    some.saturating_mul(times.unwrap_or(1))
+}
+
 /// A tool with a taper or none, a shank and up to three holder stages, narrower or wider than one another.
 fn any_tool() -> impl Strategy<Value = Tool> {
     let stages = prop::collection::vec((1.0..20.0f64, 3.0..25.0f64), 0..4);
@@ -84,7 +90,7 @@ fn named(mesh: &Mesh, w: Witness, tree_side: f64) -> Option<Mesh> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
 
     /// No point of the part is inside the tool at an angle that is declared free; an angle that is declared taken is within
     /// the tolerance of one at which the triangle named by the nearest end is too near. All is turned about the blade axis
@@ -119,7 +125,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(80), ..ProptestConfig::default() })]
 
     /// Along a path, with short and long steps, every place has the free angles that it has when looked at alone, and no dense
     /// point is inside the tool at one of them.
@@ -162,7 +168,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 60, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(30), ..ProptestConfig::default() })]
 
     /// Angles declared free during a whole move are free at every time of it, in the frame that turns along; and every end is
     /// one at which something is too near at some time.
@@ -242,7 +248,7 @@ fn touches(shapes: &[(parry3d_f64::shape::ConvexPolyhedron, f64)], mesh: &Mesh, 
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(80), ..ProptestConfig::default() })]
 
     /// Between a polyhedron inside each frustum and one around it, parry3d agrees on triangles.
     #[test]

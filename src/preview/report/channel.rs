@@ -119,7 +119,8 @@ fn tangents(plan: &Plan) -> String {
 }
 
 fn against_b(input: &ReportInput) -> String {
-    let svg = plot::widths_svg(input.widths);
+    // Within HTML the name space goes without saying, and the page names nothing outside.
+    let svg = plot::widths_svg(input.widths).replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
     if svg.is_empty() {
         return String::new();
     }

@@ -6,7 +6,8 @@
 //! repository, so building the product needs no npm, and `npm run check` there tells whether it is what its sources make.
 //!
 //! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the file and the JSON pointer that they were made from
-//! (`data-figure`), and tests compare what is shown with the files.
+//! (`data-figure`), and tests compare what is shown with the files. Only the section on the channel's walls counts for itself, in the channel of
+//! `plan.json`.
 //!
 //! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where they come *nearest*
 //! to the schedule and the *greatest* of its velocities, accelerations and jerks, so nothing that matters is smoothed away. Peaks in tables are

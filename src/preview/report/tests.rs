@@ -26,6 +26,15 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         row[3] *= 2.0;
         *theta += 0.2 * (i as f64 * 0.05).sin();
     }
+    let width = |b_deg: f64, w| Width {
+        b_deg,
+        narrowest_deg: w,
+        monotone_deg: w,
+        turn: 1,
+        turn_s_mm: 2.0,
+        binds: "taper".into(),
+    };
+    let widths = [width(0.0, None), width(5.0, Some(33.25)), width(10.0, Some(30.0))];
     let fixed = Baseline { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) };
     run(ReportInput {
         title: "Cylinder </script><b> & co",
@@ -38,7 +47,7 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         summary: File { name: "summary", json: &summary },
         verify: File { name: "verify", json: &verify },
         compare: None,
-        widths: &[],
+        widths: &widths,
         sections: &sections,
         checks: Some(&report),
         forced: false,
@@ -104,6 +113,8 @@ fn the_page_is_whole_and_needs_no_network() {
         "cylinder.obj",
         "&lt;R&gt;",
         "an &lt;odd&gt; face",
+        "33.25° at B = 5°",
+        "Separate channels round the path: 1",
     ] {
         assert!(page.contains(part), "{part}");
     }
