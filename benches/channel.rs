@@ -259,7 +259,8 @@ fn peer(path: &Toolpath, ours: &[Vec<FreeInterval>], count: usize, hits: Hits) -
 fn worked_s() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     // User and system time are the 14th and 15th field, in hundredths; the second may hold blanks and ends with a bracket.
-    let fields: Vec<f64> = stat.rsplit(')').next().unwrap_or("").split_whitespace().map(|f| f.parse().unwrap_or(0.0)).collect();
+    let fields: Vec<f64> =
+        stat.rsplit(')').next().unwrap_or("").split_whitespace().map(|f| f.parse().unwrap_or(0.0)).collect();
     fields.iter().skip(11).take(2).sum::<f64>() / 100.0
 }
 

@@ -54,12 +54,12 @@ impl Sweep {
     }
 
     /// The end `k` as a slope in the frame of the tool there, and back.
-    pub fn into_tool(&self, k: usize, s: &Vector) -> Vector {
+    pub fn tool_slope(&self, k: usize, s: &Vector) -> Vector {
         let (cos, sin) = self.ends[k];
         Vector::new(s.x, cos * s.y + sin * s.z, cos * s.z - sin * s.y)
     }
 
-    pub fn from_tool(&self, k: usize, s: &Vector) -> Vector {
+    pub fn space_slope(&self, k: usize, s: &Vector) -> Vector {
         let (cos, sin) = self.ends[k];
         Vector::new(s.x, cos * s.y - sin * s.z, cos * s.z + sin * s.y)
     }

@@ -85,7 +85,7 @@ pub(super) fn nearest(frustum: &Frustum, axis: &Vector, corners: &[Vector; 3], c
         return Near::Taken(corners[k]);
     }
     if let Some(normal) = (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).try_normalize(1e-14) {
-        let (room, slope, p) = frustum.from_plane(axis, &normal, normal.dot(&corners[0]), centre);
+        let (room, slope, p) = frustum.off_plane(axis, &normal, normal.dot(&corners[0]), centre);
         if room > NONE_MM {
             return Near::Clear(Tangent { at: p, margin: room, slope });
         }

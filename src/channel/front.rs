@@ -83,7 +83,7 @@ impl Front {
             node.others = Some(Limit::new(others, room.across - room.mm + others, used));
             for k in 0..2 {
                 let f = &facets[k];
-                let (slope, theta) = (sweep.into_tool(k, &f.slope), if k == 0 { sweep.lo } else { sweep.hi });
+                let (slope, theta) = (sweep.tool_slope(k, &f.slope), if k == 0 { sweep.lo } else { sweep.hi });
                 node.planes[k] = Plane { slope, offset: f.least - f.slope.dot(&(centre - ball)), theta };
             }
         }
@@ -112,7 +112,7 @@ impl Node {
         let v = self.centre - ball;
         let clear = |k: usize, theta: f64| {
             let p = &self.planes[k];
-            p.offset + sweep.from_tool(k, &p.slope).dot(&v) - (theta - p.theta).abs() * self.radius > NONE_MM
+            p.offset + sweep.space_slope(k, &p.slope).dot(&v) - (theta - p.theta).abs() * self.radius > NONE_MM
         };
         others.holds(used) && clear(0, sweep.lo) && clear(1, sweep.hi) && sweep.is_beside(&v, self.radius)
     }

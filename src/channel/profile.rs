@@ -48,7 +48,7 @@ impl Frustum {
     }
 
     /// Margin of the plane `normal · p = offset`, its slope, and a point of the plane that has it; of several, one near `by`.
-    pub fn from_plane(&self, axis: &Vector, normal: &Vector, offset: f64, by: &Vector) -> (f64, Vector, Vector) {
+    pub fn off_plane(&self, axis: &Vector, normal: &Vector, offset: f64, by: &Vector) -> (f64, Vector, Vector) {
         let up = normal.dot(axis);
         let out = normal - axis * up;
         let off = out.norm();
