@@ -156,10 +156,9 @@ fn finish(
         })
         .collect::<Result<_>>()?;
     let highest = turns.first().into_iter().flatten().map(|t| t.centre.x).fold(f64::NEG_INFINITY, f64::max);
-    let Some(last) = turns.last().and_then(|t| t.last()) else {
-        return Err(Error::infeasible(Stage::Path, "no helix was laid"));
-    };
+    let Some(last) = turns.last().and_then(|t| t.last()) else { return Err(Error::infeasible(Stage::Path, "no helix was laid")) };
     let lowest = turns.last().into_iter().flatten().map(|t| t.centre.x).fold(last.centre.x, f64::min);
     let (path, _) = helix::assemble(level, options, &filled, *last, [highest, lowest], reason);
     Ok(path)
 }
+
