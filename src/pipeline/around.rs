@@ -12,8 +12,8 @@ use crate::output::manifest::{self, Input};
 
 /// Angles B that a report looks at (from, to, step, degrees).
 const REPORT_SWEEP_DEG: [f64; 3] = [-20.0, 45.0, 5.0];
-/// Places on the path that it looks at for each: a picture, in a second or two.
-const REPORT_PLACES: usize = 400;
+/// Locations of the path that it looks at for each, about: whole turns, in some seconds.
+const REPORT_PLACES: usize = 3000;
 
 impl Setup {
     /// Angles B from the first to the second by the third, degrees, as far as the machine's head goes.
