@@ -31,7 +31,7 @@ use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
 use super::{chords, helix, place, rings};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::Observer;
 
 /// The scallop of the turns that only look for the end, over that of the path.
@@ -91,7 +91,10 @@ pub(super) fn plan(
         if laid.lost.is_none() {
             let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
             let reason = end_reason(blade, &down, options);
-            return finish(level, options, reversed, reason, observer);
+            match finish(level, options, reversed, reason, observer) {
+                Err(e) if e.kind == ErrorKind::Infeasible => {}
+                done => return done,
+            }
         }
     }
     let reason = end_reason(blade, &down, options);
@@ -156,9 +159,10 @@ fn finish(
         })
         .collect::<Result<_>>()?;
     let highest = turns.first().into_iter().flatten().map(|t| t.centre.x).fold(f64::NEG_INFINITY, f64::max);
-    let Some(last) = turns.last().and_then(|t| t.last()) else { return Err(Error::infeasible(Stage::Path, "no helix was laid")) };
+    let Some(last) = turns.last().and_then(|t| t.last()) else {
+        return Err(Error::infeasible(Stage::Path, "no helix was laid"));
+    };
     let lowest = turns.last().into_iter().flatten().map(|t| t.centre.x).fold(last.centre.x, f64::min);
     let (path, _) = helix::assemble(level, options, &filled, *last, [highest, lowest], reason);
     Ok(path)
 }
-

@@ -19,8 +19,10 @@ const RAMP_STEPOVERS: f64 = 20.0;
 /// Nodes of the closed ring that are left by less than this share of a stepover stay.
 pub(super) const LEAST_SHARE: f64 = 1e-3;
 
-/// Turns that run along the end in part, before the end of a path that was left open is drawn level with the lowest of them.
-const MOST_WAITING: usize = 12;
+/// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
+const LEAST_PART: f64 = 0.05;
+/// Turns that may come no nearer to the end before one is drawn where none was given, and before a given one counts as out of reach.
+const PATIENCE: [usize; 2] = [3, 100];
 
 /// A touch of a turn, with how it came from the turn before.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +53,35 @@ impl Laid {
     }
 }
 
+/// What of the turns is not at the end yet.
+struct Rest {
+    patience: usize,
+    /// The least length so far, mm.
+    least_mm: f64,
+    /// Turns since then.
+    since: usize,
+}
+
+impl Rest {
+    fn new(patience: usize) -> Self {
+        Rest { patience, least_mm: f64::INFINITY, since: 0 }
+    }
+
+    /// Whether, with one more turn, it has not become less for too long though some of it is at the end.
+    fn stays(&mut self, turn: &[Node]) -> bool {
+        let length = |w: &[Node]| (w[1].touch.centre - w[0].touch.centre).norm();
+        let whole_mm: f64 = turn.windows(2).map(length).sum();
+        let is_free = |w: &&[Node]| w.iter().all(|n| n.stop.is_none());
+        let rest_mm: f64 = turn.windows(2).filter(is_free).map(length).sum();
+        if rest_mm < self.least_mm || rest_mm > (1.0 - LEAST_PART) * whole_mm {
+            (self.least_mm, self.since) = (rest_mm, 0);
+        } else {
+            self.since += 1;
+        }
+        self.since >= self.patience
+    }
+}
+
 /// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise seen from the tip, else up.
 #[derive(Clone)]
 pub(super) struct March<'a> {
@@ -66,24 +97,29 @@ pub(super) struct March<'a> {
 }
 
 impl March<'_> {
-    /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and one place has come to
-    /// a wall or an edge long before another, the end is drawn at the height that the other has then.
+    /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and some places have come to a
+    /// wall or an edge but no more do, the end is drawn at the height that the others have then.
     pub(super) fn to_the_end(
         mut self,
         ring: &[Touch],
         open: bool,
         progress: &dyn Fn(f64) -> Result<()>,
     ) -> Result<Laid> {
-        let mut waiting = 0;
-        let laid = self.lay(self.along(ring), progress, |turn| {
-            waiting += usize::from(turn.iter().any(|n| n.stop.is_some()));
-            open && waiting > MOST_WAITING
-        })?;
+        let mut rest = Rest::new(PATIENCE[usize::from(!open)]);
+        let mut laid = self.lay(self.along(ring), progress, |turn| rest.stays(turn))?;
         if laid.lost.is_some() || laid.is_at_the_end() {
             return Ok(laid);
         }
-        self.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
-        self.lay(laid.turns, progress, |_| false)
+        laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
+        if open {
+            self.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
+            let mut rest = Rest::new(PATIENCE[1]);
+            laid = self.lay(laid.turns, progress, |turn| rest.stays(turn))?;
+        }
+        if !laid.is_at_the_end() {
+            laid.lost = laid.last().iter().find(|n| n.stop.is_none()).map(|n| n.touch.centre);
+        }
+        Ok(laid)
     }
 
     /// A first turn, closed, along a ring.

@@ -13,9 +13,9 @@
 //! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop allows at the worst place
 //!   of the turn, the scallop being measured on the part (`stepover`), not derived from curvature.
 //! * [`PathKind::IsoParametric`] (`iso_parametric`): equal parts of the way from start to end at each place round the blade.
-//! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid from the turn before it, touch by
-//!   touch, straight across, as far as leaves the scallop (`neighbour`). It begins with a whole turn along the ring at the start
-//!   height and closes onto its end likewise.
+//! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid from the turn beside it, touch by
+//!   touch, straight across, as far as leaves the scallop (`neighbour`). The last turn runs along the end of the region, the others alongside
+//!   it, and the first is the lowest that is nowhere under the start height.
 //!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`). With
 //! [`PathOptions::stock_mm`], all this is on the part with so much stock on it ([`crate::geometry::allowance`]).
@@ -32,7 +32,7 @@
 //! ## Limits
 //! The helix ends where a wall leans towards the tip by more than [`PathOptions::max_lean_rad`]; turns at constant height leave too much
 //! beyond it. With those the scallop is at or under the limit everywhere, not constant along a turn. With constant
-//! scallop turns tilt where the way down is longer on one side: places that are at the end early are passed again until all are.
+//! scallop turns slant as the end does.
 
 mod chords;
 mod constant_height;

@@ -22,12 +22,21 @@ const NEARLY: f64 = 0.02;
 const MOST_TRIES: usize = 14;
 /// Steps of a walk before it is given up.
 const MOST_STEPS: usize = 400;
-/// Round an edge the contact moves by less than this share of what the centre does: its radius is under a hundredth of the ball's.
+/// Round an edge the contact moves, across the edge, by less than this share of what the centre does: its radius is under a hundredth of
+/// the ball's.
 const STILL: f64 = 0.01;
-/// Turn of the normal about one contact from which on an edge ends a path, rad: less are facets and the edges between faces.
-const SHARP_RAD: f64 = 0.6;
+/// Turn of the normal about one contact from which on an edge ends a path, rad, on exact faces and on a mesh: less are the edges between
+/// faces, and facets over curved ones.
+const SHARP_RAD: [f64; 2] = [0.6, 1.0];
+/// Turns by which the ball is rolled on to see whether it rolls, rad, and how often.
+const ON_RAD: f64 = 0.1;
+const MOST_ROLL: usize = 12;
+/// Round the end of an edge, where it curves itself, by less than this share in all, on exact faces and on a mesh, where it does not curve.
+const ROUND: [f64; 2] = [0.15, STILL];
+/// The least share of the way to a neighbour on which a ball is found to roll over an edge.
+const LEAST_ROLL: f64 = 0.02;
 /// Halvings towards the place where the ball begins to roll over an edge.
-const EDGE_HALVINGS: usize = 12;
+const EDGE_HALVINGS: usize = 16;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
 
@@ -54,6 +63,9 @@ pub struct Bounds {
 }
 
 impl Bounds {
+    /// No bounds.
+    const NONE: Bounds = Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY };
+
     /// Whether a touch is within.
     pub fn hold(&self, t: &Touch) -> bool {
         (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x) && t.normal.x.abs() <= self.max_sin_lean
@@ -80,6 +92,19 @@ pub struct Next {
     pub way_mm: f64,
     /// Why it is nearer than the scallop asks for.
     pub stop: Option<Stop>,
+}
+
+/// Whether the ball rolls over one edge between two places of one way: its normal turns, and its contact moves along the edge at most, which is
+/// across the turn.
+fn rolls_over(a: &Next, b: &Next) -> bool {
+    let turn = (b.touch.normal - a.touch.normal).try_normalize(1e-9);
+    let moved = b.touch.contact - a.touch.contact;
+    turn.is_some_and(|t| moved.dot(&t).abs() < STILL * (b.way_mm - a.way_mm).abs())
+}
+
+/// Whether the ball rolls round the end of an edge, or an edge that is hardly rounded, between two places of one way: its contact stays about there.
+fn rolls_round(a: &Next, b: &Next, share: f64) -> bool {
+    (b.touch.contact - a.touch.contact).norm() < share * (b.way_mm - a.way_mm).abs()
 }
 
 /// The direction in which the path goes on from a touch, and the plane across it.
@@ -115,31 +140,38 @@ impl Across<'_> {
 
     /// The same, or where the ball begins to roll over a sharp edge on the way there.
     fn short_of_an_edge(&self, from: &Place, next: Next) -> Next {
-        let turn = from.touch.normal.angle(&next.touch.normal);
-        // Rolling by half the way turns the normal by so much.
-        if turn < 0.4 * next.way_mm / self.level.radius_mm {
+        let radius = self.level.radius_mm;
+        let (turn, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
+        // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it negative.
+        if turn.dot(&moved) * radius < LEAST_ROLL * moved.norm_squared() {
             return next;
         }
-        let edge = next.touch.contact;
-        let rolls = |n: &Next, way_mm: f64| (n.touch.contact - edge).norm() < STILL * (way_mm - n.way_mm).abs();
-        let past_mm = next.way_mm + SHARP_RAD * self.level.radius_mm;
-        let half = self.at_way(from, 0.5 * next.way_mm);
-        let sharp = || self.at_way(from, past_mm).is_some_and(|n| rolls(&n, next.way_mm));
-        if !half.is_some_and(|n| rolls(&n, next.way_mm)) || !sharp() {
+        let free = Across { bounds: Bounds::NONE, ..*self };
+        let farther = |turn: f64| free.at_way(from, next.way_mm + turn * radius);
+        let Some(on) = farther(ON_RAD) else { return next };
+        let facets = usize::from(self.level.part.brep.is_none());
+        let over = rolls_over(&next, &on);
+        if !over && !rolls_round(&next, &on, ROUND[facets]) {
             return next;
         }
-        let start = Next { touch: from.touch, way_mm: 0.0, stop: None };
-        let (mut before, mut low, mut high) = (start, 0.0, 0.5 * next.way_mm);
-        if !rolls(&start, next.way_mm) {
+        let rolls = |a: &Next, b: &Next| if over { rolls_over(a, b) } else { rolls_round(a, b, ROUND[facets]) };
+        let (mut before, mut low, mut high) = (Next { touch: from.touch, way_mm: 0.0, stop: None }, 0.0, next.way_mm);
+        if !rolls(&before, &on) {
             for _ in 0..EDGE_HALVINGS {
                 let middle = 0.5 * (low + high);
-                match self.at_way(from, middle) {
-                    Some(n) if !rolls(&n, next.way_mm) => (low, before) = (middle, n),
+                match free.at_way(from, middle) {
+                    Some(n) if !rolls(&n, &on) => (low, before) = (middle, n),
                     _ => high = middle,
                 }
             }
         }
-        Next { stop: Some(Stop::Edge(edge)), ..before }
+        let sharp_rad = SHARP_RAD[facets];
+        let turned = |n: &Next| before.touch.normal.angle(&n.touch.normal);
+        let rolled = (2..).map_while(|k| farther(f64::from(k) * ON_RAD).filter(|n| rolls(n, &on)));
+        if turned(&on) < sharp_rad && !rolled.take(MOST_ROLL).any(|n| turned(&n) >= sharp_rad) {
+            return next;
+        }
+        Next { stop: Some(Stop::Edge(on.touch.contact)), ..before }
     }
 
     /// The place at the given way.

@@ -104,12 +104,7 @@ pub fn tracing(options: &PathOptions) -> Tracing {
 }
 
 /// Says why the stack ended and refuses one that is too short.
-fn finish(
-    blade: &Blade,
-    options: &PathOptions,
-    rings: Vec<Ring>,
-    end: Option<Broken>,
-) -> Result<Stack> {
+fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Broken>) -> Result<Stack> {
     let Some(broken) = end else { return Ok(Stack { rings, end_reason: Toolpath::END_OF_REGION.into() }) };
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {

@@ -3,9 +3,9 @@
 
 use super::*;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
-use crate::geometry::Rigid;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
+use crate::geometry::{Rigid, Vector};
 use crate::observe::Silent;
 
 const BAR_RADIUS: f64 = 10.0;
@@ -20,19 +20,26 @@ fn bar(n: usize, radius_at: impl Fn(f64) -> f64) -> Blade {
 
 /// A body on a disc of radius 40, from its sections at the heights: `y` and `z` from height, sine and cosine.
 pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f64; 2]) -> Blade {
-    let disc = |_: f64, s: f64, c: f64| [PLATFORM * c, PLATFORM * s];
-    let mut rows: Vec<(f64, bool)> = vec![(-8.0, true), (0.0, true)];
-    rows.extend(heights.iter().map(|x| (*x, false)));
-    let mut points = Vec::new();
-    for (x, on_disc) in &rows {
-        for k in 0..n {
+    let ring = |x: f64, yz: &dyn Fn(f64, f64) -> [f64; 2]| {
+        let place = |k: usize| {
             let (s, c) = (k as f64 * std::f64::consts::TAU / n as f64).sin_cos();
-            let [y, z] = if *on_disc { disc(*x, s, c) } else { at(*x, s, c) };
-            points.push(Point::new(*x, y, z));
-        }
-    }
+            let [y, z] = yz(s, c);
+            Point::new(x, y, z)
+        };
+        (0..n).map(place).collect::<Vec<_>>()
+    };
+    let disc = |s: f64, c: f64| [PLATFORM * c, PLATFORM * s];
+    let mut rings = vec![ring(-8.0, &disc), ring(0.0, &disc)];
+    rings.extend(heights.iter().map(|x| ring(*x, &|s, c| at(*x, s, c))));
+    lofted(&rings)
+}
+
+/// A closed mesh through rings of as many points each, counter-clockwise seen from the tip, capped at both ends.
+pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
+    let n = rings[0].len();
+    let mut points = rings.concat();
     let mut triangles = Vec::new();
-    for i in 0..rows.len() - 1 {
+    for i in 0..rings.len() - 1 {
         for k in 0..n {
             let (a, b) = ((i * n + k) as u32, (i * n + (k + 1) % n) as u32);
             let (c, d) = (a + n as u32, b + n as u32);
@@ -40,14 +47,16 @@ pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f
             triangles.push([a, d, c]);
         }
     }
-    for (row, up) in [(0, false), (rows.len() - 1, true)] {
+    for (row, up) in [(0, false), (rings.len() - 1, true)] {
         let centre = points.len() as u32;
-        points.push(Point::new(rows[row].0, 0.0, 0.0));
+        let sum = rings[row].iter().fold(Vector::zeros(), |s, p| s + p.coords);
+        points.push((sum / n as f64).into());
         for k in 0..n {
             let (a, b) = ((row * n + k) as u32, (row * n + (k + 1) % n) as u32);
             triangles.push(if up { [centre, a, b] } else { [centre, b, a] });
         }
     }
+    let lowest = points.iter().map(|p| p.x).fold(f64::INFINITY, f64::min);
     let mesh = Mesh { points, triangles, ..Mesh::default() };
     assert!(mesh.volume_mm3() > 0.0);
     Blade {
@@ -56,7 +65,7 @@ pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
         regions: Regions {
-            part_x_mm: [-8.0, 60.0],
+            part_x_mm: [lowest, 60.0],
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
