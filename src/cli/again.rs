@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Again, Format, Plot, Post, Preview};
+use super::args::{Format, Plot, Post, Preview};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::{CheckReport, Plan};
@@ -61,13 +61,13 @@ fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdi
 }
 
 /// `verify`: all checks again, from the files, programs included; writes verify.json.
-pub fn verify(args: &Again, quiet: bool) -> Result<u8> {
+pub fn verify(out: &Path, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let checked = read(&args.out, &terminal).and_then(|run| check(run, &terminal));
+    let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
     terminal.finish();
     let (setup, verdict) = checked?;
     let mut report = verdict.report().clone();
-    let mut folder = RunFolder::begin(&args.out)?;
+    let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = pipeline::accept(verdict, true) {
         report.checks.extend(pipeline::programs_again(&setup, &verified, &folder)?);
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use crate::artifact::blade::Unit;
-use crate::artifact::program::Control;
+use crate::artifact::program::{Control, Programmed};
 use crate::batch::Shard;
 use crate::error::Stage;
 
@@ -64,9 +64,11 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright batch family.toml -o out/family\n  bladewright batch family.toml --list\n  bladewright batch family.toml -o out/family --retry\n  bladewright batch family.toml -o /shared/out --shard 2/8\n  bladewright batch merge family.toml -o /shared/out\n\nA family that was interrupted goes on where it was: the same command again."
     )]
     Batch(Batch),
-    /// Check a finished run again, from its files.
-    #[command(after_help = "Examples:\n  bladewright verify out/b && echo good")]
-    Verify(Again),
+    /// Check a finished run again from its files, or a program that others wrote.
+    #[command(
+        after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
+    )]
+    Verify(Verify),
     /// Write the NC program of a finished run for a control.
     #[command(
         after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml"
@@ -432,11 +434,59 @@ pub enum BatchVerb {
     },
 }
 
-/// `verify` and `preview`.
+/// `verify`.
 #[derive(Debug, clap::Args)]
-pub struct Again {
-    /// The folder of a finished run.
-    pub out: PathBuf,
+pub struct Verify {
+    /// The folder of a finished run, or a program together with --part and --tool.
+    pub what: PathBuf,
+    /// The part that the program is for: a model.
+    #[arg(long, value_name = "MODEL", requires = "tool")]
+    pub part: Option<PathBuf>,
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder; job.resolved.toml of a run will do.
+    #[arg(long, value_name = "FILE", requires = "part")]
+    pub tool: Option<PathBuf>,
+    /// The machine (TOML); default: the built-in demo machine.
+    #[arg(long, value_name = "FILE", requires = "part")]
+    pub machine: Option<PathBuf>,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// The control that the program is for; default: told from its words.
+    #[arg(long, value_enum, requires = "part")]
+    pub control: Option<Control>,
+    /// A post file (TOML) that says how the program is written.
+    #[arg(long, value_name = "FILE", requires = "part", conflicts_with = "control")]
+    pub post_file: Option<PathBuf>,
+    /// What X Y Z are: the tool tip, the ball centre, or positions of the machine's axes; default: as the control has it.
+    #[arg(long, value_enum, requires = "part")]
+    pub programmed: Option<Programmed>,
+    /// Zero of the program, mm: in the blade frame under tool-centre-point control, else what is added to X Y Z of the axes.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_point, requires = "part")]
+    pub origin: Option<Axis>,
+    /// The program's coordinates are those of the CAD model, not of the blade frame (x along the blade axis).
+    #[arg(long, requires = "part", conflicts_with = "origin")]
+    pub cad: bool,
+    /// Greatest scallop, mm; without it the scallop is measured, not judged.
+    #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
+    pub scallop: Option<f64>,
+    /// Deepest gouge, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.003, requires = "part")]
+    pub gouge: f64,
+    /// Stock that is to stay on the part, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
+    pub stock: Option<f64>,
+    /// Write all findings as JSON.
+    #[arg(long, value_name = "FILE", requires = "part")]
+    pub report: Option<PathBuf>,
+}
+
+fn parse_point(text: &str) -> Result<Axis, String> {
+    let numbers: Vec<f64> =
+        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    match numbers[..] {
+        [x, y, z] if text.split(',').count() == 3 => Ok(Axis([x, y, z])),
+        _ => Err("give three numbers, as in 0,0,-120".into()),
+    }
 }
 
 /// `post`.

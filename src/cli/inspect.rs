@@ -1,6 +1,6 @@
 //! `inspect`: what is in a model file.
 
-use super::args::{Faces, Inspect, Region};
+use super::args::{Faces, Inspect, Reading, Region};
 use super::out::{say, sayln};
 use super::progress::Terminal;
 use crate::error::Result;
@@ -24,14 +24,12 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
 }
 
 fn options(args: &Inspect) -> ModelOptions {
-    let r = &args.reading;
-    let mut o = ModelOptions {
-        unit: r.unit,
-        axis: r.axis.map(|a| a.0),
-        weld_mm: args.weld,
-        close_holes_mm: args.close_holes,
-        ..ModelOptions::default()
-    };
+    ModelOptions { weld_mm: args.weld, close_holes_mm: args.close_holes, ..reading(&args.reading) }
+}
+
+/// How a model is to be read, as typed.
+pub(super) fn reading(r: &Reading) -> ModelOptions {
+    let mut o = ModelOptions { unit: r.unit, axis: r.axis.map(|a| a.0), ..ModelOptions::default() };
     for region in &r.region {
         match region {
             Region::Airfoil(heights) => o.airfoil_mm = Some(*heights),

@@ -3,6 +3,7 @@
 
 mod again;
 mod args;
+mod audit;
 mod batch;
 mod channel;
 mod compare;
@@ -61,7 +62,7 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Batch(a) => batch::run(&a, quiet),
         Verb::Channel(a) => channel::run(&a, quiet),
         Verb::Advise(a) => channel::advise(&a, quiet),
-        Verb::Verify(a) => again::verify(&a, quiet),
+        Verb::Verify(a) => audit::run(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),
         Verb::Preview(a) => again::preview(&a, quiet),
         Verb::Plot(a) => again::plot(&a, quiet),

@@ -267,6 +267,11 @@ impl Dialect {
         })
     }
 
+    /// The control, in words.
+    pub fn name(&self) -> &str {
+        &self.file.name
+    }
+
     /// File name of its programs.
     pub fn file_name(&self) -> &str {
         &self.file.file

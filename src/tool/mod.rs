@@ -21,6 +21,7 @@ pub struct HolderStage {
 
 /// A ball-end tool in its holder.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Tool {
     /// Ball radius, mm.
     pub radius_mm: f64,
@@ -50,6 +51,40 @@ pub struct Segment {
 }
 
 impl Tool {
+    /// Reads a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job will do.
+    ///
+    /// # Errors
+    /// Kind `InputOutput` where the file cannot be read, else as [`Tool::from_toml`].
+    pub fn load(path: &std::path::Path) -> Result<Self> {
+        let text = std::fs::read_to_string(path).map_err(|e| {
+            Error::io(Stage::Job, format!("cannot read the tool file {}: {e}", path.display())).caused_by(e)
+        })?;
+        Self::from_toml(&text, &path.display().to_string())
+    }
+
+    /// Reads the text of a tool file, see [`Tool::load`]; `origin` names it in messages.
+    ///
+    /// # Errors
+    /// Kind `Usage`: not TOML, an unknown or missing key, or a value out of its range.
+    pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
+        let bad = |what: &str| {
+            let what = what.trim().replace('\n', " ");
+            Error::usage(Stage::Job, format!("{origin}: {what}")).advise(
+                "a tool file has radius_mm, taper_deg, shank_radius_mm, stickout_mm (from the ball centre) and holder = \
+                 [{ radius_mm = …, length_mm = … }]; job.resolved.toml of any run will do",
+            )
+        };
+        let mut table: toml::Table = toml::from_str(text).map_err(|e| bad(e.message()))?;
+        let own = match table.remove("tool") {
+            Some(toml::Value::Table(tool)) => tool,
+            Some(_) => return Err(bad("`tool` is not a table")),
+            None => table,
+        };
+        let tool: Tool = own.try_into().map_err(|e: toml::de::Error| bad(e.message()))?;
+        tool.validate()?;
+        Ok(tool)
+    }
+
     /// Checks all values.
     ///
     /// # Errors

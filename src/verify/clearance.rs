@@ -51,12 +51,32 @@ impl Nearest {
     }
 }
 
-/// The motion as it is looked at: centres and θ per row, the tool's segments.
+/// Where the tool is at each row; between rows the centre goes straight, θ and B change evenly.
+#[derive(Clone, Copy)]
+pub(super) struct Track<'a> {
+    /// Ball centres.
+    pub centres: &'a [Point],
+    /// θ, rad.
+    pub theta: &'a [f64],
+    /// B, rad; the last one stays for rows beyond.
+    pub b_rad: &'a [f64],
+    /// Moves to look at, by their first row; `None`: all.
+    pub wanted: Option<&'a [bool]>,
+}
+
+impl Track<'_> {
+    fn wants(&self, row: usize) -> bool {
+        self.wanted.is_none_or(|w| w.get(row) == Some(&true))
+    }
+    fn lean(&self, row: usize) -> f64 {
+        self.b_rad.get(row).or(self.b_rad.last()).copied().unwrap_or(0.0)
+    }
+}
+
+/// The motion as it is looked at, and the tool's segments.
 struct Motion<'a> {
     part: &'a Part,
-    centres: Vec<Point>,
-    theta: &'a [f64],
-    b_rad: f64,
+    track: Track<'a>,
     segments: &'a [Segment],
     resolution: f64,
 }
@@ -69,15 +89,18 @@ impl<'a> Motion<'a> {
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
     fn place(&self, row: usize, t0: f64, t1: f64) -> Vec<Moving<'a>> {
-        let next = (row + 1).min(self.centres.len() - 1);
-        let (dc, dt) = (self.centres[next] - self.centres[row], self.theta[next] - self.theta[row]);
+        let Track { centres, theta, .. } = self.track;
+        let next = (row + 1).min(centres.len() - 1);
+        let (dc, dt) = (centres[next] - centres[row], theta[next] - theta[row]);
+        let (b, db) = (self.track.lean(row), self.track.lean(next) - self.track.lean(row));
         let (mid, half) = (0.5 * (t0 + t1), 0.5 * (t1 - t0));
         let moving = |frustum| Moving {
             frustum,
-            centre: self.centres[row] + dc * mid,
-            axis: tool::axis(self.b_rad, self.theta[row] + dt * mid),
+            centre: centres[row] + dc * mid,
+            axis: tool::axis(b + db * mid, theta[row] + dt * mid),
             half_move: dc * half,
             half_turn: dt * half,
+            half_lean: db * half,
         };
         self.segments.iter().map(moving).collect()
     }
@@ -123,7 +146,7 @@ impl<'a> Motion<'a> {
     fn over(&self, rows: std::ops::Range<usize>, start: Nearest) -> Nearest {
         let mut best = start;
         let mut hint = start.triangle;
-        for row in rows {
+        for row in rows.filter(|row| self.track.wants(*row)) {
             let mut open = vec![(0.0, 1.0, 0)];
             while let Some((t0, t1, depth)) = open.pop() {
                 // Half of what may be missed is left for telling points apart and for the move itself.
@@ -150,10 +173,11 @@ impl<'a> Motion<'a> {
 
     /// Least distance over the whole path.
     fn whole(&self) -> Nearest {
-        let n = self.centres.len();
+        let n = self.track.centres.len();
         // A coarse look first: its least distance lets the fine one skip nearly everything.
         let coarse: Vec<Nearest> = (0..n)
             .step_by(n.div_ceil(COARSE))
+            .filter(|row| self.track.wants(*row))
             .collect::<Vec<_>>()
             .into_par_iter()
             .map(|row| self.least(&self.place(row, 0.5, 0.5), FAR_MM, u32::MAX, row).1)
@@ -171,17 +195,36 @@ impl<'a> Motion<'a> {
 /// Least distance between `segments` of the tool and the part over the plan's motion, to `resolution_mm` (or a
 /// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
 pub(super) fn measure(plan: &Plan, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
-    let motion = Motion {
-        part,
-        centres: plan.toolpath.locations.iter().map(|l| l.centre).collect(),
-        theta: &plan.schedule.theta,
-        b_rad: plan.channel.b_rad,
-        segments,
-        resolution: resolution_mm,
-    };
+    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
+    let (theta, b_rad) = (&plan.schedule.theta, &[plan.channel.b_rad]);
+    measure_track(Track { centres: &centres, theta, b_rad, wanted: None }, part, segments, resolution_mm)
+}
+
+/// As [`measure`], over any motion of at least two rows.
+pub(super) fn measure_track(
+    track: Track,
+    part: &Part,
+    segments: &[Segment],
+    resolution_mm: f64,
+) -> (Nearest, f64) {
+    let motion = Motion { part, track, segments, resolution: resolution_mm };
     let near = motion.whole();
     let bound = near.found_mm - motion.may_miss(near.found_mm);
     (near, bound)
+}
+
+/// The moves of a motion in which the distance is less than `limit_mm`, each with its least, to `resolution_mm`.
+pub(super) fn below(
+    track: Track,
+    part: &Part,
+    segments: &[Segment],
+    resolution_mm: f64,
+    limit_mm: f64,
+) -> Vec<Nearest> {
+    let motion = Motion { part, track, segments, resolution: resolution_mm };
+    let each = |row: usize| motion.over(row..row + 1, Nearest::far(limit_mm));
+    let moves = 0..track.centres.len().saturating_sub(1);
+    moves.into_par_iter().map(each).filter(|n| n.triangle != u32::MAX).collect()
 }
 
 /// The checks `clearance` (taper, shank) and `holder-clearance`, and the least of both, mm.

@@ -69,7 +69,8 @@ pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Goug
 fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, resolution: f64) -> Gouge {
     let radius = sweep.radius_mm;
     // Farther than this no move can gouge; a distance capped there is a true lower bound.
-    let longest = moves.clone().map(|i| (sweep.centres[i + 1] - sweep.centres[i]).norm()).fold(0.0, f64::max);
+    let length = |i: usize| (sweep.centres[i + 1] - sweep.centres[i]).norm();
+    let longest = moves.clone().filter(|i| sweep.counts(*i)).map(length).fold(0.0, f64::max);
     let cap = radius + longest;
     let distance = |c: &Point| part.closest(c, cap).map_or(cap, |f| f.distance_mm);
     let mut worst = Gouge::none();
@@ -80,6 +81,10 @@ fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, r
     };
     let mut d0 = f64::NAN;
     for i in moves {
+        if !sweep.counts(i) {
+            d0 = f64::NAN;
+            continue;
+        }
         let (a, b) = (sweep.centres[i], sweep.centres[i + 1]);
         if d0.is_nan() {
             d0 = distance(&a);
@@ -104,6 +109,13 @@ fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, r
         d0 = d1;
     }
     worst
+}
+
+/// The moves that cut deeper than `limit_mm`, each with its deepest place.
+pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64, resolution_mm: f64) -> Vec<Gouge> {
+    let each = |i: usize| measure_moves(part, sweep, i..i + 1, resolution_mm);
+    let moves = 0..sweep.centres.len().saturating_sub(1);
+    moves.into_par_iter().filter(|i| sweep.counts(*i)).map(each).filter(|g| g.bound_mm > limit_mm).collect()
 }
 
 /// The check `gouge`.

@@ -22,6 +22,7 @@
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
 //! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
 
+pub mod audit;
 mod clearance;
 mod gouge;
 mod limit;

@@ -6,11 +6,12 @@
 //! `d(p) ≥ d + g·(p − q)`.
 //!
 //! Seen from the tool, a part point `p` moves during a move. With the move's parameter `τ` from −1 to 1, half its
-//! translation `m` and half its turn `ω` about the blade axis (along x, through the ball centre `c`):
+//! translation `m`, half its turn `ω` about the blade axis (along x, through the ball centre `c`) and half its lean `β` about
+//! `n`, the unit vector across x and the tool axis:
 //! ```text
-//! p(τ) = p + τ w(p) + ε,   w(p) = −m − ω x × (p − c),   |ε| ≤ ½ ω² (ρ + |m|) + |ω| |m|
+//! p(τ) = p + τ w(p) + ε,   w(p) = −m − (ω x + β n) × (p − c),   |ε| ≤ ½ Ω² (ρ + |m|) + Ω |m|,   Ω = |ω| + |β|
 //! ```
-//! (Taylor; `ρ` is the distance of `p` from the axis of the turn). Both bounds together are linear in `p` and in `τ`, so
+//! (Taylor; `ρ` is the distance of `p` from the axis of the turn, or from `c` where the tool leans too). Both bounds together are linear in `p` and in `τ`, so
 //! the least value over a triangle or box and the whole move is read off its corners. Where the part slides along the tool
 //! the bound is good to second order in the move. Halving a triangle until its own share is within the tolerance
 //! finds the least distance to that tolerance.
@@ -31,6 +32,8 @@ pub(super) struct Moving<'a> {
     pub half_move: Vector,
     /// Half the turn of the tool about x, rad.
     pub half_turn: f64,
+    /// Half the change of its angle B towards x, rad.
+    pub half_lean: f64,
 }
 
 impl Moving<'_> {
@@ -48,12 +51,27 @@ impl Moving<'_> {
 
     /// `w(p)` of the module's page.
     fn drift(&self, p: &Point) -> Vector {
-        -self.half_move - Vector::x().cross(&(p - self.centre)) * self.half_turn
+        -self.half_move - self.rotation().cross(&(p - self.centre))
+    }
+
+    /// `ω x + β n` of the module's page.
+    fn rotation(&self) -> Vector {
+        let turn = Vector::x() * self.half_turn;
+        if self.half_lean == 0.0 {
+            return turn;
+        }
+        // Turning about a × x brings the axis a towards x.
+        turn + self.axis.cross(&Vector::x()).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.half_lean
+    }
+
+    /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without signs.
+    fn from_the_axis(&self, v: &Vector) -> f64 {
+        if self.half_lean == 0.0 { v.y.hypot(v.z) } else { v.norm() }
     }
 
     /// Bound on `|ε|` of the module's page for points up to `rho` from the axis of the turn.
     fn remainder(&self, rho: f64) -> f64 {
-        let (m, turn) = (self.half_move.norm(), self.half_turn.abs());
+        let (m, turn) = (self.half_move.norm(), self.half_turn.abs() + self.half_lean.abs());
         0.5 * turn * turn * (rho + m) + turn * m
     }
 
@@ -61,10 +79,10 @@ impl Moving<'_> {
     pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
         let (d, g) = self.signed(middle);
         let v = middle - self.centre;
-        let rho = (v.y.abs() + half.y).hypot(v.z.abs() + half.z);
+        let rho = self.from_the_axis(&(v.abs() + half));
         let along = g.dot(&self.drift(middle));
-        // g·w(p) changes with p by −ω (g × x)·(p − middle).
-        let tilt = g.cross(&Vector::x()) * self.half_turn;
+        // g·w(p) changes with p by −(g × (ω x + β n))·(p − middle).
+        let tilt = g.cross(&self.rotation());
         let side = |tau: f64| tau * along - (g - tilt * tau).abs().dot(half);
         d + side(1.0).min(side(-1.0)) - self.remainder(rho)
     }
@@ -79,7 +97,7 @@ impl Moving<'_> {
         cap_mm: f64,
         tolerance_mm: f64,
     ) -> (f64, Option<(f64, Point)>) {
-        let rho = corners.iter().map(|c| (c.y - self.centre.y).hypot(c.z - self.centre.z)).fold(0.0, f64::max);
+        let rho = corners.iter().map(|c| self.from_the_axis(&(c - self.centre))).fold(0.0, f64::max);
         let remainder = self.remainder(rho);
         // What has been seen closes pieces; bounds do not, else they would creep down from piece to piece.
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
@@ -189,7 +207,7 @@ mod tests {
         [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
     }
     fn still(frustum: &Segment, axis: Vector) -> Moving<'_> {
-        Moving { frustum, centre: Point::new(1.0, 0.0, 0.0), axis, half_move: Vector::zeros(), half_turn: 0.0 }
+        Moving { frustum, centre: Point::new(1.0, 0.0, 0.0), axis, half_move: Vector::zeros(), half_turn: 0.0, half_lean: 0.0 }
     }
 
     #[test]
@@ -234,14 +252,16 @@ mod tests {
         #[test]
         fn bounds_hold_over_the_whole_move(
             a in point(), b in point(), c in point(), m in point(), turn in -0.2..0.2f64, theta in 0.0..6.0f64,
+            lean in prop_oneof![Just(0.0), -0.2..0.2f64],
         ) {
             let s = cone();
             let pose = |tau: f64| Moving {
                 frustum: &s,
                 centre: Point::origin() + m.coords * (0.1 * tau),
-                axis: crate::tool::axis(0.3, theta + turn * tau),
+                axis: crate::tool::axis(0.3 + lean * tau, theta + turn * tau),
                 half_move: m.coords * 0.1,
                 half_turn: turn,
+                half_lean: lean,
             };
             let solid = pose(0.0);
             let n = 12;

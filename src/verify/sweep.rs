@@ -19,6 +19,8 @@ pub(super) struct Sweep {
     pub turns: Vec<u32>,
     /// Ball radius, mm.
     pub radius_mm: f64,
+    /// Moves that count, by their first row; the others only lead from one to the next.
+    wanted: Option<Vec<bool>>,
     tree: Bvh,
 }
 
@@ -51,12 +53,48 @@ impl Sweep {
         let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
         let contacts = path.locations.iter().map(|l| l.contact).collect();
         let turns = path.locations.iter().map(|l| l.turn).collect();
-        let boxes = centres.windows(2).enumerate().map(|(i, w)| {
+        Self::of(centres, contacts, turns, path.radius_mm, None)
+    }
+
+    /// Over moves from centre to centre, at least two of them; `wanted`: those that count, all where it is left out.
+    pub fn of(
+        centres: Vec<Point>,
+        contacts: Vec<Point>,
+        turns: Vec<u32>,
+        radius_mm: f64,
+        wanted: Option<Vec<bool>>,
+    ) -> Self {
+        let counts = |i: &usize| wanted.as_ref().is_none_or(|w| w.get(*i) == Some(&true));
+        let boxes = centres.windows(2).enumerate().filter(|(i, _)| counts(i)).map(|(i, w)| {
             let (lo, hi) = (w[0].inf(&w[1]), w[0].sup(&w[1]));
             (i, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, contacts, turns, radius_mm: path.radius_mm, tree }
+        Sweep { centres, contacts, turns, radius_mm, wanted, tree }
+    }
+
+    /// Whether move `i` counts.
+    pub fn counts(&self, i: usize) -> bool {
+        self.wanted.as_ref().is_none_or(|w| w.get(i) == Some(&true))
+    }
+
+    /// The places of the moves that are nearest to `q`, where that is within `reach_mm`: move and place.
+    pub fn all_near(&self, q: &Point, reach_mm: f64) -> Vec<(usize, Point)> {
+        let mut found = Vec::new();
+        self.tree.traverse(|node| {
+            if box_distance2(node, q) > reach_mm * reach_mm {
+                return TraversalAction::Prune;
+            }
+            if let Some(i) = node.leaf_data() {
+                let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
+                let near = a + (b - a) * share_of_segment(&a, &b, q);
+                if (near - q).norm_squared() <= reach_mm * reach_mm {
+                    found.push((i as usize, near));
+                }
+            }
+            TraversalAction::Continue
+        });
+        found
     }
 
     /// Nearest place of the path within `cap_mm` of `q`, among the moves that `allowed` lets through.

@@ -1,6 +1,6 @@
 //! APT cutter-location files.
 
-use super::block::{Block, Feed, Place};
+use super::block::{Block, Feed, Place, Way};
 use super::unreadable;
 use crate::error::Result;
 
@@ -45,7 +45,7 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                     (false, Some(f)) => Feed::PerMinute(f),
                     (false, None) => return Err(unreadable(line, "GOTO before any FEDRAT")),
                 };
-                out.push(Block { line, place, steps: [false; 2], feed, machine: false, centre_point: true });
+                out.push(Block { line, place, ways: [Way::To; 2], feed, machine: false, tool_length: false, centre_point: true });
             }
             "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "LOADTL" | "SPINDL" | "COOLNT" | "END"
             | "FINI" => {}

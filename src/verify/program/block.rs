@@ -19,6 +19,22 @@ pub enum Place {
     },
 }
 
+/// How a rotary word is meant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Way {
+    /// A position over all turns, or the shorter way to it where the control goes that way.
+    #[default]
+    To,
+    /// A step: `IC()`.
+    By,
+    /// The shorter way to a position within a turn: `DC()`.
+    Shorter,
+    /// To a position within a turn, turning up: `ACP()`.
+    Up,
+    /// To a position within a turn, turning down: `ACN()`.
+    Down,
+}
+
 /// The feed of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
@@ -37,12 +53,14 @@ pub struct Block {
     pub line: usize,
     /// Where to.
     pub place: Place,
-    /// Rotary words are steps.
-    pub steps: [bool; 2],
+    /// How the rotary words are meant.
+    pub ways: [Way; 2],
     /// How fast.
     pub feed: Feed,
     /// Linear words are positions of the machine's axes, whatever the program's coordinates are otherwise.
     pub machine: bool,
+    /// The tool's length is added to Z: G43.
+    pub tool_length: bool,
     /// Tool-centre-point control is on.
     pub centre_point: bool,
 }

@@ -1,7 +1,7 @@
 //! A program's moves against the plan.
 
 use super::follow::Moved;
-use crate::artifact::program::{Language, Program};
+use crate::artifact::program::Program;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
 use crate::geometry::triangle::share_of_segment;
@@ -50,7 +50,6 @@ struct OnPath {
 
 struct Comparison<'a> {
     plan: &'a Plan,
-    language: Language,
     tool: &'a Tool,
     machine: &'a Machine,
     centre: Worst,
@@ -70,7 +69,6 @@ pub(super) fn checks(
 ) -> Vec<Check> {
     let mut c = Comparison {
         plan,
-        language: program.language,
         tool,
         machine,
         centre: Worst::default(),
@@ -114,7 +112,7 @@ impl Comparison<'_> {
     /// Compares all cutting lines; gives their time, s.
     fn run(&mut self, moves: &[Moved]) -> f64 {
         let rows = &self.plan.toolpath.locations;
-        let end_of = |m: &Moved| m.pose(1.0, self.language, self.tool, self.machine).centre;
+        let end_of = |m: &Moved| m.pose(1.0, self.tool, self.machine).centre;
         let near = |m: &Moved, row: usize| {
             m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.centre).norm() < AT_END_MM)
         };
@@ -131,7 +129,7 @@ impl Comparison<'_> {
             at = self.one(m, at);
         }
         // Whatever the program has not come by.
-        let reached = moves[end].pose(1.0, self.language, self.tool, self.machine).centre;
+        let reached = moves[end].pose(1.0, self.tool, self.machine).centre;
         for row in at + 1..rows.len() {
             self.missing.take((rows[row].centre - reached).norm(), moves[end].line, row);
         }
@@ -141,7 +139,7 @@ impl Comparison<'_> {
     /// Compares one move that begins on plan move `at`; gives the plan move on which it ends.
     fn one(&mut self, m: &Moved, at: usize) -> usize {
         let poses: Vec<Pose> =
-            (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.language, self.tool, self.machine)).collect();
+            (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.tool, self.machine)).collect();
         let mut here = at;
         for (k, pose) in poses.iter().enumerate().skip(1) {
             let on = self.locate(&pose.centre, here);

@@ -1,20 +1,46 @@
 //! The machine moved through a program's blocks.
+//!
+//! The state is where the machine's axes stand. A block in machine axes moves them straight; a block under tool-centre-point control
+//! moves the programmed point straight over the part and the rotary axes evenly. What the program has not said yet is not known
+//! (`NaN`), save for the rotary axes, which begin at 0.
 
-use super::block::{Block, Feed, Place};
+use std::f64::consts::TAU;
+
+use super::block::{Block, Feed, Place, Way};
 use super::unreadable;
 use crate::artifact::program::{Language, Programmed};
 use crate::error::Result;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::machine::{Machine, Pose};
 use crate::tool::{self, Tool};
 
-/// Where the machine stands, in the program's own words.
+/// Where the zero of a program's coordinates is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stand {
-    /// The programmed point, mm.
-    pub(super) point: [f64; 3],
-    /// Positions of A and B, rad; A as the axis goes, over all turns.
-    pub(super) rotary: [f64; 2],
+pub struct Zero {
+    /// Coordinates of a program under tool-centre-point control to the blade frame.
+    pub blade_from_program: Rigid,
+    /// What is added to X, Y, Z of a program in machine axes, mm: the work offset.
+    pub axes_mm: [f64; 3],
+}
+
+impl Default for Zero {
+    /// As bladewright writes programs: in the blade frame, or in positions of the axes.
+    fn default() -> Self {
+        Zero { blade_from_program: Rigid::identity(), axes_mm: [0.0; 3] }
+    }
+}
+
+/// What a program runs on.
+#[derive(Clone, Copy, Debug)]
+pub struct Bench<'a> {
+    /// How its words are meant.
+    pub language: Language,
+    /// Where its zero is.
+    pub zero: Zero,
+    /// The tool in the spindle.
+    pub tool: &'a Tool,
+    /// The machine.
+    pub machine: &'a Machine,
 }
 
 /// One move.
@@ -22,83 +48,160 @@ pub struct Stand {
 pub struct Moved {
     /// Line of the text.
     pub line: usize,
-    /// Before it.
-    pub from: Stand,
+    /// What the first three numbers of `from` and `to` are.
+    pub words: Programmed,
+    /// Before it: tip or ball centre in the blade frame or X, Y, Z of the machine, mm; A and B, rad, A over all turns.
+    pub from: [f64; 5],
     /// After it.
-    pub to: Stand,
+    pub to: [f64; 5],
     /// Time it takes, s; `None`: rapid.
     pub seconds: Option<f64>,
 }
 
 impl Moved {
-    /// The tool at the share `f` of the move: every word moves evenly.
-    pub fn pose(&self, f: f64, language: Language, tool: &Tool, machine: &Machine) -> Pose {
-        let mix = |a: f64, b: f64| a + (b - a) * f;
-        let [x, y, z] = [0, 1, 2].map(|i| mix(self.from.point[i], self.to.point[i]));
-        let [a, b] = [0, 1].map(|i| mix(self.from.rotary[i], self.to.rotary[i]));
-        if language.programmed == Programmed::Machine {
-            return machine.forward(&[x, y, z, a, b], tool.length_mm());
+    /// Whether the whole move is known: false where the program has not said yet where an axis stands.
+    pub fn known(&self) -> bool {
+        self.from.iter().chain(&self.to).all(|v| v.is_finite())
+    }
+
+    /// The words at the share `f` of the move: every one moves evenly.
+    pub fn at(&self, f: f64) -> [f64; 5] {
+        let mut out = self.from;
+        for (o, to) in out.iter_mut().zip(&self.to) {
+            *o += (to - *o) * f;
         }
-        let axis = tool::axis(b, machine.theta_of_a(a));
-        let lift = if language.programmed == Programmed::Tip { tool.radius_mm } else { 0.0 };
-        Pose { centre: Point::new(x, y, z) + axis * lift, axis }
+        out
+    }
+
+    /// The tool at the share `f` of the move.
+    pub fn pose(&self, f: f64, tool: &Tool, machine: &Machine) -> Pose {
+        pose(self.words, &self.at(f), tool, machine)
+    }
+
+    /// Positions of the machine's axes at the share `f` of the move, mm and rad.
+    pub fn axes(&self, f: f64, tool: &Tool, machine: &Machine) -> [f64; 5] {
+        axes(self.words, &self.at(f), tool, machine)
     }
 }
 
-/// Follows the moves. The first one has no place to come from: it begins where it ends.
+/// The tool where the words say.
+fn pose(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> Pose {
+    let [x, y, z, a, b] = *at;
+    if words == Programmed::Machine {
+        return machine.forward(at, tool.length_mm());
+    }
+    let axis = tool::axis(b, machine.theta_of_a(a));
+    let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
+    Pose { centre: Point::new(x, y, z) + axis * lift, axis }
+}
+
+/// Positions of the axes where the words say; A and B are kept to the bit.
+fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f64; 5] {
+    if words == Programmed::Machine {
+        return *at;
+    }
+    let centre = pose(words, at, tool, machine).centre;
+    let [x, y, z, ..] = machine.inverse(&centre, machine.theta_of_a(at[3]), at[4], tool.length_mm());
+    [x, y, z, at[3], at[4]]
+}
+
+/// Follows the moves. What a move comes from is `NaN` where the program has not said it.
 ///
 /// # Errors
 /// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame before tool-centre-point control is on.
-pub fn follow(blocks: &[Block], language: Language, machine: &Machine) -> Result<Vec<Moved>> {
-    let mut out: Vec<Moved> = Vec::with_capacity(blocks.len());
-    let mut now: Option<Stand> = None;
-    for block in blocks {
-        let at = now.unwrap_or(Stand { point: [0.0; 3], rotary: [0.0; 2] });
+pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
+    let mut follower = Follower { bench, stands: [f64::NAN, f64::NAN, f64::NAN, 0.0, 0.0], said: None };
+    blocks.iter().map(|b| follower.step(b)).collect()
+}
+
+struct Follower<'a> {
+    bench: &'a Bench<'a>,
+    /// Positions of the machine's axes.
+    stands: [f64; 5],
+    /// The programmed point, as long as it is the program's own: not taken back from the axes, so that it keeps its digits.
+    said: Option<[f64; 3]>,
+}
+
+impl Follower<'_> {
+    fn step(&mut self, block: &Block) -> Result<Moved> {
         let (point, rotary) = match block.place {
-            Place::Words { point, rotary } => (point, words(block, at.rotary, rotary, language)),
+            Place::Words { point, rotary } => (point, self.rotary(block, rotary)),
             Place::Vector { point, axis } => {
-                let near = machine.rotary_of_axis(&Vector::from(axis), at.rotary[0]);
+                let axis = self.bench.zero.blade_from_program.rotation * Vector::from(axis);
+                let near = self.bench.machine.rotary_of_axis(&axis, self.stands[3]);
                 let reached =
                     near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, or none"))?;
                 (point, reached)
             }
         };
-        let own = language.programmed == Programmed::Machine;
-        let machine_words = block.machine || own;
-        if !machine_words && !block.centre_point && point.iter().any(Option::is_some) {
+        let own = self.bench.language.programmed == Programmed::Machine;
+        if !own && !block.machine && !block.centre_point && point.iter().any(Option::is_some) {
             return Err(unreadable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
-        let mut to = Stand { point: at.point, rotary };
-        // Positions of the machine's axes say nothing about the programmed point of the blade frame, and are only passed by.
-        if !block.machine || own {
-            for (p, w) in to.point.iter_mut().zip(point) {
-                *p = w.unwrap_or(*p);
-            }
-        }
-        let from = if now.is_some() { at } else { to };
-        let mut moved = Moved { line: block.line, from, to, seconds: None };
-        moved.seconds = seconds(block.feed, &moved);
-        out.push(moved);
-        now = Some(to);
-    }
-    Ok(out)
-}
-
-/// Rotary positions after a line, rad.
-fn words(block: &Block, at: [f64; 2], words: [Option<f64>; 2], language: Language) -> [f64; 2] {
-    let mut to = at;
-    for i in 0..2 {
-        let Some(word) = words[i].map(f64::to_radians) else { continue };
-        to[i] = match (block.steps[i], language.shortest_way && i == 0) {
-            (true, _) => at[i] + word,
-            (false, true) => {
-                let turn = std::f64::consts::TAU;
-                word + turn * ((at[i] - word) / turn).round()
-            }
-            (false, false) => word,
+        let mut moved = if own || block.machine || !block.centre_point {
+            self.in_axes(block, point, rotary)
+        } else {
+            self.over_the_part(block, point, rotary)
         };
+        moved.seconds = seconds(block.feed, &moved);
+        Ok(moved)
     }
-    to
+
+    /// X, Y, Z are positions of the axes.
+    fn in_axes(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
+        let mut to = self.stands;
+        for (i, word) in point.into_iter().enumerate() {
+            // G43 adds the length to the tip along Z of the machine, however the head leans.
+            let tool = self.bench.tool;
+            let length = if block.tool_length && i == 2 { tool.length_mm() + tool.radius_mm } else { 0.0 };
+            let offset = if block.machine { 0.0 } else { self.bench.zero.axes_mm[i] + length };
+            to[i] = word.map_or(to[i], |w| w + offset);
+        }
+        (to[3], to[4]) = (a, b);
+        let moved = Moved { line: block.line, words: Programmed::Machine, from: self.stands, to, seconds: None };
+        (self.stands, self.said) = (to, None);
+        moved
+    }
+
+    /// X, Y, Z are the programmed point over the part.
+    fn over_the_part(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
+        let Bench { language, zero, tool, machine } = *self.bench;
+        let words = language.programmed;
+        let here = self.said.unwrap_or_else(|| {
+            let pose = machine.forward(&self.stands, tool.length_mm());
+            let point = if words == Programmed::Tip { pose.tip(tool.radius_mm) } else { pose.centre };
+            (zero.blade_from_program.inverse() * point).into()
+        });
+        let mut there = here;
+        for (t, word) in there.iter_mut().zip(point) {
+            *t = word.unwrap_or(*t);
+        }
+        let in_blade = |p: [f64; 3]| zero.blade_from_program * Point::from(p);
+        let (from, to) = (in_blade(here), in_blade(there));
+        let from = [from.x, from.y, from.z, self.stands[3], self.stands[4]];
+        let to = [to.x, to.y, to.z, a, b];
+        let moved = Moved { line: block.line, words, from, to, seconds: None };
+        (self.stands, self.said) = (axes(words, &to, tool, machine), Some(there));
+        moved
+    }
+
+    /// Rotary positions after a line, rad.
+    fn rotary(&self, block: &Block, words: [Option<f64>; 2]) -> [f64; 2] {
+        let mut to = [self.stands[3], self.stands[4]];
+        for (i, at) in to.iter_mut().enumerate() {
+            let Some(word) = words[i].map(f64::to_radians) else { continue };
+            let nearest = word + TAU * ((*at - word) / TAU).round();
+            *at = match block.ways[i] {
+                Way::By => *at + word,
+                Way::Shorter => nearest,
+                Way::Up => *at + (word - *at).rem_euclid(TAU),
+                Way::Down => *at - (*at - word).rem_euclid(TAU),
+                Way::To if self.bench.language.shortest_way && i == 0 => nearest,
+                Way::To => word,
+            };
+        }
+        to
+    }
 }
 
 /// How long a move takes, s; `None` for a rapid.
@@ -107,8 +210,8 @@ fn seconds(feed: Feed, moved: &Moved) -> Option<f64> {
         Feed::Rapid => None,
         Feed::PerMove(f) => Some(60.0 / f),
         Feed::PerMinute(f) => {
-            let way = (0..3).map(|i| (moved.to.point[i] - moved.from.point[i]).powi(2)).sum::<f64>().sqrt();
-            let turn = (moved.to.rotary[0] - moved.from.rotary[0]).abs().to_degrees();
+            let way = (0..3).map(|i| (moved.to[i] - moved.from[i]).powi(2)).sum::<f64>().sqrt();
+            let turn = (3..5).map(|i| (moved.to[i] - moved.from[i]).powi(2)).sum::<f64>().sqrt().to_degrees();
             Some(60.0 * if way > 0.0 { way } else { turn } / f)
         }
     }

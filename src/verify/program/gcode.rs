@@ -1,6 +1,6 @@
 //! G code: ISO 6983 as LinuxCNC, Fanuc and Siemens 840D speak it.
 
-use super::block::{Block, Feed, Place};
+use super::block::{Block, Feed, Place, Way};
 use super::unreadable;
 use crate::error::Result;
 
@@ -11,6 +11,7 @@ struct Modal {
     steps: bool,
     inch: bool,
     centre_point: bool,
+    tool_length: bool,
     feed: Option<f64>,
 }
 
@@ -19,7 +20,7 @@ struct Modal {
 struct Said {
     point: [Option<f64>; 3],
     rotary: [Option<f64>; 2],
-    steps: [bool; 2],
+    ways: [Way; 2],
     vector: [Option<f64>; 3],
     feed: Option<f64>,
     machine: bool,
@@ -32,7 +33,15 @@ struct Said {
 /// # Errors
 /// A word that is not understood, with the line.
 pub(super) fn read(text: &str) -> Result<Vec<Block>> {
-    let mut modal = Modal { rapid: true, inverse: false, steps: false, inch: false, centre_point: false, feed: None };
+    let mut modal = Modal {
+        rapid: true,
+        inverse: false,
+        steps: false,
+        inch: false,
+        centre_point: false,
+        tool_length: false,
+        feed: None,
+    };
     let mut out = Vec::new();
     for (i, line) in text.lines().enumerate() {
         let number = i + 1;
@@ -125,9 +134,10 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
         }
         "A" | "B" => {
             let axis = usize::from(address == "B");
-            let step = inner("IC");
-            said.steps[axis] = step.is_some();
-            let plain = step.or_else(|| inner("AC")).unwrap_or(value);
+            let named = [("IC", Way::By), ("AC", Way::To), ("DC", Way::Shorter), ("ACP", Way::Up), ("ACN", Way::Down)];
+            let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, *way)));
+            let (plain, way) = called.unwrap_or((value, Way::To));
+            said.ways[axis] = way;
             said.rotary[axis] = Some(number(plain)?);
         }
         "I" | "A3" => said.vector[0] = Some(number(value)?),
@@ -140,8 +150,9 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
         "N" | "O" | "T" | "M" | "S" | "H" | "D" | "P" | "Q" => {
             number(value)?;
         }
-        "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPOF" => {}
-        _ if address.starts_with("CYCLE") => said.call = true,
+        "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPCURV" | "COMPSURF" | "COMPOF"
+        | "STOPRE" | "CDOF" | "CDOF2" | "UPATH" | "SPATH" => {}
+        _ if ["CYCLE", "FGROUP(", "MSG("].iter().any(|c| address.starts_with(c)) => said.call = true,
         _ => return Err(format!("the word {address}{value} is not known")),
     }
     Ok(())
@@ -153,8 +164,9 @@ fn preparatory(value: &str, modal: &mut Modal, said: &mut Said) -> std::result::
         "1" => modal.rapid = false,
         "20" | "70" | "700" => modal.inch = true,
         "21" | "71" | "710" => modal.inch = false,
-        "43.4" | "43.5" => modal.centre_point = true,
-        "49" => modal.centre_point = false,
+        "43" => modal.tool_length = true,
+        "43.4" | "43.5" => (modal.centre_point, modal.tool_length) = (true, false),
+        "49" => (modal.centre_point, modal.tool_length) = (false, false),
         "53" => said.machine = true,
         "90" => modal.steps = false,
         "91" => modal.steps = true,
@@ -166,7 +178,9 @@ fn preparatory(value: &str, modal: &mut Modal, said: &mut Said) -> std::result::
             }
             modal.inverse = inverse;
         }
-        "17" | "40" | "43" | "54" | "55" | "56" | "57" | "58" | "59" | "61" | "64" | "80" => {}
+        "17" | "18" | "19" | "40" | "50" | "54" | "55" | "56" | "57" | "58" | "59" | "69" | "80" | "98" | "99" | "500" => {}
+        // How corners are rounded, and looking ahead.
+        "5.1" | "9" | "60" | "61" | "61.1" | "64" | "601" | "602" | "603" | "641" | "642" | "643" | "644" | "645" => {}
         _ => return Err(format!("G{value} is not known")),
     }
     Ok(())
@@ -192,7 +206,7 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
         (true, ..) => Feed::Rapid,
         (false, true, Some(f), _) => Feed::PerMove(f),
         (false, true, None, _) => return Err("under G93 every line needs its own F".into()),
-        (false, false, _, Some(f)) => Feed::PerMinute(f),
+        (false, false, _, Some(f)) => Feed::PerMinute(if modal.inch { 25.4 * f } else { f }),
         (false, false, _, None) => return Err("a feed move before any F".into()),
     };
     if matches!(feed, Feed::PerMove(f) | Feed::PerMinute(f) if f <= 0.0) {
@@ -205,5 +219,13 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
     } else {
         Place::Words { point: said.point, rotary: said.rotary }
     };
-    Ok(Some(Block { line, place, steps: said.steps, feed, machine: said.machine, centre_point: modal.centre_point }))
+    Ok(Some(Block {
+        line,
+        place,
+        ways: said.ways,
+        feed,
+        machine: said.machine,
+        tool_length: modal.tool_length,
+        centre_point: modal.centre_point,
+    }))
 }

@@ -1,6 +1,6 @@
 //! Heidenhain Klartext: `L` and `LN` blocks, `TCPM`, machine coordinates by `M91`.
 
-use super::block::{Block, Feed, Place};
+use super::block::{Block, Feed, Place, Way};
 use super::unreadable;
 use crate::error::Result;
 
@@ -21,6 +21,9 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
         let rest = rest.trim();
         match rest.split_whitespace().next() {
             Some("L" | "LN") => {
+                for word in rest.split_whitespace() {
+                    centre_point = word == "M128" || centre_point && word != "M129";
+                }
                 let block = straight(number, rest, centre_point, &mut feed).map_err(|e| unreadable(number, &e))?;
                 out.extend(block);
             }
@@ -84,5 +87,5 @@ fn straight(
         (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
         _ => return Err("a straight block before any F".into()),
     };
-    Ok(Some(Block { line, place, steps: [false; 2], feed, machine, centre_point }))
+    Ok(Some(Block { line, place, ways: [Way::To; 2], feed, machine, tool_length: false, centre_point }))
 }

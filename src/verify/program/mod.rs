@@ -20,12 +20,14 @@ mod block;
 mod compare;
 mod follow;
 mod gcode;
+mod guess;
 mod heidenhain;
 #[cfg(test)]
 mod tests;
 
-pub use block::{Block, Feed, Place};
-pub use follow::{Moved, follow};
+pub use block::{Block, Feed, Place, Way};
+pub use guess::{Guess, guess};
+pub use follow::{Bench, Moved, Zero, follow};
 
 use crate::artifact::program::{Grammar, Language, Program};
 use crate::artifact::report::Check;
@@ -52,7 +54,8 @@ pub fn read(text: &str, language: Language) -> Result<Vec<Block>> {
 /// As [`read`], and where a line cannot be reached by the machine.
 pub fn read_back(program: &Program, plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine) -> Result<Vec<Check>> {
     let blocks = read(&program.text, program.language)?;
-    let moves = follow(&blocks, program.language, machine)?;
+    let bench = Bench { language: program.language, zero: Zero::default(), tool, machine };
+    let moves = follow(&blocks, &bench)?;
     Ok(compare::checks(program, &moves, plan, blade, tool, machine))
 }
 

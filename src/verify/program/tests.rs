@@ -21,8 +21,8 @@ fn words_modes_and_comments() {
     assert_eq!(b[1].feed, Feed::PerMinute(100.0));
     assert_eq!(b[2].feed, Feed::PerMove(2.0));
     assert_eq!(
-        (b[2].steps, b[2].place),
-        ([true, false], Place::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0)] })
+        (b[2].ways, b[2].place),
+        ([Way::By, Way::To], Place::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0)] })
     );
     assert!(b[3].machine && b[3].feed == Feed::Rapid);
 }
@@ -62,8 +62,9 @@ fn klartext() {
     assert_eq!(b.len(), 4);
     assert!(b[0].machine && !b[0].centre_point && b[1].centre_point);
     assert_eq!(b[2].feed, Feed::PerMinute(500.0));
-    let moved = follow(&b, language, &Machine::demo().unwrap()).unwrap();
-    let turned = (moved[2].to.rotary[0] - moved[1].to.rotary[0]).to_degrees();
+    let (tool, machine) = (crate::sample::tool(), Machine::demo().unwrap());
+    let moved = follow(&b, &Bench { language, zero: Zero::default(), tool: &tool, machine: &machine }).unwrap();
+    let turned = (moved[2].to[3] - moved[1].to[3]).to_degrees();
     assert!((turned - 20.0).abs() < 1e-9, "{turned}");
     for (bad, names) in [
         ("1 BEGIN", "must be 0"),

@@ -1,0 +1,153 @@
+//! `verify`: a finished run again, or a program that others wrote.
+
+use std::path::Path;
+
+use super::args::Verify;
+use super::out::sayln;
+use super::progress::Terminal;
+use super::{again, inspect};
+use crate::artifact::program::Language;
+use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::geometry::Rigid;
+use crate::machine::Machine;
+use crate::model;
+use crate::output;
+use crate::post::Dialect;
+use crate::tool::Tool;
+use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
+use crate::verify::program::{self, Bench, Zero};
+
+/// Largest program, bytes: what is larger is none.
+const MAX_BYTES: u64 = 1 << 30;
+/// Spans of lines that are told for one check; all are in the report.
+const TOLD_SPANS: usize = 5;
+
+/// Runs the verb; the exit code.
+pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
+    let (Some(part), Some(tool)) = (&args.part, &args.tool) else {
+        if args.what.is_file() {
+            let what = format!("{} is a file: to check a program, its part and its tool are needed", args.what.display());
+            return Err(Error::usage(Stage::Verify, what).advise("give --part MODEL and --tool FILE"));
+        }
+        return again::verify(&args.what, quiet);
+    };
+    let text = text(&args.what)?;
+    let (language, why) = language(args, &text)?;
+    let tool = Tool::load(tool)?;
+    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| Machine::load(f))?;
+    let terminal = Terminal::new(quiet);
+    let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
+    let audit = blade.and_then(|blade| {
+        let origin = args.origin.map_or([0.0; 3], |o| o.0);
+        let [x, y, z] = origin;
+        let cad = if args.cad { blade.model_from_blade.inverse() } else { Rigid::translation(x, y, z) };
+        let zero = Zero { blade_from_program: cad, axes_mm: origin };
+        let bench = Bench { language, zero, tool: &tool, machine: &machine };
+        let options = AuditOptions {
+            gouge_mm: args.gouge,
+            scallop_mm: args.scallop,
+            stock_mm: args.stock.unwrap_or(0.0),
+            ..AuditOptions::default()
+        };
+        audit::audit(&text, &blade, &bench, &options, &terminal)
+    });
+    terminal.finish();
+    let audit = audit?;
+    if let Some(file) = &args.report {
+        output::write_file(file, output::json(&audit)?.as_bytes())?;
+    }
+    tell(&args.what, &why, &audit);
+    Ok(if audit.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// The program's text.
+fn text(path: &Path) -> Result<String> {
+    let io = |e: std::io::Error| {
+        Error::io(Stage::Verify, format!("cannot read the program {}: {e}", path.display())).caused_by(e)
+    };
+    let size = std::fs::metadata(path).map_err(io)?.len();
+    if size > MAX_BYTES {
+        return Err(Error::usage(Stage::Verify, format!("{} has {size} bytes, too many for a program", path.display())));
+    }
+    let bytes = std::fs::read(path).map_err(io)?;
+    // Comments may be in any code page; the blocks themselves are ASCII.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// How the program is to be read, and why.
+fn language(args: &Verify, text: &str) -> Result<(Language, String)> {
+    let (mut language, why) = match (&args.post_file, args.control) {
+        (Some(file), _) => (Dialect::load(file)?.language(), format!("as {} says", file.display())),
+        (None, Some(control)) => {
+            let dialect = Dialect::built_in(control)?;
+            (dialect.language(), format!("as told: {}", dialect.name()))
+        }
+        (None, None) => {
+            let guess = program::guess(text).ok_or_else(|| {
+                Error::usage(Stage::Verify, format!("{} does not look like an NC program", args.what.display()))
+                    .advise("--control says which dialect it is")
+            })?;
+            (guess.language, guess.why.to_owned())
+        }
+    };
+    language.programmed = args.programmed.unwrap_or(language.programmed);
+    Ok((language, why))
+}
+
+/// The audit as lines.
+fn tell(program: &Path, why: &str, audit: &Audit) {
+    sayln!("program    {}: {why}", program.display());
+    sayln!(
+        "moves      {} at a feed ({:.1} mm, {:.1} s as programmed, {} turns, B {:.3} to {:.3} deg), {} rapids, {} not known from their beginning",
+        audit.feed_moves,
+        audit.feed_mm,
+        audit.feed_s,
+        audit.turns,
+        audit.b_deg[0],
+        audit.b_deg[1],
+        audit.rapids,
+        audit.unknown_moves
+    );
+    sayln!(
+        "scallop    median {:.6}, 99 % {:.6}, highest {:.6} mm at {} places between passes",
+        audit.scallop_p50_mm,
+        audit.scallop_p99_mm,
+        audit.scallop_max_mm,
+        audit.scallop_samples
+    );
+    for LineCheck { check: c, .. } in &audit.checks {
+        let verdict = if c.passed { "ok  " } else { "FAIL" };
+        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, c.limit, c.unit);
+    }
+    audit.checks.iter().filter(|c| !c.check.passed).for_each(finding);
+}
+
+/// A check that failed, with where.
+fn finding(found: &LineCheck) {
+    let c = &found.check;
+    let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
+    let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
+    let line = match (found.line, &found.block) {
+        (Some(n), Some(block)) => format!(", line {n} `{block}`"),
+        _ => String::new(),
+    };
+    sayln!(
+        "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{line}; {}",
+        c.name,
+        c.quantity,
+        c.worst,
+        c.unit,
+        c.limit,
+        c.note
+    );
+    for s in found.spans.iter().take(TOLD_SPANS) {
+        let lines = match s.last_line > s.first_line {
+            true => format!("lines {} to {}", s.first_line, s.last_line),
+            false => format!("line {}", s.first_line),
+        };
+        sayln!("         {lines}: worst {:.6} {} in line {}", s.worst, c.unit, s.worst_line);
+    }
+    if found.span_count > TOLD_SPANS {
+        sayln!("         and {} more places", found.span_count - TOLD_SPANS);
+    }
+}

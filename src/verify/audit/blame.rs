@@ -1,0 +1,70 @@
+//! Signs that are swapped: after a gouge or a touch, the same program with the other sign of B, and with the other sense of A.
+
+use super::legs::Legs;
+use super::report::{Limit, LineCheck, Worst};
+use super::{Scene, checks};
+use crate::error::Result;
+use crate::machine::{Machine, PositiveA};
+use crate::verify::program::{Bench, Moved};
+
+/// A check for each sign whose swapping leaves neither gouge nor touch: it fails, since that is what is wrong.
+///
+/// # Errors
+/// As [`Legs::new`].
+pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
+    let mut out = Vec::new();
+    let leans = scene.moves.iter().any(|m| m.from[4] != 0.0 || m.to[4] != 0.0);
+    if leans && well(scene, &other_b(scene.moves), scene.bench.machine)? {
+        let quantity = "with the other sign of B there is neither gouge nor touch: B has the wrong sign in the program, or in the machine file";
+        out.push(blamed(scene, "b-sign", quantity, |m| m.to[4] != 0.0));
+    }
+    if well(scene, scene.moves, &other_a(scene.bench.machine))? {
+        let quantity = "with the other sense of A there is neither gouge nor touch: A turns the other way than table.positive_a_turns of the machine file says";
+        out.push(blamed(scene, "a-sense", quantity, |m| m.to[3] != 0.0));
+    }
+    Ok(out)
+}
+
+/// Every B negative.
+fn other_b(moves: &[Moved]) -> Vec<Moved> {
+    let turned = |m: &Moved| {
+        let mut m = *m;
+        (m.from[4], m.to[4]) = (-m.from[4], -m.to[4]);
+        m
+    };
+    moves.iter().map(turned).collect()
+}
+
+fn other_a(machine: &Machine) -> Machine {
+    let mut other = machine.clone();
+    other.table.positive_a_turns = match machine.table.positive_a_turns {
+        PositiveA::Tool => PositiveA::Workpiece,
+        PositiveA::Workpiece => PositiveA::Tool,
+    };
+    other
+}
+
+/// Neither gouge nor touch.
+fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
+    let bench = Bench { machine, ..*scene.bench };
+    let legs = Legs::new(moves, &bench)?;
+    let turns = vec![0; legs.centres.len()];
+    let other = Scene {
+        blade: scene.blade,
+        part: scene.part,
+        bench: &bench,
+        options: scene.options,
+        text: scene.text,
+        moves,
+        legs: &legs,
+        turns,
+    };
+    Ok(checks::clean(&other))
+}
+
+fn blamed(scene: &Scene, name: &str, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
+    let limit =
+        Limit { name: name.into(), quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
+    let moved = scene.moves.iter().position(says);
+    scene.judged(limit, &Worst { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
+}

@@ -1,0 +1,230 @@
+//! Gouge, clearance, rapids and travel of a program.
+
+use super::Scene;
+use super::legs::Kind;
+use super::report::{Limit, LineCheck, Worst};
+use crate::artifact::axis_motion::AXES;
+use crate::artifact::program::Programmed;
+use crate::geometry::Point;
+use crate::tool::Segment;
+use crate::verify::clearance::{self, Nearest, Track};
+use crate::verify::gouge::{self, Gouge, face_name};
+use crate::verify::sweep::Sweep;
+
+/// Rounding of positions at the end of a travel, mm or rad.
+const ROUNDING: f64 = 1e-9;
+
+/// The deepest cut of the ball.
+pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
+    let options = scene.options;
+    let found = match inside(scene) {
+        Some((leg, depth)) => {
+            Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.centres[leg] }
+        }
+        None => gouge::measure(&scene.part, sweep, options.resolution_mm),
+    };
+    let bound = found.bound_mm.max(found.found_mm).max(0.0);
+    let limit = Limit {
+        name: "gouge".into(),
+        quantity: "depth of the swept ball in the part at a feed".into(),
+        limit: options.gouge_mm,
+        unit: "mm",
+        passed: bound <= options.gouge_mm,
+    };
+    let at = scene.part.closest(&found.centre, f64::INFINITY);
+    let face = at.map(|c| face_name(&scene.part, c.face)).unwrap_or_default();
+    let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", found.found_mm.max(0.0));
+    let mut check = scene.judged(limit, &scene.on_leg(bound, found.segment, at.map(|c| c.point)), note);
+    if !check.check.passed {
+        let deep = gouge::deeper_than(&scene.part, sweep, options.gouge_mm, options.resolution_mm);
+        let moves: Vec<_> = deep.iter().map(|g| (scene.legs.legs[g.segment].moved, g.bound_mm)).collect();
+        (check.spans, check.span_count) = scene.spans(&moves, |a, b| a > b);
+    }
+    check
+}
+
+/// A place where the way begins inside the part, and how deep the ball is there: from then on distances to the surface tell nothing.
+fn inside(scene: &Scene) -> Option<(usize, f64)> {
+    let legs = &scene.legs.legs;
+    let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == Kind::Gap);
+    (0..legs.len()).filter(begins).find_map(|i| {
+        let c = &scene.legs.centres[i];
+        let depth = || scene.part.closest(c, f64::INFINITY).map_or(0.0, |f| f.distance_mm);
+        scene.part.inside(c).then(|| (i, scene.bench.tool.radius_mm + depth()))
+    })
+}
+
+impl Scene<'_> {
+    fn track<'a>(&'a self, wanted: &'a [bool]) -> Track<'a> {
+        let legs = self.legs;
+        Track { centres: &legs.centres, theta: &legs.theta, b_rad: &legs.b_rad, wanted: Some(wanted) }
+    }
+
+    /// Least distance of segments of the tool, what is known of the part taken off; and its check.
+    fn clearance(&self, limit: Limit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
+        let (deflection, resolution) = (self.blade.part.deflection_mm, self.options.clearance_resolution_mm);
+        let track = self.track(wanted);
+        let (near, bound) = clearance::measure_track(track, &self.blade.part, segments, resolution);
+        let worst = bound - deflection;
+        let limit = Limit { passed: worst >= 0.0, ..limit };
+        let note = format!(
+            "{}; measured {:.6}, part known to {deflection:.6}, nowhere less than {worst:.6}",
+            who(self, segments, &near),
+            near.found_mm
+        );
+        let mut check = self.judged(limit, &self.on_leg(worst, near.row, Some(near.point)), note);
+        if !check.check.passed {
+            let below = clearance::below(track, &self.blade.part, segments, resolution, deflection + resolution);
+            let moves: Vec<_> =
+                below.iter().map(|n| (self.legs.legs[n.row].moved, n.found_mm - deflection)).collect();
+            (check.spans, check.span_count) = self.spans(&moves, |a, b| a < b);
+        }
+        check
+    }
+}
+
+fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
+    let name = segments.get(near.segment).map_or("", |s| s.name.as_str());
+    let mesh = &scene.blade.part.mesh;
+    match near.triangle {
+        u32::MAX => "nothing near".into(),
+        t => format!("{name} to {}", face_name(&scene.part, mesh.face(t as usize))),
+    }
+}
+
+/// Taper and shank, and the holder, at a feed.
+pub(super) fn clearances(scene: &Scene) -> Vec<LineCheck> {
+    let segments = scene.bench.tool.segments();
+    let (holder, cutter): (Vec<_>, Vec<_>) = segments.into_iter().partition(|s| s.name.starts_with("holder"));
+    let wanted = scene.legs.of(Kind::Cut);
+    let groups = [("clearance", "taper and shank", cutter), ("holder-clearance", "the holder", holder)];
+    let check = |(name, what, segments): (&str, &str, Vec<Segment>)| {
+        let limit = Limit {
+            name: name.into(),
+            quantity: format!("least distance of {what} to the part at a feed"),
+            limit: 0.0,
+            unit: "mm",
+            passed: false,
+        };
+        (!segments.is_empty()).then(|| scene.clearance(limit, &segments, &wanted))
+    };
+    groups.into_iter().filter_map(check).collect()
+}
+
+/// The whole tool in rapids.
+pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
+    let wanted = scene.legs.of(Kind::Rapid);
+    if !wanted.contains(&true) {
+        return None;
+    }
+    let limit = || Limit {
+        name: "rapid".into(),
+        quantity: "least distance of the whole tool to the part in rapids".into(),
+        limit: 0.0,
+        unit: "mm",
+        passed: false,
+    };
+    let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted);
+    let sweep = scene.sweep(Kind::Rapid);
+    let ball = gouge::measure(&scene.part, &sweep, scene.options.clearance_resolution_mm);
+    let least = -ball.bound_mm.max(ball.found_mm);
+    if upper.check.worst <= least || !least.is_finite() {
+        return Some(upper);
+    }
+    let at = scene.part.closest(&ball.centre, f64::INFINITY);
+    let face = at.map(|c| face_name(&scene.part, c.face)).unwrap_or_default();
+    let note = format!("ball to {face}; measured {:.6}, nowhere less than {least:.6}", -ball.found_mm);
+    let limit = Limit { passed: least >= 0.0, ..limit() };
+    let mut check = scene.judged(limit, &scene.on_leg(least, ball.segment, at.map(|c| c.point)), note);
+    if !check.check.passed {
+        let deep = gouge::deeper_than(&scene.part, &sweep, 0.0, scene.options.clearance_resolution_mm);
+        let moves: Vec<_> = deep.iter().map(|g| (scene.legs.legs[g.segment].moved, -g.bound_mm)).collect();
+        (check.spans, check.span_count) = scene.spans(&moves, |a, b| a < b);
+    }
+    Some(check)
+}
+
+/// Every axis that has an end of travel.
+pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
+    let machine = scene.bench.machine;
+    let reached = reached(scene);
+    let mut out = Vec::new();
+    for (axis, limits) in machine.limits().iter().enumerate() {
+        let Some([lo, hi]) = limits.travel else { continue };
+        let scale = if axis >= 3 { 1f64.to_degrees() } else { 1.0 };
+        let over: Vec<(usize, f64)> =
+            reached[axis].iter().map(|(at, least, most)| (*at, (lo - least).max(most - hi))).collect();
+        let Some(worst) = over.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+        let range = reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
+        let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
+        let limit = Limit {
+            name: format!("{}-travel", AXES[axis].to_lowercase()),
+            quantity: format!("how far axis {} leaves its travel", AXES[axis]),
+            limit: 0.0,
+            unit: if axis >= 3 { "deg" } else { "mm" },
+            passed: worst.1 <= ROUNDING,
+        };
+        let point = scene.moves.get(worst.0).filter(|m| m.known()).map(|m| m.pose(1.0, scene.bench.tool, machine).centre);
+        let place = Worst { value: (worst.1 * scale).max(0.0), moved: Some(worst.0), turn: None, point };
+        let mut check =
+            scene.judged(limit, &place, format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}"));
+        if !check.check.passed {
+            let out: Vec<_> =
+                over.iter().filter(|o| o.1 > ROUNDING).map(|(at, excess)| (*at, excess * scale)).collect();
+            (check.spans, check.span_count) = scene.spans(&out, |a, b| a > b);
+        }
+        out.push(check);
+    }
+    out
+}
+
+/// Move, least and greatest position of each axis in it, in order; positions that are not known are left out.
+type Reached = [Vec<(usize, f64, f64)>; 5];
+
+fn reached(scene: &Scene) -> Reached {
+    let (tool, machine) = (scene.bench.tool, scene.bench.machine);
+    let mut out: Reached = Default::default();
+    for (k, m) in scene.moves.iter().enumerate() {
+        if m.words == Programmed::Machine || !m.known() {
+            // Axes go straight from where they were: the end tells.
+            for (axis, to) in m.axes(1.0, tool, machine).into_iter().enumerate().filter(|(_, v)| v.is_finite()) {
+                out[axis].push((k, to, to));
+            }
+        }
+    }
+    for leg in scene.legs.legs.iter().filter(|l| l.kind != Kind::Gap) {
+        let m = &scene.moves[leg.moved];
+        if m.words == Programmed::Machine {
+            continue;
+        }
+        let [from, to] = leg.share;
+        let at = [from, 0.5 * (from + to), to].map(|f| m.axes(f, tool, machine));
+        for (axis, list) in out.iter_mut().enumerate() {
+            let [a, mid, b] = at.map(|q| q[axis]);
+            let (least, most) = extent(a, mid, b);
+            list.push((leg.moved, least, most));
+        }
+    }
+    out.iter_mut().for_each(|list| list.sort_by_key(|(k, ..)| *k));
+    out
+}
+
+/// Least and greatest value of the parabola through three values at 0, ½ and 1, between 0 and 1.
+fn extent(a: f64, mid: f64, b: f64) -> (f64, f64) {
+    let (bend, slope) = (2.0 * (a - 2.0 * mid + b), 4.0 * mid - 3.0 * a - b);
+    let t = -slope / (2.0 * bend);
+    let top = if bend != 0.0 && (0.0..=1.0).contains(&t) { a + t * (slope + t * bend) } else { mid };
+    (a.min(b).min(top), a.max(b).max(top))
+}
+
+/// The deepest cut and the least clearance of a motion, for trying another one.
+pub(super) fn clean(scene: &Scene) -> bool {
+    let point = |c: &Point| scene.part.inside(c);
+    let wanted = scene.legs.of(Kind::Cut);
+    let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.centres.get(i));
+    if first.is_none_or(point) {
+        return false;
+    }
+    let gouge = gouge::measure(&scene.part, &scene.sweep(Kind::Cut), scene.options.resolution_mm);
+    gouge.bound_mm <= scene.options.gouge_mm && clearances(scene).iter().all(|c| c.check.passed)
+}

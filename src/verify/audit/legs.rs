@@ -1,0 +1,136 @@
+//! The motion of a program in short legs: the ball centre goes straight, θ and B change evenly.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::verify::program::{Bench, Moved};
+
+/// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
+const OFF_MM: f64 = 0.0002;
+/// The same in rapids, mm.
+const OFF_RAPID_MM: f64 = 0.01;
+/// No leg turns further than this, rad, before the distance above is asked for.
+const COARSE_RAD: f64 = 5.0 * PI / 180.0;
+/// A place left out between two moves is a gap from this on, mm.
+const GAP_MM: f64 = 1e-6;
+/// Most legs of one move and of a program: what takes seconds, not hours.
+const MOST: [usize; 2] = [2_000_000, 10_000_000];
+/// The ball touches the part where it is this near, mm.
+pub(super) const NEAR_MM: f64 = 0.05;
+
+/// What a leg is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// At a feed.
+    Cut,
+    /// Rapid.
+    Rapid,
+    /// Nothing is known of the way.
+    Gap,
+}
+
+/// From place `i` to place `i + 1`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    pub kind: Kind,
+    /// Index of the move.
+    pub moved: usize,
+    /// From which to which share of the move.
+    pub share: [f64; 2],
+}
+
+/// The places and the legs between them.
+#[derive(Default)]
+pub(super) struct Legs {
+    /// Ball centres, blade frame, mm.
+    pub centres: Vec<Point>,
+    /// θ there, rad.
+    pub theta: Vec<f64>,
+    /// B there, rad.
+    pub b_rad: Vec<f64>,
+    /// One fewer than places.
+    pub legs: Vec<Leg>,
+    /// Moves left out because where they begin or end is not known.
+    pub unknown: usize,
+}
+
+impl Legs {
+    /// Legs of all moves that are known.
+    ///
+    /// # Errors
+    /// `Usage` where a move or the whole program would take more than [`MOST`] legs, with the line.
+    pub fn new(moves: &[Moved], bench: &Bench) -> Result<Self> {
+        let mut out = Legs::default();
+        for (moved, m) in moves.iter().enumerate() {
+            if !m.known() {
+                out.unknown += 1;
+                continue;
+            }
+            let kind = if m.seconds.is_some() { Kind::Cut } else { Kind::Rapid };
+            let parts = parts(m, bench);
+            if parts > MOST[0] || out.centres.len() + parts > MOST[1] {
+                let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
+                return Err(Error::usage(Stage::Verify, what));
+            }
+            let apart = out.centres.last().map(|c| (c - m.pose(0.0, bench.tool, bench.machine).centre).norm());
+            if apart.is_none_or(|d| d > GAP_MM) {
+                out.push(m, 0.0, Leg { kind: Kind::Gap, moved, share: [0.0; 2] }, bench);
+            }
+            // A line that only says a feed or a function again moves nothing.
+            if m.from != m.to {
+                let share = |k: usize| k as f64 / parts as f64;
+                (1..=parts).for_each(|k| {
+                    out.push(m, share(k), Leg { kind, moved, share: [share(k - 1), share(k)] }, bench);
+                });
+            }
+        }
+        Ok(out)
+    }
+
+    fn push(&mut self, m: &Moved, f: f64, leg: Leg, bench: &Bench) {
+        if !self.centres.is_empty() {
+            self.legs.push(leg);
+        }
+        let [.., a, b] = m.at(f);
+        self.centres.push(m.pose(f, bench.tool, bench.machine).centre);
+        self.theta.push(bench.machine.theta_of_a(a));
+        self.b_rad.push(b);
+    }
+
+    /// Which legs are of a kind.
+    pub fn of(&self, kind: Kind) -> Vec<bool> {
+        self.legs.iter().map(|l| l.kind == kind).collect()
+    }
+
+    /// Turns about the blade axis at each place, counted from the first place at a feed that `touches`, where there is one.
+    pub fn turns(&self, touches: impl Fn(&Point) -> bool) -> Vec<u32> {
+        let angle = |c: &Point| c.z.atan2(c.y);
+        let mut turned = vec![0.0f64; self.centres.len()];
+        for (i, w) in self.centres.windows(2).enumerate() {
+            let step = angle(&w[1]) - angle(&w[0]);
+            turned[i + 1] = turned[i] + step - TAU * (step / TAU).round();
+        }
+        let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
+        let first = (0..self.centres.len()).filter(cuts).find(|i| touches(&self.centres[*i])).unwrap_or(0);
+        let from = turned.get(first).copied().unwrap_or(0.0);
+        let count = |(i, t): (usize, &f64)| if i < first { 0 } else { ((t - from).abs() / TAU + 1e-9) as u32 };
+        turned.iter().enumerate().map(count).collect()
+    }
+}
+
+/// In how many equal legs a move has to be looked at.
+fn parts(m: &Moved, bench: &Bench) -> usize {
+    let turn = (m.to[3] - m.from[3]).abs().max((m.to[4] - m.from[4]).abs());
+    let coarse = (turn / COARSE_RAD).ceil().clamp(1.0, 1e9);
+    let centre = |f: f64| m.pose(f, bench.tool, bench.machine).centre;
+    // The deviation of a leg falls with the square of its length; it may differ along the move.
+    let off = |k: f64| {
+        let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| centre(k / coarse));
+        (mid - nalgebra::center(&a, &b)).norm()
+    };
+    let worst = [0.0, (0.5 * coarse).floor(), coarse - 1.0].map(off).into_iter().fold(0.0, f64::max);
+    let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };
+    let fine = (worst / allowed).sqrt().ceil().clamp(1.0, 1e9);
+    (coarse * fine) as usize
+}

@@ -1,0 +1,140 @@
+//! A program judged by itself: no plan, whoever wrote it.
+//!
+//! **In**: the text of an NC program, how its words are meant ([`Bench`]: dialect, zero, tool, machine), the [`Blade`].
+//! **Out**: an [`Audit`]: checks, each with the worst place by line of the program, turn and point of the model.
+//!
+//! The text is read by [`super::program::read`], the machine is moved through it ([`super::program::follow`]), and the motion is cut into
+//! [`legs`] short enough that the ball centre goes straight, θ and B evenly. Then
+//!
+//! | check | measured | bound between samples |
+//! | --- | --- | --- |
+//! | `gouge` | depth of the swept ball in the part in feed moves | exact ([`super::gouge`]) |
+//! | `rapid` | least distance of the whole tool to the part in rapids | Taylor ([`super::solid`]), exact for the ball |
+//! | `clearance`, `holder-clearance` | least distance of taper and shank, and of the holder, in feed moves | Taylor |
+//! | `x-travel` … `b-travel` | positions of the axes, rapids and feed moves alike | parabola through three places of a leg |
+//! | `scallop`, `scallop-turn` | height left between neighbouring passes ([`scallop`]): all over, and turn by turn | samples |
+//! | `b-sign`, `a-sense` | only after a gouge or a touch: whether all would be well with the other sign of B, or of A | |
+//!
+//! **Limits**: rapids are taken as straight in whatever the block programs; arcs, steps (G91) and splines are not read; the control's own
+//! smoothing is not known; velocities are not judged, since the control slows down where it must. Moves before the program has said
+//! where every axis stands are not looked at, and counted. θ need not grow and nothing is asked of the order of passes.
+
+mod blame;
+mod checks;
+mod legs;
+mod report;
+mod scallop;
+#[cfg(test)]
+mod tests;
+
+pub use report::{Audit, LineCheck, Span};
+
+use super::program::{self, Bench};
+use super::sweep::Sweep;
+use crate::artifact::Blade;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::allowance::Allowed;
+use crate::observe::Observer;
+use legs::{Kind, Legs};
+
+/// Limits and sampling of [`audit`]. Lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AuditOptions {
+    /// Deepest gouge allowed, mm. Default 0.003.
+    pub gouge_mm: f64,
+    /// Greatest scallop, mm; `None` (the default): measured, not judged.
+    pub scallop_mm: Option<f64>,
+    /// The 99th percentile of the scallop may be this many times `scallop_mm`. Default 1.05.
+    pub scallop_ratio: f64,
+    /// The 95th percentile of the scallop over one turn may be this many times `scallop_mm`. Default 1.25.
+    pub turn_ratio: f64,
+    /// Stock that is to stay on the part, mm. Default 0.
+    pub stock_mm: f64,
+    /// What the checks of gouge may miss between two samples, mm. Default 0.0005.
+    pub resolution_mm: f64,
+    /// What the checks of clearance may miss between two samples, mm. Default 0.005.
+    pub clearance_resolution_mm: f64,
+    /// Number of samples of the surface, about. Default 120 000.
+    pub surface_samples: usize,
+}
+
+impl Default for AuditOptions {
+    fn default() -> Self {
+        AuditOptions {
+            gouge_mm: 0.003,
+            scallop_mm: None,
+            scallop_ratio: 1.05,
+            turn_ratio: 1.25,
+            stock_mm: 0.0,
+            resolution_mm: 0.0005,
+            clearance_resolution_mm: 0.005,
+            surface_samples: 120_000,
+        }
+    }
+}
+
+/// Everything the checks look at.
+struct Scene<'a> {
+    blade: &'a Blade,
+    part: Allowed<'a>,
+    bench: &'a Bench<'a>,
+    options: &'a AuditOptions,
+    text: &'a str,
+    moves: &'a [program::Moved],
+    legs: &'a Legs,
+    turns: Vec<u32>,
+}
+
+/// Judges a program.
+///
+/// # Errors
+/// `Usage`: the tool is none, a line is not understood (with its number), a move turns too far to be followed, or no feed move is known
+/// from its beginning; `Cancelled`.
+pub fn audit(
+    text: &str,
+    blade: &Blade,
+    bench: &Bench,
+    options: &AuditOptions,
+    observer: &dyn Observer,
+) -> Result<Audit> {
+    bench.tool.validate()?;
+    let step = |done: usize| {
+        observer.progress(Stage::Verify, done, 5);
+        observer.check(Stage::Verify)
+    };
+    step(0)?;
+    let moves = program::follow(&program::read(text, bench.language)?, bench)?;
+    let legs = Legs::new(&moves, bench)?;
+    if !legs.legs.iter().any(|l| l.kind == Kind::Cut) {
+        return Err(Error::usage(Stage::Verify, "the program has no feed move that is known from its beginning")
+            .advise("its first moves must say X, Y and Z"));
+    }
+    let part = Allowed::new(&blade.part, options.stock_mm);
+    let turns = legs.turns(|c| part.closest(c, bench.tool.radius_mm + legs::NEAR_MM).is_some());
+    let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
+    let cutting = scene.sweep(Kind::Cut);
+    let mut checks = vec![checks::gouge(&scene, &cutting)];
+    step(1)?;
+    checks.extend(checks::clearances(&scene));
+    step(2)?;
+    checks.extend(checks::rapid(&scene));
+    checks.extend(checks::travel(&scene));
+    step(3)?;
+    let heights = scallop::heights(&scene, &cutting);
+    checks.extend(scallop::checks(&scene, &heights));
+    step(4)?;
+    if checks.iter().any(|c| !c.check.passed && ["gouge", "clearance", "holder-clearance"].contains(&&*c.check.name)) {
+        checks.extend(blame::signs(&scene)?);
+    }
+    step(5)?;
+    Ok(report::report(&scene, checks, &heights))
+}
+
+impl Scene<'_> {
+    /// The ball swept over the moves of a kind.
+    fn sweep(&self, kind: Kind) -> Sweep {
+        let wanted = self.legs.of(kind);
+        let centres = self.legs.centres.clone();
+        Sweep::of(centres.clone(), centres, self.turns.clone(), self.bench.tool.radius_mm, Some(wanted))
+    }
+}

@@ -1,0 +1,183 @@
+//! What an audit says: checks by line of the program.
+
+use serde::Serialize;
+
+use super::Scene;
+use super::legs::Kind;
+use super::scallop::Heights;
+use crate::artifact::report::Check;
+use crate::geometry::Point;
+
+/// Most spans told for one check.
+const MOST_SPANS: usize = 20;
+
+/// Lines that follow one another and break a limit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Span {
+    /// First line, from 1.
+    pub first_line: usize,
+    /// Last line.
+    pub last_line: usize,
+    /// Worst value, in the unit of the check.
+    pub worst: f64,
+    /// Line of the worst value.
+    pub worst_line: usize,
+}
+
+/// A check, with where in the program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LineCheck {
+    /// The check; `row` is not used.
+    #[serde(flatten)]
+    pub check: Check,
+    /// Line of the worst value, from 1.
+    pub line: Option<usize>,
+    /// That line.
+    pub block: Option<String>,
+    /// Lines that break the limit, the worst first, at most 20.
+    pub spans: Vec<Span>,
+    /// How many such spans there are.
+    pub span_count: usize,
+}
+
+/// What an audit found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Audit {
+    /// Lines of the program.
+    pub lines: usize,
+    /// Feed moves.
+    pub feed_moves: usize,
+    /// Rapids.
+    pub rapids: usize,
+    /// Moves that begin or end where the program has not said yet that an axis stands: not looked at.
+    pub unknown_moves: usize,
+    /// Turns about the blade axis.
+    pub turns: u32,
+    /// Way of the ball centre at a feed, mm.
+    pub feed_mm: f64,
+    /// Time at a feed, as programmed, s.
+    pub feed_s: f64,
+    /// Least and greatest B at a feed, degrees.
+    pub b_deg: [f64; 2],
+    /// Samples of the surface between passes.
+    pub scallop_samples: usize,
+    /// Height left between passes, mm: greatest, 99th percentile, median.
+    pub scallop_max_mm: f64,
+    /// 99th percentile, mm.
+    pub scallop_p99_mm: f64,
+    /// Median, mm.
+    pub scallop_p50_mm: f64,
+    /// The checks.
+    pub checks: Vec<LineCheck>,
+}
+
+impl Audit {
+    /// All checks passed.
+    pub fn passed(&self) -> bool {
+        self.checks.iter().all(|c| c.check.passed)
+    }
+}
+
+/// A worst value and where.
+#[derive(Clone, Copy)]
+pub(super) struct Worst {
+    pub value: f64,
+    /// Index of the move.
+    pub moved: Option<usize>,
+    pub turn: Option<u32>,
+    /// Point of the part or of the tool's way, blade frame.
+    pub point: Option<Point>,
+}
+
+/// How a check is called and judged.
+pub(super) struct Limit {
+    pub name: String,
+    pub quantity: String,
+    pub limit: f64,
+    pub unit: &'static str,
+    pub passed: bool,
+}
+
+impl Scene<'_> {
+    /// A worst value on a leg.
+    pub(super) fn on_leg(&self, value: f64, leg: usize, point: Option<Point>) -> Worst {
+        let moved = self.legs.legs.get(leg).map(|l| l.moved);
+        Worst { value, moved, turn: self.turns.get(leg).copied(), point }
+    }
+
+    /// A check, placed.
+    pub(super) fn judged(&self, limit: Limit, worst: &Worst, note: String) -> LineCheck {
+        let point = worst.point.map(|p| self.blade.model_from_blade * p);
+        let line = worst.moved.and_then(|m| self.moves.get(m)).map(|m| m.line);
+        let block = line.and_then(|n| self.text.lines().nth(n - 1)).map(|l| l.trim().to_owned());
+        let value = if worst.value.is_finite() { worst.value } else { f64::MAX };
+        LineCheck {
+            check: Check {
+                name: limit.name,
+                quantity: limit.quantity,
+                worst: value,
+                limit: limit.limit,
+                unit: limit.unit.into(),
+                passed: limit.passed,
+                row: None,
+                turn: worst.turn,
+                point_mm: point.map(|p| [p.x, p.y, p.z]),
+                note,
+            },
+            line,
+            block,
+            spans: Vec::new(),
+            span_count: 0,
+        }
+    }
+
+    /// Moves that break a limit, in order, as spans of such that follow one another; `worse`: the first is worse than the second.
+    pub(super) fn spans(&self, found: &[(usize, f64)], worse: impl Fn(f64, f64) -> bool) -> (Vec<Span>, usize) {
+        let mut all: Vec<(Span, usize)> = Vec::new();
+        for &(moved, value) in found {
+            let Some(line) = self.moves.get(moved).map(|m| m.line) else { continue };
+            match all.last_mut() {
+                Some((span, last)) if moved <= *last + 1 => {
+                    (span.last_line, *last) = (line, moved);
+                    if worse(value, span.worst) {
+                        (span.worst, span.worst_line) = (value, line);
+                    }
+                }
+                _ => all.push((
+                    Span { first_line: line, last_line: line, worst: value, worst_line: line },
+                    moved,
+                )),
+            }
+        }
+        let count = all.len();
+        let mut spans: Vec<Span> = all.into_iter().map(|(s, _)| s).collect();
+        spans.sort_by(|a, b| worse(b.worst, a.worst).cmp(&worse(a.worst, b.worst)).then(a.first_line.cmp(&b.first_line)));
+        spans.truncate(MOST_SPANS);
+        (spans, count)
+    }
+}
+
+/// The audit with its figures.
+pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -> Audit {
+    let legs = scene.legs;
+    let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
+    let feeds = || (0..legs.legs.len()).filter(cut);
+    let b = feeds().map(|i| legs.b_rad[i].to_degrees()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], b| {
+        [lo.min(b), hi.max(b)]
+    });
+    Audit {
+        lines: scene.text.lines().count(),
+        feed_moves: scene.moves.iter().filter(|m| m.seconds.is_some()).count(),
+        rapids: scene.moves.iter().filter(|m| m.seconds.is_none()).count(),
+        unknown_moves: legs.unknown,
+        turns: feeds().filter_map(|i| scene.turns.get(i)).max().map_or(0, |t| t + 1),
+        feed_mm: feeds().map(|i| (legs.centres[i + 1] - legs.centres[i]).norm()).sum(),
+        feed_s: scene.moves.iter().filter_map(|m| m.seconds.filter(|s| s.is_finite())).sum(),
+        b_deg: b,
+        scallop_samples: heights.sorted.len(),
+        scallop_max_mm: heights.percentile(1.0),
+        scallop_p99_mm: heights.percentile(0.99),
+        scallop_p50_mm: heights.percentile(0.5),
+        checks,
+    }
+}

@@ -1,0 +1,149 @@
+//! What a program leaves standing between its passes.
+//!
+//! At samples of the surface, the height at which the normal meets the swept ball, as in [`super::super::scallop`]. Nothing is known of
+//! how the passes lie, so a sample counts where it lies *between* passes: the places of the swept centres nearest to its ball centre are
+//! on both sides of it. The strip beyond the outermost passes has one on one side only.
+//!
+//! One turn that is too wide may be a small share of the part, so the height is judged turn by turn too.
+
+use rayon::prelude::*;
+
+use super::Scene;
+use super::report::{Limit, LineCheck};
+use crate::geometry::Point;
+use crate::verify::samples::{self, Sample};
+use crate::verify::scallop::{REACH_SLACK, lift};
+use crate::verify::sweep::Sweep;
+
+/// Passes as far apart as so many stepovers are still neighbours: a turn that is missing is seen.
+const REACH_STEPOVERS: f64 = 2.5;
+/// Least reach, mm.
+const LEAST_REACH_MM: f64 = 0.4;
+/// Two places are on two sides where the cosine of their directions is less than this.
+const OPPOSITE: f64 = -0.5;
+/// Turns with fewer samples are not judged by themselves.
+const FEWEST: usize = 40;
+/// Passes this many times as far apart as usual: one is missing between them.
+const MISSING: f64 = 1.6;
+/// Where no scallop is asked for, the greatest that is looked for, as a share of the ball radius.
+const WIDEST: f64 = 0.02;
+
+/// A height between two passes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Height {
+    pub height_mm: f64,
+    pub point: Point,
+    /// Leg of the nearest pass.
+    pub leg: usize,
+    /// How far the two passes are apart, mm.
+    pub gap_mm: f64,
+}
+
+/// All of them, the lowest first.
+pub(super) struct Heights {
+    pub sorted: Vec<Height>,
+}
+
+impl Heights {
+    /// Percentile, 0 to 1; 0 where there is no sample.
+    pub fn percentile(&self, q: f64) -> f64 {
+        percentile(&self.sorted, q).map_or(0.0, |h| h.height_mm)
+    }
+}
+
+fn percentile(sorted: &[Height], q: f64) -> Option<&Height> {
+    sorted.get(((sorted.len().saturating_sub(1)) as f64 * q).round() as usize)
+}
+
+/// Measures.
+pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
+    let radius = sweep.radius_mm;
+    let widest = scene.options.scallop_mm.unwrap_or(WIDEST * radius);
+    let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
+    let height = |s: &Sample| {
+        let q = s.point + s.normal * radius;
+        let (leg, gap_mm) = between(sweep, &q, reach)?;
+        let raw = sweep.entry(&s.point, &s.normal, reach)?;
+        // What no ball of this radius could reach is no fault of the passes.
+        let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
+        Some(Height { height_mm: raw.min((raw - up).max(0.0)), point: s.point, leg, gap_mm })
+    };
+    let all = samples::near_path(&scene.part, sweep, reach, scene.options.surface_samples);
+    let mut sorted: Vec<Height> = all.points.par_iter().filter_map(height).collect();
+    sorted.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.leg.cmp(&b.leg)));
+    Heights { sorted }
+}
+
+/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its two sides are apart.
+fn between(sweep: &Sweep, q: &Point, reach_mm: f64) -> Option<(usize, f64)> {
+    let mut near: Vec<(f64, usize, Point)> =
+        sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let (d, leg, c) = *near.first()?;
+    let side = c - q;
+    let across = |(e, _, other): &&(f64, usize, Point)| (other - q).dot(&side) <= OPPOSITE * d * e;
+    let (e, ..) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
+    Some((leg, d + e))
+}
+
+/// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
+pub(super) fn checks(scene: &Scene, heights: &Heights) -> Vec<LineCheck> {
+    let Some(asked) = scene.options.scallop_mm else { return Vec::new() };
+    let all = &heights.sorted;
+    let (Some(highest), Some(p99)) = (all.last(), percentile(all, 0.99)) else {
+        return Vec::new();
+    };
+    let usual = median_gap(all);
+    let limit = |name: &str, quantity: String, value: f64, ratio: f64| Limit {
+        name: name.into(),
+        quantity,
+        limit: ratio * asked,
+        unit: "mm",
+        passed: value <= ratio * asked,
+    };
+    let quantity = "99th percentile of the height left between passes".to_owned();
+    let whole = limit("scallop", quantity, p99.height_mm, scene.options.scallop_ratio);
+    let note = format!(
+        "{} places, highest {:.6}, median {:.6}; the place given is the highest{}",
+        all.len(),
+        highest.height_mm,
+        heights.percentile(0.5),
+        passes(highest, usual)
+    );
+    let mut out = vec![scene.judged(whole, &scene.on_leg(p99.height_mm, highest.leg, Some(highest.point)), note)];
+    if let Some((turn, p95, top)) = worst_turn(scene, all) {
+        let quantity = "95th percentile of the height left between passes over one turn".to_owned();
+        let limit = limit("scallop-turn", quantity, p95.height_mm, scene.options.turn_ratio);
+        let note = format!("turn {turn}, highest {:.6}{}", top.height_mm, passes(&p95, usual));
+        let mut check = scene.judged(limit, &scene.on_leg(p95.height_mm, top.leg, Some(top.point)), note);
+        check.check.turn = Some(turn);
+        out.push(check);
+    }
+    out
+}
+
+/// The turn with the highest 95th percentile, that, and its highest place.
+fn worst_turn(scene: &Scene, sorted: &[Height]) -> Option<(u32, Height, Height)> {
+    let turn = |h: &Height| scene.turns.get(h.leg).copied().unwrap_or(0) as usize;
+    let count = sorted.iter().map(|h| turn(h) + 1).max()?;
+    let mut by_turn: Vec<Vec<Height>> = vec![Vec::new(); count];
+    for h in sorted {
+        by_turn[turn(h)].push(*h);
+    }
+    let judged = by_turn.iter().enumerate().filter(|(_, list)| list.len() >= FEWEST);
+    let each = judged.filter_map(|(k, list)| Some((k as u32, *percentile(list, 0.95)?, *list.last()?)));
+    each.max_by(|a, b| a.1.height_mm.total_cmp(&b.1.height_mm).then(b.0.cmp(&a.0)))
+}
+
+fn median_gap(heights: &[Height]) -> f64 {
+    let mut gaps: Vec<f64> = heights.iter().map(|h| h.gap_mm).collect();
+    gaps.sort_by(f64::total_cmp);
+    gaps.get(gaps.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// How far the passes are apart there, in words.
+fn passes(h: &Height, usual_mm: f64) -> String {
+    let missing =
+        if h.gap_mm > MISSING * usual_mm { ": a turn or a pass is missing between them" } else { "" };
+    format!("; the passes beside it are {:.3} mm apart, usually {usual_mm:.3} mm{missing}", h.gap_mm)
+}
