@@ -41,6 +41,11 @@ brute times="50":
 bench-channel:
     cargo bench --bench channel
 
+# Programs of the examples read by LinuxCNC's interpreter (apt) and nc-gcode-interpreter (PyPI), kinematics beside LinuxCNC's
+controls:
+    cargo build --release --bins --example axis_positions
+    bash tests/controls/run.sh target/release/bladewright target/release/examples/axis_positions
+
 # Closest points a second, beside parry's query to the triangles
 bench:
     cargo bench --bench closest

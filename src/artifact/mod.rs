@@ -4,6 +4,7 @@ pub mod axis_motion;
 pub mod blade;
 pub mod channel;
 pub mod obstacle;
+pub mod deviation;
 pub mod plan;
 pub mod program;
 pub mod report;

@@ -5,14 +5,15 @@ use std::path::Path;
 use super::args::{Format, Plot, Post, Preview};
 use super::out::sayln;
 use super::progress::Terminal;
-use crate::artifact::{CheckReport, Plan};
+use crate::artifact::deviation::DeviationMap;
+use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job;
 use crate::observe::Observer;
-use crate::output::{RunFolder, tables};
+use crate::output::{self, RunFolder, tables};
 use crate::pipeline::{self, Setup};
 use crate::post::Dialect;
-use crate::preview::drawing;
+use crate::preview::{self, drawing};
 use crate::verify;
 
 /// A finished run.
@@ -60,12 +61,17 @@ fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdi
     Ok((setup, verdict))
 }
 
-/// `verify`: all checks again, from the files, programs included; writes verify.json.
-pub fn verify(out: &Path, quiet: bool) -> Result<u8> {
+/// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
+pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
     terminal.finish();
     let (setup, verdict) = checked?;
+    if let Some((file, tolerance)) = map {
+        let path = &verdict.value().toolpath;
+        let map = verify::deviation(&setup.blade, path, tolerance)?;
+        write_map(file, &map, &setup.blade, path.scallop_mm)?;
+    }
     let mut report = verdict.report().clone();
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = pipeline::accept(verdict, true) {
@@ -79,6 +85,14 @@ pub fn verify(out: &Path, quiet: bool) -> Result<u8> {
     folder.add_json("verify.json", &report)?;
     folder.finish()?;
     Ok(if report.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// A deviation map as a scene or as a table, by the file's name.
+pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64) -> Result<()> {
+    if file.extension().is_some_and(|e| e == "csv") {
+        return output::write_file(file, tables::deviation(blade, map).as_bytes());
+    }
+    output::write_file(file, &preview::deviation(&blade.name, map, &blade.model_from_blade, scallop_mm)?)
 }
 
 /// `post`: checks again, then writes the program.

@@ -478,6 +478,18 @@ pub struct Verify {
     /// Write all findings as JSON.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub report: Option<PathBuf>,
+    /// Write the deviation map, what is left over the part: FILE.glb in colours, FILE.csv as a table.
+    #[arg(long, value_name = "FILE", value_parser = parse_map)]
+    pub map: Option<PathBuf>,
+    /// Tolerance of the map, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.001, requires = "map")]
+    pub map_tolerance: f64,
+}
+
+fn parse_map(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let known = path.extension().is_some_and(|e| e == "glb" || e == "csv");
+    known.then_some(path).ok_or_else(|| "give a file that ends in .glb or .csv".into())
 }
 
 fn parse_point(text: &str) -> Result<Axis, String> {

@@ -29,7 +29,8 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
             let what = format!("{} is a file: to check a program, its part and its tool are needed", args.what.display());
             return Err(Error::usage(Stage::Verify, what).advise("give --part MODEL and --tool FILE"));
         }
-        return again::verify(&args.what, quiet);
+        let map = args.map.as_deref().map(|file| (file, args.map_tolerance));
+        return again::verify(&args.what, map, quiet);
     };
     let text = text(&args.what)?;
     let (language, why) = language(args, &text)?;
@@ -47,9 +48,14 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
             gouge_mm: args.gouge,
             scallop_mm: args.scallop,
             stock_mm: args.stock.unwrap_or(0.0),
+            map_mm: args.map.as_ref().map(|_| args.map_tolerance),
             ..AuditOptions::default()
         };
-        audit::audit(&text, &blade, &bench, &options, &terminal)
+        let audit = audit::audit(&text, &blade, &bench, &options, &terminal)?;
+        if let (Some(file), Some(map)) = (&args.map, &audit.map) {
+            again::write_map(file, map, &blade, args.scallop.unwrap_or(audit.scallop_p99_mm.max(0.001)))?;
+        }
+        Ok(audit)
     });
     terminal.finish();
     let audit = audit?;
@@ -141,11 +147,10 @@ fn finding(found: &LineCheck) {
         c.note
     );
     for s in found.spans.iter().take(TOLD_SPANS) {
-        let lines = match s.last_line > s.first_line {
-            true => format!("lines {} to {}", s.first_line, s.last_line),
-            false => format!("line {}", s.first_line),
-        };
-        sayln!("         {lines}: worst {:.6} {} in line {}", s.worst, c.unit, s.worst_line);
+        match s.last_line > s.first_line {
+            true => sayln!("         lines {} to {}", s.first_line, s.last_line),
+            false => sayln!("         line {}", s.first_line),
+        }
     }
     if found.span_count > TOLD_SPANS {
         sayln!("         and {} more places", found.span_count - TOLD_SPANS);

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::artifact::axis_motion::AXES;
+use crate::artifact::deviation::DeviationMap;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -34,6 +35,19 @@ pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
             row.theta_max.to_degrees(),
             plan.motion.feed[k] * 60.0
         );
+    }
+    out
+}
+
+/// A deviation map's corners: model frame, mm; the height is empty where the ball does not come.
+pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
+    let mut out = String::from("# bladewright deviation map; model frame, mm; height of the machined surface along the normal\n");
+    out.push_str("x,y,z,nx,ny,nz,height\n");
+    let to_model = &blade.model_from_blade;
+    for ((p, n), h) in map.points.iter().zip(&map.normals).zip(&map.heights_mm) {
+        let (p, n) = (to_model * p, to_model * n);
+        let _ = write!(out, "{},{},{},{},{},{},", p.x, p.y, p.z, n.x, n.y, n.z);
+        let _ = if h.is_nan() { writeln!(out) } else { writeln!(out, "{h}") };
     }
     out
 }

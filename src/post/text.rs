@@ -71,6 +71,21 @@ pub(super) fn ascii(text: &str) -> String {
     out
 }
 
+/// ASCII text in pieces of at most `room` characters, parted at a space where there is one in the second half of a piece; one piece at
+/// least.
+fn wrapped(text: &str, room: usize) -> Vec<&str> {
+    let mut out = Vec::new();
+    let mut rest = text;
+    while rest.len() > room {
+        let space = rest[..=room].rfind(' ').filter(|at| *at > room / 2);
+        let (piece, behind) = rest.split_at(space.unwrap_or(room));
+        out.push(piece);
+        rest = behind.strip_prefix(' ').unwrap_or(behind);
+    }
+    out.push(rest);
+    out
+}
+
 /// The lines being written.
 pub(super) struct Lines<'a> {
     pub(super) text: String,
@@ -95,9 +110,9 @@ impl<'a> Lines<'a> {
         let everything = file.numbering.as_ref().is_some_and(|n| n.everything);
         let room =
             file.longest_line.saturating_sub(before.len() + after.len() + if everything { 8 } else { 0 }).max(10);
-        for piece in text.as_bytes().chunks(room) {
+        for piece in wrapped(&text, room) {
             let number = if everything { self.number() } else { String::new() };
-            self.text.push_str(&format!("{number}{before}{}{after}\n", String::from_utf8_lossy(piece)));
+            self.text.push_str(&format!("{number}{before}{piece}{after}\n"));
         }
     }
     /// A block.

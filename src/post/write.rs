@@ -2,7 +2,7 @@
 
 use super::dialect::{Dialect, FeedWord, Rotary};
 use super::moves::{self, Move};
-use super::template::{KEYS, Line, Piece, Value, Word, key};
+use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header};
 use super::{End, Run};
 use crate::artifact::program::Programmed;
@@ -178,19 +178,19 @@ impl<'a> Writer<'a> {
         let lines = &dialect.cut;
         let moves = moves::all(self.run, dialect.file.programmed)?;
         let mut written = 0usize;
-        let mut last: Option<(Vec<String>, f64, Placed)> = None;
+        let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
         for Move { centre, theta, t_s } in &moves {
             let placed = self.placed(centre, *theta);
             self.take(&placed)?;
-            let words = self.position_words(lines)?;
+            let position = self.position(lines)?;
             match &last {
-                None => last = Some((words, *t_s, placed)),
-                Some((same, ..)) if *same == words => {}
+                None => last = Some((position, *t_s, placed)),
+                Some((same, ..)) if *same == position => {}
                 Some((_, since, from)) => {
                     let f = self.feed_word(from, &placed, t_s - since);
                     self.set("f", Value::Text(f));
                     self.put(lines)?;
-                    last = Some((words, *t_s, placed));
+                    last = Some((position, *t_s, placed));
                     written += 1;
                 }
             }
@@ -204,16 +204,17 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// The words of a cutting line that say where, as text; steps are taken as positions.
-    fn position_words(&self, lines: &[Line]) -> Result<Vec<String>> {
+    /// The rounded numbers of a cutting line that say where; steps are taken as positions.
+    fn position(&self, lines: &[Line]) -> Result<Vec<Fixed>> {
         let mut out = Vec::new();
         for piece in lines.iter().flat_map(|l| &l.words).flat_map(|w| &w.pieces) {
             let Piece::Value(k, digits) = piece else { continue };
-            match KEYS.get(*k).map(|(name, ..)| *name) {
-                Some("f") => {}
-                Some("da") => out.push(self.value_text(key("a").unwrap_or(*k), *digits)?),
-                _ => out.push(self.value_text(*k, *digits)?),
-            }
+            let said = match KEYS.get(*k).map(|(name, ..)| *name) {
+                Some("f") => None,
+                Some("da") => self.rounded(key("a").unwrap_or(*k), *digits)?,
+                _ => self.rounded(*k, *digits)?,
+            };
+            out.extend(said);
         }
         Ok(out)
     }
@@ -274,24 +275,36 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn value_text(&self, k: usize, digits: Option<usize>) -> Result<String> {
-        use super::template::Class;
+    /// A value as it is rounded; `None`: it is no number.
+    fn rounded(&self, k: usize, digits: Option<usize>) -> Result<Option<Fixed>> {
         let numbers = &self.dialect.file.numbers;
-        let class = KEYS.get(k).map_or(Class::Text, |(_, class, _)| *class);
-        let decimals = digits.unwrap_or(match class {
+        let decimals = digits.unwrap_or(match class(k) {
             Class::Length | Class::Size => numbers.length_decimals,
             Class::Angle => numbers.angle_decimals,
             Class::Direction => numbers.vector_decimals,
             Class::Whole | Class::Feed | Class::Text => 0,
         });
-        let signed = numbers.plus && matches!(class, Class::Length | Class::Angle | Class::Direction);
-        Ok(match self.values.get(k) {
-            Some(Value::Text(t)) => t.clone(),
-            Some(Value::Rounded(r)) => r.text(signed, numbers.trim),
-            Some(Value::Number(v)) => Fixed::new(*v, decimals)?.text(signed, numbers.trim),
-            None => String::new(),
+        match self.values.get(k) {
+            Some(Value::Rounded(r)) => Ok(Some(*r)),
+            Some(Value::Number(v)) => Fixed::new(*v, decimals).map(Some),
+            Some(Value::Text(_)) | None => Ok(None),
+        }
+    }
+
+    fn value_text(&self, k: usize, digits: Option<usize>) -> Result<String> {
+        let numbers = &self.dialect.file.numbers;
+        let signed = numbers.plus && matches!(class(k), Class::Length | Class::Angle | Class::Direction);
+        Ok(match (self.rounded(k, digits)?, self.values.get(k)) {
+            (Some(number), _) => number.text(signed, numbers.trim),
+            (None, Some(Value::Text(t))) => t.clone(),
+            (None, _) => String::new(),
         })
     }
+}
+
+/// What a value is.
+fn class(k: usize) -> Class {
+    KEYS.get(k).map_or(Class::Text, |(_, class, _)| *class)
 }
 
 /// Shift and rows of the rotation from the blade frame to the CAD model, as text.

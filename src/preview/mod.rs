@@ -11,5 +11,5 @@ pub mod report;
 mod thin;
 pub mod values;
 
-pub use gltf::{GltfOptions, Scene, gltf, regions};
+pub use gltf::{GltfOptions, Scene, deviation, gltf, regions};
 pub use report::{Baseline, ReportInput};

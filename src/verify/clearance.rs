@@ -24,6 +24,9 @@ const COARSE: usize = 400;
 /// Halvings of one move at most.
 const DEEPEST: u32 = 24;
 
+/// Points of a triangle are told apart to this where it is only asked whether it is touched, mm.
+const TOUCH_MM: f64 = 0.002;
+
 /// Distances beyond this are not measured, mm.
 const FAR_MM: f64 = 1000.0;
 
@@ -82,9 +85,9 @@ struct Motion<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances.
+    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances and depths.
     fn may_miss(&self, found: f64) -> f64 {
-        self.resolution.max(0.02 * found)
+        self.resolution.max(0.02 * found.abs())
     }
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
@@ -213,18 +216,30 @@ pub(super) fn measure_track(
     (near, bound)
 }
 
-/// The moves of a motion in which the distance is less than `limit_mm`, each with its least, to `resolution_mm`.
-pub(super) fn below(
-    track: Track,
-    part: &Part,
-    segments: &[Segment],
-    resolution_mm: f64,
-    limit_mm: f64,
-) -> Vec<Nearest> {
-    let motion = Motion { part, track, segments, resolution: resolution_mm };
-    let each = |row: usize| motion.over(row..row + 1, Nearest::far(limit_mm));
+/// The moves of a motion in the middle of which some triangle is nearer than `limit_mm`.
+pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f64) -> Vec<usize> {
+    let motion = Motion { part, track, segments, resolution: 0.0 };
+    let touches = |row: &usize| {
+        let place = motion.place(*row, 0.5, 0.5);
+        let mut met = false;
+        part.bvh.tree.traverse(|node| {
+            let (lo, hi) = (node.mins(), node.maxs());
+            let half = Vector::new(0.5 * (hi.x - lo.x), 0.5 * (hi.y - lo.y), 0.5 * (hi.z - lo.z));
+            let middle = Point::new(lo.x + half.x, lo.y + half.y, lo.z + half.z);
+            if place.iter().all(|solid| solid.bound_over_box(&middle, &half) >= limit_mm) {
+                return TraversalAction::Prune;
+            }
+            if let Some(triangle) = node.leaf_data() {
+                let corners = part.mesh.corners(triangle as usize);
+                let near = |s: &Moving| s.least_over_triangle(&corners, limit_mm, TOUCH_MM).1.is_some();
+                met |= place.iter().any(near);
+            }
+            if met { TraversalAction::EarlyExit } else { TraversalAction::Continue }
+        });
+        met
+    };
     let moves = 0..track.centres.len().saturating_sub(1);
-    moves.into_par_iter().map(each).filter(|n| n.triangle != u32::MAX).collect()
+    moves.into_par_iter().filter(|row| track.wants(*row)).filter(touches).collect()
 }
 
 /// The checks `clearance` (taper, shank) and `holder-clearance`, and the least of both, mm.

@@ -23,6 +23,9 @@ const CHUNK: usize = 256;
 /// Moves are not halved below this length, mm.
 const SHORTEST_MM: f64 = 1e-5;
 
+/// Of deep cuts so much may be missed.
+const MISSED_SHARE: f64 = 0.02;
+
 /// The deepest gouge found, and a bound on what may lie between the samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gouge {
@@ -96,7 +99,8 @@ fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, r
         while let Some((a, da, b, db)) = open.pop() {
             let length = (b - a).norm();
             let deepest = radius - least_between(da, db, length);
-            if deepest <= worst.found_mm.max(0.0) + resolution || length < SHORTEST_MM {
+            let enough = worst.found_mm.max(0.0) + resolution.max(MISSED_SHARE * worst.found_mm);
+            if deepest <= enough || length < SHORTEST_MM {
                 worst.bound_mm = worst.bound_mm.max(deepest);
                 continue;
             }
@@ -111,11 +115,15 @@ fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, r
     worst
 }
 
-/// The moves that cut deeper than `limit_mm`, each with its deepest place.
-pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64, resolution_mm: f64) -> Vec<Gouge> {
-    let each = |i: usize| measure_moves(part, sweep, i..i + 1, resolution_mm);
+/// The moves that cut deeper than `limit_mm` at an end or in the middle.
+pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64) -> Vec<usize> {
+    let deep = |c: &Point| part.closest(c, sweep.radius_mm - limit_mm).is_some();
+    let cuts = |i: &usize| {
+        let (a, b) = (sweep.centres[*i], sweep.centres[*i + 1]);
+        deep(&b) || deep(&nalgebra::center(&a, &b))
+    };
     let moves = 0..sweep.centres.len().saturating_sub(1);
-    moves.into_par_iter().filter(|i| sweep.counts(*i)).map(each).filter(|g| g.bound_mm > limit_mm).collect()
+    moves.into_par_iter().filter(|i| sweep.counts(*i)).filter(cuts).collect()
 }
 
 /// The check `gouge`.

@@ -24,6 +24,7 @@
 
 pub mod audit;
 mod clearance;
+mod deviation;
 mod gouge;
 mod limit;
 mod limits;
@@ -41,6 +42,7 @@ mod tests;
 mod uncut;
 mod verdict;
 
+pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;
 pub use verdict::{Rejected, Verdict, Verified};

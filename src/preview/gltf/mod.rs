@@ -22,6 +22,7 @@
 //! locations) and fewer keys, all by the same share; each node says in its `extras` what it shows.
 
 mod blade;
+mod deviation;
 mod glb;
 mod machine;
 mod marks;
@@ -41,6 +42,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::machine::Machine;
 use crate::tool::Tool;
+pub use deviation::deviation;
 use glb::Glb;
 
 /// How large the file may be and how it is played.

@@ -89,10 +89,16 @@ fn pixel(share: f64) -> f32 {
 
 /// The scale of colours as a PNG file.
 fn scale(upright: bool) -> Result<Vec<u8>> {
-    let mut pixels = colour::NONE.to_vec();
-    pixels.extend((0..PIXELS - 1).flat_map(|k| colour::of(f64::from(k) / f64::from(PIXELS - 2))));
+    let values = (0..PIXELS - 1).map(|k| colour::of(f64::from(k) / f64::from(PIXELS - 2)));
+    png_of(&[colour::NONE].into_iter().chain(values).collect::<Vec<_>>(), upright)
+}
+
+/// A row, or a column, of pixels as a PNG file.
+pub(super) fn png_of(colours: &[[u8; 3]], upright: bool) -> Result<Vec<u8>> {
+    let pixels: Vec<u8> = colours.iter().flatten().copied().collect();
+    let long = u32::try_from(colours.len()).unwrap_or(u32::MAX);
     let mut out = Vec::new();
-    let (width, height) = if upright { (1, PIXELS) } else { (PIXELS, 1) };
+    let (width, height) = if upright { (1, long) } else { (long, 1) };
     let mut encoder = png::Encoder::new(&mut out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);

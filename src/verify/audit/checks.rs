@@ -36,9 +36,7 @@ pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", found.found_mm.max(0.0));
     let mut check = scene.judged(limit, &scene.on_leg(bound, found.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
-        let deep = gouge::deeper_than(&scene.part, sweep, options.gouge_mm, options.resolution_mm);
-        let moves: Vec<_> = deep.iter().map(|g| (scene.legs.legs[g.segment].moved, g.bound_mm)).collect();
-        (check.spans, check.span_count) = scene.spans(&moves, |a, b| a > b);
+        scene.tell_spans(&mut check, &gouge::deeper_than(&scene.part, sweep, options.gouge_mm), found.segment);
     }
     check
 }
@@ -74,10 +72,7 @@ impl Scene<'_> {
         );
         let mut check = self.judged(limit, &self.on_leg(worst, near.row, Some(near.point)), note);
         if !check.check.passed {
-            let below = clearance::below(track, &self.blade.part, segments, resolution, deflection + resolution);
-            let moves: Vec<_> =
-                below.iter().map(|n| (self.legs.legs[n.row].moved, n.found_mm - deflection)).collect();
-            (check.spans, check.span_count) = self.spans(&moves, |a, b| a < b);
+            self.tell_spans(&mut check, &clearance::below(track, &self.blade.part, segments, deflection), near.row);
         }
         check
     }
@@ -137,9 +132,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
     let limit = Limit { passed: least >= 0.0, ..limit() };
     let mut check = scene.judged(limit, &scene.on_leg(least, ball.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
-        let deep = gouge::deeper_than(&scene.part, &sweep, 0.0, scene.options.clearance_resolution_mm);
-        let moves: Vec<_> = deep.iter().map(|g| (scene.legs.legs[g.segment].moved, -g.bound_mm)).collect();
-        (check.spans, check.span_count) = scene.spans(&moves, |a, b| a < b);
+        scene.tell_spans(&mut check, &gouge::deeper_than(&scene.part, &sweep, 0.0), ball.segment);
     }
     Some(check)
 }
@@ -169,9 +162,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         let mut check =
             scene.judged(limit, &place, format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}"));
         if !check.check.passed {
-            let out: Vec<_> =
-                over.iter().filter(|o| o.1 > ROUNDING).map(|(at, excess)| (*at, excess * scale)).collect();
-            (check.spans, check.span_count) = scene.spans(&out, |a, b| a > b);
+            let outside = over.iter().filter(|o| o.1 > ROUNDING).map(|(at, _)| *at).collect();
+            (check.spans, check.span_count) = scene.spans(outside);
         }
         out.push(check);
     }

@@ -29,6 +29,7 @@ mod tests;
 
 pub use report::{Audit, LineCheck, Span};
 
+use super::deviation;
 use super::program::{self, Bench};
 use super::sweep::Sweep;
 use crate::artifact::Blade;
@@ -56,6 +57,8 @@ pub struct AuditOptions {
     pub clearance_resolution_mm: f64,
     /// Number of samples of the surface, about. Default 120 000.
     pub surface_samples: usize,
+    /// Tolerance of the deviation map, mm; `None` (the default): no map.
+    pub map_mm: Option<f64>,
 }
 
 impl Default for AuditOptions {
@@ -69,6 +72,7 @@ impl Default for AuditOptions {
             resolution_mm: 0.0005,
             clearance_resolution_mm: 0.005,
             surface_samples: 120_000,
+            map_mm: None,
         }
     }
 }
@@ -127,7 +131,9 @@ pub fn audit(
         checks.extend(blame::signs(&scene)?);
     }
     step(5)?;
-    Ok(report::report(&scene, checks, &heights))
+    let widest = scallop::widest_mm(&scene);
+    let map = options.map_mm.map(|tolerance| deviation::measure(&scene.part, &cutting, widest, tolerance));
+    Ok(report::report(&scene, checks, &heights, map))
 }
 
 impl Scene<'_> {

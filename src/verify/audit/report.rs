@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::Scene;
 use super::legs::Kind;
 use super::scallop::Heights;
+use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
 
@@ -18,10 +19,6 @@ pub struct Span {
     pub first_line: usize,
     /// Last line.
     pub last_line: usize,
-    /// Worst value, in the unit of the check.
-    pub worst: f64,
-    /// Line of the worst value.
-    pub worst_line: usize,
 }
 
 /// A check, with where in the program.
@@ -34,7 +31,7 @@ pub struct LineCheck {
     pub line: Option<usize>,
     /// That line.
     pub block: Option<String>,
-    /// Lines that break the limit, the worst first, at most 20.
+    /// Lines that break the limit, in order, at most 20 spans.
     pub spans: Vec<Span>,
     /// How many such spans there are.
     pub span_count: usize,
@@ -69,6 +66,9 @@ pub struct Audit {
     pub scallop_p50_mm: f64,
     /// The checks.
     pub checks: Vec<LineCheck>,
+    /// The deviation map, where it was asked for.
+    #[serde(skip)]
+    pub map: Option<DeviationMap>,
 }
 
 impl Audit {
@@ -131,34 +131,35 @@ impl Scene<'_> {
         }
     }
 
-    /// Moves that break a limit, in order, as spans of such that follow one another; `worse`: the first is worse than the second.
-    pub(super) fn spans(&self, found: &[(usize, f64)], worse: impl Fn(f64, f64) -> bool) -> (Vec<Span>, usize) {
+    /// Tells the spans of the legs that break a limit, and of the leg of the worst value, which may break it between its places.
+    pub(super) fn tell_spans(&self, check: &mut LineCheck, legs: &[usize], worst: usize) {
+        let moved = |leg: &usize| self.legs.legs.get(*leg).map(|l| l.moved);
+        (check.spans, check.span_count) = self.spans(legs.iter().chain([&worst]).filter_map(moved).collect());
+    }
+
+    /// Moves that break a limit, as spans of such that follow one another, in order; at most [`MOST_SPANS`], and how many there are.
+    pub(super) fn spans(&self, mut moves: Vec<usize>) -> (Vec<Span>, usize) {
+        moves.sort_unstable();
         let mut all: Vec<(Span, usize)> = Vec::new();
-        for &(moved, value) in found {
+        for moved in moves {
             let Some(line) = self.moves.get(moved).map(|m| m.line) else { continue };
             match all.last_mut() {
-                Some((span, last)) if moved <= *last + 1 => {
-                    (span.last_line, *last) = (line, moved);
-                    if worse(value, span.worst) {
-                        (span.worst, span.worst_line) = (value, line);
-                    }
-                }
-                _ => all.push((
-                    Span { first_line: line, last_line: line, worst: value, worst_line: line },
-                    moved,
-                )),
+                Some((span, last)) if moved <= *last + 1 => (span.last_line, *last) = (line, moved),
+                _ => all.push((Span { first_line: line, last_line: line }, moved)),
             }
         }
         let count = all.len();
-        let mut spans: Vec<Span> = all.into_iter().map(|(s, _)| s).collect();
-        spans.sort_by(|a, b| worse(b.worst, a.worst).cmp(&worse(a.worst, b.worst)).then(a.first_line.cmp(&b.first_line)));
-        spans.truncate(MOST_SPANS);
-        (spans, count)
+        (all.into_iter().map(|(s, _)| s).take(MOST_SPANS).collect(), count)
     }
 }
 
 /// The audit with its figures.
-pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -> Audit {
+pub(super) fn report(
+    scene: &Scene,
+    checks: Vec<LineCheck>,
+    heights: &Heights,
+    map: Option<DeviationMap>,
+) -> Audit {
     let legs = scene.legs;
     let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
     let feeds = || (0..legs.legs.len()).filter(cut);
@@ -179,5 +180,6 @@ pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -
         scallop_p99_mm: heights.percentile(0.99),
         scallop_p50_mm: heights.percentile(0.5),
         checks,
+        map,
     }
 }

@@ -55,10 +55,15 @@ fn percentile(sorted: &[Height], q: f64) -> Option<&Height> {
     sorted.get(((sorted.len().saturating_sub(1)) as f64 * q).round() as usize)
 }
 
+/// The scallop that reaches are measured by, mm.
+pub(super) fn widest_mm(scene: &Scene) -> f64 {
+    scene.options.scallop_mm.unwrap_or(WIDEST * scene.bench.tool.radius_mm)
+}
+
 /// Measures.
 pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
     let radius = sweep.radius_mm;
-    let widest = scene.options.scallop_mm.unwrap_or(WIDEST * radius);
+    let widest = widest_mm(scene);
     let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
     let height = |s: &Sample| {
         let q = s.point + s.normal * radius;

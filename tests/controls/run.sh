@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Programs of all examples read by other people's interpreters, and our kinematics beside LinuxCNC's: what `just controls` runs.
+# LinuxCNC comes from apt (unpacked, not installed), nc-gcode-interpreter from PyPI. PYTHON: the Python for the latter.
+# usage: bash tests/controls/run.sh BLADEWRIGHT AXIS_POSITIONS
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+bladewright=$1 positions=$2 out=out/controls
+: "${LINUXCNC_ROOT:=$PWD/out/linuxcnc/root}"
+export LINUXCNC_ROOT
+[ -x "$LINUXCNC_ROOT/usr/bin/rs274" ] || sh tests/controls/linuxcnc.sh "$(dirname "$LINUXCNC_ROOT")"
+python=${PYTHON:-out/controls-venv/bin/python}
+[ -x "$(command -v "$python")" ] || { python3 -m venv out/controls-venv && out/controls-venv/bin/pip install -q nc-gcode-interpreter polars; }
+"$python" -c 'import nc_gcode_interpreter' 2>/dev/null || "$python" -m pip install -q nc-gcode-interpreter polars
+for job in examples/jobs/*.toml; do
+    name=$(basename "$job" .toml)
+    "$bladewright" --quiet plan "$job" -o "$out/$name" \
+        --set 'post.control=["siemens","siemens-vector","linuxcnc","linuxcnc-feed"]' > "$out-$name.log" 2>&1 ||
+        { cat "$out-$name.log"; exit 1; }
+done
+python3 tests/controls/rs274.py $out/*/*.ngc
+"$python" tests/controls/siemens.py $out/*/*.mpf
+python3 tests/controls/kinematics.py "$positions" 10000

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""nc-gcode-interpreter (PyPI) as a reader of Siemens programs.
+
+usage: python3 tests/controls/siemens.py PROGRAM.mpf ...      needs `pip install nc-gcode-interpreter`
+
+It reads TRAORI, ORIAXES, CYCLE832, G93, SUPA and A=IC(...), not A3= B3= C3=: lines with vectors are read without them, and that is said.
+Every position X, Y, Z and the growing A is compared with the words of the text. A word that it does not know it takes for the call of a
+subprogram: what it took so is listed, and only the names below may be in it."""
+import re, sys
+from importlib.metadata import version
+
+import nc_gcode_interpreter as nc
+
+# Words of the 840D that this interpreter has no meaning for.
+CALLS = {"TRAORI", "TRAFOOF", "CYCLE832", "ORIWKS", "ORIAXES", "SOFT", "FFWON", "SUPA"}
+
+
+def posted(text):
+    at, out, vectors = dict.fromkeys("XYZA", 0.0), [], 0
+    for line in text.splitlines():
+        code = line.split(";")[0]
+        moved = False
+        for letter, step, value in re.findall(r"(?<![A-Z0-9])([XYZA])=?(IC\()?([-+]?\d+\.\d+)\)?", code):
+            at[letter] = float(value) + (at[letter] if step else 0.0)
+            moved = True
+        vectors += "A3=" in code
+        if moved:
+            out.append(dict(at))
+    return out, vectors
+
+
+def main():
+    for path in sys.argv[1:]:
+        text = open(path).read()
+        want, vectors = posted(text)
+        bare = re.sub(r" [ABC]3=\S+", "", text)
+        frame, _ = nc.nc_to_dataframe(bare, extra_axes=["A", "B", "C"], iteration_limit=10**9)
+        columns = set(frame.columns)
+        got = {c: frame[c].to_list() for c in "XYZA" if c in columns}
+        rows = [i for i in range(frame.height) if any(got[c][i] is not None for c in got)]
+        state, last = dict.fromkeys("XYZA", 0.0), []
+        for i in rows:
+            now = {c: got[c][i] if c in got and got[c][i] is not None else state[c] for c in "XYZA"}
+            if now != state or not last:
+                last.append(now)
+            state = now
+        calls = set()
+        if "non_returning_function_call" in columns:
+            for c in frame["non_returning_function_call"].to_list():
+                calls |= {re.sub(r"\(.*", "", str(w)) for w in (c if isinstance(c, list) else [c]) if w}
+        if calls - CALLS:
+            raise SystemExit(f"{path}: words that are not understood: {sorted(calls - CALLS)}")
+        distinct = [w for k, w in enumerate(want) if k == 0 or w != want[k - 1]]
+        if len(distinct) != len(last):
+            raise SystemExit(f"{path}: {len(distinct)} places are programmed, {len(last)} are read")
+        off = max(abs(a[c] - b[c]) for a, b in zip(distinct, last) for c in "XYZA")
+        if off > 1e-6:
+            raise SystemExit(f"{path}: a position is read {off} mm or degrees off")
+        without = f", {vectors} lines without their vectors" if vectors else ""
+        print(f"{path}: {len(last)} places read by nc-gcode-interpreter {version('nc-gcode-interpreter')}, largest difference {off:.1e}{without}")
+
+
+main()
