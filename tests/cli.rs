@@ -268,7 +268,47 @@ fn plan_verify_post_and_preview_of_the_prism() {
     assert!(before.iter().filter(|(n, _)| n.contains("program-")).count() >= 10, "{before:?}");
     assert_eq!(before, checks(&std::fs::read(d.join("1/verify.json")).expect("readable")));
     planted_faults_of_a_program_are_found(d);
+    programs_are_checked_by_themselves(d, &model);
     planted_gouge_is_found(d);
+}
+
+/// `verify PROGRAM`: clean, with a fault, and with bad input.
+fn programs_are_checked_by_themselves(d: &Path, model: &str) {
+    let with = |program: &str, more: &[&str]| {
+        let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.01"];
+        bladewright(&[&args[..], more].concat(), d)
+    };
+    for program in ["1/program.mpf", "1/program.ngc"] {
+        let out = with(program, &["--report", "findings.json", "--map", "map.glb"]);
+        let text = String::from_utf8_lossy(&out.stdout).into_owned();
+        assert_eq!(out.status.code(), Some(0), "{text}{}", String::from_utf8_lossy(&out.stderr));
+        assert!(text.contains("ok   rapid") && text.contains("ok   scallop-turn"), "{text}");
+        let report = std::fs::read_to_string(d.join("findings.json")).expect("a report");
+        assert!(report.contains("\"name\": \"gouge\"") && report.contains("\"block\": \""), "{report}");
+        assert!(std::fs::read(d.join("map.glb")).expect("a map").starts_with(b"glTF"));
+        for file in ["findings.json", "map.glb"] {
+            std::fs::remove_file(d.join(file)).expect("removable");
+        }
+    }
+    let text = std::fs::read_to_string(d.join("1/program.ngc")).expect("readable");
+    write(d, "theirs.ngc", text.replace("Z630.00000", "Z630.01000").as_bytes());
+    let out = with("theirs.ngc", &[]);
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert_eq!(out.status.code(), Some(1), "{said}");
+    assert!(said.contains("finding: z-travel") && said.contains("0.010000 mm") && said.contains("`G53 G0 Z630.01000`"), "{said}");
+    write(d, "arc.nc", b"G94 G1 X1 Y1 Z1 F5\nG2 X2 I1\n");
+    write(d, "letter.txt", b"Dear sir,\nplease mill this.\n");
+    write(d, "tool.toml", b"radius_mm = 3\n");
+    let tool = "1/job.resolved.toml";
+    fails(&["verify", "arc.nc", "--part", model, "--tool", tool], d, 2, &["line 2", "G2 is not known"]);
+    fails(&["verify", "letter.txt", "--part", model, "--tool", tool], d, 2, &["letter.txt", "does not look like"]);
+    fails(&["verify", "none.nc", "--part", model, "--tool", tool], d, 4, &["none.nc"]);
+    fails(&["verify", "arc.nc", "--part", model, "--tool", "tool.toml"], d, 2, &["tool.toml", "missing field"]);
+    fails(&["verify", "arc.nc", "--part", "no.step", "--tool", tool], d, 4, &["no.step"]);
+    fails(&["verify", "arc.nc"], d, 2, &["--part"]);
+    for file in ["theirs.ngc", "arc.nc", "letter.txt", "tool.toml"] {
+        std::fs::remove_file(d.join(file)).expect("removable");
+    }
 }
 
 /// A program that was changed or damaged since is found by `verify`, which reads it from its file.

@@ -116,7 +116,7 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         (None, Some(control)) => Dialect::built_in(control)?,
         (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
     };
-    let (program, checks) = setup.program(&dialect, &verified)?;
+    let (program, checks) = setup.program_from(&dialect, &verified, args.from_turn)?;
     if checks.iter().any(|c| !c.passed) {
         let report = CheckReport { checks, ..CheckReport::default() };
         print_failed(&report);

@@ -71,7 +71,7 @@ pub enum Verb {
     Verify(Verify),
     /// Write the NC program of a finished run for a control.
     #[command(
-        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml"
+        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12"
     )]
     Post(Post),
     /// Write preview.glb and report.html of a finished run again.
@@ -512,6 +512,9 @@ pub struct Post {
     /// An own post file (TOML) to write with; models/posts has the built-in ones to begin with.
     #[arg(long, value_name = "FILE", conflicts_with = "control")]
     pub post_file: Option<PathBuf>,
+    /// Begin with this turn, from 1, to go on after a break: approach and retract as for the whole. Programs mark where turns begin.
+    #[arg(long, value_name = "N")]
+    pub from_turn: Option<usize>,
     /// Write the program even if the checks fail; its header says so.
     #[arg(long)]
     pub force: bool,

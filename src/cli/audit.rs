@@ -26,7 +26,8 @@ const TOLD_SPANS: usize = 5;
 pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     let (Some(part), Some(tool)) = (&args.part, &args.tool) else {
         if args.what.is_file() {
-            let what = format!("{} is a file: to check a program, its part and its tool are needed", args.what.display());
+            let what =
+                format!("{} is a file: to check a program, its part and its tool are needed", args.what.display());
             return Err(Error::usage(Stage::Verify, what).advise("give --part MODEL and --tool FILE"));
         }
         let map = args.map.as_deref().map(|file| (file, args.map_tolerance));
@@ -73,7 +74,10 @@ fn text(path: &Path) -> Result<String> {
     };
     let size = std::fs::metadata(path).map_err(io)?.len();
     if size > MAX_BYTES {
-        return Err(Error::usage(Stage::Verify, format!("{} has {size} bytes, too many for a program", path.display())));
+        return Err(Error::usage(
+            Stage::Verify,
+            format!("{} has {size} bytes, too many for a program", path.display()),
+        ));
     }
     let bytes = std::fs::read(path).map_err(io)?;
     // Comments may be in any code page; the blocks themselves are ASCII.

@@ -41,7 +41,8 @@ pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
 
 /// A deviation map's corners: model frame, mm; the height is empty where the ball does not come.
 pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
-    let mut out = String::from("# bladewright deviation map; model frame, mm; height of the machined surface along the normal\n");
+    let mut out =
+        String::from("# bladewright deviation map; model frame, mm; height of the machined surface along the normal\n");
     out.push_str("x,y,z,nx,ny,nz,height\n");
     let to_model = &blade.model_from_blade;
     for ((p, n), h) in map.points.iter().zip(&map.normals).zip(&map.heights_mm) {

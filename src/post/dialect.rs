@@ -3,11 +3,11 @@
 //! A program is a list of *sections* in a fixed order, each a list of lines:
 //!
 //! ```text
-//! file_begin  header  notes  start  approach  plunge  cutting  cut …  cutting_end  leave  retract  unwind  end  file_end
+//! file_begin  header  notes  start  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
 //! ```
 //!
 //! `start` sees the safe position over the first location, `approach` the feed height, `plunge` the first location, `cut` (once
-//! for each move) every location after it, `leave` the feed height over the last location, `retract` the safe position over
+//! for each move) every location after it, `turn` (before the first cut of each turn) its number, `leave` the feed height over the last location, `retract` the safe position over
 //! it, `unwind` the first location again. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
 //! `{key:3}` for one with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the
 //! value before are left out for the keys in `modal`.
@@ -103,6 +103,9 @@ pub struct Text {
     /// Before the first cut.
     #[serde(default)]
     pub cutting: Vec<String>,
+    /// Before the first cut of each turn.
+    #[serde(default)]
+    pub turn: Vec<String>,
     /// Each cut.
     pub cut: Vec<String>,
     /// After the last cut.
@@ -187,6 +190,7 @@ pub struct Dialect {
     pub(super) approach: Vec<Line>,
     pub(super) plunge: Vec<Line>,
     pub(super) cutting: Vec<Line>,
+    pub(super) turn: Vec<Line>,
     pub(super) cut: Vec<Line>,
     pub(super) cutting_end: Vec<Line>,
     pub(super) leave: Vec<Line>,
@@ -256,6 +260,7 @@ impl Dialect {
             approach: take("text.approach", &t.approach)?,
             plunge: take("text.plunge", &t.plunge)?,
             cutting: take("text.cutting", &t.cutting)?,
+            turn: take("text.turn", &t.turn)?,
             cut: take("text.cut", &t.cut)?,
             cutting_end: take("text.cutting_end", &t.cutting_end)?,
             leave: take("text.leave", &t.leave)?,

@@ -32,6 +32,8 @@ mod write;
 
 pub use dialect::{Dialect, FeedWord, Numbering, Numbers, PostFile, Rotary, Text};
 
+use std::borrow::Cow;
+
 use crate::artifact::{Blade, CheckReport, Plan, Program};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -66,6 +68,8 @@ pub struct PostOptions {
     pub smoothing_mm: Option<f64>,
     /// Tolerance the control may smooth the tool axis by, degrees. Default 0.05.
     pub smoothing_axis_deg: f64,
+    /// Begin with this turn, from 1, to go on after a break; `None`: with the first.
+    pub from_turn: Option<usize>,
 }
 
 impl Default for PostOptions {
@@ -83,6 +87,7 @@ impl Default for PostOptions {
             safe_clearance_mm: 20.0,
             smoothing_mm: None,
             smoothing_axis_deg: 0.05,
+            from_turn: None,
         }
     }
 }
@@ -107,6 +112,19 @@ impl PostOptions {
     }
 }
 
+/// The plan that a program is written from: the whole, or what is left of it from a turn on.
+///
+/// # Errors
+/// `Usage` where there is no such turn.
+pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan>> {
+    let Some(turn) = options.from_turn else { return Ok(Cow::Borrowed(plan)) };
+    let left = turn.checked_sub(1).and_then(|t| plan.from_turn(t));
+    left.map(Cow::Owned).ok_or_else(|| {
+        let turns = plan.toolpath.turns.len();
+        Error::usage(Stage::Post, format!("there is no turn {turn}, the plan has turns 1 to {turns}"))
+    })
+}
+
 /// Writes a checked plan in a dialect.
 ///
 /// # Errors
@@ -123,19 +141,23 @@ pub fn post(
 ) -> Result<Program> {
     options.validate()?;
     tool.validate()?;
+    let written = planned(plan.value(), options)?;
     let run = Run {
-        plan: plan.value(),
+        plan: &written,
         report: plan.report(),
         forced: plan.forced(),
         blade,
         tool,
         machine,
         options,
-        ends: ends(plan.value(), blade, tool, machine, options)?,
+        ends: ends(&written, blade, tool, machine, options)?,
     };
     Ok(Program {
         control: dialect.file.name.clone(),
-        file_name: dialect.file_name().to_owned(),
+        file_name: match options.from_turn {
+            Some(turn) => format!("from_turn_{turn}.{}", dialect.file_name()),
+            None => dialect.file_name().to_owned(),
+        },
         language: dialect.language(),
         text: write::write(&run, dialect)?,
     })

@@ -26,6 +26,8 @@ pub(super) struct Move {
     pub(super) theta: f64,
     /// Time, s.
     pub(super) t_s: f64,
+    /// Turn that it belongs to, from 0 in the whole plan.
+    pub(super) turn: u32,
 }
 
 /// Checks that a plan can be written at all.
@@ -73,7 +75,7 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     let rows = plan.toolpath.locations.iter().zip(&plan.schedule.theta).zip(&plan.motion.t_s);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     for (row, ((l, &theta), &t_s)) in rows.enumerate() {
-        let next = Move { centre: l.centre, theta, t_s };
+        let next = Move { centre: l.centre, theta, t_s, turn: l.turn };
         if let Some(from) = out.last().copied() {
             let parts = parts(run, programmed, &from, &next);
             if parts > MOST_PARTS {
@@ -89,6 +91,7 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                     centre: from.centre + (next.centre - from.centre) * f,
                     theta: from.theta + (next.theta - from.theta) * f,
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
+                    turn: from.turn,
                 });
             }
         }

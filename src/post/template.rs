@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 35] = [
+pub const KEYS: [(&str, Class, &str); 37] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -36,6 +36,8 @@ pub const KEYS: [(&str, Class, &str); 35] = [
     ("my", Class::Length, "position of machine axis Y, mm"),
     ("mz", Class::Length, "position of machine axis Z, mm"),
     ("f", Class::Feed, "feed of a cutting line, as `feed` says"),
+    ("turn", Class::Whole, "number of the turn that begins, from 1"),
+    ("turns", Class::Whole, "number of turns"),
     ("approach_feed", Class::Whole, "feed down to the feed height and back, mm/min"),
     ("plunge_feed", Class::Whole, "feed from the feed height to the part and back, mm/min"),
     ("safe_z", Class::Length, "end of travel in Z of the machine, mm"),

@@ -184,6 +184,9 @@ pub(super) fn header(run: &Run, lines: &mut Lines, control: &str) {
         path.region_x_mm[0],
         path.region_x_mm[1]
     ));
+    if let Some(turn) = o.from_turn {
+        lines.comment(&format!("GOES ON with turn {turn}: the turns before it must have been cut"));
+    }
     if path.stock_mm > 0.0 {
         lines.comment(&format!("Stock    {} mm stay on the part", path.stock_mm));
     }

@@ -89,6 +89,7 @@ impl<'a> Writer<'a> {
             ("approach_feed", o.approach_feed_mm_min),
             ("plunge_feed", o.plunge_feed_mm_min),
             ("safe_z", run.machine.limits()[2].travel.map_or(here, |[_, hi]| hi)),
+            ("turns", run.plan.toolpath.locations.last().map_or(1.0, |l| f64::from(l.turn + 1))),
             ("tool", f64::from(o.tool_number)),
             ("rpm", o.spindle_rpm),
             ("tolerance", tolerance),
@@ -179,7 +180,10 @@ impl<'a> Writer<'a> {
         let moves = moves::all(self.run, dialect.file.programmed)?;
         let mut written = 0usize;
         let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
-        for Move { centre, theta, t_s } in &moves {
+        // The move to a turn's first location still cuts the turn before.
+        let mut begun = None;
+        let mut turn = 0;
+        for Move { centre, theta, t_s, turn: next } in &moves {
             let placed = self.placed(centre, *theta);
             self.take(&placed)?;
             let position = self.position(lines)?;
@@ -189,11 +193,17 @@ impl<'a> Writer<'a> {
                 Some((_, since, from)) => {
                     let f = self.feed_word(from, &placed, t_s - since);
                     self.set("f", Value::Text(f));
+                    if begun != Some(turn) {
+                        begun = Some(turn);
+                        self.set("turn", Value::Number(f64::from(turn + 1)));
+                        self.put(&dialect.turn)?;
+                    }
                     self.put(lines)?;
                     last = Some((position, *t_s, placed));
                     written += 1;
                 }
             }
+            turn = *next;
         }
         if written == 0 {
             return Err(Error::usage(

@@ -85,9 +85,10 @@ struct Motion<'a> {
 }
 
 impl<'a> Motion<'a> {
-    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances and depths.
+    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances, a tenth of depths: a
+    /// collision need not be told more finely.
     fn may_miss(&self, found: f64) -> f64 {
-        self.resolution.max(0.02 * found.abs())
+        self.resolution.max(0.02 * found).max(-0.1 * found)
     }
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
@@ -204,12 +205,7 @@ pub(super) fn measure(plan: &Plan, part: &Part, segments: &[Segment], resolution
 }
 
 /// As [`measure`], over any motion of at least two rows.
-pub(super) fn measure_track(
-    track: Track,
-    part: &Part,
-    segments: &[Segment],
-    resolution_mm: f64,
-) -> (Nearest, f64) {
+pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
     let motion = Motion { part, track, segments, resolution: resolution_mm };
     let near = motion.whole();
     let bound = near.found_mm - motion.may_miss(near.found_mm);

@@ -151,8 +151,8 @@ impl Growing<'_> {
             let mid = middles.get(&edge).copied().unwrap_or(t[k]);
             let h = |v: u32| self.map.heights_mm[v as usize];
             let off = (h(mid) - 0.5 * (h(edge.0) + h(edge.1))).abs();
-            let nowhere = [h(mid), h(edge.0), h(edge.1)].iter().all(|v| v.is_nan());
-            if length <= SHORT * self.stepover_mm && (off <= self.tolerance_mm || nowhere) {
+            // Where the ball stops coming there is nothing to resolve.
+            if length <= SHORT * self.stepover_mm && (off <= self.tolerance_mm || off.is_nan()) {
                 self.map.triangles.push(t);
             } else {
                 let (a, b, c) = (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);

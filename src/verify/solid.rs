@@ -207,7 +207,14 @@ mod tests {
         [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
     }
     fn still(frustum: &Segment, axis: Vector) -> Moving<'_> {
-        Moving { frustum, centre: Point::new(1.0, 0.0, 0.0), axis, half_move: Vector::zeros(), half_turn: 0.0, half_lean: 0.0 }
+        Moving {
+            frustum,
+            centre: Point::new(1.0, 0.0, 0.0),
+            axis,
+            half_move: Vector::zeros(),
+            half_turn: 0.0,
+            half_lean: 0.0,
+        }
     }
 
     #[test]

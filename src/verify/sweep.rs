@@ -21,6 +21,8 @@ pub(super) struct Sweep {
     pub radius_mm: f64,
     /// Moves that count, by their first row; the others only lead from one to the next.
     wanted: Option<Vec<bool>>,
+    /// The move of each leaf of the tree, whose leaves are numbered without gaps.
+    leaves: Vec<u32>,
     tree: Bvh,
 }
 
@@ -65,12 +67,14 @@ impl Sweep {
         wanted: Option<Vec<bool>>,
     ) -> Self {
         let counts = |i: &usize| wanted.as_ref().is_none_or(|w| w.get(*i) == Some(&true));
-        let boxes = centres.windows(2).enumerate().filter(|(i, _)| counts(i)).map(|(i, w)| {
-            let (lo, hi) = (w[0].inf(&w[1]), w[0].sup(&w[1]));
-            (i, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
+        let leaves: Vec<u32> = (0..centres.len().saturating_sub(1)).filter(counts).map(|i| i as u32).collect();
+        let boxes = leaves.iter().enumerate().map(|(leaf, i)| {
+            let (a, b) = (centres[*i as usize], centres[*i as usize + 1]);
+            let (lo, hi) = (a.inf(&b), a.sup(&b));
+            (leaf, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, contacts, turns, radius_mm, wanted, tree }
+        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree }
     }
 
     /// Whether move `i` counts.
@@ -85,7 +89,7 @@ impl Sweep {
             if box_distance2(node, q) > reach_mm * reach_mm {
                 return TraversalAction::Prune;
             }
-            if let Some(i) = node.leaf_data() {
+            if let Some(i) = node.leaf_data().map(|leaf| self.leaves[leaf as usize]) {
                 let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
                 let near = a + (b - a) * share_of_segment(&a, &b, q);
                 if (near - q).norm_squared() <= reach_mm * reach_mm {
@@ -102,14 +106,17 @@ impl Sweep {
         let found = self.tree.find_best(
             cap_mm * cap_mm,
             |node, _| box_distance2(node, q),
-            |i, _| {
-                let i = i as usize;
+            |leaf, _| {
+                let i = self.leaves[leaf as usize] as usize;
                 let t = share_of_segment(&self.centres[i], &self.centres[i + 1], q);
                 let centre = self.at(i, t);
                 allowed(i).then(|| ((q - centre).norm_squared(), (t, centre)))
             },
         );
-        found.map(|(i, (d2, (t, centre)))| Nearest { segment: i as usize, t, centre, distance_mm: d2.sqrt() })
+        found.map(|(leaf, (d2, (t, centre)))| {
+            let segment = self.leaves[leaf as usize] as usize;
+            Nearest { segment, t, centre, distance_mm: d2.sqrt() }
+        })
     }
 
     /// Length of the contacts' way over the part in move `i`, mm. Where the ball runs along an inner corner, its contact jumps between
@@ -138,7 +145,7 @@ impl Sweep {
             if box_distance2(node, &q) > reach2 {
                 return TraversalAction::Prune;
             }
-            if let Some(i) = node.leaf_data() {
+            if let Some(i) = node.leaf_data().map(|leaf| self.leaves[leaf as usize]) {
                 let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
                 let near = a + (b - a) * share_of_segment(&a, &b, &q);
                 if (near - q).norm_squared() <= reach2

@@ -5,7 +5,7 @@
 4 ; Hash     0123abcd
 5 ; Job      made up for a test
 6 ; Machine  demo_table_head
-7 ; Tool     T1  ball end, R 5.0000 mm, half angle of taper 3.000 deg, shank R 8.000 mm, stick-out 70.000 mm from 
+7 ; Tool     T1  ball end, R 5.0000 mm, half angle of taper 3.000 deg, shank R 8.000 mm, stick-out 70.000 mm from
 8 ; the ball centre
 9 ; Holder 1 R 20.000 mm, 40.000 mm long
 10 ; Holder 2 R 30.000 mm, 25.000 mm long
@@ -17,12 +17,12 @@
 16 ;   ok     scallop: 0.010100 mm, limit 0.010500 mm
 17 ; ==============================================================================
 18 ; X Y Z    ball CENTRE in the blade frame, mm: x along the blade axis from root to tip. TCPM takes the length of
-19 ;  a ball
+19 ; a ball
 20 ;          cutter to its centre: L of the tool from the gauge line to the CENTRE, planned as 135.0000 mm.
 21 ; Preset   origin of the blade frame at A=0: machine X +1400.0000 Y +0.0000 Z +0.0000, turned about X by +0.0000
-22 ;  deg.
-23 ; A        within one turn; M126 takes the shorter way, which is the planned one: no line turns by more than hal
-24 ; f a turn.
+22 ; deg.
+23 ; A        within one turn; M126 takes the shorter way, which is the planned one: no line turns by more than
+24 ; half a turn.
 25 ; F        mm/min of the ball centre.
 26 M129
 27 TOOL CALL 1 Z S6000
@@ -40,28 +40,29 @@
 39 L X+20.4358 Y+29.7585 Z+1.4720 R0 F5000 M8
 40 L X+20.0000 Y+25.0000 Z+0.0000 R0 F300
 41 ; Cutting
-42 L X+20.0417 Y+21.6506 Z+12.5000 A+317.1887 F1186.3393
-43 L X+20.0833 Y+12.5000 Z+21.6506 A+347.1887 F1186.3393
-44 L X+20.1250 Y+0.0000 Z+25.0000 A+17.1887 F1186.3393
-45 L X+20.1667 Y-12.5000 Z+21.6506 A+47.1887 F1186.3393
-46 L X+20.2083 Y-21.6506 Z+12.5000 A+77.1887 F1186.3393
-47 L X+20.2500 Y-25.0000 Z+0.0000 A+107.1887 F1186.3393
-48 L X+20.2917 Y-21.6506 Z-12.5000 A+137.1887 F1186.3393
-49 L X+20.3333 Y-12.5000 Z-21.6506 A+167.1887 F1186.3393
-50 L X+20.3750 Y+0.0000 Z-25.0000 A+197.1887 F1186.3393
-51 L X+20.4167 Y+12.5000 Z-21.6506 A+227.1887 F1186.3393
-52 L X+20.4583 Y+21.6506 Z-12.5000 A+257.1887 F1186.3393
-53 L X+20.5000 Y+25.0000 Z+0.0000 A+287.1887 F1186.3393
-54 ; Retract along the tool axis
-55 L X+20.9358 Y+29.7585 Z+1.4720 F300
-56 L X+23.8198 Y+61.2512 Z+11.2138 F5000 M9
-57 FUNCTION RESET TCPM
-58 CYCL DEF 32.0 TOLERANCE
-59 CYCL DEF 32.1
-60 L Z+630.000 R0 FMAX M91
-61 ; A back to its first position: less than a turn
-62 L A+287.1887 R0 FMAX
-63 M127
-64 M5
-65 M30
-66 END PGM CYL_ROOT MM
+42 ; Turn 1 of 1
+43 L X+20.0417 Y+21.6506 Z+12.5000 A+317.1887 F1186.3393
+44 L X+20.0833 Y+12.5000 Z+21.6506 A+347.1887 F1186.3393
+45 L X+20.1250 Y+0.0000 Z+25.0000 A+17.1887 F1186.3393
+46 L X+20.1667 Y-12.5000 Z+21.6506 A+47.1887 F1186.3393
+47 L X+20.2083 Y-21.6506 Z+12.5000 A+77.1887 F1186.3393
+48 L X+20.2500 Y-25.0000 Z+0.0000 A+107.1887 F1186.3393
+49 L X+20.2917 Y-21.6506 Z-12.5000 A+137.1887 F1186.3393
+50 L X+20.3333 Y-12.5000 Z-21.6506 A+167.1887 F1186.3393
+51 L X+20.3750 Y+0.0000 Z-25.0000 A+197.1887 F1186.3393
+52 L X+20.4167 Y+12.5000 Z-21.6506 A+227.1887 F1186.3393
+53 L X+20.4583 Y+21.6506 Z-12.5000 A+257.1887 F1186.3393
+54 L X+20.5000 Y+25.0000 Z+0.0000 A+287.1887 F1186.3393
+55 ; Retract along the tool axis
+56 L X+20.9358 Y+29.7585 Z+1.4720 F300
+57 L X+23.8198 Y+61.2512 Z+11.2138 F5000 M9
+58 FUNCTION RESET TCPM
+59 CYCL DEF 32.0 TOLERANCE
+60 CYCL DEF 32.1
+61 L Z+630.000 R0 FMAX M91
+62 ; A back to its first position: less than a turn
+63 L A+287.1887 R0 FMAX
+64 M127
+65 M5
+66 M30
+67 END PGM CYL_ROOT MM

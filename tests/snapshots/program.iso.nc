@@ -7,7 +7,7 @@ O0001
 (Job      made up for a test)
 (Machine  demo_table_head)
 (Tool     T1  ball end, R 5.0000 mm, half angle of taper 3.000 deg, shank R 8.000 mm, stick-out 70.000 mm from the ball)
-( centre)
+(centre)
 (Holder 1 R 20.000 mm, 40.000 mm long)
 (Holder 2 R 30.000 mm, 25.000 mm long)
 (Path     helix of 1 turns, 13 locations, 157.1 mm, blade axis x 20.000 to 20.500 mm)
@@ -37,6 +37,7 @@ N110 G1 X1449.63295 Y7.38801 Z162.58961 F5000
 N120 G1 X1449.19717 Y7.38801 Z157.60864 F300
 (Cutting)
 N130 G93
+(Turn 1 of 1)
 N140 G1 X1449.23884 Y7.38801 Z157.60864 A-42.81127 B5.00000 F91.672783
 N150 G1 X1449.28051 Y7.38801 Z157.60864 A-12.81127 B5.00000 F91.672783
 N160 G1 X1449.32217 Y7.38801 Z157.60864 A17.18873 B5.00000 F91.672783

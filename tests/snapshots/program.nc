@@ -7,7 +7,7 @@ O0001
 (Job      made up for a test)
 (Machine  demo_table_head)
 (Tool     T1  ball end, R 5.0000 mm, half angle of taper 3.000 deg, shank R 8.000 mm, stick-out 70.000 mm from the ball)
-( centre)
+(centre)
 (Holder 1 R 20.000 mm, 40.000 mm long)
 (Holder 2 R 30.000 mm, 25.000 mm long)
 (Path     helix of 1 turns, 13 locations, 157.1 mm, blade axis x 20.000 to 20.500 mm)
@@ -20,8 +20,8 @@ O0001
 (X Y Z    tool TIP of the ball in the blade frame, mm: x along the blade axis from root to tip.)
 (         Offset H1: from the gauge line to the TIP, planned as 140.0000 mm.)
 (G54      origin of the blade frame at A=0: machine X 1400.0000 Y 0.0000 Z 0.0000, turned about X by 0.0000 deg.)
-(A        degrees, growing over all turns: A must be a linear axis to the control [ROT type B], or one that does not ro)
-(ll over.)
+(A        degrees, growing over all turns: A must be a linear axis to the control [ROT type B], or one that does not)
+(roll over.)
 (F        G93, 1/min: each line takes 1/F minutes.)
 N10 G17 G21 G40 G49 G80 G90 G94
 N20 G53 G0 Z630.000
@@ -37,6 +37,7 @@ N100 G1 X20.0000 Y25.0000 Z0.0000 F5000
 N110 G1 X19.5642 Y20.2415 Z-1.4720 F300
 (Cutting)
 N120 G93
+(Turn 1 of 1)
 N130 G1 X19.6059 Y18.2656 Z8.8460 A-42.8113 F91.672783
 N140 G1 X19.6476 Y11.3955 Z16.7937 A-12.8113 F91.672783
 N150 G1 X19.6892 Y1.4720 Z20.2415 A17.1887 F91.672783

@@ -7,7 +7,7 @@ O0001
 (Job      made up for a test)
 (Machine  demo_table_head)
 (Tool     T1  ball end, R 5.0000 mm, half angle of taper 3.000 deg, shank R 8.000 mm, stick-out 70.000 mm from the ball)
-( centre)
+(centre)
 (Holder 1 R 20.000 mm, 40.000 mm long)
 (Holder 2 R 30.000 mm, 25.000 mm long)
 (Path     helix of 1 turns, 13 locations, 157.1 mm, blade axis x 20.000 to 20.500 mm)
@@ -37,6 +37,7 @@ N110 G1 X20.0000 Y25.0000 Z0.0000 I0.08715574 J0.95170115 K0.29439566 F5000
 N120 G1 X19.5642 Y20.2415 Z-1.4720 I0.08715574 J0.95170115 K0.29439566 F300
 (Cutting)
 N130 G93
+(Turn 1 of 1)
 N140 G1 X19.6059 Y18.2656 Z8.8460 I0.08715574 J0.67699954 K0.73080470 F91.672783
 N150 G1 X19.6476 Y11.3955 Z16.7937 I0.08715574 J0.22089645 K0.97139520 F91.672783
 N160 G1 X19.6892 Y1.4720 Z20.2415 I0.08715574 J-0.29439566 K0.95170115 F91.672783

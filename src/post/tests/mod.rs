@@ -300,3 +300,31 @@ fn programs_are_as_kept_in_snapshots() {
         assert!(kept == p.text, "{control:?} differs from {}, first at {first:?}", file.display());
     }
 }
+
+#[test]
+fn a_program_from_a_turn_on_is_the_rest_of_the_whole() {
+    let plan = sample::plan(4, 60);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    for control in Control::ALL {
+        let whole = program(control, plan.clone(), false, &options()).unwrap();
+        assert_eq!(whole.text.matches("Turn ").count(), 4, "{control:?}");
+        let from = PostOptions { from_turn: Some(3), ..options() };
+        let rest = program(control, plan.clone(), false, &from).unwrap();
+        assert_eq!(rest.file_name, format!("from_turn_3.{}", whole.file_name));
+        assert!(rest.text.contains("GOES ON with turn 3") && rest.text.contains("Turn 4 of 4"), "{control:?}");
+        assert!(!rest.text.contains("Turn 2 of 4"));
+        let left = planned(&plan, &from).unwrap();
+        for c in read_back(&rest, &left, &blade, &tool, &machine).unwrap() {
+            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+        }
+        // Its cutting is that of the whole, to the digit where words do not count from the beginning.
+        if control == Control::Linuxcnc {
+            let behind = |text: &str| text.split("Turn 3 of 4").nth(1).unwrap().to_owned();
+            assert_eq!(behind(&whole.text).split("Unwind").next(), behind(&rest.text).split("Unwind").next());
+        }
+    }
+    for none in [0, 5] {
+        let e = program(Control::Iso, plan.clone(), false, &PostOptions { from_turn: Some(none), ..options() });
+        assert!(e.unwrap_err().message.contains("turns 1 to 4"));
+    }
+}

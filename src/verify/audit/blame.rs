@@ -1,4 +1,4 @@
-//! Signs that are swapped: after a gouge or a touch, the same program with the other sign of B, and with the other sense of A.
+//! Signs that are swapped: after gouges or touches all over, or no contact at all, the same program with the other sign of B, and with the other sense of A.
 
 use super::legs::Legs;
 use super::report::{Limit, LineCheck, Worst};
@@ -7,19 +7,26 @@ use crate::error::Result;
 use crate::machine::{Machine, PositiveA};
 use crate::verify::program::{Bench, Moved};
 
+/// A sign that is wrong is so all over: with a smaller share of bad legs it is not to blame.
+const WIDESPREAD: f64 = 0.05;
+
 /// A check for each sign whose swapping leaves neither gouge nor touch: it fails, since that is what is wrong.
 ///
 /// # Errors
 /// As [`Legs::new`].
 pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
     let mut out = Vec::new();
+    let contact = checks::contact(scene, &scene.passes()).check.passed;
+    if contact && checks::share_bad(scene) < WIDESPREAD {
+        return Ok(out);
+    }
     let leans = scene.moves.iter().any(|m| m.from[4] != 0.0 || m.to[4] != 0.0);
     if leans && well(scene, &other_b(scene.moves), scene.bench.machine)? {
-        let quantity = "with the other sign of B there is neither gouge nor touch: B has the wrong sign in the program, or in the machine file";
+        let quantity = "with the other sign of B there is contact, and neither gouge nor touch: B has the wrong sign in the program, or in the machine file";
         out.push(blamed(scene, "b-sign", quantity, |m| m.to[4] != 0.0));
     }
     if well(scene, scene.moves, &other_a(scene.bench.machine))? {
-        let quantity = "with the other sense of A there is neither gouge nor touch: A turns the other way than table.positive_a_turns of the machine file says";
+        let quantity = "with the other sense of A there is contact, and neither gouge nor touch: A turns the other way than table.positive_a_turns of the machine file says";
         out.push(blamed(scene, "a-sense", quantity, |m| m.to[3] != 0.0));
     }
     Ok(out)
@@ -63,8 +70,7 @@ fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
 }
 
 fn blamed(scene: &Scene, name: &str, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
-    let limit =
-        Limit { name: name.into(), quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
+    let limit = Limit { name: name.into(), quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
     let moved = scene.moves.iter().position(says);
     scene.judged(limit, &Worst { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
 }

@@ -5,22 +5,38 @@ use super::legs::Kind;
 use super::report::{Limit, LineCheck, Worst};
 use crate::artifact::axis_motion::AXES;
 use crate::artifact::program::Programmed;
-use crate::geometry::Point;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::{self, Gouge, face_name};
 use crate::verify::sweep::Sweep;
 
+/// Legs that another motion is tried at first.
+const A_FEW: usize = 200;
 /// Rounding of positions at the end of a travel, mm or rad.
 const ROUNDING: f64 = 1e-9;
+
+/// How much of the feed moves runs along the part.
+pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
+    let cut = scene.legs.of(Kind::Cut);
+    let along: Vec<usize> = (0..cut.len()).filter(|i| passes.counts(*i)).collect();
+    let share = along.len() as f64 / cut.iter().filter(|c| **c).count().max(1) as f64;
+    let limit = Limit {
+        name: "contact".into(),
+        quantity: "share of the feed legs in which the ball is at the part, greater than the limit".into(),
+        limit: 0.0,
+        unit: "",
+        passed: share > 0.0,
+    };
+    let first = along.first().copied().or_else(|| cut.iter().position(|c| *c)).unwrap_or(0);
+    let point = scene.legs.centres.get(first).copied();
+    scene.judged(limit, &scene.on_leg(share, first, point), format!("{} legs", along.len()))
+}
 
 /// The deepest cut of the ball.
 pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     let options = scene.options;
     let found = match inside(scene) {
-        Some((leg, depth)) => {
-            Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.centres[leg] }
-        }
+        Some((leg, depth)) => Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.centres[leg] },
         None => gouge::measure(&scene.part, sweep, options.resolution_mm),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
@@ -148,7 +164,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         let over: Vec<(usize, f64)> =
             reached[axis].iter().map(|(at, least, most)| (*at, (lo - least).max(most - hi))).collect();
         let Some(worst) = over.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-        let range = reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
+        let range =
+            reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
         let limit = Limit {
             name: format!("{}-travel", AXES[axis].to_lowercase()),
@@ -157,7 +174,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
             unit: if axis >= 3 { "deg" } else { "mm" },
             passed: worst.1 <= ROUNDING,
         };
-        let point = scene.moves.get(worst.0).filter(|m| m.known()).map(|m| m.pose(1.0, scene.bench.tool, machine).centre);
+        let point =
+            scene.moves.get(worst.0).filter(|m| m.known()).map(|m| m.pose(1.0, scene.bench.tool, machine).centre);
         let place = Worst { value: (worst.1 * scale).max(0.0), moved: Some(worst.0), turn: None, point };
         let mut check =
             scene.judged(limit, &place, format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}"));
@@ -209,14 +227,31 @@ fn extent(a: f64, mid: f64, b: f64) -> (f64, f64) {
     (a.min(b).min(top), a.max(b).max(top))
 }
 
-/// The deepest cut and the least clearance of a motion, for trying another one.
+/// The share of feed legs with a gouge or a touch, of a few looked at.
+pub(super) fn share_bad(scene: &Scene) -> f64 {
+    let cuts: Vec<usize> = (0..scene.legs.legs.len()).filter(|i| scene.legs.legs[*i].kind == Kind::Cut).collect();
+    let mut few = vec![false; scene.legs.legs.len()];
+    cuts.iter().step_by(cuts.len().div_ceil(A_FEW).max(1)).for_each(|i| few[*i] = true);
+    let looked = few.iter().filter(|w| **w).count();
+    let mut bad = gouge::deeper_than(&scene.part, &scene.sweep_of(few.clone()), scene.options.gouge_mm);
+    bad.extend(clearance::below(scene.track(&few), &scene.blade.part, &scene.bench.tool.segments(), 0.0));
+    bad.sort_unstable();
+    bad.dedup();
+    bad.len() as f64 / looked.max(1) as f64
+}
+
+/// Whether there is contact but neither gouge nor touch, for trying another motion. Looks at a few places first: most motions that are wrong are so
+/// nearly everywhere.
 pub(super) fn clean(scene: &Scene) -> bool {
-    let point = |c: &Point| scene.part.inside(c);
     let wanted = scene.legs.of(Kind::Cut);
     let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.centres.get(i));
-    if first.is_none_or(point) {
+    if first.is_none_or(|c| scene.part.inside(c)) {
+        return false;
+    }
+    let limit = scene.options.gouge_mm;
+    if share_bad(scene) > 0.0 || !contact(scene, &scene.passes()).check.passed {
         return false;
     }
     let gouge = gouge::measure(&scene.part, &scene.sweep(Kind::Cut), scene.options.resolution_mm);
-    gouge.bound_mm <= scene.options.gouge_mm && clearances(scene).iter().all(|c| c.check.passed)
+    gouge.bound_mm <= limit && clearances(scene).iter().all(|c| c.check.passed)
 }

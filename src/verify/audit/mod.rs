@@ -8,12 +8,13 @@
 //!
 //! | check | measured | bound between samples |
 //! | --- | --- | --- |
+//! | `contact` | share of the feed legs in which the ball is at the part: none, and the program machines something else | |
 //! | `gouge` | depth of the swept ball in the part in feed moves | exact ([`super::gouge`]) |
 //! | `rapid` | least distance of the whole tool to the part in rapids | Taylor ([`super::solid`]), exact for the ball |
 //! | `clearance`, `holder-clearance` | least distance of taper and shank, and of the holder, in feed moves | Taylor |
 //! | `x-travel` … `b-travel` | positions of the axes, rapids and feed moves alike | parabola through three places of a leg |
 //! | `scallop`, `scallop-turn` | height left between neighbouring passes ([`scallop`]): all over, and turn by turn | samples |
-//! | `b-sign`, `a-sense` | only after a gouge or a touch: whether all would be well with the other sign of B, or of A | |
+//! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
 //! **Limits**: rapids are taken as straight in whatever the block programs; arcs, steps (G91) and splines are not read; the control's own
 //! smoothing is not known; velocities are not judged, since the control slows down where it must. Moves before the program has said
@@ -28,6 +29,8 @@ mod scallop;
 mod tests;
 
 pub use report::{Audit, LineCheck, Span};
+
+use rayon::prelude::*;
 
 use super::deviation;
 use super::program::{self, Bench};
@@ -117,17 +120,21 @@ pub fn audit(
     let turns = legs.turns(|c| part.closest(c, bench.tool.radius_mm + legs::NEAR_MM).is_some());
     let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
     let cutting = scene.sweep(Kind::Cut);
-    let mut checks = vec![checks::gouge(&scene, &cutting)];
+    let passes = scene.passes();
+    let mut checks = vec![checks::contact(&scene, &passes), checks::gouge(&scene, &cutting)];
     step(1)?;
     checks.extend(checks::clearances(&scene));
     step(2)?;
     checks.extend(checks::rapid(&scene));
     checks.extend(checks::travel(&scene));
     step(3)?;
-    let heights = scallop::heights(&scene, &cutting);
+    let heights = scallop::heights(&scene, &passes);
     checks.extend(scallop::checks(&scene, &heights));
     step(4)?;
-    if checks.iter().any(|c| !c.check.passed && ["gouge", "clearance", "holder-clearance"].contains(&&*c.check.name)) {
+    if checks
+        .iter()
+        .any(|c| !c.check.passed && ["contact", "gouge", "clearance", "holder-clearance"].contains(&&*c.check.name))
+    {
         checks.extend(blame::signs(&scene)?);
     }
     step(5)?;
@@ -139,7 +146,18 @@ pub fn audit(
 impl Scene<'_> {
     /// The ball swept over the moves of a kind.
     fn sweep(&self, kind: Kind) -> Sweep {
-        let wanted = self.legs.of(kind);
+        self.sweep_of(self.legs.of(kind))
+    }
+
+    /// The ball swept over the feed moves along the part: without approach and retract, which are no passes.
+    fn passes(&self) -> Sweep {
+        let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
+        let touching: Vec<bool> = self.legs.centres.par_iter().map(|c| self.part.closest(c, reach).is_some()).collect();
+        let wanted = self.legs.of(Kind::Cut).into_iter().zip(touching.windows(2));
+        self.sweep_of(wanted.map(|(cut, ends)| cut && ends[0] && ends[1]).collect())
+    }
+
+    fn sweep_of(&self, wanted: Vec<bool>) -> Sweep {
         let centres = self.legs.centres.clone();
         Sweep::of(centres.clone(), centres, self.turns.clone(), self.bench.tool.radius_mm, Some(wanted))
     }

@@ -154,18 +154,12 @@ impl Scene<'_> {
 }
 
 /// The audit with its figures.
-pub(super) fn report(
-    scene: &Scene,
-    checks: Vec<LineCheck>,
-    heights: &Heights,
-    map: Option<DeviationMap>,
-) -> Audit {
+pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights, map: Option<DeviationMap>) -> Audit {
     let legs = scene.legs;
     let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
     let feeds = || (0..legs.legs.len()).filter(cut);
-    let b = feeds().map(|i| legs.b_rad[i].to_degrees()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], b| {
-        [lo.min(b), hi.max(b)]
-    });
+    let leans = feeds().flat_map(|i| [legs.b_rad[i], legs.b_rad[i + 1]]).map(f64::to_degrees);
+    let b = leans.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], b| [lo.min(b), hi.max(b)]);
     Audit {
         lines: scene.text.lines().count(),
         feed_moves: scene.moves.iter().filter(|m| m.seconds.is_some()).count(),

@@ -20,7 +20,7 @@ const REACH_STEPOVERS: f64 = 2.5;
 /// Least reach, mm.
 const LEAST_REACH_MM: f64 = 0.4;
 /// Two places are on two sides where the cosine of their directions is less than this.
-const OPPOSITE: f64 = -0.5;
+const OPPOSITE: f64 = -0.8;
 /// Turns with fewer samples are not judged by themselves.
 const FEWEST: usize = 40;
 /// Passes this many times as far apart as usual: one is missing between them.
@@ -140,15 +140,21 @@ fn worst_turn(scene: &Scene, sorted: &[Height]) -> Option<(u32, Height, Height)>
     each.max_by(|a, b| a.1.height_mm.total_cmp(&b.1.height_mm).then(b.0.cmp(&a.0)))
 }
 
+/// The median, each pair of passes counting alike: a wide gap has more samples in it.
 fn median_gap(heights: &[Height]) -> f64 {
-    let mut gaps: Vec<f64> = heights.iter().map(|h| h.gap_mm).collect();
+    let mut gaps: Vec<f64> = heights.iter().map(|h| h.gap_mm).filter(|g| *g > 0.0).collect();
     gaps.sort_by(f64::total_cmp);
-    gaps.get(gaps.len() / 2).copied().unwrap_or(0.0)
+    let half = 0.5 * gaps.iter().map(|g| 1.0 / g).sum::<f64>();
+    let mut sum = 0.0;
+    let past = |g: &&f64| {
+        sum += 1.0 / **g;
+        sum >= half
+    };
+    gaps.iter().find(past).copied().unwrap_or(0.0)
 }
 
 /// How far the passes are apart there, in words.
 fn passes(h: &Height, usual_mm: f64) -> String {
-    let missing =
-        if h.gap_mm > MISSING * usual_mm { ": a turn or a pass is missing between them" } else { "" };
+    let missing = if h.gap_mm > MISSING * usual_mm { ": a turn or a pass is missing between them" } else { "" };
     format!("; the passes beside it are {:.3} mm apart, usually {usual_mm:.3} mm{missing}", h.gap_mm)
 }

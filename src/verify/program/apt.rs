@@ -45,7 +45,15 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                     (false, Some(f)) => Feed::PerMinute(f),
                     (false, None) => return Err(unreadable(line, "GOTO before any FEDRAT")),
                 };
-                out.push(Block { line, place, ways: [Way::To; 2], feed, machine: false, tool_length: false, centre_point: true });
+                out.push(Block {
+                    line,
+                    place,
+                    ways: [Way::To; 2],
+                    feed,
+                    machine: false,
+                    tool_length: false,
+                    centre_point: true,
+                });
             }
             "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "LOADTL" | "SPINDL" | "COOLNT" | "END"
             | "FINI" => {}

@@ -150,8 +150,8 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
         "N" | "O" | "T" | "M" | "S" | "H" | "D" | "P" | "Q" => {
             number(value)?;
         }
-        "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPCURV" | "COMPSURF" | "COMPOF"
-        | "STOPRE" | "CDOF" | "CDOF2" | "UPATH" | "SPATH" => {}
+        "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPCURV"
+        | "COMPSURF" | "COMPOF" | "STOPRE" | "CDOF" | "CDOF2" | "UPATH" | "SPATH" => {}
         _ if ["CYCLE", "FGROUP(", "MSG("].iter().any(|c| address.starts_with(c)) => said.call = true,
         _ => return Err(format!("the word {address}{value} is not known")),
     }
@@ -178,7 +178,8 @@ fn preparatory(value: &str, modal: &mut Modal, said: &mut Said) -> std::result::
             }
             modal.inverse = inverse;
         }
-        "17" | "18" | "19" | "40" | "50" | "54" | "55" | "56" | "57" | "58" | "59" | "69" | "80" | "98" | "99" | "500" => {}
+        "17" | "18" | "19" | "40" | "50" | "54" | "55" | "56" | "57" | "58" | "59" | "69" | "80" | "98" | "99"
+        | "500" => {}
         // How corners are rounded, and looking ahead.
         "5.1" | "9" | "60" | "61" | "61.1" | "64" | "601" | "602" | "603" | "641" | "642" | "643" | "644" | "645" => {}
         _ => return Err(format!("G{value} is not known")),

@@ -26,8 +26,8 @@ mod heidenhain;
 mod tests;
 
 pub use block::{Block, Feed, Place, Way};
-pub use guess::{Guess, guess};
 pub use follow::{Bench, Moved, Zero, follow};
+pub use guess::{Guess, guess};
 
 use crate::artifact::program::{Grammar, Language, Program};
 use crate::artifact::report::Check;
