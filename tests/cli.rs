@@ -295,7 +295,10 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     let out = with("theirs.ngc", &[]);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(out.status.code(), Some(1), "{said}");
-    assert!(said.contains("finding: z-travel") && said.contains("0.010000 mm") && said.contains("`G53 G0 Z630.01000`"), "{said}");
+    assert!(
+        said.contains("finding: z-travel") && said.contains("0.010000 mm") && said.contains("`G53 G0 Z630.01000`"),
+        "{said}"
+    );
     write(d, "arc.nc", b"G94 G1 X1 Y1 Z1 F5\nG2 X2 I1\n");
     write(d, "letter.txt", b"Dear sir,\nplease mill this.\n");
     write(d, "tool.toml", b"radius_mm = 3\n");

@@ -3,8 +3,8 @@
 pub mod axis_motion;
 pub mod blade;
 pub mod channel;
-pub mod obstacle;
 pub mod deviation;
+pub mod obstacle;
 pub mod plan;
 pub mod program;
 pub mod report;

@@ -65,7 +65,7 @@ impl Moving<'_> {
     }
 
     /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without signs.
-    fn from_the_axis(&self, v: &Vector) -> f64 {
+    fn off_the_axis(&self, v: &Vector) -> f64 {
         if self.half_lean == 0.0 { v.y.hypot(v.z) } else { v.norm() }
     }
 
@@ -79,7 +79,7 @@ impl Moving<'_> {
     pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
         let (d, g) = self.signed(middle);
         let v = middle - self.centre;
-        let rho = self.from_the_axis(&(v.abs() + half));
+        let rho = self.off_the_axis(&(v.abs() + half));
         let along = g.dot(&self.drift(middle));
         // g·w(p) changes with p by −(g × (ω x + β n))·(p − middle).
         let tilt = g.cross(&self.rotation());
@@ -97,7 +97,7 @@ impl Moving<'_> {
         cap_mm: f64,
         tolerance_mm: f64,
     ) -> (f64, Option<(f64, Point)>) {
-        let rho = corners.iter().map(|c| self.from_the_axis(&(c - self.centre))).fold(0.0, f64::max);
+        let rho = corners.iter().map(|c| self.off_the_axis(&(c - self.centre))).fold(0.0, f64::max);
         let remainder = self.remainder(rho);
         // What has been seen closes pieces; bounds do not, else they would creep down from piece to piece.
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
