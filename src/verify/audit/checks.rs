@@ -163,7 +163,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         let scale = if axis >= 3 { 1f64.to_degrees() } else { 1.0 };
         let over: Vec<(usize, f64)> =
             reached[axis].iter().map(|(at, least, most)| (*at, (lo - least).max(most - hi))).collect();
-        let Some(worst) = over.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+        // The first of equals: the line that went there, not those that stay.
+        let Some(worst) = over.iter().reduce(|best, o| if o.1 > best.1 { o } else { best }) else { continue };
         let range =
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);

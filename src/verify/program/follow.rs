@@ -66,6 +66,10 @@ impl Moved {
 
     /// The words at the share `f` of the move: every one moves evenly.
     pub fn at(&self, f: f64) -> [f64; 5] {
+        // The end is known where the beginning is not.
+        if f == 1.0 {
+            return self.to;
+        }
         let mut out = self.from;
         for (o, to) in out.iter_mut().zip(&self.to) {
             *o += (to - *o) * f;
