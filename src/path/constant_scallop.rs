@@ -74,7 +74,7 @@ pub(super) fn plan(
     for coarser in [COARSER, 1.0] {
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
-        down = march(bounds, scallop_mm).to_the_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        down = march(bounds, scallop_mm).find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
         if down.lost.is_some() {
             continue;
         }

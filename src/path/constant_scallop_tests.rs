@@ -145,9 +145,9 @@ fn sharp_corner_is_closed_onto() {
 }
 
 #[test]
-fn slanting_edge_is_run_along() {
-    // A round bar cut off askew, as many times as high again as a stepover on one side.
-    let foot = |c: f64| 6.0 + 0.25 * 10.0 * c;
+fn sharp_edge_is_run_along() {
+    // A round bar that ends in a sharp edge, hardly askew.
+    let foot = |c: f64| 6.0 + 0.002 * 10.0 * c;
     let n = 600;
     let ring = |height: &dyn Fn(f64) -> f64| {
         let at = |i: usize| (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();

@@ -155,27 +155,47 @@ impl Across<'_> {
             return next;
         }
         let rolls = |a: &Next, b: &Next| if over { rolls_over(a, b) } else { rolls_round(a, b, ROUND[facets]) };
-        let (mut before, mut low, mut high) = (Next { touch: from.touch, way_mm: 0.0, stop: None }, 0.0, next.way_mm);
-        if !rolls(&before, &on) {
-            for _ in 0..EDGE_HALVINGS {
-                let middle = 0.5 * (low + high);
-                match free.at_way(from, middle) {
-                    Some(n) if !rolls(&n, &on) => (low, before) = (middle, n),
-                    _ => high = middle,
-                }
-            }
-        }
+        let start = Next { touch: from.touch, way_mm: 0.0, stop: None };
+        let mut before = free.onset(from, start, next.way_mm, |n| rolls(n, &on));
         let sharp_rad = SHARP_RAD[facets];
         let turned = |n: &Next| before.touch.normal.angle(&n.touch.normal);
         let rolled = (2..).map_while(|k| farther(f64::from(k) * ON_RAD).filter(|n| rolls(n, &on)));
         if turned(&on) < sharp_rad && !rolled.take(MOST_ROLL).any(|n| turned(&n) >= sharp_rad) {
             return next;
         }
+        // The contact may move by a share of the way: seen from near by, that is little.
+        for near_rad in [ON_RAD, 0.1 * ON_RAD] {
+            let near = free.at_way(from, before.way_mm + near_rad * radius).filter(|n| n.way_mm < on.way_mm);
+            if let Some(near) = near.filter(|n| rolls(n, &on)) {
+                before = free.onset(from, before, near.way_mm, |n| rolls(n, &near));
+            }
+        }
         Next { stop: Some(Stop::Edge(on.touch.contact)), ..before }
     }
 
+    /// The last place between two of a way, of which the second is rolling, at which the ball does not roll yet.
+    fn onset(&self, from: &Place, first: Next, rolling_mm: f64, rolls: impl Fn(&Next) -> bool) -> Next {
+        let (mut before, mut low, mut high) = (first, first.way_mm, rolling_mm);
+        if rolls(&first) {
+            return first;
+        }
+        for _ in 0..EDGE_HALVINGS {
+            let middle = 0.5 * (low + high);
+            match self.at_way(from, middle) {
+                Some(n) if !rolls(&n) => (low, before) = (middle, n),
+                _ => high = middle,
+            }
+        }
+        before
+    }
+
+    /// The place at the given way, or where the ball begins to roll over a sharp edge before it.
+    pub fn reach(&self, from: &Place, way_mm: f64) -> Option<Next> {
+        self.at_way(from, way_mm).map(|next| self.short_of_an_edge(from, next))
+    }
+
     /// The place at the given way.
-    pub fn at_way(&self, from: &Place, way_mm: f64) -> Option<Next> {
+    fn at_way(&self, from: &Place, way_mm: f64) -> Option<Next> {
         if let Some((touch, way)) = self.beside(from, way_mm)
             && self.bounds.hold(&touch)
         {
