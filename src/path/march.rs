@@ -106,7 +106,8 @@ impl March<'_> {
             return Ok(laid);
         }
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
-        if open {
+        // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
+        if open && !self.facets {
             self.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
             let mut rest = Rest::new(2 * PATIENCE[0]);
             let level = self.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
