@@ -118,7 +118,7 @@ fn helix(count: usize) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.001,
         region_x_mm: [30.0, 8.0],
-        end_reason: "the end of the region".into(),
+        end_reason: Toolpath::END_OF_REGION.into(),
         planned_scallop_mm: 0.01,
         turns,
         locations,

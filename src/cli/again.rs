@@ -6,6 +6,7 @@ use super::args::{Format, Plot, Post, Preview};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::deviation::DeviationMap;
+use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job;
@@ -176,17 +177,21 @@ pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
 /// One line for each check that failed.
 pub fn print_failed(report: &CheckReport) {
     for c in report.checks.iter().filter(|c| !c.passed) {
-        let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
-        let row = c.row.map(|r| format!(", location {r}")).unwrap_or_default();
-        let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
-        sayln!(
-            "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{row}; {}",
-            c.name,
-            c.quantity,
-            c.worst,
-            c.unit,
-            c.limit,
-            c.note
-        );
+        finding(c, &c.row.map(|r| format!(", location {r}")).unwrap_or_default());
     }
+}
+
+/// The line of a check that failed; `place`: where on the path or in the program, after a comma.
+pub(super) fn finding(c: &Check, place: &str) {
+    let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
+    let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
+    sayln!(
+        "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{place}; {}",
+        c.name,
+        c.quantity,
+        c.worst,
+        c.unit,
+        c.limit,
+        c.note
+    );
 }

@@ -155,6 +155,12 @@ fn parse_faces(text: &str) -> Result<Faces, String> {
 #[derive(Debug, Clone, Copy)]
 pub struct Axis(pub [f64; 3]);
 
+/// Three numbers with commas between.
+fn three(text: &str) -> Option<[f64; 3]> {
+    let numbers: Vec<f64> = text.split(',').map(|t| t.trim().parse().ok()).collect::<Option<_>>()?;
+    numbers.try_into().ok().filter(|n: &[f64; 3]| n.iter().all(|v| v.is_finite()))
+}
+
 fn parse_axis(text: &str) -> Result<Axis, String> {
     let named = match text.to_lowercase().as_str() {
         "x" | "+x" => Some([1.0, 0.0, 0.0]),
@@ -168,10 +174,8 @@ fn parse_axis(text: &str) -> Result<Axis, String> {
     if let Some(axis) = named {
         return Ok(Axis(axis));
     }
-    let numbers: Vec<f64> =
-        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
-    match numbers[..] {
-        [x, y, z] if text.split(',').count() == 3 && x.hypot(y).hypot(z) > 0.0 => Ok(Axis([x, y, z])),
+    match three(text) {
+        Some([x, y, z]) if x.hypot(y).hypot(z) > 0.0 => Ok(Axis([x, y, z])),
         _ => Err("give three numbers, not all 0, as in 0,0,1, or one of x, y, z, -x, -y, -z".into()),
     }
 }
@@ -277,10 +281,10 @@ pub struct Channel {
 pub struct Sweep(pub [f64; 3]);
 
 fn parse_sweep(text: &str) -> Result<Sweep, String> {
-    let numbers: Vec<f64> =
-        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
-    match numbers[..] {
-        [from, to, step] if from < to && step > 0.0 && (to - from) / step <= 1000.0 => Ok(Sweep([from, to, step])),
+    match three(text) {
+        Some([from, to, step]) if from < to && step > 0.0 && (to - from) / step <= 1000.0 => {
+            Ok(Sweep([from, to, step]))
+        }
         _ => Err("give FROM,TO,STEP in degrees, at most 1000 steps, as in -20,45,2.5".into()),
     }
 }
@@ -493,11 +497,9 @@ fn parse_map(text: &str) -> Result<PathBuf, String> {
 }
 
 fn parse_point(text: &str) -> Result<Axis, String> {
-    let numbers: Vec<f64> =
-        text.split(',').filter_map(|t| t.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
-    match numbers[..] {
-        [x, y, z] if text.split(',').count() == 3 => Ok(Axis([x, y, z])),
-        _ => Err("give three numbers, as in 0,0,-120".into()),
+    match three(text) {
+        Some(point) => Ok(Axis(point)),
+        None => Err("give three numbers, as in 0,0,-120".into()),
     }
 }
 

@@ -134,22 +134,11 @@ fn tell(program: &Path, why: &str, audit: &Audit) {
 
 /// A check that failed, with where.
 fn finding(found: &LineCheck) {
-    let c = &found.check;
-    let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
-    let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
     let line = match (found.line, &found.block) {
         (Some(n), Some(block)) => format!(", line {n} `{block}`"),
         _ => String::new(),
     };
-    sayln!(
-        "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{line}; {}",
-        c.name,
-        c.quantity,
-        c.worst,
-        c.unit,
-        c.limit,
-        c.note
-    );
+    super::again::finding(&found.check, &line);
     for s in found.spans.iter().take(TOLD_SPANS) {
         match s.last_line > s.first_line {
             true => sayln!("         lines {} to {}", s.first_line, s.last_line),

@@ -8,6 +8,7 @@ pub mod drawing;
 pub mod gltf;
 pub mod plot;
 pub mod report;
+mod scale;
 mod thin;
 pub mod values;
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::scale::Scale;
 use crate::artifact::channel::Width;
 
 /// Size of the plot, and of the margins left and below and right and above, px.
@@ -25,28 +26,6 @@ pub fn widths_csv(widths: &[Width]) -> String {
         );
     }
     out
-}
-
-/// Straight scale from values to pixels.
-struct Scale {
-    from: [f64; 2],
-    to: [f64; 2],
-}
-
-impl Scale {
-    fn at(&self, v: f64) -> f64 {
-        self.to[0] + (v - self.from[0]) / (self.from[1] - self.from[0]) * (self.to[1] - self.to[0])
-    }
-
-    /// About six round values.
-    fn ticks(&self) -> Vec<f64> {
-        let raw = (self.from[1] - self.from[0]) / 6.0;
-        let ten = 10f64.powf(raw.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * ten).find(|s| *s >= raw).unwrap_or(raw);
-        let first = (self.from[0] / step).ceil() as i64;
-        let last = (self.from[1] / step).floor() as i64;
-        (first..=last).map(|k| k as f64 * step).collect()
-    }
 }
 
 /// The plot as one `<svg>` element: width at the narrowest place, and between the monotone hulls; nothing with fewer than two
@@ -94,21 +73,27 @@ pub fn widths_svg(widths: &[Width]) -> String {
 }
 
 fn axes(out: &mut String, x: &Scale, y: &Scale) {
-    for v in y.ticks() {
+    let (values, digits) = y.ticks(6.0);
+    for v in values {
         let at = y.at(v);
         let _ = writeln!(
             out,
             "<path d=\"M{:.1} {at:.1}H{:.1}\" stroke=\"currentColor\" opacity=\"0.15\"/><text x=\"{:.1}\" y=\"{:.1}\" \
-             text-anchor=\"end\">{v}°</text>",
+             text-anchor=\"end\">{v:.digits$}°</text>",
             x.to[0],
             x.to[1],
             x.to[0] - 6.0,
             at + 4.0
         );
     }
-    for v in x.ticks() {
-        let _ =
-            writeln!(out, "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{v}°</text>", x.at(v), y.to[0] + 18.0);
+    let (values, digits) = x.ticks(6.0);
+    for v in values {
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{v:.digits$}°</text>",
+            x.at(v),
+            y.to[0] + 18.0
+        );
     }
     let _ = writeln!(
         out,
