@@ -12,6 +12,7 @@
 use std::fs::{File, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use super::record::Record;
 use crate::error::{Error, Result, Stage};
@@ -48,6 +49,9 @@ pub(super) fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
         .caused_by(e)
 }
 
+/// A killed process lets go of its lock when the system has taken it apart, which its successor may be too early for.
+const LET_GO: Duration = Duration::from_secs(2);
+
 /// Results in a folder.
 pub(super) struct Folder {
     root: PathBuf,
@@ -63,15 +67,24 @@ impl Folder {
         let path = log.join(format!("{part}.lock"));
         let lock = File::options().create(true).truncate(false).write(true).open(&path);
         let lock = lock.map_err(|e| trouble("cannot write", &path, e))?;
-        match lock.try_lock() {
-            Ok(()) => Ok(Folder { root: root.to_path_buf(), _lock: lock }),
-            Err(TryLockError::WouldBlock) => {
-                Err(Error::usage(Stage::Batch, format!("another process works on {} ({part})", root.display()))
-                    .advise("wait for it, or give each process a shard of its own"))
+        let last_try = Instant::now() + LET_GO;
+        loop {
+            match lock.try_lock() {
+                Ok(()) => break,
+                Err(TryLockError::WouldBlock) if Instant::now() < last_try => std::thread::sleep(LET_GO / 40),
+                // Not the user's command that is wrong but the moment: a Job whose pods count bad usage as an outcome must try this again.
+                Err(TryLockError::WouldBlock) => {
+                    return Err(Error::io(
+                        Stage::Batch,
+                        format!("another process works on {} ({part})", root.display()),
+                    )
+                    .advise("wait for it, or give each process a shard of its own"));
+                }
+                // A file system without locks: two processes on one shard are then the user's to avoid.
+                Err(TryLockError::Error(_)) => break,
             }
-            // A file system without locks: two processes on one shard are then the user's to avoid.
-            Err(TryLockError::Error(_)) => Ok(Folder { root: root.to_path_buf(), _lock: lock }),
         }
+        Ok(Folder { root: root.to_path_buf(), _lock: lock })
     }
 
     fn work(&self, name: &str) -> PathBuf {

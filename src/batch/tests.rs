@@ -182,6 +182,22 @@ fn record(name: &str, summary: serde_json::Value) -> Record {
 }
 
 #[test]
+fn a_part_has_one_process_and_its_successor_waits_for_it_to_go() {
+    let dir = tempfile::tempdir().unwrap();
+    let d = dir.path();
+    let first = store::Folder::open(d, "shard-1-of-2").unwrap();
+    assert!(store::Folder::open(d, "shard-2-of-2").is_ok(), "another part");
+    let e = store::Folder::open(d, "shard-1-of-2").err().expect("taken");
+    assert_eq!(e.kind.exit_code(), 4, "a moment's trouble, no outcome of the family: {e}");
+    let dying = std::thread::spawn(move || {
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        drop(first);
+    });
+    assert!(store::Folder::open(d, "shard-1-of-2").is_ok());
+    dying.join().unwrap();
+}
+
+#[test]
 fn tables_hold_every_figure_and_come_back() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::RowAccessor;
