@@ -1,8 +1,9 @@
 //! Locations along a curve of touches, as many as the chord tolerance asks for.
 
-use super::level::Touch;
+use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use crate::error::Result;
+use crate::geometry::Point;
 use crate::geometry::triangle::closest_on_segment;
 
 /// Halvings of the first spacing before a corner is taken as it is.
@@ -10,18 +11,24 @@ const MOST_HALVINGS: u32 = 10;
 
 /// A curve of touches and the tolerance of its chords.
 struct Chords<'a, F> {
+    level: &'a LevelSet<'a>,
     at: F,
     options: &'a PathOptions,
 }
 
 /// Touches at the places given, which grow, the last one left out, and between them as many as keep the chords within
-/// [`PathOptions::chord_mm`] of the curve `at`.
+/// [`PathOptions::chord_mm`] of the curve `at` of touches with `level`.
 ///
 /// # Errors
 /// Those of `at`.
-pub fn fill(at: impl Fn(f64) -> Result<Touch>, places: &[f64], options: &PathOptions) -> Result<Vec<Touch>> {
+pub fn fill(
+    level: &LevelSet,
+    at: impl Fn(f64) -> Result<Touch>,
+    places: &[f64],
+    options: &PathOptions,
+) -> Result<Vec<Touch>> {
     let Some(first) = places.first() else { return Ok(Vec::new()) };
-    let chords = Chords { at, options };
+    let chords = Chords { level, at, options };
     let mut out = Vec::with_capacity(2 * places.len());
     let mut left = (chords.at)(*first)?;
     for w in places.windows(2) {
@@ -44,17 +51,22 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         }
         let u = 0.5 * (l.0 + r.0);
         let mid = (self.at)(u)?;
-        let off = |t: &Touch| {
-            (t.centre - closest_on_segment(&l.1.centre, &r.1.centre, &t.centre)).norm() > self.options.chord_mm
-        };
+        let off = (mid.centre - closest_on_segment(&l.1.centre, &r.1.centre, &mid.centre)).norm();
         // A long chord over facets may leave the path at its quarters and meet it again in the middle.
-        let split = off(&mid)
-            || (!safe && (off(&(self.at)(0.75 * l.0 + 0.25 * r.0)?) || off(&(self.at)(0.25 * l.0 + 0.75 * r.0)?)));
+        let quarter = |f: f64| self.leaves(&(l.1.centre + (r.1.centre - l.1.centre) * f));
+        let split = off > self.options.chord_mm || (!safe && (quarter(0.25) || quarter(0.75)));
         if split {
             self.refine(l, (u, &mid), depth + 1, out)?;
             out.push(mid);
             self.refine((u, &mid), r, depth + 1, out)?;
         }
         Ok(())
+    }
+    /// A place on a chord is further from the surface of ball centres than the tolerance. One closest point tells: where the curve is there is
+    /// not asked.
+    fn leaves(&self, q: &Point) -> bool {
+        let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.chord_mm);
+        let near = self.level.part.closest(q, radius_mm + 2.0 * chord_mm);
+        near.is_none_or(|c| (c.distance_mm - radius_mm).abs() > chord_mm)
     }
 }

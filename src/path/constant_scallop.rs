@@ -152,7 +152,7 @@ fn finish(
             let on = turns.get(k + 1).or_else(|| is_closed(touches).then_some(touches));
             let after = on.and_then(|t| t.get(1)).map(|t| &t.centre);
             let curve = Curve { level, touches, tangents: curve::tangents(before, touches, after) };
-            let filled = chords::fill(|u| curve.at(u), &curve.places(options), options)?;
+            let filled = chords::fill(level, |u| curve.at(u), &curve.places(options), options)?;
             let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             observer.progress(Stage::Path, 1000 + 1000 * n / turns.len(), 2000);
             Ok(filled)

@@ -45,7 +45,7 @@ impl Blend<'_> {
     fn touches(&self) -> Result<Vec<Touch>> {
         let n = (self.a.length_mm.max(self.b.length_mm) / self.options.max_step_mm).ceil().max(8.0) as usize;
         let places: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
-        chords::fill(|u| self.at(u), &places, self.options)
+        chords::fill(self.level, |u| self.at(u), &places, self.options)
     }
 }
 

@@ -92,7 +92,7 @@ pub(super) fn plan(
             .into_par_iter()
             .map(|k| {
                 observer.check(Stage::Path)?;
-                chords::fill(|u| meridians.touch(k, n, u), &places, options)
+                chords::fill(level, |u| meridians.touch(k, n, u), &places, options)
             })
             .collect::<Result<_>>()?;
         let end = meridians.touch(n - 1, n, 1.0)?;

@@ -75,6 +75,9 @@ pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch>
 
 /// The first contact of the ring that lies nearer to another loop of the section than to the airfoil's.
 pub fn touches_another_body(ring: &Ring, airfoil: &Loop, others: &[Loop]) -> Option<Point> {
+    if others.is_empty() {
+        return None;
+    }
     ring.touches.iter().map(|t| t.contact).find(|p| {
         let q = [p.y, p.z];
         let own = distance_to_loop(q, airfoil);
