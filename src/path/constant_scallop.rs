@@ -57,12 +57,13 @@ pub(super) fn plan(
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
         max_sin_lean: options.max_lean_rad.sin(),
     };
-    let march = |bounds, scallop_mm| March {
+    let march = |bounds, scallop_mm, passes_burrs| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
         step_mm: how.max_step_mm,
         facets: level.part.brep.is_none(),
+        passes_burrs,
     };
     let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);
     let progress = |from: f64, share: f64, way: f64| {
@@ -74,7 +75,8 @@ pub(super) fn plan(
     for coarser in [COARSER, 1.0] {
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
-        down = march(bounds, scallop_mm).find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        down =
+            march(bounds, scallop_mm, false).find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
         if down.lost.is_some() {
             continue;
         }
@@ -84,7 +86,7 @@ pub(super) fn plan(
             x_mm: [f64::NEG_INFINITY, start_x + HIGHEST * (start_x - end_x)],
             max_sin_lean: (options.max_lean_rad + ROOM_RAD).sin(),
         };
-        let up = march(room, options.scallop_mm);
+        let up = march(room, options.scallop_mm, true);
         let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
             turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
         })?;

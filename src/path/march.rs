@@ -21,6 +21,8 @@ pub(super) const LEAST_SHARE: f64 = 1e-3;
 
 /// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
 const LEAST_PART: f64 = 0.05;
+/// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
+const TOO_LONG: f64 = 5.0;
 /// Turns that may come no nearer to the end before one is drawn where none was given, and before a given one counts as out of reach.
 const PATIENCE: [usize; 2] = [3, 100];
 
@@ -94,6 +96,9 @@ pub(super) struct March<'a> {
     pub(super) step_mm: f64,
     /// Whether the part is a mesh.
     pub(super) facets: bool,
+    /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
+    /// over which turns went already it is a burr.
+    pub(super) passes_burrs: bool,
 }
 
 impl March<'_> {
@@ -133,9 +138,15 @@ impl March<'_> {
         mut enough: impl FnMut(&[Node]) -> bool,
     ) -> Result<Laid> {
         let mut laid = Laid { turns, lost: None };
+        let length_mm = |turn: &[Node]| arc_lengths(turn).last().copied().unwrap_or(0.0);
+        let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t));
         while let Some((last, before)) = laid.turns.split_last_mut() {
             progress(last[0].touch.centre.x)?;
             match self.next_turn(before.last(), last) {
+                Ok(next) if length_mm(&next) > longest_mm => {
+                    laid.lost = next.iter().min_by(|a, b| a.way_mm.total_cmp(&b.way_mm)).map(|n| n.touch.centre);
+                    break;
+                }
                 Ok(next) => laid.turns.push(next),
                 Err(lost) => {
                     // The turn before the loss has gone as far as the ball could, past where its neighbours can follow.
@@ -177,6 +188,9 @@ impl March<'_> {
         }
         if self.facets {
             next = self.even_out(turn, &along, &shares, next);
+        }
+        if self.passes_burrs {
+            self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(turn, &along, &next)?;
         Ok(self.tidy(kept))

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::curve::{self, Curve};
 use super::level::Touch;
 use super::march::{LEAST_SHARE, March, Node};
-use super::neighbour::Place;
+use super::neighbour::{Place, Stop};
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
@@ -105,7 +105,7 @@ impl March<'_> {
             kept.pop();
         }
         kept.push((end, last));
-        let widest = 2.0 * self.flat_mm + 3.0 * self.step_mm;
+        let widest = self.widest_mm();
         let mut from = 0;
         for (to, _) in &kept {
             let lost = (from + 1..*to).find(|i| next[*i].is_none());
@@ -118,6 +118,27 @@ impl March<'_> {
         }
         turn.truncate(end + 1);
         Ok(turn.last().copied().into_iter().chain(kept.into_iter().map(|k| k.1)).collect())
+    }
+
+    /// So wide a stretch without a neighbour is passed over, mm.
+    fn widest_mm(&self) -> f64 {
+        2.0 * self.flat_mm + 3.0 * self.step_mm
+    }
+
+    /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that go on: one touch that stays behind while all
+    /// round it goes on would draw a tongue of crossing ways behind it.
+    pub(super) fn leave_out_burrs(&self, next: &mut [Option<Node>]) {
+        let stopped = |n: &Option<Node>| n.is_some_and(|n| n.stop.is_some_and(|s| s != Stop::Height));
+        let free = |n: &Option<Node>| n.filter(|n| n.stop.is_none()).map(|n| n.touch.centre);
+        let mut from = 0;
+        while let Some(first) = (from..next.len()).find(|i| stopped(&next[*i])) {
+            let after = (first..next.len()).find(|i| !stopped(&next[*i])).unwrap_or(next.len());
+            let sides = first.checked_sub(1).and_then(|i| free(&next[i])).zip(next.get(after).and_then(free));
+            if sides.is_some_and(|(a, b)| (b - a).norm() <= self.widest_mm()) {
+                next[first..after].fill(None);
+            }
+            from = after;
+        }
     }
 
     /// The same turn with its touches neither too close nor too far apart; ends stay.
