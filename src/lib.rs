@@ -21,7 +21,7 @@
 //! ## The pipeline
 //! ```text
 //! model -> Blade -> section -> Section -> path -> Toolpath -> channel -> Channel -> schedule -> Schedule
-//!       -> machine, feed -> AxisMotion -> verify -> Verified -> post, preview -> files
+//!       -> lead, machine, feed -> AxisMotion -> verify -> Verified -> post, preview -> files
 //! ```
 //! Each arrow is a type of [`artifact`]; each name is a folder. Stages never import one another.
 
@@ -33,6 +33,7 @@ pub mod error;
 pub mod feed;
 pub mod geometry;
 pub mod job;
+pub mod lead;
 pub mod machine;
 pub mod make;
 pub mod model;

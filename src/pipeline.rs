@@ -27,7 +27,9 @@ use reuse::Earlier;
 mod around;
 mod checking;
 pub mod compare;
+mod leads;
 mod look;
+pub mod operations;
 mod paths;
 mod planning;
 mod repost;
@@ -234,24 +236,9 @@ impl Setup {
     /// # Errors
     /// Those of [`post::post`] and of [`verify::program::read_back`].
     pub fn program(&self, dialect: &Dialect, verified: &Verified<Plan>) -> Result<(Program, Vec<Check>)> {
-        self.program_from(dialect, verified, None)
-    }
-
-    /// As [`Setup::program`], from a turn on (from 1), to go on after a break.
-    ///
-    /// # Errors
-    /// As [`Setup::program`], and where there is no such turn.
-    pub fn program_from(
-        &self,
-        dialect: &Dialect,
-        verified: &Verified<Plan>,
-        from_turn: Option<usize>,
-    ) -> Result<(Program, Vec<Check>)> {
         let (blade, tool, machine) = (&self.blade, &self.job.tool, &self.machine);
-        let options = PostOptions { from_turn, ..self.post_options() };
-        let program = post::post(dialect, verified, blade, tool, machine, &options)?;
-        let planned = post::planned(verified.value(), &options)?;
-        let checks = verify::program::read_back(&program, &planned, blade, tool, machine)?;
+        let program = post::post(dialect, verified, blade, tool, machine, &self.post_options())?;
+        let checks = verify::program::read_back(&program, verified.value(), blade, tool, machine)?;
         Ok((program, checks))
     }
 }

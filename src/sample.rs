@@ -15,6 +15,7 @@ use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
+use crate::lead::{self, End, LeadOptions};
 use crate::machine::Machine;
 use crate::tool::{HolderStage, Tool};
 
@@ -125,7 +126,17 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
     };
     let (channel, schedule) = (channel(&theta), schedule(&theta, ds));
     let motion = motion(&toolpath, &theta);
-    Plan { toolpath, channel, schedule, motion }
+    Plan { toolpath, channel, schedule, motion, leads: Default::default() }
+}
+
+/// The plan with arcs of radius 4 mm and 90 degrees at both ends, at the same feed.
+pub fn with_leads(mut plan: Plan) -> Plan {
+    let options = LeadOptions { radius_mm: 4.0, b_rad: B_RAD };
+    let first = |end| lead::candidates(&plan.toolpath, &plan.schedule, end, &options).swap_remove(0);
+    let leads = [first(End::In), first(End::Out)];
+    let (path, schedule) = lead::extended(&plan.toolpath, &plan.schedule, &leads);
+    (plan.motion, plan.leads) = lead::split(&motion(&path, &schedule.theta), leads);
+    plan
 }
 
 fn channel(theta: &[f64]) -> Channel {
@@ -171,7 +182,8 @@ fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
     let (feed, machine, gauge) = (20.0, Machine::demo().unwrap(), tool().length_mm());
     let position: Vec<[f64; 5]> =
         path.locations.iter().zip(theta).map(|(l, t)| machine.inverse(&l.centre, *t, B_RAD, gauge)).collect();
-    let t_s: Vec<f64> = path.locations.iter().map(|l| l.s_mm / feed).collect();
+    let start = path.locations[0].s_mm;
+    let t_s: Vec<f64> = path.locations.iter().map(|l| (l.s_mm - start) / feed).collect();
     let velocity = differences(&position, &t_s);
     let acceleration = differences(&velocity, &t_s);
     let jerk = differences(&acceleration, &t_s);

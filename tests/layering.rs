@@ -15,7 +15,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
         "machine" => &["numerics", "geometry", "artifact", "tool"],
-        "model" | "make" | "section" | "path" | "channel" | "schedule" | "feed" | "verify" | "job" => STAGE,
+        "model" | "make" | "section" | "path" | "channel" | "schedule" | "lead" | "feed" | "verify" | "job" => STAGE,
         "post" | "preview" | "output" => WRITER,
         "batch" => {
             &["numerics", "geometry", "artifact", "tool", "machine", "model", "make", "job", "output", "pipeline"]

@@ -218,7 +218,7 @@ fn schedule_feed_and_checks() {
         assert!((pose.axis - tool::axis(options.b_rad, used.theta[i])).norm() < 1e-12);
     }
 
-    let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion };
+    let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion, leads: Default::default() };
     let limits = VerifyOptions { scallop_mm: SCALLOP, surface_samples: 30_000, ..VerifyOptions::default() };
     let verdict = verify::check(plan, &b, &tool, &machine, &limits, &Silent).expect("a verdict");
     let report = verdict.report();

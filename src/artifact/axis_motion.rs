@@ -4,9 +4,9 @@
 pub const AXES: [&str; 5] = ["X", "Y", "Z", "A", "B"];
 
 /// One row per cutter location. Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisMotion {
-    /// Time at each cutter location, s.
+    /// Time at each cutter location, s, from the start of the whole motion: the first location's is later than 0 where a lead comes before it.
     pub t_s: Vec<f64>,
     /// Axis positions.
     pub position: Vec<[f64; 5]>,
@@ -18,6 +18,6 @@ pub struct AxisMotion {
     pub jerk: Vec<[f64; 5]>,
     /// Feed of the ball centre towards each location, mm/s.
     pub feed: Vec<f64>,
-    /// Whole time, s.
+    /// From the first location to the last, s.
     pub time_s: f64,
 }

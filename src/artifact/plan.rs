@@ -1,5 +1,6 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{AxisMotion, Channel, Schedule, Toolpath};
+use super::{AxisMotion, Channel, Lead, Schedule, Toolpath};
+use crate::geometry::Point;
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -12,15 +13,69 @@ pub struct Plan {
     pub schedule: Schedule,
     /// What the machine's axes do.
     pub motion: AxisMotion,
+    /// How the tool comes onto the first location, and leaves the last.
+    #[serde(default)]
+    pub leads: [Lead; 2],
+}
+
+/// What a row of the whole motion belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stretch {
+    /// The way onto the path.
+    LeadIn,
+    /// A turn, counted from 0 in the whole plan.
+    Turn(u32),
+    /// The way off it.
+    LeadOut,
+}
+
+/// A row of the whole motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// Angle of the tool axis, rad.
+    pub theta: f64,
+    /// Time, s.
+    pub t_s: f64,
+    /// What it belongs to.
+    pub stretch: Stretch,
 }
 
 impl Plan {
+    /// Everything that is moved at the feed of the plan, in order of time: the lead-in, all locations, the lead-out. Ends with the shortest list
+    /// of each where their lengths differ.
+    pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
+        let [before, after] = &self.leads;
+        let lead = |l: &'_ Lead, stretch| {
+            let rows = l.centres.clone().into_iter().zip(l.theta.clone()).zip(l.motion.t_s.clone());
+            rows.map(move |((centre, theta), t_s)| Row { centre, theta, t_s, stretch })
+        };
+        let path = self.toolpath.locations.iter().zip(&self.schedule.theta).zip(&self.motion.t_s);
+        let path = path.map(|((l, theta), t_s)| Row {
+            centre: l.centre,
+            theta: *theta,
+            t_s: *t_s,
+            stretch: Stretch::Turn(l.turn),
+        });
+        lead(before, Stretch::LeadIn).chain(path).chain(lead(after, Stretch::LeadOut))
+    }
+
+    /// Positions of the axes, row by row as [`Plan::rows`].
+    pub fn axes(&self) -> impl Iterator<Item = &[f64; 5]> {
+        let [before, after] = &self.leads;
+        before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
+    }
+
     /// What is left of the plan from the beginning of a turn on: the same locations, angles and motion, none before. Times and lengths stay
     /// as they are in the whole. `None` where there is no such turn.
     #[must_use]
     pub fn from_turn(&self, turn: usize) -> Option<Plan> {
         let row = self.toolpath.turns.get(turn)?.first;
         let mut left = self.clone();
+        if turn > 0 {
+            left.leads[0] = Lead::straight("the program goes on within the path");
+        }
         left.toolpath.turns.drain(..turn);
         left.toolpath.turns.iter_mut().for_each(|t| t.first -= row.min(t.first));
         let drop = |n: usize| row.min(n);

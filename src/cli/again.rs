@@ -12,6 +12,7 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job;
 use crate::observe::Observer;
 use crate::output::{self, RunFolder, tables};
+use crate::pipeline::operations::{self, Done};
 use crate::pipeline::{self, Setup};
 use crate::post::Dialect;
 use crate::preview::{self, drawing};
@@ -98,42 +99,63 @@ pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64
 
 /// `post`: checks again, then writes the program.
 pub fn post(args: &Post, quiet: bool) -> Result<u8> {
-    let terminal = Terminal::new(quiet);
-    let checked = read(&args.out, &terminal).and_then(|run| check(run, &terminal));
-    terminal.finish();
-    let (setup, verdict) = checked?;
-    let report = verdict.report().clone();
-    let Some(verified) = pipeline::accept(verdict, args.force) else {
-        print_failed(&report);
-        return Err(Error::new(
-            Stage::Verify,
-            ErrorKind::Findings,
-            "the plan fails its checks, no program was written",
-        )
-        .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
+    let out = match (&args.out, &args.runs[..]) {
+        (Some(out), _) | (None, [out]) => out,
+        (None, _) => {
+            return Err(
+                Error::usage(Stage::Post, "several runs need a folder for their program").advise("give -o FOLDER")
+            );
+        }
     };
     let dialect = match (&args.post_file, args.control) {
         (Some(file), _) => Dialect::load(file)?,
         (None, Some(control)) => Dialect::built_in(control)?,
         (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
     };
-    let (program, checks) = setup.program_from(&dialect, &verified, args.from_turn)?;
+    let mut done = Vec::with_capacity(args.runs.len());
+    let mut passed = true;
+    for run in &args.runs {
+        let (one, good) = checked(run, args.force, quiet)?;
+        done.push(one);
+        passed &= good;
+    }
+    let from = operations::From { operation: args.from_operation, turn: args.from_turn };
+    let (program, checks) = operations::join(&done, &dialect, from)?;
     if checks.iter().any(|c| !c.passed) {
         let report = CheckReport { checks, ..CheckReport::default() };
         print_failed(&report);
         return Err(Error::new(
             Stage::Post,
             ErrorKind::Findings,
-            format!("{} does not come back as the plan when it is read, so it was not written", program.file_name),
+            format!("{} does not come back as planned when it is read, so it was not written", program.file_name),
         )
-        .advise("write more digits in the post file"));
+        .advise("where words are rounded too much, write more digits in the post file"));
     }
-    let mut folder = RunFolder::begin(&args.out)?;
+    let mut folder = RunFolder::begin(out)?;
     folder.add(&program.file_name, program.text)?;
     for file in folder.finish()? {
         sayln!("{}", file.display());
     }
-    Ok(if report.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+    Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+/// A finished run with its checks made again, and whether they passed.
+fn checked(run: &Path, force: bool, quiet: bool) -> Result<(Done, bool)> {
+    let terminal = Terminal::new(quiet);
+    let checked = read(run, &terminal).and_then(|run| check(run, &terminal));
+    terminal.finish();
+    let (setup, verdict) = checked?;
+    let report = verdict.report().clone();
+    let Some(verified) = pipeline::accept(verdict, force) else {
+        print_failed(&report);
+        return Err(Error::new(
+            Stage::Verify,
+            ErrorKind::Findings,
+            format!("the plan of {} fails its checks, no program was written", run.display()),
+        )
+        .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
+    };
+    Ok((Done { setup, verified, name: run.display().to_string() }, report.passed()))
 }
 
 /// `preview`: preview.glb and report.html again.

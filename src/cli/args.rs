@@ -69,9 +69,9 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
     )]
     Verify(Verify),
-    /// Write the NC program of a finished run for a control.
+    /// Write the NC program of a finished run for a control, or of several runs as operations of one program.
     #[command(
-        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12"
+        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12\n  bladewright post out/airfoil out/fillet --control siemens -o out/program\n  bladewright post out/airfoil out/fillet --control siemens -o out/program --from-operation 2 --from-turn 3"
     )]
     Post(Post),
     /// Write preview.glb and report.html of a finished run again.
@@ -506,8 +506,12 @@ fn parse_point(text: &str) -> Result<Axis, String> {
 /// `post`.
 #[derive(Debug, clap::Args)]
 pub struct Post {
-    /// The folder of a finished run.
-    pub out: PathBuf,
+    /// The folder of a finished run; several of the same part on the same machine are the operations of one program, in this order.
+    #[arg(required = true, value_name = "RUN")]
+    pub runs: Vec<PathBuf>,
+    /// Folder for the program; default: that of the run, where there is one.
+    #[arg(long, short, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
     /// The control to write for.
     #[arg(long, value_enum, required_unless_present = "post_file")]
     pub control: Option<Control>,
@@ -517,6 +521,9 @@ pub struct Post {
     /// Begin with this turn, from 1, to go on after a break: approach and retract as for the whole. Programs mark where turns begin.
     #[arg(long, value_name = "N")]
     pub from_turn: Option<usize>,
+    /// Begin with this operation, from 1, to go on after a break; `--from-turn` counts its turns.
+    #[arg(long, value_name = "K")]
+    pub from_operation: Option<usize>,
     /// Write the program even if the checks fail; its header says so.
     #[arg(long)]
     pub force: bool,

@@ -112,6 +112,7 @@ impl Draft {
         let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
         let (schedule, verify) = (t.schedule.unwrap_or_default(), t.verify.unwrap_or_default());
         let post = t.post.unwrap_or_default();
+        let feed = t.feed.unwrap_or_default();
         let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
         let radius = tool.radius_mm;
         let (kind, scallop_mm) = (path.kind.unwrap_or_default(), path.scallop_mm.unwrap_or(0.01));
@@ -158,7 +159,10 @@ impl Draft {
                 lead_deg: schedule.lead_deg.unwrap_or(15.0),
                 beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(0.0),
             },
-            feed: FeedJob { feed_mm_min: t.feed.and_then(|f| f.feed_mm_min).unwrap_or(2000.0) },
+            feed: FeedJob {
+                feed_mm_min: feed.feed_mm_min.unwrap_or(2000.0),
+                lead_radius_mm: feed.lead_radius_mm.unwrap_or(radius.max(2.0)),
+            },
             post: PostJob {
                 control: post.control.unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
                 files: self.post_files.clone(),

@@ -197,6 +197,9 @@ fn nothing(value: &f64) -> bool {
 pub struct FeedJob {
     /// Greatest feed, mm/min. Default 2000: finishing of blade steel with a ball cutter.
     pub feed_mm_min: f64,
+    /// Radius of the arcs of lead-in and lead-out, mm; 0: straight along the tool axis. Default: the ball radius, at least 2: the axes come up to
+    /// their feed on it.
+    pub lead_radius_mm: f64,
 }
 
 /// `[post]`
@@ -289,6 +292,7 @@ impl Job {
             ("schedule.lead_deg", self.schedule.lead_deg, -85.0, 85.0),
             ("schedule.beyond_wall_deg", self.schedule.beyond_wall_deg, 0.0, 45.0),
             ("feed.feed_mm_min", self.feed.feed_mm_min, 0.01, 1e6),
+            ("feed.lead_radius_mm", self.feed.lead_radius_mm, 0.0, 1000.0),
             ("verify.gouge_mm", v.gouge_mm, TINY, 10.0),
             ("verify.scallop_ratio", v.scallop_ratio, 0.01, 1000.0),
             ("verify.resolution_mm", v.resolution_mm, 1e-5, 1.0),

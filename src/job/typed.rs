@@ -216,6 +216,8 @@ keys! {
     FeedKeys {
         /// Greatest feed of the ball centre over the part, mm/min.
         feed_mm_min: f64,
+        /// Radius of the arcs on which the ball comes onto the path and leaves it, mm; 0: straight along the tool axis.
+        lead_radius_mm: f64,
     }
 }
 keys! {

@@ -16,6 +16,18 @@ pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
     if plan.toolpath.stock_mm > 0.0 {
         let _ = writeln!(out, "# contacts p lie on {} mm of stock that stay on the part", plan.toolpath.stock_mm);
     }
+    for (name, lead) in ["lead-in", "lead-out"].into_iter().zip(&plan.leads) {
+        let _ = match lead.is_arc() {
+            true => writeln!(
+                out,
+                "# {name}: arc of radius {} mm, {:.1} deg, {} rows of axes.csv that are none here",
+                lead.radius_mm,
+                lead.angle_rad.to_degrees(),
+                lead.centres.len()
+            ),
+            false => writeln!(out, "# {name}: straight along the tool axis: {}", lead.reason),
+        };
+    }
     out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");
     let to_model = &blade.model_from_blade;
     let b = plan.channel.b_rad;
@@ -53,10 +65,11 @@ pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
     out
 }
 
-/// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second.
+/// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second. The leads' rows stand before and
+/// behind those of the cutter locations.
 pub fn axes(plan: &Plan) -> String {
-    let m = &plan.motion;
-    let mut out = String::with_capacity(400 * m.t_s.len() + 200);
+    let [before, after] = &plan.leads;
+    let mut out = String::with_capacity(400 * plan.motion.t_s.len() + 200);
     out.push_str("t_s");
     for prefix in ["", "v", "a", "j"] {
         for axis in AXES {
@@ -64,14 +77,16 @@ pub fn axes(plan: &Plan) -> String {
         }
     }
     out.push('\n');
-    for k in 0..m.t_s.len() {
-        let _ = write!(out, "{}", m.t_s[k]);
-        for row in [&m.position[k], &m.velocity[k], &m.acceleration[k], &m.jerk[k]] {
-            for (i, value) in row.iter().enumerate() {
-                let _ = write!(out, ",{}", if i < 3 { *value } else { value.to_degrees() });
+    for m in [&before.motion, &plan.motion, &after.motion] {
+        for (k, t_s) in m.t_s.iter().enumerate() {
+            let _ = write!(out, "{t_s}");
+            for row in [&m.position, &m.velocity, &m.acceleration, &m.jerk].into_iter().filter_map(|rows| rows.get(k)) {
+                for (i, value) in row.iter().enumerate() {
+                    let _ = write!(out, ",{}", if i < 3 { *value } else { value.to_degrees() });
+                }
             }
+            out.push('\n');
         }
-        out.push('\n');
     }
     out
 }

@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::{Baseline, Setup, around, compare, programs_again, sketch};
+use super::{Baseline, Setup, around, compare, leads, programs_again, sketch};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
-use crate::feed;
+use crate::lead;
 use crate::observe::{Observer, Recorder};
 use crate::output::RunFolder;
 use crate::output::summary;
@@ -200,7 +200,8 @@ pub fn preview_again(
 fn fixed_lead(setup: &Setup, plan: &Plan, observer: &dyn Observer) -> Result<Baseline> {
     let options = setup.schedule_options();
     let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, observer)?;
-    let motion = feed::plan(&plan.toolpath, &schedule, &setup.machine, &setup.feed_options(), observer)?;
+    let others = lead::for_schedule(&plan.leads, &plan.toolpath, &schedule);
+    let (motion, _) = leads::motion(setup, &plan.toolpath, &schedule, others, observer)?;
     Ok(Baseline { schedule, motion })
 }
 

@@ -1,12 +1,12 @@
 //! The planning stages, one after another.
 
 use super::reuse::Taken;
-use super::{Baseline, Course, Setup, schedules};
+use super::{Baseline, Course, Setup, leads, schedules};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{Channel, Plan, Schedule, Toolpath};
+use crate::artifact::{Channel, Plan, Toolpath};
 use crate::channel;
 use crate::error::{Result, Stage};
-use crate::feed;
+use crate::lead;
 use crate::observe::{Observer, Warning};
 use crate::output::RunFolder;
 use crate::output::manifest::Clock;
@@ -46,15 +46,14 @@ pub(super) fn plan(
     let options = setup.schedule_options();
     let fixed =
         clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
-    // The least time needs the feed to be judged, so both come together.
     let (schedule, motion) = match (job.schedule.kind, known.schedule) {
         (_, Some(s)) => (s, known.motion),
-        (ScheduleKind::Time, None) => clock.time(Stage::Schedule, || {
-            let (s, m) = schedules::least_time(setup, &toolpath, &channel, observer)?;
-            Ok((s, Some(m)))
-        })?,
-        (kind, None) => clock
-            .time(Stage::Schedule, || Ok((schedule::plan(kind, &toolpath, &channel, &options, observer)?, None)))?,
+        (ScheduleKind::Time, None) => {
+            (clock.time(Stage::Schedule, || schedules::least_time(setup, &toolpath, &channel, observer))?, None)
+        }
+        (kind, None) => {
+            (clock.time(Stage::Schedule, || schedule::plan(kind, &toolpath, &channel, &options, observer))?, None)
+        }
     };
     if course.ends_at(Stage::Schedule) {
         folder.add_json("toolpath.json", &toolpath)?;
@@ -62,13 +61,21 @@ pub(super) fn plan(
         folder.add_json("schedule.json", &schedule)?;
         return Ok(None);
     }
-    let feed = |s: &Schedule| feed::plan(&toolpath, s, &setup.machine, &setup.feed_options(), observer);
-    let (motion, fixed_motion) = clock.time(Stage::Feed, || {
-        let own = motion.map_or_else(|| feed(&schedule), Ok)?;
-        Ok((own, feed(&fixed)?))
+    let (motion, leads, fixed_motion) = clock.time(Stage::Feed, || {
+        let (motion, leads) = match motion {
+            Some(known) => known,
+            None => {
+                let leads = leads::choose(setup, &toolpath, &schedule, observer)?;
+                leads::motion(setup, &toolpath, &schedule, leads, observer)?
+            }
+        };
+        // From the same leads, so that the two are compared under the same conditions.
+        let others = lead::for_schedule(&leads, &toolpath, &fixed);
+        let (fixed_motion, _) = leads::motion(setup, &toolpath, &fixed, others, observer)?;
+        Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
-    Ok(Some((Plan { toolpath, channel, schedule, motion }, baseline)))
+    Ok(Some((Plan { toolpath, channel, schedule, motion, leads }, baseline)))
 }
 
 /// The path of the job; says so where it ends before the height that the job asks for.

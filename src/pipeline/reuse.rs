@@ -9,7 +9,7 @@
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
 //! | path and channel | those, the whole tool, `[channel]` but `sweep_b`, the machine, B, fixtures and stock |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
-//! | feed | those, the machine, the feed |
+//! | feed, leads | those, the machine, the feed; `[verify]` too for the leads |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
 //! | all of these, sections, preview and plots | everything but `[post]`: see [`super::repost`] |
 
@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Channel, CheckReport, Lead, Plan, Schedule, Toolpath};
 use crate::error::Stage;
 use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob};
 use crate::observe::{Observer, Warning};
@@ -91,7 +91,8 @@ impl<'a> Earlier<'a> {
         if a.schedule != b.schedule || (timed && !machine) {
             return Some(Stage::Channel);
         }
-        Some(if machine { Stage::Feed } else { Stage::Schedule })
+        // Room for the leads is judged by the limits of the checks.
+        Some(if machine && a.verify == b.verify { Stage::Feed } else { Stage::Schedule })
     }
 
     /// This run came to its end and stands for that of `setup` in all but its programs.
@@ -153,6 +154,12 @@ impl<'a> Files<'a> {
     }
 }
 
+/// Two runs read the same files.
+pub(super) fn same_part(a: &Setup, b: &Setup) -> bool {
+    let hashes = |s: &Setup| Files::of(&s.job, &s.inputs).model.iter().map(|h| h.to_string()).collect::<Vec<_>>();
+    hashes(a) == hashes(b)
+}
+
 fn bare_model(m: &ModelJob) -> ModelJob {
     ModelJob { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() }
 }
@@ -184,7 +191,7 @@ pub(super) struct Taken {
     pub toolpath: Option<Toolpath>,
     pub channel: Option<Channel>,
     pub schedule: Option<Schedule>,
-    pub motion: Option<AxisMotion>,
+    pub motion: Option<(AxisMotion, [Lead; 2])>,
     /// To be recalled, if their seal fits.
     pub checks: Option<Checks>,
     pub stages: Vec<Stage>,
@@ -209,7 +216,7 @@ pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) 
         toolpath: Some(plan.toolpath),
         channel: (rank >= 1).then_some(plan.channel),
         schedule: (rank >= 2).then_some(plan.schedule),
-        motion: (rank >= 3).then_some(plan.motion),
+        motion: (rank >= 3).then_some((plan.motion, plan.leads)),
         checks: if rank >= 3 { run.checks() } else { None },
         stages,
     }

@@ -2,7 +2,7 @@
 
 use super::Setup;
 use crate::artifact::schedule::{Measure, ScheduleKind};
-use crate::artifact::{AxisMotion, Channel, Schedule, Toolpath};
+use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::Result;
 use crate::feed::{self, FeedOptions};
 use crate::machine::Machine;
@@ -12,14 +12,14 @@ use crate::schedule::{self, Pace, ScheduleOptions};
 /// The rotary axis' place in [`crate::artifact::axis_motion::AXES`].
 const A: usize = 3;
 
-/// The fastest of all schedules that are planned for the machine, and its motion: the schedule for the least time by the rotary axis
+/// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis
 /// alone, the optimal ones and the others. Candidates that turn back or leave the channel do not take part.
 pub(super) fn least_time(
     setup: &Setup,
     path: &Toolpath,
     channel: &Channel,
     observer: &dyn Observer,
-) -> Result<(Schedule, AxisMotion)> {
+) -> Result<Schedule> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
     // Warnings of candidates that are not used would mislead.
     let first = paced(&setup.machine, &feed, path, channel, &options)?;
@@ -31,9 +31,9 @@ pub(super) fn least_time(
             best = (motion, other);
         }
     }
-    let (motion, mut schedule) = best;
+    let (_, mut schedule) = best;
     schedule.kind = ScheduleKind::Time;
-    Ok((schedule, motion))
+    Ok(schedule)
 }
 
 /// The schedule for the least time by the rotary axis alone.

@@ -6,6 +6,7 @@
 //! file_begin  header  notes  start  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
 //! ```
 //!
+//! In a program of several operations all from `header` to `unwind` comes once for each, with `operation_end` between two.
 //! `start` sees the safe position over the first location, `approach` the feed height, `plunge` the first location, `cut` (once
 //! for each move) every location after it, `turn` (before the first cut of each turn) its number, `leave` the feed height over the last location, `retract` the safe position over
 //! it, `unwind` the first location again. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
@@ -118,6 +119,9 @@ pub struct Text {
     /// Back to the first position of `A`; left out where the part may not turn freely.
     #[serde(default)]
     pub unwind: Vec<String>,
+    /// Between two operations: behind the retract and the unwinding of one, before the tool call in `start` of the next.
+    #[serde(default)]
+    pub operation_end: Vec<String>,
     /// The end.
     pub end: Vec<String>,
 }
@@ -196,6 +200,7 @@ pub struct Dialect {
     pub(super) leave: Vec<Line>,
     pub(super) retract: Vec<Line>,
     pub(super) unwind: Vec<Line>,
+    pub(super) operation_end: Vec<Line>,
     pub(super) end: Vec<Line>,
     pub(super) file_end: Vec<Line>,
 }
@@ -266,6 +271,7 @@ impl Dialect {
             leave: take("text.leave", &t.leave)?,
             retract: take("text.retract", &t.retract)?,
             unwind: take("text.unwind", &t.unwind)?,
+            operation_end: take("text.operation_end", &t.operation_end)?,
             end: take("text.end", &t.end)?,
             file_end: take("file_end", &file.file_end)?,
             file,

@@ -13,14 +13,19 @@
 //! programmed point over `Δt`.
 //!
 //! ## Approach and retract
-//! Straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
+//! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times: they are written like cuts. Before and after them, or
+//! from and to the path itself where there is no room for an arc, straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
 //! whole tool from a sphere around the part centred on the axis of `A`: there `A` may turn freely. The way is clear
 //! wherever the tool is clear at its end, because the tool nowhere narrows towards the spindle (where a holder does,
 //! the header says so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
 //! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most `R (1 − cos τ)`
 //! wider than the tool itself, which is less than any sensible clearance.
 //!
-//! Limits: one tool, one helix, no tool radius compensation. [`crate::verify::program`] reads every program back.
+//! ## Several operations
+//! [`join`] writes finished plans one after another, each whole: a program of operations is as true as its parts, and the moves between them are
+//! those of every beginning and end.
+//!
+//! Limits: no tool radius compensation. [`crate::verify::program`] reads every program back.
 
 mod dialect;
 mod moves;
@@ -139,32 +144,86 @@ pub fn post(
     machine: &Machine,
     options: &PostOptions,
 ) -> Result<Program> {
-    options.validate()?;
-    tool.validate()?;
-    let written = planned(plan.value(), options)?;
-    let run = Run {
-        plan: &written,
-        report: plan.report(),
-        forced: plan.forced(),
-        blade,
-        tool,
-        machine,
-        options,
-        ends: ends(&written, blade, tool, machine, options)?,
+    join(dialect, &[Operation { plan, tool, options }], 1, blade, machine)
+}
+
+/// A checked plan with its tool, as one of several of a program.
+#[derive(Clone, Copy)]
+pub struct Operation<'a> {
+    /// The plan.
+    pub plan: &'a Verified<Plan>,
+    /// Its tool.
+    pub tool: &'a Tool,
+    /// What the program says of it.
+    pub options: &'a PostOptions,
+}
+
+/// Writes checked plans of one part on one machine as one program: each with its header, tool call, approach, retract and unwinding. Operations
+/// are numbered from `first`; that of a program which goes on after a break is not 1.
+///
+/// # Errors
+/// Those of [`post`] of each; `Usage` where there is none, or two with the same tool number have different tools.
+pub fn join(
+    dialect: &Dialect,
+    operations: &[Operation],
+    first: usize,
+    blade: &Blade,
+    machine: &Machine,
+) -> Result<Program> {
+    different_tools_have_different_numbers(operations)?;
+    let written: Vec<Cow<Plan>> =
+        operations.iter().map(|o| planned(o.plan.value(), o.options)).collect::<Result<_>>()?;
+    let mut runs = Vec::with_capacity(operations.len());
+    for (k, (o, plan)) in operations.iter().zip(&written).enumerate() {
+        o.options.validate()?;
+        o.tool.validate()?;
+        runs.push(Run {
+            number: first + k,
+            plan,
+            report: o.plan.report(),
+            forced: o.plan.forced(),
+            blade,
+            tool: o.tool,
+            machine,
+            options: o.options,
+            ends: ends(plan, blade, o.tool, machine, o.options)?,
+        });
+    }
+    let Some(start) = runs.first() else {
+        return Err(Error::usage(Stage::Post, "there is no operation to write"));
     };
+    let mut file_name = dialect.file_name().to_owned();
+    if let Some(turn) = start.options.from_turn {
+        file_name = format!("from_turn_{turn}.{file_name}");
+    }
+    if first > 1 {
+        file_name = format!("from_operation_{first}.{file_name}");
+    }
     Ok(Program {
         control: dialect.file.name.clone(),
-        file_name: match options.from_turn {
-            Some(turn) => format!("from_turn_{turn}.{}", dialect.file_name()),
-            None => dialect.file_name().to_owned(),
-        },
+        file_name,
         language: dialect.language(),
-        text: write::write(&run, dialect)?,
+        text: write::write(&runs, dialect)?,
     })
 }
 
-/// Everything a dialect needs.
+fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()> {
+    for (i, a) in operations.iter().enumerate() {
+        for (j, b) in operations.iter().enumerate().skip(i + 1) {
+            if a.options.tool_number == b.options.tool_number && a.tool != b.tool {
+                let number = a.options.tool_number;
+                let what = format!("operations {} and {} have different tools but both call T{number}", i + 1, j + 1);
+                return Err(Error::usage(Stage::Post, what).advise("set post.tool_number in the job of one of them"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Everything a dialect needs for an operation.
 struct Run<'a> {
+    /// Its number in the program, from 1.
+    number: usize,
     plan: &'a Plan,
     report: &'a CheckReport,
     forced: bool,
@@ -175,7 +234,7 @@ struct Run<'a> {
     ends: [End; 2],
 }
 
-/// How the tool comes to the first or leaves the last location.
+/// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the first or last location.
 #[derive(Clone, Copy, Debug)]
 struct End {
     /// Ball centre there, blade frame.
@@ -204,18 +263,19 @@ impl Run<'_> {
     }
 }
 
-/// First and last location, with their safe positions.
+/// The outer ends of the leads, or first and last location where they are straight, with their safe positions.
 fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
     moves::well_formed(plan)?;
     let sphere = sphere_on_axis(blade);
     let b = plan.channel.b_rad;
-    let end = |row: usize, name: &str| -> Result<End> {
+    let end = |row: usize, name: &str, outer: Option<(&Point, &f64)>| -> Result<End> {
         let (Some(at), Some(&theta)) = (plan.toolpath.locations.get(row), plan.schedule.theta.get(row)) else {
             return Err(Error::usage(Stage::Post, format!("the plan has no location {row}")));
         };
+        let (centre, theta) = outer.map_or((at.centre, theta), |(c, t)| (*c, *t));
         let axis = tool::axis(b, theta);
         let up = at.normal.dot(&axis);
-        if up < -1e-6 {
+        if up < -1e-6 && outer.is_none() {
             return Err(Error::infeasible(
                 Stage::Post,
                 format!(
@@ -226,14 +286,18 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
             )
             .advise("lower channel.contact_angle_max_deg to at most 90"));
         }
-        let over = (sphere.0 - at.centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
+        let over = (sphere.0 - centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
         let wanted = over.max(options.safe_clearance_mm);
         let gauge = tool.length_mm();
-        let reach = travel_along(machine, &at.centre, &axis, theta, b, gauge);
-        Ok(End { centre: at.centre, axis, theta, safe_mm: wanted.min(reach), clear: wanted <= reach })
+        let reach = travel_along(machine, &centre, &axis, theta, b, gauge);
+        Ok(End { centre, axis, theta, safe_mm: wanted.min(reach), clear: wanted <= reach })
     };
     let last = plan.toolpath.locations.len().saturating_sub(1);
-    Ok([end(0, "first")?, end(last, "last")?])
+    let [before, after] = &plan.leads;
+    Ok([
+        end(0, "first", before.centres.first().zip(before.theta.first()))?,
+        end(last, "last", after.centres.last().zip(after.theta.last()))?,
+    ])
 }
 
 /// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto itself.

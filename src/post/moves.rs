@@ -7,6 +7,7 @@
 //! more than the chord tolerance of the path, the move is written in equal parts.
 
 use crate::artifact::Plan;
+use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -26,8 +27,8 @@ pub(super) struct Move {
     pub(super) theta: f64,
     /// Time, s.
     pub(super) t_s: f64,
-    /// Turn that it belongs to, from 0 in the whole plan.
-    pub(super) turn: u32,
+    /// What it belongs to.
+    pub(super) stretch: Stretch,
 }
 
 /// Checks that a plan can be written at all.
@@ -59,6 +60,12 @@ pub(super) fn well_formed(plan: &Plan) -> Result<()> {
     if let Some(i) = plan.motion.t_s.windows(2).position(|w| !(w[1] >= w[0] && w[1].is_finite())) {
         return bad(format!("time goes back or is not finite after cutter location {i}"));
     }
+    let rows: Vec<Row> = plan.rows().collect();
+    let leads: usize = plan.leads.iter().map(|l| l.centres.len()).sum();
+    let finite = |r: &Row| r.centre.iter().chain([&r.theta, &r.t_s]).all(|x| x.is_finite());
+    if rows.len() != n + leads || !rows.iter().all(finite) || !rows.windows(2).all(|w| w[1].t_s >= w[0].t_s) {
+        return bad("a lead of the plan misses angles or times, or they go back or are not finite".into());
+    }
     Ok(())
 }
 
@@ -69,19 +76,18 @@ pub(super) fn feed_word(f: f64, range: [f64; 2]) -> String {
     format!("{f:.*}", 8usize.saturating_sub(before_point).clamp(3, 6))
 }
 
-/// First location and all moves after it.
+/// The first row and all moves after it.
 pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     let plan = run.plan;
-    let rows = plan.toolpath.locations.iter().zip(&plan.schedule.theta).zip(&plan.motion.t_s);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
-    for (row, ((l, &theta), &t_s)) in rows.enumerate() {
-        let next = Move { centre: l.centre, theta, t_s, turn: l.turn };
+    for (row, Row { centre, theta, t_s, stretch }) in plan.rows().enumerate() {
+        let next = Move { centre, theta, t_s, stretch };
         if let Some(from) = out.last().copied() {
             let parts = parts(run, programmed, &from, &next);
             if parts > MOST_PARTS {
                 return Err(Error::infeasible(
                     Stage::Post,
-                    format!("the move to cutter location {row} turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
+                    format!("the move to row {row} of the motion turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
                 )
                 .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
             }
@@ -91,7 +97,8 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                     centre: from.centre + (next.centre - from.centre) * f,
                     theta: from.theta + (next.theta - from.theta) * f,
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
-                    turn: from.turn,
+                    // From the last location on, the ball leaves.
+                    stretch: if next.stretch == Stretch::LeadOut { Stretch::LeadOut } else { from.stretch },
                 });
             }
         }

@@ -187,6 +187,17 @@ pub(super) fn header(run: &Run, lines: &mut Lines, control: &str) {
     if let Some(turn) = o.from_turn {
         lines.comment(&format!("GOES ON with turn {turn}: the turns before it must have been cut"));
     }
+    for (name, lead) in ["Lead-in ", "Lead-out"].into_iter().zip(&run.plan.leads) {
+        let why = if lead.reason.is_empty() { String::new() } else { format!(": {}", lead.reason) };
+        lines.comment(&match lead.is_arc() {
+            true => format!(
+                "{name} arc of radius {:.3} mm, {:.1} deg, tangential to the path{why}",
+                lead.radius_mm,
+                lead.angle_rad.to_degrees()
+            ),
+            false => format!("{name} straight along the tool axis{why}"),
+        });
+    }
     if path.stock_mm > 0.0 {
         lines.comment(&format!("Stock    {} mm stay on the part", path.stock_mm));
     }

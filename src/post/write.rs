@@ -5,15 +5,38 @@ use super::moves::{self, Move};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header};
 use super::{End, Run};
+use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid};
 use crate::tool;
 
-/// The whole program.
-pub(super) fn write(run: &Run, dialect: &Dialect) -> Result<String> {
-    let mut w = Writer::new(run, dialect)?;
-    w.put(&dialect.file_begin)?;
+/// The whole program: one operation after another.
+pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
+    let mut lines = Lines::new(&dialect.file);
+    for (k, run) in runs.iter().enumerate() {
+        let mut w = Writer::new(run, dialect, lines);
+        if k == 0 {
+            w.put(&dialect.file_begin)?;
+        }
+        if runs.len() > 1 {
+            w.lines.comment(&"#".repeat(78));
+            w.lines.comment(&format!("Operation {} of {}", run.number, runs.len() + runs[0].number - 1));
+        }
+        operation(&mut w, run, dialect)?;
+        if k + 1 < runs.len() {
+            w.put(&dialect.operation_end)?;
+        } else {
+            w.put(&dialect.end)?;
+            w.put(&dialect.file_end)?;
+        }
+        lines = w.lines;
+    }
+    Ok(lines.text)
+}
+
+/// From the tool call to the unwound axis.
+fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
     header(run, &mut w.lines, &dialect.file.name);
     w.put(&dialect.notes)?;
     let [first, last] = run.ends;
@@ -35,9 +58,7 @@ pub(super) fn write(run: &Run, dialect: &Dialect) -> Result<String> {
         w.at(&first, 0.0)?;
         w.put(&dialect.unwind)?;
     }
-    w.put(&dialect.end)?;
-    w.put(&dialect.file_end)?;
-    Ok(w.lines.text)
+    Ok(())
 }
 
 /// Values, and the lines written with them.
@@ -61,16 +82,10 @@ struct Placed {
 }
 
 impl<'a> Writer<'a> {
-    fn new(run: &'a Run, dialect: &'a Dialect) -> Result<Self> {
-        let mut w = Writer {
-            run,
-            dialect,
-            lines: Lines::new(&dialect.file),
-            values: vec![Value::Number(0.0); KEYS.len()],
-            modal: Vec::new(),
-        };
+    fn new(run: &'a Run, dialect: &'a Dialect, lines: Lines<'a>) -> Self {
+        let mut w = Writer { run, dialect, lines, values: vec![Value::Number(0.0); KEYS.len()], modal: Vec::new() };
         w.fixed_values();
-        Ok(w)
+        w
     }
 
     fn set(&mut self, name: &str, value: Value) {
@@ -146,7 +161,7 @@ impl<'a> Writer<'a> {
             Rotary::Accumulate | Rotary::Vector => a,
             // Whole turns before the first location are dropped.
             Rotary::Incremental => {
-                let first = self.run.plan.motion.position.first().map_or(0.0, |q| q[3].to_degrees());
+                let first = self.run.plan.axes().next().map_or(0.0, |q| q[3].to_degrees());
                 a - 360.0 * (first / 360.0).floor()
             }
             Rotary::Modulo => a.rem_euclid(360.0),
@@ -182,8 +197,11 @@ impl<'a> Writer<'a> {
         let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
-        let mut turn = 0;
-        for Move { centre, theta, t_s, turn: next } in &moves {
+        let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
+        for Move { centre, theta, t_s, stretch: next } in &moves {
+            if *next == Stretch::LeadOut {
+                stretch = *next;
+            }
             let placed = self.placed(centre, *theta);
             self.take(&placed)?;
             let position = self.position(lines)?;
@@ -193,23 +211,36 @@ impl<'a> Writer<'a> {
                 Some((_, since, from)) => {
                     let f = self.feed_word(from, &placed, t_s - since);
                     self.set("f", Value::Text(f));
-                    if begun != Some(turn) {
-                        begun = Some(turn);
-                        self.set("turn", Value::Number(f64::from(turn + 1)));
-                        self.put(&dialect.turn)?;
+                    if begun != Some(stretch) {
+                        begun = Some(stretch);
+                        self.begin(stretch)?;
                     }
                     self.put(lines)?;
                     last = Some((position, *t_s, placed));
                     written += 1;
                 }
             }
-            turn = *next;
+            stretch = *next;
         }
         if written == 0 {
             return Err(Error::usage(
                 Stage::Post,
                 "the whole path rounds to a single position, there is nothing to cut",
             ));
+        }
+        Ok(())
+    }
+
+    /// Says what the lines that follow belong to.
+    fn begin(&mut self, stretch: Stretch) -> Result<()> {
+        match stretch {
+            Stretch::LeadIn => self.lines.comment("Lead-in"),
+            Stretch::LeadOut => self.lines.comment("Lead-out"),
+            Stretch::Turn(turn) => {
+                let dialect = self.dialect;
+                self.set("turn", Value::Number(f64::from(turn + 1)));
+                self.put(&dialect.turn)?;
+            }
         }
         Ok(())
     }

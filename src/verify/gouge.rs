@@ -59,22 +59,33 @@ fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
     ((1.0 - t) * a + t * b - t * (1.0 - t) * l2).max(0.0).sqrt()
 }
 
-/// Deepest gouge of the whole sweep, measured to `resolution_mm`.
+/// Deepest gouge of the whole sweep, measured to `resolution_mm`. Where the ball stays farther off the part than a move is long, only that is told.
 pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Gouge {
+    measure_within(part, sweep, resolution_mm, 0.0)
+}
+
+/// As [`measure`]; distances of the ball to the part are told up to `reach_mm` at least.
+pub(super) fn measure_within(part: &Allowed, sweep: &Sweep, resolution_mm: f64, reach_mm: f64) -> Gouge {
     let n = sweep.centres.len() - 1;
     let chunks: Vec<Gouge> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
-        .map(|k| measure_moves(part, sweep, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm))
+        .map(|k| measure_moves(part, sweep, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm, reach_mm))
         .collect();
     chunks.into_iter().fold(Gouge::none(), Gouge::and)
 }
 
-fn measure_moves(part: &Allowed, sweep: &Sweep, moves: std::ops::Range<usize>, resolution: f64) -> Gouge {
+fn measure_moves(
+    part: &Allowed,
+    sweep: &Sweep,
+    moves: std::ops::Range<usize>,
+    resolution: f64,
+    reach_mm: f64,
+) -> Gouge {
     let radius = sweep.radius_mm;
     // Farther than this no move can gouge; a distance capped there is a true lower bound.
     let length = |i: usize| (sweep.centres[i + 1] - sweep.centres[i]).norm();
     let longest = moves.clone().filter(|i| sweep.counts(*i)).map(length).fold(0.0, f64::max);
-    let cap = radius + longest;
+    let cap = radius + longest.max(reach_mm);
     let distance = |c: &Point| part.closest(c, cap).map_or(cap, |f| f.distance_mm);
     let mut worst = Gouge::none();
     let see = |worst: &mut Gouge, segment: usize, centre: Point, d: f64| {

@@ -11,6 +11,8 @@
 //! | `scallop` | height at which the normal of a surface sample meets the swept ball (capsules) | none: samples |
 //! | `ridge` | lowest point of the circle in which neighbouring passes meet, over the part | none: samples |
 //! | `clearance`, `holder-clearance` | least distance of the frusta to the part's triangles | Taylor bound over the move |
+//! | `lead-gouge`, `lead-clearance`, `lead-holder-clearance` | the same on the ways onto the path and off it, arc and straight line | likewise |
+//! | `lead-axes`, `lead-limits` | axis positions of the leads' rows, and their difference quotients over the limits | rows |
 //! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
@@ -26,6 +28,7 @@ pub mod audit;
 mod clearance;
 mod deviation;
 mod gouge;
+pub mod lead;
 mod limit;
 mod limits;
 mod options;
@@ -103,6 +106,16 @@ pub fn check_among(
     report.clearance_mm = least;
     report.checks.extend(checks);
     report.checks.extend(obstacles.iter().flat_map(|o| clearance::check_obstacle(&plan, blade, o, tool, options)));
+    let room = lead::Room {
+        blade,
+        stock_mm: plan.toolpath.stock_mm,
+        obstacles,
+        tool,
+        machine,
+        b_rad: plan.channel.b_rad,
+        options,
+    };
+    report.checks.extend(lead::check(&plan, &room));
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
     report.checks.extend(limits::check(&plan, blade, tool, machine, options));
@@ -134,6 +147,14 @@ fn well_formed(plan: &Plan) -> Result<()> {
             return bad(format!("the plan has {n} cutter locations but {len} rows of {name}"));
         }
     }
+    for (name, lead) in ["lead-in", "lead-out"].into_iter().zip(&plan.leads) {
+        let k = lead.centres.len();
+        if lead.theta.len() != k || lead.motion.position.len() != k || lead.motion.t_s.len() != k {
+            return bad(format!(
+                "the {name} of the plan has {k} ball centres but other numbers of angles, positions or times"
+            ));
+        }
+    }
     let finite = |i: usize| {
         let (l, c) = (&plan.toolpath.locations[i], &plan.channel.rows[i]);
         l.centre.iter().chain(l.contact.iter()).chain(l.normal.iter()).all(|x| x.is_finite())
@@ -144,6 +165,9 @@ fn well_formed(plan: &Plan) -> Result<()> {
     };
     match (0..n).find(|&i| !finite(i)) {
         Some(i) => bad(format!("cutter location {i} of the plan has a value that is not a finite number")),
+        None if !plan.rows().all(|r| r.centre.iter().chain([&r.theta, &r.t_s]).all(|x| x.is_finite())) => {
+            bad("a row of a lead has a value that is not a finite number".into())
+        }
         None => Ok(()),
     }
 }

@@ -103,6 +103,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
     };
     let zeros = vec![[0.0; 5]; n];
     with_motion(Plan {
+        leads: Default::default(),
         toolpath: Toolpath {
             kind: crate::artifact::toolpath::PathKind::default(),
             stock_mm: 0.0,

@@ -1,6 +1,7 @@
 //! Programs read back word for word and compared with the plan, and kept as snapshots.
 #![allow(clippy::unwrap_used)]
 
+mod operations;
 mod planted;
 mod read_back;
 
@@ -116,6 +117,46 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
     }
 }
 
+/// The program comes along the tool axis to the outer end of the arc, is on the path's tangent where it meets the first location, and leaves likewise.
+#[test]
+fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
+    let plan = sample::with_leads(sample::plan(2, 90));
+    let (machine, tool) = (Machine::demo().unwrap(), sample::tool());
+    let p = program(Control::Linuxcnc, plan.clone(), false, &options()).unwrap();
+    assert!(p.text.contains("Lead-in  arc of radius 4.000 mm, 90.0 deg"));
+    let cut = cutting(&p);
+    let centre = |m: &Move| {
+        let [x, y, z, a, b] = m.at;
+        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()], tool.length_mm()).centre
+    };
+    let centres: Vec<Point> = cut.iter().map(centre).collect();
+    let near = |row: usize| {
+        let c = plan.toolpath.locations[row].centre;
+        centres.iter().position(|q| (q - c).norm() < 1e-4).unwrap()
+    };
+    for (at, row, far) in [(near(0), 0, 0), (near(180), 180, centres.len() - 1)] {
+        let l = plan.toolpath.locations[row];
+        let tangent = Vector::new(0.5 / std::f64::consts::TAU, -25.0 * l.normal.z, 25.0 * l.normal.y).normalize();
+        let (before, after) = (centres[at] - centres[at - 1], centres[at + 1] - centres[at]);
+        assert!(before.angle(&tangent) < 0.04 && after.angle(&tangent) < 0.04, "{before} {after}");
+        // A quarter of the arc's radius off the part, along its normal, and no place of it nearer to the axis than the path.
+        let off = centres[far].y.hypot(centres[far].z) - 25.0;
+        assert!((3.8..5.0).contains(&off), "{off}");
+        assert!(centres.iter().all(|c| c.y.hypot(c.z) > 25.0 - 0.02));
+    }
+    let (lead_in, turn, lead_out) = ("; Lead-in\n", "; Turn 1 of 2", "; Lead-out\n");
+    let at = |what: &str| p.text.find(what).unwrap();
+    assert!(at(lead_in) < at(turn) && at(turn) < at(lead_out));
+    assert!((total_s(&cut) / plan.rows().last().unwrap().t_s - 1.0).abs() < 1e-6);
+    // What is planted in a lead is found like what is planted in the path.
+    let lines: Vec<&str> = p.text.lines().collect();
+    let line = lines.iter().position(|l| *l == "; Lead-in").unwrap() + 4;
+    let gone = line..line + 3;
+    let text =
+        |_: &str| lines.iter().enumerate().filter(|(i, _)| !gone.contains(i)).map(|(_, l)| format!("{l}\n")).collect();
+    assert!(failing(Control::Linuxcnc, &plan, &text).iter().any(|n| n == "program-chord"));
+}
+
 #[test]
 fn a_short_travel_shortens_the_retract_and_says_so() {
     let mut machine = Machine::demo().unwrap();
@@ -171,11 +212,12 @@ fn names_from_outside_cannot_leave_their_comment() {
 #[test]
 fn every_dialect_reads_back_as_the_plan() {
     // Turns of 12 degrees a line with a small chord tolerance: machine axes need blocks between locations.
-    let plan = sample::plan(3, 30);
     let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
-    for control in Control::ALL {
+    let bare = sample::plan(3, 30);
+    let plans = [sample::with_leads(bare.clone()), bare];
+    for (plan, control) in plans.iter().flat_map(|p| Control::ALL.map(|c| (p, c))) {
         let p = program(control, plan.clone(), false, &options()).unwrap();
-        for c in read_back(&p, &plan, &blade, &tool, &machine).unwrap() {
+        for c in read_back(&p, plan, &blade, &tool, &machine).unwrap() {
             assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
         }
         let longest = Dialect::built_in(control).unwrap().file.longest_line;
@@ -288,6 +330,7 @@ fn programs_are_as_kept_in_snapshots() {
     // A few long moves, with a tolerance that leaves them whole.
     let mut plan = sample::plan(1, 12);
     plan.toolpath.chord_mm = 100.0;
+    plan = sample::with_leads(plan);
     let whole = PostOptions { smoothing_mm: Some(0.002), ..options() };
     for control in Control::ALL {
         let p = program(control, plan.clone(), false, &whole).unwrap();

@@ -175,7 +175,7 @@ fn shops(blade: &Blade, plan: &Plan) -> Vec<Shop> {
 
 #[test]
 fn clean_programs_of_all_dialects_have_no_finding() {
-    let (blade, plan) = (blade(), sample_plan(PER_TURN));
+    let (blade, plan) = (blade(), sample::with_leads(sample_plan(PER_TURN)));
     for s in &Control::ALL.map(|c| Shop::new(c, &blade, &plan)) {
         let found = s.audit(&s.program.text);
         let bad: Vec<_> = found.checks.iter().filter(|c| !c.check.passed).collect();

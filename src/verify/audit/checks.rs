@@ -12,6 +12,8 @@ use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
 const A_FEW: usize = 200;
+/// Distances of the ball in rapids are told up to this, mm.
+const FAR_MM: f64 = 1000.0;
 /// Rounding of positions at the end of a travel, mm or rad.
 const ROUNDING: f64 = 1e-9;
 
@@ -137,7 +139,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
     };
     let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted);
     let sweep = scene.sweep(Kind::Rapid);
-    let ball = gouge::measure(&scene.part, &sweep, scene.options.clearance_resolution_mm);
+    let ball = gouge::measure_within(&scene.part, &sweep, scene.options.clearance_resolution_mm, FAR_MM);
     let least = -ball.bound_mm.max(ball.found_mm);
     if upper.check.worst <= least || !least.is_finite() {
         return Some(upper);

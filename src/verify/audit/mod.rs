@@ -36,6 +36,7 @@ use super::deviation;
 use super::program::{self, Bench};
 use super::sweep::Sweep;
 use crate::artifact::Blade;
+use crate::artifact::report::Check;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
@@ -141,6 +142,23 @@ pub fn audit(
     let widest = scallop::widest_mm(&scene);
     let map = options.map_mm.map(|tolerance| deviation::measure(&scene.part, &cutting, widest, tolerance));
     Ok(report::report(&scene, checks, &heights, map))
+}
+
+/// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is known from its beginning.
+///
+/// # Errors
+/// As [`audit`] where a move turns too far to be followed.
+pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench) -> Result<Option<Check>> {
+    let moves: Vec<program::Moved> = moves.iter().filter(|m| m.seconds.is_none()).copied().collect();
+    let legs = Legs::new(&moves, bench)?;
+    let part = Allowed::new(&blade.part, 0.0);
+    let (options, turns) = (&AuditOptions::default(), vec![0; legs.centres.len()]);
+    let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
+    let found = checks::rapid(&scene);
+    Ok(found.map(|f| {
+        let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
+        Check { name: "program-rapids".into(), note: format!("{line}{}", f.check.note), ..f.check }
+    }))
 }
 
 impl Scene<'_> {

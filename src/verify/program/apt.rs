@@ -13,7 +13,7 @@ const LINE: usize = 72;
 /// A statement that is not understood or a line that is too long, with the line.
 pub(super) fn read(text: &str) -> Result<Vec<Block>> {
     let mut out = Vec::new();
-    let (mut feed, mut rapid) = (None, false);
+    let (mut feed, mut rapid, mut tool_calls) = (None, false, 0);
     let mut statement = String::new();
     for (i, raw) in text.lines().enumerate() {
         let line = i + 1;
@@ -30,6 +30,18 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
         let (major, minor) = whole.split_once('/').unwrap_or((&whole, ""));
         match major {
             "RAPID" => rapid = true,
+            "LOADTL" => tool_calls += 1,
+            // Where home is, is the machine's: from then on nothing is known.
+            "GOHOME" => out.push(Block {
+                line,
+                place: Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 2] },
+                ways: [Way::To; 2],
+                feed: Feed::Rapid,
+                machine: true,
+                tool_length: false,
+                centre_point: true,
+                tool_calls,
+            }),
             "FEDRAT" => {
                 let f = minor.split(',').next().and_then(|v| v.parse::<f64>().ok()).filter(|f| *f > 0.0);
                 feed = Some(f.ok_or_else(|| unreadable(line, "FEDRAT needs a number greater than 0"))?);
@@ -53,10 +65,10 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                     machine: false,
                     tool_length: false,
                     centre_point: true,
+                    tool_calls,
                 });
             }
-            "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "LOADTL" | "SPINDL" | "COOLNT" | "END"
-            | "FINI" => {}
+            "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "SPINDL" | "COOLNT" | "END" | "FINI" => {}
             _ => return Err(unreadable(line, &format!("\"{major}\" is not known"))),
         }
     }

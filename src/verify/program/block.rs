@@ -63,4 +63,6 @@ pub struct Block {
     pub tool_length: bool,
     /// Tool-centre-point control is on.
     pub centre_point: bool,
+    /// Tool calls before it.
+    pub tool_calls: usize,
 }

@@ -1,6 +1,11 @@
 //! A program's moves against the plan.
 
+use std::f64::consts::TAU;
+
+use nalgebra::Vector4;
+
 use super::follow::Moved;
+use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
@@ -50,6 +55,8 @@ struct OnPath {
 
 struct Comparison<'a> {
     plan: &'a Plan,
+    /// The whole motion: leads and locations.
+    rows: Vec<Row>,
     tool: &'a Tool,
     machine: &'a Machine,
     centre: Worst,
@@ -69,6 +76,7 @@ pub(super) fn checks(
 ) -> Vec<Check> {
     let mut c = Comparison {
         plan,
+        rows: plan.rows().collect(),
         tool,
         machine,
         centre: Worst::default(),
@@ -77,7 +85,8 @@ pub(super) fn checks(
         missing: Worst::default(),
     };
     let time = c.run(moves);
-    let planned = plan.motion.t_s.last().unwrap_or(&0.0) - plan.motion.t_s.first().unwrap_or(&0.0);
+    let planned = c.rows.last().map_or(0.0, |r| r.t_s) - c.rows.first().map_or(0.0, |r| r.t_s);
+    let before = plan.leads[0].centres.len();
     let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
     let chord_mm = plan.toolpath.chord_mm;
     [
@@ -89,8 +98,9 @@ pub(super) fn checks(
     ]
     .into_iter()
     .map(|(name, quantity, worst, limit, unit)| {
-        let at = plan.toolpath.locations.get(worst.row);
-        let point = at.map(|l| blade.model_from_blade * l.centre);
+        let at = c.rows.get(worst.row);
+        let point = at.map(|r| blade.model_from_blade * r.centre);
+        let last = plan.toolpath.locations.len().saturating_sub(1);
         let line = if worst.line > 0 { format!(", line {}", worst.line) } else { String::new() };
         Check {
             name: name.into(),
@@ -99,10 +109,14 @@ pub(super) fn checks(
             limit,
             unit: unit.into(),
             passed: worst.value <= limit,
-            row: Some(worst.row),
-            turn: at.map(|l| l.turn),
+            row: Some(worst.row.saturating_sub(before).min(last)),
+            turn: plan.toolpath.locations.get(worst.row.saturating_sub(before).min(last)).map(|l| l.turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
-            note: format!("{}{line}", program.file_name),
+            note: match at.map(|r| r.stretch) {
+                Some(Stretch::LeadIn) => format!("{}{line}, lead-in", program.file_name),
+                Some(Stretch::LeadOut) => format!("{}{line}, lead-out", program.file_name),
+                _ => format!("{}{line}", program.file_name),
+            },
         }
     })
     .collect()
@@ -111,7 +125,7 @@ pub(super) fn checks(
 impl Comparison<'_> {
     /// Compares all cutting lines; gives their time, s.
     fn run(&mut self, moves: &[Moved]) -> f64 {
-        let rows = &self.plan.toolpath.locations;
+        let rows = &self.rows;
         let end_of = |m: &Moved| m.pose(1.0, self.tool, self.machine).centre;
         let near = |m: &Moved, row: usize| {
             m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.centre).norm() < AT_END_MM)
@@ -130,8 +144,8 @@ impl Comparison<'_> {
         }
         // Whatever the program has not come by.
         let reached = moves[end].pose(1.0, self.tool, self.machine).centre;
-        for row in at + 1..rows.len() {
-            self.missing.take((rows[row].centre - reached).norm(), moves[end].line, row);
+        for row in at + 1..self.rows.len() {
+            self.missing.take((self.rows[row].centre - reached).norm(), moves[end].line, row);
         }
         time
     }
@@ -142,20 +156,22 @@ impl Comparison<'_> {
             (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.tool, self.machine)).collect();
         let mut here = at;
         for (k, pose) in poses.iter().enumerate().skip(1) {
-            let on = self.locate(&pose.centre, here);
-            if k == WITHIN {
+            // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
+            // angle to the nearest place's would tell of that. At ends only rounding is left.
+            let on = if k == WITHIN {
+                let on = self.locate_pose(pose, here);
                 self.centre.take(on.distance_mm, m.line, on.row);
-                // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
-                // angle to the nearest place's would tell of that. At ends only rounding is left.
-                let wanted = self.axis(on);
-                self.direction.take(angle_deg(&pose.axis, &wanted), m.line, on.row);
+                self.direction.take(angle_deg(&pose.axis, &self.axis(on)), m.line, on.row);
+                on
             } else {
+                let on = self.locate(&pose.centre, here);
                 self.chord.take(on.distance_mm, m.line, on.row);
-            }
+                on
+            };
             here = on.row;
         }
         for row in at + 1..=here {
-            let Some(l) = self.plan.toolpath.locations.get(row) else { break };
+            let Some(l) = self.rows.get(row) else { break };
             let off = poses.windows(2).map(|w| to_segment(&l.centre, &w[0].centre, &w[1].centre).1);
             self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
         }
@@ -164,7 +180,7 @@ impl Comparison<'_> {
 
     /// The nearest place of the plan's path, from plan move `from` on.
     fn locate(&self, q: &Point, from: usize) -> OnPath {
-        let rows = &self.plan.toolpath.locations;
+        let rows = &self.rows;
         let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
         for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
             let (share, distance_mm) = to_segment(q, &rows[row].centre, &rows[row + 1].centre);
@@ -175,9 +191,39 @@ impl Comparison<'_> {
         best
     }
 
+    /// The place of the plan's path, from plan move `from` on, with the least of distance and angle together, each over its limit: rounding
+    /// moves a place along the path as well, and where θ turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
+    fn locate_pose(&self, pose: &Pose, from: usize) -> OnPath {
+        let rows = &self.rows;
+        let lean = self.plan.channel.b_rad.cos().to_degrees() / DIRECTION_DEG;
+        let angle = pose.axis.z.atan2(pose.axis.y);
+        let mut best = (f64::INFINITY, OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY });
+        for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
+            let (a, b) = (&rows[row], &rows[row + 1]);
+            let turn = angle - a.theta;
+            let off = Vector4::from_iterator(
+                (pose.centre - a.centre)
+                    .iter()
+                    .map(|v| v / CENTRE_MM)
+                    .chain([lean * (turn - TAU * (turn / TAU).round())]),
+            );
+            let way = Vector4::from_iterator(
+                (b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * (b.theta - a.theta)]),
+            );
+            let length = way.norm_squared();
+            let share = if length > 0.0 { (off.dot(&way) / length).clamp(0.0, 1.0) } else { 0.0 };
+            let apart = (off - way * share).norm();
+            if apart < best.0 - 1e-9 {
+                let centre = a.centre + (b.centre - a.centre) * share;
+                best = (apart, OnPath { row, share, distance_mm: (pose.centre - centre).norm() });
+            }
+        }
+        best.1
+    }
+
     /// The planned tool axis there.
     fn axis(&self, on: OnPath) -> Vector {
-        let theta = |row: usize| self.plan.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
+        let theta = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.theta);
         let (a, b) = (theta(on.row), theta(on.row + 1));
         tool::axis(self.plan.channel.b_rad, a + (b - a) * on.share)
     }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use super::block::{Block, Feed, Place, Way};
 use super::unreadable;
 use crate::artifact::program::{Language, Programmed};
-use crate::error::Result;
+use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::machine::{Machine, Pose};
 use crate::tool::{self, Tool};
@@ -114,9 +114,38 @@ fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f6
 /// # Errors
 /// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame before tool-centre-point control is on.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
-    let mut follower = Follower { bench, stands: [f64::NAN, f64::NAN, f64::NAN, 0.0, 0.0], said: None };
+    let mut follower = Follower { bench, stands: UNKNOWN, said: None };
     blocks.iter().map(|b| follower.step(b)).collect()
 }
+
+/// As [`follow`], with a tool for each tool call, in their order: the moves with each. What comes before the first call is with the first tool, and a
+/// tool stays until the next is called.
+///
+/// # Errors
+/// As [`follow`], and where there are not as many tool calls as tools.
+pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>>> {
+    let calls = blocks.iter().map(|b| b.tool_calls).max().unwrap_or(0);
+    if calls.max(1) != benches.len() {
+        return Err(Error::usage(
+            Stage::Verify,
+            format!("the program calls a tool {calls} times, {} tools are given", benches.len()),
+        ));
+    }
+    let mut stands = UNKNOWN;
+    let mut rest = blocks;
+    let mut out = Vec::new();
+    for (k, bench) in benches.iter().enumerate() {
+        let own = rest.iter().take_while(|b| b.tool_calls <= k + 1).count();
+        let (mine, later) = rest.split_at(own);
+        let mut follower = Follower { bench, stands, said: None };
+        out.push(mine.iter().map(|b| follower.step(b)).collect::<Result<_>>()?);
+        (stands, rest) = (follower.stands, later);
+    }
+    Ok(out)
+}
+
+/// Where the axes stand at first: A and B at 0.
+const UNKNOWN: [f64; 5] = [f64::NAN, f64::NAN, f64::NAN, 0.0, 0.0];
 
 struct Follower<'a> {
     bench: &'a Bench<'a>,

@@ -13,6 +13,7 @@ struct Modal {
     centre_point: bool,
     tool_length: bool,
     feed: Option<f64>,
+    tool_calls: usize,
 }
 
 /// What a line says.
@@ -41,6 +42,7 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
         centre_point: false,
         tool_length: false,
         feed: None,
+        tool_calls: 0,
     };
     let mut out = Vec::new();
     for (i, line) in text.lines().enumerate() {
@@ -147,7 +149,8 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
         "TRAORI" | "TRAORI(1)" => modal.centre_point = true,
         "TRAFOOF" => modal.centre_point = false,
         "SUPA" => said.machine = true,
-        "N" | "O" | "T" | "M" | "S" | "H" | "D" | "P" | "Q" => {
+        "M" => modal.tool_calls += usize::from(number(value)? == 6.0),
+        "N" | "O" | "T" | "S" | "H" | "D" | "P" | "Q" => {
             number(value)?;
         }
         "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPCURV"
@@ -228,5 +231,6 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
         machine: said.machine,
         tool_length: modal.tool_length,
         centre_point: modal.centre_point,
+        tool_calls: modal.tool_calls,
     }))
 }

@@ -10,7 +10,7 @@ use crate::error::Result;
 /// A block that is not understood or not in sequence, with the line.
 pub(super) fn read(text: &str) -> Result<Vec<Block>> {
     let mut out = Vec::new();
-    let (mut centre_point, mut feed) = (false, None);
+    let (mut centre_point, mut feed, mut tool_calls) = (false, None, 0);
     for (i, line) in text.lines().enumerate() {
         let number = i + 1;
         let code = line.split(';').next().unwrap_or("").trim();
@@ -25,13 +25,14 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                     centre_point = word == "M128" || centre_point && word != "M129";
                 }
                 let block = straight(number, rest, centre_point, &mut feed).map_err(|e| unreadable(number, &e))?;
-                out.extend(block);
+                out.extend(block.map(|b| Block { tool_calls, ..b }));
             }
             Some("FUNCTION") if rest.starts_with("FUNCTION TCPM ") => centre_point = true,
             Some("FUNCTION") if rest == "FUNCTION RESET TCPM" => centre_point = false,
             Some("M128") => centre_point = true,
             Some("M129") => centre_point = false,
-            None | Some("BEGIN" | "END" | "TOOL" | "CYCL" | "BLK") => {}
+            Some("TOOL") => tool_calls += usize::from(rest.starts_with("TOOL CALL")),
+            None | Some("BEGIN" | "END" | "CYCL" | "BLK") => {}
             Some(word) if word.strip_prefix('M').is_some_and(|n| n.parse::<u32>().is_ok()) => {}
             Some(word) => return Err(unreadable(number, &format!("\"{word}\" is not known"))),
         }
@@ -87,5 +88,5 @@ fn straight(
         (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
         _ => return Err("a straight block before any F".into()),
     };
-    Ok(Some(Block { line, place, ways: [Way::To; 2], feed, machine, tool_length: false, centre_point }))
+    Ok(Some(Block { line, place, ways: [Way::To; 2], feed, machine, tool_length: false, centre_point, tool_calls: 0 }))
 }

@@ -10,10 +10,11 @@
 //! | `program-direction` | angle between the tool axis there and the plan's, which is even in θ between locations |
 //! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly |
 //! | `program-missing` | distance of each cutter location from the program's path: a line that is missing shows |
+//! | `program-rapids` | least distance of the whole tool to the part in rapids, those between operations among them |
 //! | `program-time` | whole time of the cutting lines against the plan's |
 //!
 //! **Limits**: axes move evenly from line to line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
-//! them. Rapids and approach are read, not judged.
+//! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
 
 mod apt;
 mod block;
@@ -26,9 +27,10 @@ mod heidenhain;
 mod tests;
 
 pub use block::{Block, Feed, Place, Way};
-pub use follow::{Bench, Moved, Zero, follow};
+pub use follow::{Bench, Moved, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
 
+use super::audit;
 use crate::artifact::program::{Grammar, Language, Program};
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
@@ -53,10 +55,43 @@ pub fn read(text: &str, language: Language) -> Result<Vec<Block>> {
 /// # Errors
 /// As [`read`], and where a line cannot be reached by the machine.
 pub fn read_back(program: &Program, plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine) -> Result<Vec<Check>> {
+    read_back_each(program, &[Operation { plan, tool }], blade, machine)
+}
+
+/// A plan and its tool, as one of several that a program was made from.
+#[derive(Clone, Copy)]
+pub struct Operation<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// Its tool.
+    pub tool: &'a Tool,
+}
+
+/// As [`read_back`], of a program with a tool call for each operation: every one against its own plan, and all rapids, those from one operation to
+/// the next among them.
+///
+/// # Errors
+/// As [`read_back`], and where the program does not call as many tools as there are operations.
+pub fn read_back_each(
+    program: &Program,
+    operations: &[Operation],
+    blade: &Blade,
+    machine: &Machine,
+) -> Result<Vec<Check>> {
     let blocks = read(&program.text, program.language)?;
-    let bench = Bench { language: program.language, zero: Zero::default(), tool, machine };
-    let moves = follow(&blocks, &bench)?;
-    Ok(compare::checks(program, &moves, plan, blade, tool, machine))
+    let (language, zero) = (program.language, Zero::default());
+    let benches: Vec<Bench> = operations.iter().map(|o| Bench { language, zero, tool: o.tool, machine }).collect();
+    let moves = follow_each(&blocks, &benches)?;
+    let mut out = Vec::new();
+    for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
+        let mut found = compare::checks(program, moves, o.plan, blade, o.tool, machine);
+        found.extend(audit::rapids(&program.text, moves, blade, bench)?);
+        if operations.len() > 1 {
+            found.iter_mut().for_each(|c| c.note = format!("operation {}; {}", k + 1, c.note));
+        }
+        out.extend(found);
+    }
+    Ok(out)
 }
 
 /// A line that cannot be read.

@@ -1,0 +1,322 @@
+//! The ways onto the path and off it: is there room for the whole tool, do the axes keep their limits there.
+//!
+//! A way consists of the straight line along the tool axis from far outside, the arc of the [`Lead`] where there is one, and the location itself. It
+//! is looked at with the same measures as the path: the swept ball ([`super::gouge`]), taper and shank, holder
+//! ([`super::clearance`]), continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence for both.
+
+use super::clearance::{self, Nearest, Track};
+use super::gouge::{self, face_name};
+use super::options::VerifyOptions;
+use super::sweep::Sweep;
+use crate::artifact::axis_motion::AXES;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Lead, Obstacle, Plan};
+use crate::geometry::allowance::Allowed;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+use crate::machine::Machine;
+use crate::tool::{self, Segment, Tool};
+
+/// At its outer end an arc must be this share of its height off the part, or the ball has not left it.
+const OFF: f64 = 0.25;
+/// So far does the straight line begin beyond the part, mm.
+const BEYOND_MM: f64 = 5.0;
+
+/// What stands around a way, and what moves on it.
+#[derive(Clone, Copy)]
+pub struct Room<'a> {
+    /// The part.
+    pub blade: &'a Blade,
+    /// Stock that stays on the part, mm.
+    pub stock_mm: f64,
+    /// Fixtures, and the stock as it comes.
+    pub obstacles: &'a [Obstacle],
+    /// The tool.
+    pub tool: &'a Tool,
+    /// The machine.
+    pub machine: &'a Machine,
+    /// Angle of the head, rad.
+    pub b_rad: f64,
+    /// Limits and resolution.
+    pub options: &'a VerifyOptions,
+}
+
+/// The location that a way leads to, or comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Foot {
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// Angle of the tool axis, rad.
+    pub theta: f64,
+}
+
+/// A way from the location outwards, whichever way it is run.
+struct Way {
+    centres: Vec<Point>,
+    theta: Vec<f64>,
+}
+
+impl Way {
+    fn new(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Self {
+        let mut rows: Vec<(Point, f64)> = lead.centres.iter().copied().zip(lead.theta.iter().copied()).collect();
+        if inwards {
+            rows.reverse();
+        }
+        rows.insert(0, (foot.centre, foot.theta));
+        let (outer, theta) = rows.last().copied().unwrap_or((foot.centre, foot.theta));
+        let axis = tool::axis(room.b_rad, theta);
+        rows.push((outer + axis * beyond(&room.blade.part, &outer, &axis, room.tool.radius_mm), theta));
+        let (centres, theta) = rows.into_iter().unzip();
+        Way { centres, theta }
+    }
+
+    fn least(&self, part: &Part, segments: &[Segment], room: &Room) -> (Nearest, f64) {
+        let track = Track { centres: &self.centres, theta: &self.theta, b_rad: &[room.b_rad], wanted: None };
+        clearance::measure_track(track, part, segments, room.options.clearance_resolution_mm)
+    }
+
+    fn gouge(&self, room: &Room) -> gouge::Gouge {
+        let turns = vec![0; self.centres.len()];
+        let sweep = Sweep::of(self.centres.clone(), self.centres.clone(), turns, room.tool.radius_mm, None);
+        let part = Allowed::new(&room.blade.part, room.stock_mm);
+        gouge::measure(&part, &sweep, room.options.resolution_mm)
+    }
+
+    /// Nearest distance of some segments at the location itself, mm.
+    fn at_foot(&self, part: &Part, segments: &[Segment], room: &Room) -> f64 {
+        let two = |v: &[Point]| v.first().map_or_else(Vec::new, |p| vec![*p; 2]);
+        let theta: Vec<f64> = self.theta.first().map_or_else(Vec::new, |t| vec![*t; 2]);
+        Way { centres: two(&self.centres), theta }.least(part, segments, room).1
+    }
+}
+
+/// How far along the axis the ball has to go for a plane under it to have the whole part on its other side, mm.
+fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
+    let farthest = part.mesh.points.iter().map(|p| (p - from).dot(axis)).fold(0.0, f64::max);
+    farthest + radius_mm + BEYOND_MM
+}
+
+/// Something to keep clear of.
+struct Body<'a> {
+    part: &'a Part,
+    deflection_mm: f64,
+    obstacle: Option<&'a Obstacle>,
+}
+
+impl Body<'_> {
+    /// Segments that keep clear of it, and by how much.
+    fn asks(&self, mut segments: Vec<Segment>, asked_mm: f64) -> (Vec<Segment>, f64) {
+        let Some(o) = self.obstacle else { return (segments, asked_mm) };
+        segments.retain(|s| !o.cut_by_the_tool || s.name.starts_with("holder"));
+        (segments, o.clearance_mm.min(o.holder_clearance_mm))
+    }
+
+    fn named(&self, near: &Nearest) -> String {
+        self.obstacle.map_or_else(|| face(self.part, near), |o| o.name.clone())
+    }
+}
+
+/// The part and all that stands around it.
+fn bodies<'a>(room: &'a Room) -> impl Iterator<Item = Body<'a>> {
+    let (part, deflection_mm) = (&room.blade.part, room.blade.part.deflection_mm);
+    let others = room.obstacles.iter().map(|o| Body { part: &o.part, deflection_mm: 0.0, obstacle: Some(o) });
+    let all = std::iter::once(Body { part, deflection_mm, obstacle: None }).chain(others);
+    all.filter(|b| !b.part.mesh.triangles.is_empty())
+}
+
+/// The tool without its ball: taper and shank, and the holder, each with the clearance asked for.
+fn groups(room: &Room) -> [(Vec<Segment>, f64); 2] {
+    let (holder, cutter): (Vec<_>, Vec<_>) =
+        room.tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    [(cutter, room.options.clearance_mm), (holder, room.options.holder_clearance_mm)]
+}
+
+/// What stands in the way of a lead, in words; `None`: there is room. The tool keeps the clearance that is asked for, or that which it has at
+/// the location itself where that is less.
+pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option<String> {
+    let way = Way::new(lead, foot, inwards, room);
+    let part = Allowed::new(&room.blade.part, room.stock_mm);
+    let found = way.gouge(room);
+    let depth = found.bound_mm.max(found.found_mm);
+    if depth > room.options.gouge_mm {
+        let face = part.closest(&found.centre, f64::INFINITY).map(|c| face_name(&part, c.face)).unwrap_or_default();
+        return Some(format!("the ball would cut {depth:.3} mm into {face}"));
+    }
+    if let Some(outer) = way.centres.iter().rev().nth(1).filter(|_| lead.is_arc()) {
+        let height = room.tool.radius_mm + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
+        if part.closest(outer, height).is_some() {
+            return Some("the part is beside its outer end as well".into());
+        }
+    }
+    for body in bodies(room) {
+        for (segments, asked_mm) in groups(room) {
+            let (segments, asked_mm) = body.asks(segments, asked_mm);
+            if segments.is_empty() {
+                continue;
+            }
+            let (near, bound_mm) = way.least(body.part, &segments, room);
+            let slack_mm = 2.0 * room.options.clearance_resolution_mm;
+            let at_foot = || way.at_foot(body.part, &segments, room);
+            let kept_mm = asked_mm.min(if bound_mm < asked_mm { at_foot() } else { asked_mm }) - slack_mm;
+            if bound_mm < kept_mm.max(body.deflection_mm) {
+                let who = segments.get(near.segment).map_or("tool", |s| s.name.as_str());
+                return Some(format!("the {who} would come within {bound_mm:.3} mm of {}", body.named(&near)));
+            }
+        }
+    }
+    lead.is_arc().then(|| off_travel(lead, room)).flatten()
+}
+
+fn face(part: &Part, near: &Nearest) -> String {
+    match near.triangle {
+        u32::MAX => "nothing".into(),
+        t => face_name(part, part.mesh.face(t as usize)),
+    }
+}
+
+/// An axis that would leave its travel on the arc.
+fn off_travel(lead: &Lead, room: &Room) -> Option<String> {
+    let limits = room.machine.limits();
+    let gauge = room.tool.length_mm();
+    lead.centres.iter().zip(&lead.theta).find_map(|(c, theta)| {
+        let q = room.machine.inverse(c, *theta, room.b_rad, gauge);
+        let out = |i: &usize| limits[*i].travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
+        (0..AXES.len()).find(out).map(|i| format!("axis {} would leave its travel", AXES[i]))
+    })
+}
+
+/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each fixture, over both ways; and `lead-axes`, `lead-limits` where there are arcs.
+pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
+    let ways = ways(plan, room);
+    let mut out = vec![deepest(&ways, plan, room)];
+    let names = ["lead-clearance", "lead-holder-clearance"];
+    for (name, (segments, asked_mm)) in names.into_iter().zip(groups(room)) {
+        let part = Body { part: &room.blade.part, deflection_mm: room.blade.part.deflection_mm, obstacle: None };
+        out.extend((!segments.is_empty()).then(|| nearest(name, &ways, &part, &segments, asked_mm, plan, room)));
+    }
+    for body in bodies(room).filter(|b| b.obstacle.is_some()) {
+        let (segments, asked_mm) = body.asks(room.tool.segments(), 0.0);
+        let none = segments.is_empty();
+        out.extend((!none).then(|| nearest("lead-obstacle", &ways, &body, &segments, asked_mm, plan, room)));
+    }
+    if plan.leads.iter().any(Lead::is_arc) {
+        out.extend([placed(plan, room), within_limits(plan, room)]);
+    }
+    out
+}
+
+/// Both ways with their names and the row of the location that they belong to.
+fn ways(plan: &Plan, room: &Room) -> Vec<(&'static str, usize, Way)> {
+    let rows = &plan.toolpath.locations;
+    let ends = [("lead-in", 0, true), ("lead-out", rows.len().saturating_sub(1), false)];
+    let way = |((name, row, inwards), lead): ((&'static str, usize, bool), &Lead)| {
+        let foot = Foot { centre: rows.get(row)?.centre, theta: *plan.schedule.theta.get(row)? };
+        Some((name, row, Way::new(lead, foot, inwards, room)))
+    };
+    ends.into_iter().zip(&plan.leads).filter_map(way).collect()
+}
+
+fn at(check: Check, row: usize, point: Option<Point>, plan: &Plan, blade: &Blade) -> Check {
+    let point_mm = point.map(|p| blade.model_from_blade * p).map(|p| [p.x, p.y, p.z]);
+    Check { row: Some(row), turn: plan.toolpath.locations.get(row).map(|l| l.turn), point_mm, ..check }
+}
+
+fn bare(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, passed: bool, note: String) -> Check {
+    let worst = if worst.is_finite() { worst } else { f64::MAX };
+    Check {
+        name: name.into(),
+        quantity: quantity.into(),
+        worst,
+        limit,
+        unit: unit.into(),
+        passed,
+        row: None,
+        turn: None,
+        point_mm: None,
+        note,
+    }
+}
+
+fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
+    let found = ways.iter().map(|(name, row, way)| (name, *row, way.gouge(room)));
+    let worst = found.reduce(|a, b| if b.2.bound_mm > a.2.bound_mm { b } else { a });
+    let (name, row, bound, centre) =
+        worst.map_or(("", 0, 0.0, None), |(n, r, g)| (*n, r, g.bound_mm.max(g.found_mm).max(0.0), Some(g.centre)));
+    let limit = room.options.gouge_mm;
+    let quantity = "depth of the ball in the part on the ways onto the path and off it";
+    let check = bare("lead-gouge", quantity, bound, limit, "mm", bound <= limit, name.to_owned());
+    at(check, row, centre, plan, room.blade)
+}
+
+fn nearest(
+    name: &str,
+    ways: &[(&str, usize, Way)],
+    body: &Body,
+    segments: &[Segment],
+    asked_mm: f64,
+    plan: &Plan,
+    room: &Room,
+) -> Check {
+    let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(body.part, segments, room)));
+    let worst = found.reduce(|a, b| if b.2.1 < a.2.1 { b } else { a });
+    let (which, row, near, bound) = worst.map_or(("", 0, None, 0.0), |(w, r, (n, b))| (w, r, Some(n), b));
+    let worst = bound - body.deflection_mm;
+    let who = near.and_then(|n| segments.get(n.segment)).map_or("", |s| s.name.as_str());
+    let what = near.map_or_else(String::new, |n| body.named(&n));
+    let quantity = "least distance of the tool without its ball on the ways onto the path and off it";
+    let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {asked_mm}");
+    let check = bare(name, quantity, worst, 0.0, "mm", worst >= 0.0, note);
+    at(check, row, near.map(|n| n.point), plan, room.blade)
+}
+
+/// The axes place ball centre and tool axis where the leads have them.
+fn placed(plan: &Plan, room: &Room) -> Check {
+    let gauge = room.tool.length_mm();
+    let mut worst = 0.0f64;
+    for lead in &plan.leads {
+        for ((c, theta), q) in lead.centres.iter().zip(&lead.theta).zip(&lead.motion.position) {
+            let pose = room.machine.forward(q, gauge);
+            let turned = (pose.axis - tool::axis(room.b_rad, *theta)).norm() * room.tool.length_mm();
+            let off = (pose.centre - c).norm().max(turned);
+            worst = if off.is_nan() { f64::MAX } else { worst.max(off) };
+        }
+    }
+    let quantity = "distance of ball centre and gauge line that the axes give from the leads";
+    bare("lead-axes", quantity, worst, 1e-6, "mm", worst <= 1e-6, String::new())
+}
+
+/// Travel, velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
+fn within_limits(plan: &Plan, room: &Room) -> Check {
+    let rows: Vec<(f64, [f64; 5])> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
+    let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());
+    // Two rows of the path belong to the accelerations at the joint.
+    let ends = [&rows[..(before + 2).min(rows.len())], &rows[rows.len().saturating_sub(after + 2)..]];
+    let mut worst = (0.0f64, String::new());
+    let mut take = |share: f64, axis: usize, kind: &str| {
+        let share = if share.is_nan() { f64::MAX } else { share };
+        if share > worst.0 {
+            worst = (share, format!("axis {}: {kind}", AXES[axis]));
+        }
+    };
+    for (axis, limit) in room.machine.limits().iter().enumerate() {
+        for rows in ends {
+            if let Some([lo, hi]) = limit.travel {
+                let mid = 0.5 * (lo + hi);
+                rows.iter().for_each(|(_, q)| take((q[axis] - mid).abs() / (hi - mid), axis, "travel"));
+            }
+            let v: Vec<f64> = rows.windows(2).map(|w| (w[1].1[axis] - w[0].1[axis]) / (w[1].0 - w[0].0)).collect();
+            v.iter().for_each(|v| take(v.abs() / limit.velocity, axis, "velocity"));
+            for (i, w) in v.windows(2).enumerate() {
+                let a = (w[1] - w[0]) / (0.5 * (rows[i + 2].0 - rows[i].0));
+                take(a.abs() / limit.acceleration, axis, "acceleration");
+            }
+        }
+    }
+    let limit = 1.0 + room.options.limit_tolerance;
+    let quantity = "greatest share of an axis' travel, velocity or acceleration on the leads";
+    bare("lead-limits", quantity, worst.0, limit, "", worst.0 <= limit, worst.1)
+}
+
+#[cfg(test)]
+#[path = "lead_tests.rs"]
+mod tests;

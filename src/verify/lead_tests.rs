@@ -1,0 +1,101 @@
+#![allow(clippy::unwrap_used)]
+use super::*;
+use crate::geometry::mesh::Mesh;
+use crate::sample;
+
+/// The sample's blade with a thin triangle more.
+fn with_needle(corners: [Point; 3]) -> Blade {
+    let mut blade = sample::blade();
+    let mut mesh: Mesh = blade.part.mesh.clone();
+    let n = mesh.points.len() as u32;
+    mesh.points.extend(corners);
+    mesh.triangles.push([n, n + 1, n + 2]);
+    mesh.face_of.push(9);
+    blade.part = Part::from_mesh(mesh);
+    blade
+}
+
+fn plan() -> Plan {
+    sample::with_leads(sample::plan(1, 360))
+}
+
+fn failing(plan: &Plan, blade: &Blade) -> Vec<Check> {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let (stock_mm, obstacles, b_rad) = (0.0, &[][..], plan.channel.b_rad);
+    let room = Room { blade, stock_mm, obstacles, tool: &tool, machine: &machine, b_rad, options: &options };
+    check(plan, &room).into_iter().filter(|c| !c.passed).collect()
+}
+
+fn only(found: &[Check], name: &str) -> Check {
+    assert!(found.len() == 1 && found[0].name == name, "{found:#?}");
+    found[0].clone()
+}
+
+#[test]
+fn clean_leads_have_no_finding() {
+    assert!(failing(&plan(), &sample::blade()).is_empty(), "{:#?}", failing(&plan(), &sample::blade()));
+    let straight = sample::plan(1, 360);
+    assert!(failing(&straight, &sample::blade()).is_empty());
+}
+
+#[test]
+fn what_is_planted_in_a_lead_is_found_and_named() {
+    let clean = plan();
+    let at = clean.leads[1].centres.len() / 2;
+    // A needle whose end reaches 0.02 mm into the ball in the middle of the lead-out, from the side that the tool leans away from.
+    let c = clean.leads[1].centres[at];
+    let (x, side) = (Vector::x(), Vector::y() * 0.01);
+    let end = c - x * (5.0 - 0.02);
+    let g = only(&failing(&clean, &with_needle([end, end - x * 0.3 + side, end - x * 0.3 - side])), "lead-gouge");
+    assert!((0.015..0.03).contains(&g.worst) && g.note == "lead-out", "{g:?}");
+    // One that reaches 0.1 mm into the second holder stage on the straight line only.
+    let (c, theta) = (clean.leads[0].centres[0], clean.leads[0].theta[0]);
+    let axis = tool::axis(clean.channel.b_rad, theta);
+    let out = axis.cross(&Vector::x()).normalize();
+    let reach = c + axis * 140.0 + out * 29.9;
+    let blade = with_needle([reach, reach + out * 9.0 + Vector::x() * 0.05, reach + out * 9.0 - Vector::x() * 0.05]);
+    let h = only(&failing(&clean, &blade), "lead-holder-clearance");
+    assert!((h.worst + 0.1).abs() < 0.02 && h.note.contains("lead-in: holder 2"), "{h:?}");
+    let mut moved = clean.clone();
+    moved.leads[0].motion.position[3][1] += 0.001;
+    let a = only(&failing(&moved, &sample::blade()), "lead-axes");
+    assert!((a.worst - 0.001).abs() < 1e-9);
+    let mut fast = clean.clone();
+    let shift = fast.leads[1].motion.t_s[0];
+    fast.leads[1].motion.t_s.iter_mut().for_each(|t| *t = shift + (*t - shift) * 0.01);
+    assert!(only(&failing(&fast, &sample::blade()), "lead-limits").note.contains("axis "));
+}
+
+#[test]
+fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
+    let plan = plan();
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let foot = Foot { centre: plan.toolpath.locations[0].centre, theta: plan.schedule.theta[0] };
+    let said = |blade: &Blade, machine: &Machine, obstacles: &[Obstacle]| {
+        let (stock_mm, b_rad) = (0.0, plan.channel.b_rad);
+        let room = Room { blade, stock_mm, obstacles, tool: &tool, machine, b_rad, options: &options };
+        obstructed(&plan.leads[0], foot, true, &room)
+    };
+    assert_eq!(said(&sample::blade(), &machine, &[]), None);
+    // A wall across the arc, beside the path.
+    let c = plan.leads[0].centres[10];
+    let wall = [c, c + Vector::new(1.0, 0.0, 0.0), c + Vector::new(0.0, 0.0, -1.0)];
+    assert!(said(&with_needle(wall), &machine, &[]).unwrap().contains("the ball would cut"));
+    let mut short = machine.clone();
+    let q = machine.inverse(&c, plan.leads[0].theta[10], plan.channel.b_rad, tool.length_mm());
+    short.axes.z.max_mm = q[2];
+    assert_eq!(said(&sample::blade(), &short, &[]).unwrap(), "axis Z would leave its travel");
+    let axis = tool::axis(plan.channel.b_rad, plan.leads[0].theta[10]);
+    let beside = c + axis * 30.0 + axis.cross(&Vector::x()).normalize() * 7.0;
+    let clamp = Obstacle {
+        name: "the clamp".into(),
+        part: with_needle([beside, beside + Vector::x(), beside + axis]).part,
+        clearance_mm: 0.1,
+        holder_clearance_mm: 1.0,
+        cut_by_the_tool: false,
+    };
+    let why = said(&sample::blade(), &machine, &[clamp]).unwrap();
+    assert!(why.contains("the clamp"), "{why}");
+}
