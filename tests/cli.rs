@@ -299,6 +299,7 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
         said.contains("finding: z-travel") && said.contains("0.010000 mm") && said.contains("`G53 G0 Z630.01000`"),
         "{said}"
     );
+    runs_are_joined(d, model);
     write(d, "arc.nc", b"G94 G1 X1 Y1 Z1 F5\nG2 X2 I1\n");
     write(d, "letter.txt", b"Dear sir,\nplease mill this.\n");
     write(d, "tool.toml", b"radius_mm = 3\n");
@@ -312,6 +313,28 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     for file in ["theirs.ngc", "arc.nc", "letter.txt", "tool.toml"] {
         std::fs::remove_file(d.join(file)).expect("removable");
     }
+}
+
+/// Two runs of a part as operations of one program: written, read back, judged by themselves; what cannot be is named.
+fn runs_are_joined(d: &Path, model: &str) {
+    let two = ["post", "1", "1", "--control", "siemens", "-o", "joined"];
+    let out = bladewright(&two, d);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let text = std::fs::read_to_string(d.join("joined/program.mpf")).expect("readable");
+    assert!(text.contains("Operation 1 of 2") && text.contains("Operation 2 of 2") && text.matches("M30").count() == 1);
+    let tool = "1/job.resolved.toml";
+    let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.01"];
+    let out = bladewright(&judged, d);
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert_eq!(out.status.code(), Some(0), "{said}");
+    assert!(said.contains("operation  2 of 2") && said.matches("ok   rapid").count() == 2, "{said}");
+    let out = bladewright(&[&two[..], &["--from-operation", "2", "--from-turn", "2"]].concat(), d);
+    assert!(out.status.success() && d.join("joined/from_operation_2.from_turn_2.program.mpf").is_file());
+    fails(&["post", "1", "1", "--control", "iso"], d, 2, &["several runs", "-o"]);
+    fails(&[&two[..], &["--from-operation", "3"]].concat(), d, 2, &["operations 1 to 2"]);
+    let third = [&judged[..], &["--tool", tool]].concat();
+    fails(&third, d, 2, &["calls a tool 2 times, 3 tools"]);
+    std::fs::remove_dir_all(d.join("joined")).expect("removable");
 }
 
 /// A program that was changed or damaged since is found by `verify`, which reads it from its file.

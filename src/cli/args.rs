@@ -66,7 +66,7 @@ pub enum Verb {
     Batch(Batch),
     /// Check a finished run again from its files, or a program that others wrote.
     #[command(
-        after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
+        after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify both.mpf --part blade.step --tool out/airfoil/job.resolved.toml --tool out/fillet/job.resolved.toml\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
     )]
     Verify(Verify),
     /// Write the NC program of a finished run for a control, or of several runs as operations of one program.
@@ -446,9 +446,10 @@ pub struct Verify {
     /// The part that the program is for: a model.
     #[arg(long, value_name = "MODEL", requires = "tool")]
     pub part: Option<PathBuf>,
-    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder; job.resolved.toml of a run will do.
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder; job.resolved.toml of a run will do. Given more than once: the tools
+    /// that the program calls (M6, TOOL CALL, LOADTL), in that order.
     #[arg(long, value_name = "FILE", requires = "part")]
-    pub tool: Option<PathBuf>,
+    pub tool: Vec<PathBuf>,
     /// The machine (TOML); default: the built-in demo machine.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub machine: Option<PathBuf>,

@@ -24,7 +24,7 @@ const TOLD_SPANS: usize = 5;
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
-    let (Some(part), Some(tool)) = (&args.part, &args.tool) else {
+    let (Some(part), false) = (&args.part, args.tool.is_empty()) else {
         if args.what.is_file() {
             let what =
                 format!("{} is a file: to check a program, its part and its tool are needed", args.what.display());
@@ -35,7 +35,11 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     };
     let text = text(&args.what)?;
     let (language, why) = language(args, &text)?;
-    let tool = Tool::load(tool)?;
+    let tools = args.tool.iter().map(|t| Tool::load(t)).collect::<Result<Vec<_>>>()?;
+    if tools.len() > 1 && args.map.is_some() {
+        return Err(Error::usage(Stage::Verify, "a map of what several tools leave is not made")
+            .advise("leave out --map, or look at the operations one by one"));
+    }
     let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| Machine::load(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
@@ -44,7 +48,7 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         let [x, y, z] = origin;
         let cad = if args.cad { blade.model_from_blade.inverse() } else { Rigid::translation(x, y, z) };
         let zero = Zero { blade_from_program: cad, axes_mm: origin };
-        let bench = Bench { language, zero, tool: &tool, machine: &machine };
+        let benches: Vec<Bench> = tools.iter().map(|tool| Bench { language, zero, tool, machine: &machine }).collect();
         let options = AuditOptions {
             gouge_mm: args.gouge,
             scallop_mm: args.scallop,
@@ -52,19 +56,35 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
             map_mm: args.map.as_ref().map(|_| args.map_tolerance),
             ..AuditOptions::default()
         };
-        let audit = audit::audit(&text, &blade, &bench, &options, &terminal)?;
-        if let (Some(file), Some(map)) = (&args.map, &audit.map) {
+        // One tool is taken for the whole program, however often it is called.
+        let audits = match &benches[..] {
+            [bench] => vec![audit::audit(&text, &blade, bench, &options, &terminal)?],
+            _ => audit::audit_each(&text, &blade, &benches, &options, &terminal)?,
+        };
+        if let (Some(file), [audit]) = (&args.map, &audits[..])
+            && let Some(map) = &audit.map
+        {
             again::write_map(file, map, &blade, args.scallop.unwrap_or(audit.scallop_p99_mm.max(0.001)))?;
         }
-        Ok(audit)
+        Ok(audits)
     });
     terminal.finish();
-    let audit = audit?;
+    let audits = audit?;
     if let Some(file) = &args.report {
-        output::write_file(file, output::json(&audit)?.as_bytes())?;
+        let json = match &audits[..] {
+            [audit] => output::json(audit)?,
+            all => output::json(&all)?,
+        };
+        output::write_file(file, json.as_bytes())?;
     }
-    tell(&args.what, &why, &audit);
-    Ok(if audit.passed() { 0 } else { ErrorKind::Findings.exit_code() })
+    sayln!("program    {}: {why}", args.what.display());
+    for (k, audit) in audits.iter().enumerate() {
+        if audits.len() > 1 {
+            sayln!("operation  {} of {}", k + 1, audits.len());
+        }
+        tell(audit);
+    }
+    Ok(if audits.iter().all(Audit::passed) { 0 } else { ErrorKind::Findings.exit_code() })
 }
 
 /// The program's text.
@@ -105,8 +125,7 @@ fn language(args: &Verify, text: &str) -> Result<(Language, String)> {
 }
 
 /// The audit as lines.
-fn tell(program: &Path, why: &str, audit: &Audit) {
-    sayln!("program    {}: {why}", program.display());
+fn tell(audit: &Audit) {
     sayln!(
         "moves      {} at a feed ({:.1} mm, {:.1} s as programmed, {} turns, B {:.3} to {:.3} deg), {} rapids, {} not known from their beginning",
         audit.feed_moves,

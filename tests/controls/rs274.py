@@ -50,7 +50,7 @@ def command(path):
     """Motions as rs274 tells them: (rapid, X Y Z A B, feed rate in force)."""
     with tempfile.TemporaryDirectory() as d:
         # Its tool table is in inches whatever the program says; offsets would persist in the variables, so they are fresh.
-        open(d + "/tool.tbl", "w").write("T1 P1 Z4.0 D0.25\n")
+        open(d + "/tool.tbl", "w").write("T1 P1 Z4.0 D0.25\nT2 P2 Z4.0 D0.25\n")
         open(d + "/v.var", "w").close()
         args = [ROOT + "/usr/bin/rs274", "-g", "-t", d + "/tool.tbl", "-v", d + "/v.var", os.path.abspath(path)]
         p = subprocess.run(args, env=ENV, stdin=subprocess.DEVNULL, capture_output=True, text=True, cwd=d)

@@ -106,20 +106,55 @@ pub fn audit(
     observer: &dyn Observer,
 ) -> Result<Audit> {
     bench.tool.validate()?;
+    let moves = program::follow(&program::read(text, bench.language)?, bench)?;
+    audit_moves(text, &moves, blade, bench, options, observer)
+}
+
+/// Judges a program of several operations, with a tool for each tool call in their order: an audit of each. The moves from one operation to the next
+/// belong to the first, up to the tool call. What one leaves between its passes is judged by itself.
+///
+/// # Errors
+/// As [`audit`] of each, and where the program does not call as many tools.
+pub fn audit_each(
+    text: &str,
+    blade: &Blade,
+    benches: &[Bench],
+    options: &AuditOptions,
+    observer: &dyn Observer,
+) -> Result<Vec<Audit>> {
+    for bench in benches {
+        bench.tool.validate()?;
+    }
+    let Some(first) = benches.first() else {
+        return Err(Error::usage(Stage::Verify, "a program needs a tool to be judged"));
+    };
+    let moves = program::follow_each(&program::read(text, first.language)?, benches)?;
+    let one =
+        |(bench, moves): (&Bench, &Vec<program::Moved>)| audit_moves(text, moves, blade, bench, options, observer);
+    benches.iter().zip(&moves).map(one).collect()
+}
+
+fn audit_moves(
+    text: &str,
+    moves: &[program::Moved],
+    blade: &Blade,
+    bench: &Bench,
+    options: &AuditOptions,
+    observer: &dyn Observer,
+) -> Result<Audit> {
     let step = |done: usize| {
         observer.progress(Stage::Verify, done, 5);
         observer.check(Stage::Verify)
     };
     step(0)?;
-    let moves = program::follow(&program::read(text, bench.language)?, bench)?;
-    let legs = Legs::new(&moves, bench)?;
+    let legs = Legs::new(moves, bench)?;
     if !legs.legs.iter().any(|l| l.kind == Kind::Cut) {
         return Err(Error::usage(Stage::Verify, "the program has no feed move that is known from its beginning")
             .advise("its first moves must say X, Y and Z"));
     }
     let part = Allowed::new(&blade.part, options.stock_mm);
     let turns = legs.turns(|c| part.closest(c, bench.tool.radius_mm + legs::NEAR_MM).is_some());
-    let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
+    let scene = Scene { blade, part, bench, options, text, moves, legs: &legs, turns };
     let cutting = scene.sweep(Kind::Cut);
     let passes = scene.passes();
     let mut checks = vec![checks::contact(&scene, &passes), checks::gouge(&scene, &cutting)];
