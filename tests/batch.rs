@@ -53,22 +53,26 @@ fn the_same_bytes_on_threads_in_shards_and_after_a_kill() {
     ends(&["batch", "merge", "family.toml", "-o", "parts"], d, 0);
     same(&d.join("two"), &d.join("parts"));
 
-    // Ctrl-C ends cleanly: what is done is kept, and told.
-    let child = command(&["--threads", "1", "batch", "family.toml", "-o", "killed"], d)
-        .stderr(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
-    let begun = std::time::Instant::now();
-    while !d.join("killed/members").is_dir() && begun.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(5));
+    // Ctrl-C and a request to end cleanly: what is done is kept, and told.
+    for signal in ["-INT", "-TERM"] {
+        let out = d.join(format!("stopped{signal}"));
+        let child = command(&["--threads", "1", "batch", "family.toml", "-o"], d)
+            .arg(&out)
+            .stderr(Stdio::null())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        let begun = std::time::Instant::now();
+        while !out.join("members").is_dir() && begun.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill starts");
+        let ended = child.wait_with_output().expect("it ends");
+        let text = String::from_utf8_lossy(&ended.stdout);
+        assert_eq!(ended.status.code(), Some(130), "{signal}: {text}");
+        assert!(text.contains("missing") && out.join("family.csv").is_file(), "{signal}: {text}");
+        assert!(!out.join("work").exists());
     }
-    Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill starts");
-    let ended = child.wait_with_output().expect("it ends");
-    let text = String::from_utf8_lossy(&ended.stdout);
-    assert_eq!(ended.status.code(), Some(130), "{text}");
-    assert!(text.contains("missing") && d.join("killed/family.csv").is_file(), "{text}");
-    assert!(!d.join("killed/work").exists());
 
     // Killed on the way, then again.
     for wait_ms in [150, 700] {

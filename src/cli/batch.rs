@@ -91,10 +91,7 @@ impl Screen {
             whole.set_style(style);
         }
         whole.set_message("family");
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
-        // A second handler in one process (tests) is refused; the first goes on working.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::SeqCst));
+        let stop = super::signals::stop_flag();
         let lines = !quiet && !terminal;
         Screen {
             bars,

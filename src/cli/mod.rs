@@ -13,6 +13,7 @@ mod make;
 mod out;
 mod plan;
 mod progress;
+mod signals;
 
 use std::io::Write;
 use std::process::ExitCode;

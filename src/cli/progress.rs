@@ -38,10 +38,7 @@ impl Terminal {
         {
             bar.set_style(style);
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
-        // A second handler in one process (tests) is refused; the first goes on working.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::SeqCst));
+        let stop = super::signals::stop_flag();
         Terminal { bar, shown: AtomicUsize::new(usize::MAX), told: Mutex::new(None), json, stop, quiet }
     }
 

@@ -9,7 +9,7 @@
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
 //! | path and channel | those, the whole tool, `[channel]` but `sweep_b`, the machine, B, fixtures and stock |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
-//! | feed, leads | those, the machine, the feed; `[verify]` too for the leads |
+//! | feed, leads | those, the machine, the feed; `verify.gouge_mm` and `resolution_mm` too for the leads |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
 //! | all of these, sections, preview and plots | everything but `[post]`: see [`super::repost`] |
 
@@ -19,7 +19,7 @@ use super::Setup;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{AxisMotion, Channel, CheckReport, Lead, Plan, Schedule, Toolpath};
 use crate::error::Stage;
-use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob};
+use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob, VerifyJob};
 use crate::observe::{Observer, Warning};
 use crate::output::manifest::Input;
 
@@ -91,8 +91,9 @@ impl<'a> Earlier<'a> {
         if a.schedule != b.schedule || (timed && !machine) {
             return Some(Stage::Channel);
         }
-        // Room for the leads is judged by the limits of the checks.
-        Some(if machine && a.verify == b.verify { Stage::Feed } else { Stage::Schedule })
+        // Room for the leads is judged by these limits of the checks.
+        let room = |v: &VerifyJob| [v.gouge_mm, v.resolution_mm];
+        Some(if machine && room(&a.verify) == room(&b.verify) { Stage::Feed } else { Stage::Schedule })
     }
 
     /// This run came to its end and stands for that of `setup` in all but its programs.
