@@ -31,6 +31,17 @@ pub enum PositiveA {
     Workpiece,
 }
 
+/// To which side positive `B` leans the spindle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PositiveB {
+    /// Towards +X of the machine, the blade's tip.
+    #[default]
+    PlusX,
+    /// Towards -X.
+    MinusX,
+}
+
 /// How the blade sits on the machine while `A = 0`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -60,6 +71,12 @@ pub struct Table {
 pub struct Head {
     /// From the pivot to the spindle's gauge line, mm.
     pub pivot_length_mm: f64,
+    /// How far the spindle's axis passes the pivot by, along X of the machine while B = 0, mm; 0: they meet.
+    #[serde(default)]
+    pub spindle_offset_mm: f64,
+    /// Sense of `B`.
+    #[serde(default)]
+    pub positive_b_leans: PositiveB,
 }
 
 /// A linear axis.
@@ -249,6 +266,7 @@ impl Machine {
         finite("mount.clamping_deg", self.mount.clamping_deg)?;
         finite("table.axis_y_mm", self.table.axis_y_mm)?;
         finite("table.axis_z_mm", self.table.axis_z_mm)?;
+        finite("head.spindle_offset_mm", self.head.spindle_offset_mm)?;
         if !(self.head.pivot_length_mm >= 0.0 && self.head.pivot_length_mm.is_finite()) {
             return bad(format!("head.pivot_length_mm is {}, it must be at least 0", self.head.pivot_length_mm));
         }
@@ -304,6 +322,8 @@ mod tests {
         let cases = [
             ("pivot_length_mm = 200.0", "pivot_length_mm = -1.0", "pivot_length_mm"),
             ("pivot_length_mm = 200.0", "pivot_length = 200.0", "pivot_length"),
+            ("spindle_offset_mm = 0.0", "spindle_offset_mm = inf", "head.spindle_offset_mm"),
+            ("positive_b_leans = \"plus-x\"", "positive_b_leans = \"up\"", "up"),
             ("velocity_deg_s = 180.0", "velocity_deg_s = 0.0", "axes.a: velocity"),
             ("max_deg = 87.0", "max_deg = 90.0", "axes.b"),
             ("max_deg = 87.0", "", "only one of"),

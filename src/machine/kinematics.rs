@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::UnitQuaternion;
 
-use super::{Machine, PositiveA};
+use super::{Machine, PositiveA, PositiveB};
 use crate::geometry::{Point, Rigid, Vector};
 
 /// Where the tool is, in the blade frame.
@@ -52,28 +52,47 @@ impl Machine {
         -self.sense() * a_rad - self.mount.clamping_deg.to_radians() + FRAC_PI_2
     }
 
-    /// The tool axis in the machine frame at head position `b_rad`.
-    fn axis_in_machine(b_rad: f64) -> Vector {
-        Vector::new(b_rad.sin(), 0.0, b_rad.cos())
+    /// Head position that leans the spindle by `lean_rad` towards +X.
+    pub fn b_of_lean(&self, lean_rad: f64) -> f64 {
+        match self.head.positive_b_leans {
+            PositiveB::PlusX => lean_rad,
+            PositiveB::MinusX => -lean_rad,
+        }
+    }
+
+    /// Lean of the spindle towards +X, the angle `B` of plans, at head position `b_rad`.
+    pub fn lean_of_b(&self, b_rad: f64) -> f64 {
+        self.b_of_lean(b_rad)
+    }
+
+    /// The tool axis in the machine frame under a lean.
+    fn axis_in_machine(lean_rad: f64) -> Vector {
+        Vector::new(lean_rad.sin(), 0.0, lean_rad.cos())
+    }
+
+    /// From the ball centre to the point that X, Y, Z read, machine frame.
+    fn reading_from_centre(&self, lean_rad: f64, gauge_length_mm: f64) -> Vector {
+        let (pivot, offset) = (self.head.pivot_length_mm, self.head.spindle_offset_mm);
+        let across = Vector::new(1.0 - lean_rad.cos(), 0.0, lean_rad.sin());
+        Self::axis_in_machine(lean_rad) * (pivot + gauge_length_mm) - Vector::z() * pivot + across * offset
     }
 
     /// Axis positions (X, Y, Z in mm, A, B in rad) that put the ball centre at `centre` (blade frame) with the tool
-    /// axis at `theta_rad` about the blade axis and leaning by `b_rad`. `gauge_length_mm`: from the ball centre to the
+    /// axis at `theta_rad` about the blade axis and leaning by `lean_rad` towards its tip. `gauge_length_mm`: from the ball centre to the
     /// spindle's gauge line.
-    pub fn inverse(&self, centre: &Point, theta_rad: f64, b_rad: f64, gauge_length_mm: f64) -> [f64; 5] {
+    pub fn inverse(&self, centre: &Point, theta_rad: f64, lean_rad: f64, gauge_length_mm: f64) -> [f64; 5] {
         let a_rad = self.a_of_theta(theta_rad);
         let at = self.machine_from_part(a_rad) * centre;
-        let pivot = self.head.pivot_length_mm;
-        let p = at + Self::axis_in_machine(b_rad) * (pivot + gauge_length_mm) - Vector::z() * pivot;
-        [p.x, p.y, p.z, a_rad, b_rad]
+        let p = at + self.reading_from_centre(lean_rad, gauge_length_mm);
+        [p.x, p.y, p.z, a_rad, self.b_of_lean(lean_rad)]
     }
 
     /// The pose of the tool in the blade frame at axis positions `[X, Y, Z, A, B]` (mm, rad).
     pub fn forward(&self, axes: &[f64; 5], gauge_length_mm: f64) -> Pose {
         let [x, y, z, a_rad, b_rad] = *axes;
-        let axis = Self::axis_in_machine(b_rad);
-        let pivot = self.head.pivot_length_mm;
-        let at = Point::new(x, y, z) + Vector::z() * pivot - axis * (pivot + gauge_length_mm);
+        let lean_rad = self.lean_of_b(b_rad);
+        let axis = Self::axis_in_machine(lean_rad);
+        let at = Point::new(x, y, z) - self.reading_from_centre(lean_rad, gauge_length_mm);
         let part_from_machine = self.machine_from_part(a_rad).inverse();
         Pose { centre: part_from_machine * at, axis: part_from_machine * axis }
     }
@@ -87,7 +106,7 @@ impl Machine {
             return None;
         }
         let a = self.a_of_theta(unit.z.atan2(unit.y));
-        Some([a + TAU * ((near_a_rad - a) / TAU).round(), unit.x.atan2(across)])
+        Some([a + TAU * ((near_a_rad - a) / TAU).round(), self.b_of_lean(unit.x.atan2(across))])
     }
 }
 
@@ -124,6 +143,13 @@ mod tests {
         // B = 30° leans towards +X: pivot at 300 mm along (½, 0, √3/2), less 200 mm down Z.
         let q = m.inverse(&Point::origin(), FRAC_PI_2, 30f64.to_radians(), 100.0);
         close(&q, [1400.0 + 150.0, 0.0, 300.0 * 0.75f64.sqrt() - 200.0, 0.0, 30f64.to_radians()]);
+        // A spindle whose axis passes the pivot by 10 mm swings it through (cos 30°, −sin 30°); the other sense of B: the same place.
+        m.head.spindle_offset_mm = 10.0;
+        m.head.positive_b_leans = PositiveB::MinusX;
+        let q = m.inverse(&Point::origin(), FRAC_PI_2, 30f64.to_radians(), 100.0);
+        let moved = 10.0 * (1.0 - 0.75f64.sqrt());
+        close(&q, [1400.0 + 150.0 + moved, 0.0, 300.0 * 0.75f64.sqrt() - 200.0 + 5.0, 0.0, -30f64.to_radians()]);
+        (m.head.spindle_offset_mm, m.head.positive_b_leans) = (0.0, PositiveB::PlusX);
         // Clamped at 90°: blade z is machine −Y, blade y is machine +Z, so θ = 0 needs no turn.
         m.mount.clamping_deg = 90.0;
         close(&m.inverse(&Point::new(0.0, 7.0, 2.0), 0.0, 0.0, 100.0), [1400.0, -2.0, 107.0, 0.0, 0.0]);
@@ -142,12 +168,15 @@ mod tests {
         fn forward_undoes_inverse(
             c in prop::array::uniform3(-300.0..300.0f64), theta in -100.0..100.0f64, b in -1.5..1.5f64,
             gauge in 0.0..400.0f64, offset in prop::array::uniform3(-500.0..500.0f64), clamp in -360.0..360.0f64,
-            axis_at in prop::array::uniform2(-100.0..100.0f64), iso in any::<bool>(),
+            axis_at in prop::array::uniform2(-100.0..100.0f64), iso in any::<bool>(), plus in any::<bool>(),
+            passes in -50.0..50.0f64,
         ) {
             let mut m = Machine::demo().unwrap();
             m.mount.offset_mm = offset;
             m.mount.clamping_deg = clamp;
             [m.table.axis_y_mm, m.table.axis_z_mm] = axis_at;
+            m.head.spindle_offset_mm = passes;
+            m.head.positive_b_leans = if plus { PositiveB::PlusX } else { PositiveB::MinusX };
             m.table.positive_a_turns = if iso { PositiveA::Tool } else { PositiveA::Workpiece };
             let centre = Point::from(c);
             let q = m.inverse(&centre, theta, b, gauge);
@@ -156,7 +185,8 @@ mod tests {
             prop_assert!((pose.axis - tool::axis(b, theta)).norm() < 1e-11);
             prop_assert!((m.theta_of_a(q[3]) - theta).abs() < 1e-11);
             let [a, b2] = m.rotary_of_axis(&pose.axis, q[3] + 1.0).unwrap();
-            prop_assert!((a - q[3]).abs() < 1e-9 && (b2 - b).abs() < 1e-9);
+            prop_assert!((a - q[3]).abs() < 1e-9 && (b2 - q[4]).abs() < 1e-9);
+            prop_assert!((m.lean_of_b(q[4]) - b).abs() < 1e-12);
             let tip = pose.tip(3.0);
             prop_assert!((tip - tool::tip(&centre, &tool::axis(b, theta), 3.0)).norm() < 1e-9);
         }

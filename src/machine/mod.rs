@@ -18,7 +18,7 @@
 //! m = c + Rx(φ) (offset + Rx(clamping) p − c),   c = (0, axis_y, axis_z)
 //! ```
 //!
-//! The head leans the spindle in the XZ plane, towards +X (the blade's tip) for positive `B`: the tool axis from tip
+//! The head leans the spindle in the XZ plane, towards +X (the blade's tip) for positive lean (equations with `B` for it): the tool axis from tip
 //! to spindle is `(sin B, 0, cos B)` in the machine frame. In the blade frame it shall be
 //! `a(θ) = (sin B, cos B cos θ, cos B sin θ)`, whose angle about X is `θ`; in the machine its angle is 90°, so
 //! `θ + clamping + φ = 90°`, that is
@@ -30,9 +30,11 @@
 //! without any reduction to one turn: unwrapped `A` follows unwrapped `θ`.
 //!
 //! ## What X, Y, Z mean
-//! Ball centre `C` (machine frame) and pivot `P` of the head are `P = C + (pivot_length + gauge_length) a`, with
+//! The lean `β` is `B`, or `−B` on a machine whose positive `B` leans the spindle towards −X. The spindle's axis passes the pivot at the distance
+//! `e` (`spindle_offset_mm`, along X while `B = 0`; along Y an offset changes nothing). Ball centre `C` (machine frame) and pivot `P` of the
+//! head are `P = C + (pivot_length + gauge_length) a − e x'` with `x' = (cos β, 0, −sin β)`, and
 //! `gauge_length` from the ball centre to the spindle's gauge line (stick-out and holder). The axes read the gauge
-//! point that the same pivot has while `B = 0`: `(X, Y, Z) = P − pivot_length · (0, 0, 1)`. These are the positions of
+//! point that the same pivot has while `B = 0`: `(X, Y, Z) = P + e · (1, 0, 0) − pivot_length · (0, 0, 1)`. These are the positions of
 //! [`crate::artifact::AxisMotion`], the travel limits are for them, and a control without tool-centre-point
 //! kinematics (LinuxCNC with trivial kinematics) is programmed with them directly, with no tool length offset active
 //! and machine zero as work zero. A control with tool-centre-point kinematics (Siemens `TRAORI`) is programmed with
@@ -48,7 +50,7 @@ mod kinematics;
 mod travel;
 
 pub use config::{
-    Axes, AxisLimits, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, Provenance, RotaryAxis, Table,
+    Axes, AxisLimits, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance, RotaryAxis, Table,
 };
 pub use kinematics::Pose;
 pub use travel::TravelFinding;

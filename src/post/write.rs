@@ -117,7 +117,7 @@ impl<'a> Writer<'a> {
             ("mount_y", m.offset_mm[1]),
             ("mount_z", m.offset_mm[2]),
             ("clamping", m.clamping_deg),
-            ("b", run.b_rad().to_degrees()),
+            ("b", run.machine.b_of_lean(run.b_rad()).to_degrees()),
         ] {
             self.set(name, Value::Number(v));
         }

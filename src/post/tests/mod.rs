@@ -1,6 +1,7 @@
 //! Programs read back word for word and compared with the plan, and kept as snapshots.
 #![allow(clippy::unwrap_used)]
 
+mod machines;
 mod operations;
 mod planted;
 mod read_back;

@@ -47,7 +47,7 @@ pub(super) struct Legs {
     pub centres: Vec<Point>,
     /// θ there, rad.
     pub theta: Vec<f64>,
-    /// B there, rad.
+    /// Lean of the tool there, rad.
     pub b_rad: Vec<f64>,
     /// One fewer than places.
     pub legs: Vec<Leg>,
@@ -95,7 +95,7 @@ impl Legs {
         let [.., a, b] = m.at(f);
         self.centres.push(m.pose(f, bench.tool, bench.machine).centre);
         self.theta.push(bench.machine.theta_of_a(a));
-        self.b_rad.push(b);
+        self.b_rad.push(bench.machine.lean_of_b(b));
     }
 
     /// Which legs are of a kind.

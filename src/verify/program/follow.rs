@@ -94,7 +94,7 @@ fn pose(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> Pos
     if words == Programmed::Machine {
         return machine.forward(at, tool.length_mm());
     }
-    let axis = tool::axis(b, machine.theta_of_a(a));
+    let axis = tool::axis(machine.lean_of_b(b), machine.theta_of_a(a));
     let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
     Pose { centre: Point::new(x, y, z) + axis * lift, axis }
 }
@@ -105,7 +105,7 @@ fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f6
         return *at;
     }
     let centre = pose(words, at, tool, machine).centre;
-    let [x, y, z, ..] = machine.inverse(&centre, machine.theta_of_a(at[3]), at[4], tool.length_mm());
+    let [x, y, z, ..] = machine.inverse(&centre, machine.theta_of_a(at[3]), machine.lean_of_b(at[4]), tool.length_mm());
     [x, y, z, at[3], at[4]]
 }
 
