@@ -37,6 +37,11 @@ occ-load *models="models/steam_root.step models/compressor_twist.step models/tur
 brute times="50":
     BLADEWRIGHT_CASES={{times}} cargo nextest run --release --lib channel::tests::brute
 
+# Motions of the project's blades under three sets of limits, differentiated by code that did not plan them: Python 3.11
+motion:
+    cargo build --release
+    bash tests/motion/run.sh target/release/bladewright
+
 # The channel of 100 000 locations beside generic collision tests
 bench-channel:
     cargo bench --bench channel

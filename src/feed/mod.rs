@@ -33,9 +33,8 @@
 //! Where the path has a corner (a crease of the level set, where a ball leaves a fillet uncut) the spline rounds it within
 //! about one interval and its great derivatives slow the motion there, as the machine itself would have to. Without limits of jerk
 //! the profile is exactly the fastest for the spline; with them it is the fastest up to the solver's tolerance among profiles with
-//! constant `w` between points of the grid, a local optimum of a problem that is not convex. The first and last
-//! quarter interval end at constant speed, which costs up to 0.02 s each. Where the solver finds no
-//! way (a warning says so), jerk is not limited.
+//! constant `w` between points of the grid, a local optimum of a problem that is not convex; where the search for it ends early (a
+//! warning says so) limits are kept all the same, since every iterate keeps them.
 //!
 //! ## Failure
 //! Kind `Usage` for bad options or inputs that do not belong together.
@@ -53,6 +52,9 @@ use crate::observe::{Observer, Warning};
 
 pub use caps::least_time;
 pub use peaks::{AxisPeaks, peaks};
+
+/// A search for the fastest motion that ended with a greater gap is told of, as a share of the time.
+const LARGE_GAP: f64 = 0.01;
 
 /// Options of [`plan`].
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -128,15 +130,25 @@ pub fn plan(
     observer.progress(Stage::Feed, 0, path.locations.len());
     if options.limit_jerk {
         let all = limits.map(|l| [l.velocity, l.acceleration, l.jerk]);
-        if let Some(profile) = jerk::fastest(&curve, &all, options.feed_mm_min / 60.0, &caps) {
-            observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-            return Ok(smooth_motion(&curve, &profile));
+        let profile = jerk::fastest(&curve, &all, options.feed_mm_min / 60.0, &caps).ok_or_else(|| {
+            Error::usage(
+                Stage::Feed,
+                "the axes' positions change too abruptly along the path to be followed at any speed",
+            )
+        })?;
+        if profile.gap > LARGE_GAP {
+            observer.warn(Warning {
+                stage: Stage::Feed,
+                message: format!(
+                    "the motion keeps all limits, but the search for the fastest ended early, after {} iterations: it may take \
+                     {:.1} % less time",
+                    profile.iterations,
+                    100.0 * profile.gap
+                ),
+            });
         }
-        observer.warn(Warning {
-            stage: Stage::Feed,
-            message: "no motion within the limits of jerk was found; velocity and acceleration are kept, jerk is not"
-                .into(),
-        });
+        observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
+        return Ok(smooth_motion(&curve, &profile));
     }
     let profile = topp::fastest(&curve, &limits.map(|l| [l.velocity, l.acceleration]), &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());

@@ -274,8 +274,8 @@ fn within_jerk_a_straight_line_takes_the_time_of_its_s_curve() {
     let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
     // Up to speed in 2 √(v/j) without reaching the acceleration's limit; at half speed on average.
     let want = length / feed + 2.0 * (feed / jerk).sqrt();
-    // Each end costs some hundredths of a second, since its first interval ends at constant speed.
-    assert!(m.time_s >= want * (1.0 - 1e-4) && m.time_s < want + 0.04, "{} {want}", m.time_s);
+    // Each end costs some milliseconds, since speed squared is made of parabolas.
+    assert!(m.time_s >= want * (1.0 - 1e-6) && m.time_s < want + 0.004, "{} {want}", m.time_s);
     assert_differences_within_limits(&m, &machine);
 }
 
@@ -295,6 +295,27 @@ fn within_jerk_acceleration_is_continuous_and_time_hardly_more() {
             assert!(jump <= limits[k].jerk * dt * 1.001 + 1e-9, "{i} {k}");
         }
     }
+}
+
+#[test]
+fn angles_as_rough_as_those_of_facets_are_followed_within_jerk() {
+    // The rotary axis jumps to and fro by half a degree every few locations, which are as near as 0.01 mm: speed has to fall to less than a
+    // thousandth in places.
+    let mut points = wavy(1200, 0.1, 2.0);
+    for (i, p) in points.iter_mut().enumerate() {
+        p.2 += if i % 7 < 3 { 0.008 } else { 0.0 } + 1e-4 * (i as f64 * 7.3).sin();
+    }
+    let mut s_mm = 0.0;
+    for (i, p) in points.iter_mut().enumerate() {
+        s_mm += if i % 50 < 4 { 0.01 } else { 0.1 };
+        p.0 = s_mm;
+    }
+    let (p, s) = path(&points);
+    let machine = Machine::demo().unwrap();
+    let m = plan(&p, &s, &machine, &FeedOptions { limit_jerk: true, ..options(3000.0) }, &Silent).unwrap();
+    assert_differences_within_limits(&m, &machine);
+    let without = plan(&p, &s, &machine, &options(3000.0), &Silent).unwrap();
+    assert!(m.time_s > without.time_s && m.time_s < 6.0 * without.time_s, "{} {}", m.time_s, without.time_s);
 }
 
 #[test]

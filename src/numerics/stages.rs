@@ -73,13 +73,29 @@ pub struct Options {
     pub slack: f64,
     /// Slack × multiplier at the start.
     pub barrier: f64,
+    /// The start keeps all rows, and rows that change open up for whoever keeps them: all iterates then keep all rows, and every one of
+    /// them is an answer.
+    pub interior: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { fixed: [false; 8], iterations: 80, tolerance: 1e-10, excess: 1e-9, slack: 1e-2, barrier: 1e-2 }
+        Options {
+            fixed: [false; 8],
+            iterations: 80,
+            tolerance: 1e-10,
+            excess: 1e-9,
+            slack: 1e-2,
+            barrier: 1e-2,
+            interior: false,
+        }
     }
 }
+
+/// Within the tolerance, steps that leave less than this share of slack × multiplier are worth making …
+const FAST: f64 = 0.2;
+/// … down to this share of the tolerance.
+const LEAST: f64 = 1e-5;
 
 /// What was found.
 #[derive(Clone, Debug)]
@@ -161,24 +177,33 @@ pub fn solve<const X: usize, const V: usize>(
         excess: f64::INFINITY,
         converged: false,
     };
-    let mut stationarity = 1.0;
+    let (mut stationarity, mut before) = (1.0, f64::INFINITY);
     for iteration in 0..options.iterations {
         let mu = w.mean_product();
         let excess = w.residuals(stages, &v);
         (out.iterations, out.complementarity, out.excess) = (iteration, mu, excess);
-        if rows > 0 && mu < options.tolerance && excess <= options.excess && stationarity < 1e-6
-            || rows == 0 && iteration > 1
-        {
+        let enough = mu < options.tolerance && excess <= options.excess && stationarity < 1e-6;
+        // Whoever is within the limits already goes on while every step gains much.
+        let gains = options.interior && mu < FAST * before && mu > LEAST * options.tolerance;
+        if rows > 0 && enough && !gains || rows == 0 && iteration > 1 {
             out.converged = true;
             break;
         }
-        w.factor(stages)?;
-        w.step(stages, &v, 0.0, false, options)?;
+        before = mu;
+        let begun = w.factor(stages).and_then(|()| w.step(stages, &v, 0.0, false, options));
+        if begun.is_none() && options.interior {
+            break;
+        }
+        begun?;
         let length = w.length(1.0);
         let predicted = w.predicted(length);
         let ratio = if mu > 0.0 { predicted / mu } else { 0.0 };
         let centre = mu * ratio * ratio * ratio;
-        w.step(stages, &v, centre, true, options)?;
+        let stepped = w.step(stages, &v, centre, true, options);
+        if options.interior && !(stepped.is_some() && w.d.iter().flatten().all(|x| x.is_finite())) {
+            break;
+        }
+        stepped?;
         let length = w.length(if mu < 1e-6 { 0.999 } else { 0.99 });
         for (a, d) in v.iter_mut().zip(&w.d) {
             for k in 0..V {
@@ -200,6 +225,9 @@ pub fn solve<const X: usize, const V: usize>(
             }
             model.refresh(i, &v[i], &mut stages[i]);
         }
+        if options.interior {
+            w.follow(stages, &v);
+        }
         if length < 1e-9 {
             break;
         }
@@ -214,7 +242,8 @@ impl<const X: usize, const V: usize> Work<X, V> {
         first.push(0);
         let mut slack = Vec::new();
         for (s, v) in stages.iter().zip(v) {
-            slack.extend(s.rows.iter().map(|r| (r.most - dot(&r.g, v)).max(options.slack)));
+            let least = if options.interior { f64::MIN_POSITIVE } else { options.slack };
+            slack.extend(s.rows.iter().map(|r| (r.most - dot(&r.g, v)).max(least)));
             first.push(slack.len());
         }
         let multiplier = slack.iter().map(|t| options.barrier / t).collect();
@@ -235,6 +264,18 @@ impl<const X: usize, const V: usize> Work<X, V> {
     fn mean_product(&self) -> f64 {
         let sum: f64 = self.slack.iter().zip(&self.multiplier).map(|(t, l)| t * l).sum();
         sum / self.slack.len().max(1) as f64
+    }
+
+    /// Slacks are what the rows leave, but for rounding.
+    fn follow(&mut self, stages: &[Stage<X, V>], v: &[[f64; V]]) {
+        for (i, s) in stages.iter().enumerate() {
+            for (k, r) in (self.first[i]..).zip(&s.rows) {
+                let room = r.most - dot(&r.g, &v[i]);
+                if room > 0.0 {
+                    self.slack[k] = room;
+                }
+            }
+        }
     }
 
     /// Residuals of the rows; the greatest amount by which a row is missed.

@@ -1,0 +1,218 @@
+//! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of size 1.
+
+use crate::numerics::spline::CubicSpline;
+
+/// Axes that take part.
+pub(super) const AXES: usize = 5;
+/// Cells at least.
+const LEAST_CELLS: usize = 24;
+/// Parts of the outer intervals, from the end inwards: from rest ṡ² rises with the 4/3rd power of the arc length, which parabolas
+/// follow over cells that are short beside their distance from the end.
+const OUTER_PARTS: [usize; 5] = [8, 4, 3, 2, 2];
+/// The end cell takes this share of the outermost interval's parts.
+const END_SHARE: f64 = 0.5;
+
+/// Limits of all axes: velocity, acceleration, jerk.
+pub(in crate::feed) type Limits = [[f64; 3]; AXES];
+
+/// Bernstein coefficients of `q'` (3), `q''` (2) and `q'''` over one cell, for every axis; by scaled arc length.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    /// Length.
+    pub h: f64,
+    pub q1: [[f64; 3]; AXES],
+    pub q2: [[f64; 2]; AXES],
+    pub q3: [f64; AXES],
+    /// Greatest ṡ² by feed, contact, chord and the axes' velocities.
+    pub cap: f64,
+    /// Share of the limits of jerk that the Bernstein coefficients may use, see [`jensen`].
+    pub share: f64,
+}
+
+/// Units: speed² by `speed`², arc length by `length`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Units {
+    pub speed: f64,
+    pub length: f64,
+}
+
+impl Units {
+    pub fn of(grid: &[(f64, usize)], feed: f64, limits: &Limits) -> Units {
+        let tangential = limits.iter().map(|l| l[1]).fold(f64::INFINITY, f64::min);
+        let whole = grid.last().map_or(1.0, |g| g.0) - grid.first().map_or(0.0, |g| g.0);
+        let mean = whole / grid.len() as f64;
+        Units { speed: feed, length: (feed * feed / tangential).clamp(0.2 * mean, 50.0 * mean) }
+    }
+
+    /// 1/s.
+    pub fn rate(self) -> f64 {
+        self.speed / self.length
+    }
+
+    /// mm/s².
+    pub fn acceleration(self) -> f64 {
+        self.speed * self.rate()
+    }
+
+    pub fn scaled(self, limits: &Limits) -> Limits {
+        let rate = self.rate();
+        limits.map(|[v, a, j]| [v / rate, a / rate.powi(2), j / rate.powi(3)])
+    }
+}
+
+/// The joints of the curve with so many between that cells are short where speed changes fast: (arc length, interval of the curve).
+pub(super) fn grid(s: &[f64]) -> Vec<(f64, usize)> {
+    let n = s.len() - 1;
+    let least = LEAST_CELLS.div_ceil(n);
+    let mut out = Vec::with_capacity(n * least + 40);
+    for i in 0..n {
+        let outer = OUTER_PARTS.get(i.min(n - 1 - i)).copied().unwrap_or(1);
+        let parts = least.max(outer);
+        let kept = |f: f64| (i > 0 || f == 0.0 || f >= END_SHARE) && (i + 1 < n || f <= 1.0 - END_SHARE);
+        let shares = (0..parts).map(|j| j as f64 / parts as f64).filter(|f| kept(*f));
+        out.extend(shares.map(|f| (s[i] + (s[i + 1] - s[i]) * f, i)));
+    }
+    out.push((s[n], n - 1));
+    out
+}
+
+/// The cell between two points of the grid; `cap`: greatest ṡ² (mm²/s²) in every interval of the curve.
+pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits: &Limits, units: Units) -> Cell {
+    let (from, i) = w[0];
+    let (start, l) = (curve.abscissae()[i], units.length);
+    let (a, h) = (from - start, w[1].0 - from);
+    let mut out = Cell {
+        h: h / l,
+        q1: [[0.0; 3]; AXES],
+        q2: [[0.0; 2]; AXES],
+        q3: [0.0; AXES],
+        cap: cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed),
+        share: 1.0,
+    };
+    let whole = curve.abscissae();
+    let near = (from - whole[0]).min(whole[whole.len() - 1] - w[1].0);
+    if near > 0.0 {
+        // As fast as x may change: like s^(4/3) from rest.
+        let x = |s: f64| s.powf(4.0 / 3.0);
+        out.share = 1.0 / jensen([x(near), x(near) + 2.0 / 3.0 * h * near.cbrt(), x(near + h)]);
+    }
+    for k in 0..AXES {
+        let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+        let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
+        let second = |t: f64| 2.0 * c + 6.0 * t * d;
+        let (p, q) = (first(a), first(a + h));
+        out.q1[k] = [p, p + 0.5 * h * second(a), q].map(|v| v * l);
+        out.q2[k] = [second(a), second(a + h)].map(|v| v * l * l);
+        out.q3[k] = 6.0 * d * l * l * l;
+        let most = greatest(&out.q1[k]) / l;
+        out.cap = out.cap.min((limits[k][0] / most).powi(2));
+    }
+    out.cap /= units.speed * units.speed;
+    out
+}
+
+pub(super) fn greatest(q: &[f64]) -> f64 {
+    q.iter().fold(0.0f64, |m, v| m.max(v.abs()))
+}
+
+pub(super) fn dot(g: &[f64; 3], v: &[f64; 3]) -> f64 {
+    g[0] * v[0] + g[1] * v[1] + g[2] * v[2]
+}
+
+/// `(x, u, w)` → Bernstein coefficients of x over a cell.
+pub(super) fn of_x(h: f64) -> [[f64; 3]; 3] {
+    [[1.0, 0.0, 0.0], [1.0, h, 0.0], [1.0, 2.0 * h, h * h]]
+}
+
+fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
+    let mut out = [0.0; 3];
+    for (f, g) in terms {
+        for k in 0..3 {
+            out[k] += f * g[k];
+        }
+    }
+    out
+}
+
+/// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times this over the whole cell: the mean of
+/// `1/√x` is greater than that of the mean, the more so the more x changes.
+fn jensen(x: [f64; 3]) -> f64 {
+    let mut most = 1.0f64;
+    for f in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875] {
+        let b: [f64; 3] = [(1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f];
+        let mean = |g: &dyn Fn(f64) -> f64| b[0] * g(x[0]) + b[1] * g(x[1]) + b[2] * g(x[2]);
+        most = most.max(mean(&|x| 1.0 / x.sqrt()) * mean(&|x| x).sqrt());
+    }
+    most
+}
+
+impl Cell {
+    /// Bernstein coefficients of the acceleration of axis `k` but the last, which is the next cell's first.
+    pub fn acceleration(&self, k: usize) -> [[f64; 3]; 3] {
+        let x = of_x(self.h);
+        let u = [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]];
+        let (q, r) = (self.q1[k], self.q2[k]);
+        [
+            combine(&[(q[0], u[0]), (r[0], x[0])]),
+            combine(&[(q[0] / 3.0, u[1]), (q[1] / 1.5, u[0]), (r[1] / 3.0, x[0]), (r[0] / 1.5, x[1])]),
+            combine(&[(q[2] / 3.0, u[0]), (q[1] / 1.5, u[1]), (r[0] / 3.0, x[2]), (r[1] / 1.5, x[1])]),
+        ]
+    }
+
+    /// Bernstein coefficients of the bracket of the jerk of axis `k`.
+    pub fn bracket(&self, k: usize) -> [[f64; 3]; 3] {
+        let x = of_x(self.h);
+        let (u, w) = ([[0.0, 1.0, 0.0], [0.0, 1.0, self.h]], [0.0, 0.0, 1.0]);
+        let (q, r, t) = (self.q1[k], self.q2[k], self.q3[k]);
+        [
+            combine(&[(q[0], w), (3.0 * r[0], u[0]), (t, x[0])]),
+            combine(&[(q[1], w), (1.5 * r[0], u[1]), (1.5 * r[1], u[0]), (t, x[1])]),
+            combine(&[(q[2], w), (3.0 * r[1], u[1]), (t, x[2])]),
+        ]
+    }
+
+    /// Greatest constant speed squared over the cell.
+    pub fn steady(&self, limits: &Limits) -> f64 {
+        let mut most = self.cap;
+        for k in 0..AXES {
+            most = most.min(limits[k][1] / greatest(&self.q2[k]));
+            most = most.min((limits[k][2] / self.q3[k].abs()).powf(2.0 / 3.0));
+        }
+        most
+    }
+
+    /// By how much ṡ² is too great: with a `κ`th of it (and of u and w) every limit is kept over the whole cell.
+    pub fn excess(&self, v: &[f64; 3], limits: &Limits) -> f64 {
+        let xs = of_x(self.h).map(|g| dot(&g, v));
+        let mut most = greatest(&xs) / self.cap;
+        for k in 0..AXES {
+            for g in self.acceleration(k) {
+                most = most.max(dot(&g, v).abs() / limits[k][1]);
+            }
+            let bracket = self.bracket(k).map(|g| dot(&g, v));
+            let mut worst = 0.0f64;
+            for f in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                let (a, b, c) = ((1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f);
+                let x: f64 = (a * xs[0] + b * xs[1] + c * xs[2]).max(0.0);
+                let j = a * bracket[0] + b * bracket[1] + c * bracket[2];
+                worst = worst.max(j * j * x);
+            }
+            most = most.max((worst / (limits[k][2] * limits[k][2])).cbrt());
+        }
+        most
+    }
+
+    /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all limits. Speed, acceleration and jerk of an
+    /// axis are greatest at the end or bounded by what they would be there with the greatest derivatives of the cell.
+    pub fn from_rest(&self, limits: &Limits) -> f64 {
+        let h = self.h;
+        let mut u = self.cap / (1.5 * h);
+        for k in 0..AXES {
+            let (q1, q2, q3) = (greatest(&self.q1[k]), greatest(&self.q2[k]), self.q3[k].abs());
+            u = u.min(limits[k][1] / (q1 + 1.5 * h * q2));
+            let jerk = q1 / (6.0 * h).sqrt() + 3.0 * q2 * (1.5 * h).sqrt() + q3 * (1.5 * h).powf(1.5);
+            u = u.min((limits[k][2] / jerk).powf(2.0 / 3.0));
+        }
+        1.5 * h * u
+    }
+}
