@@ -51,6 +51,10 @@ controls:
     cargo build --release --bins --example axis_positions
     bash tests/controls/run.sh target/release/bladewright target/release/examples/axis_positions
 
+# The feed beside toppra and copp, and seconds for 100 000 locations: Python (PYTHON=...) with `pip install numpy scipy toppra copp-py`
+bench-feed locations="2000":
+    BLADEWRIGHT_PEERS="${PYTHON:-python3} tests/motion/peers.py" cargo bench --bench feed -- --locations={{locations}}
+
 # Closest points a second, beside parry's query to the triangles
 bench:
     cargo bench --bench closest

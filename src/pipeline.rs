@@ -182,6 +182,7 @@ impl Setup {
             lead_deg: s.lead_deg,
             beyond_wall_deg: s.beyond_wall_deg,
             measure: s.measure,
+            scope: s.scope,
             ..ScheduleOptions::default()
         }
     }

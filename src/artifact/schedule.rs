@@ -48,6 +48,28 @@ pub enum Measure {
     SquareThird,
 }
 
+/// Over how much of the path an `optimal` schedule is the best.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scope {
+    /// The whole path at once: nothing has a lesser greatest value.
+    #[default]
+    Whole,
+    /// Turn by turn, each with the next in view and its end free: no turn waits for turns farther on.
+    Turns,
+}
+
 /// How good a schedule is, beside its peaks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]

@@ -155,6 +155,7 @@ impl Draft {
             schedule: ScheduleJob {
                 kind: schedule.kind.unwrap_or(ScheduleKind::Piecewise),
                 measure: schedule.measure.unwrap_or_default(),
+                scope: schedule.scope.unwrap_or_default(),
                 margin_deg: schedule.margin_deg.unwrap_or(0.5),
                 lead_deg: schedule.lead_deg.unwrap_or(15.0),
                 beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(0.0),

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
-use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::schedule::{Measure, ScheduleKind, Scope};
 use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::error::{Error, Result, Stage};
 use crate::tool::Tool;
@@ -178,6 +178,9 @@ pub struct ScheduleJob {
     /// What kind `optimal` makes least. Default `peak-second`: the rotary axis' greatest acceleration at constant feed.
     #[serde(default)]
     pub measure: Measure,
+    /// Over how much of the path kind `optimal` is the best. Default `whole`.
+    #[serde(default)]
+    pub scope: Scope,
     /// Room to the channel's walls, degrees. Default 0.5: servo lag and set-up errors of a table stay far below it.
     pub margin_deg: f64,
     /// Lead of kind `fixed`, degrees. Default 15: what CAM users choose to keep the tip off the surface.

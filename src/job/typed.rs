@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
-use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::schedule::{Measure, ScheduleKind, Scope};
 use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::tool::HolderStage;
 
@@ -203,6 +203,8 @@ keys! {
         kind: ScheduleKind,
         /// What kind `optimal` makes least.
         measure: Measure,
+        /// Over how much of the path at once.
+        scope: Scope,
         /// Room that the schedule keeps from the channel's walls where there is room, degrees.
         margin_deg: f64,
         /// Lead of kind `fixed`: angle of the tool axis ahead of the surface normal, degrees.

@@ -11,6 +11,7 @@
 //!   published against; may leave the channel or turn back, like `fixed` (`quaternion` module).
 //! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
 //!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
+//!   With `scope = "turns"` it is planned turn by turn, each with the next in view (`by_turn` module).
 //! * `time`: one candidate for the least machining time: the least mean over short blocks of the factor by which the rotary axis
 //!   would have to run slower than at full feed ([`Pace`]). Whoever knows the machine compares it with the others.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
@@ -49,6 +50,7 @@
 
 mod bezier;
 mod bound;
+mod by_turn;
 mod check;
 mod corridor;
 mod curve;

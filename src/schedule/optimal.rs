@@ -12,16 +12,16 @@
 
 use super::bound;
 use super::corridor::Corridor;
-use super::{Pace, ScheduleOptions, bezier, check, curve, piecewise};
-use crate::artifact::schedule::{Measure, Schedule, ScheduleKind};
+use super::{Pace, ScheduleOptions, bezier, by_turn, check, curve, piecewise};
+use crate::artifact::schedule::{Measure, Schedule, ScheduleKind, Scope};
 use crate::artifact::{Channel, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage as Room};
 use crate::numerics::stages::{self, Options, Row, Solution, Stage};
 use crate::observe::Observer;
 
 /// State (θ, θ', θ'', γ) and controls (rise of θ'' over the interval, rise of γ after it).
-const X: usize = 4;
-const V: usize = 6;
+pub(super) const X: usize = 4;
+pub(super) const V: usize = 6;
 /// What the second round may add to the least peak, as a share.
 const SPARE: f64 = 1e-3;
 /// Weight of the mean square against the mean of the turns' peaks in the second round.
@@ -54,7 +54,7 @@ pub(super) fn plan(
     let (pieces, proof) = match walls.straight() {
         Some([p, q]) => (vec![bezier::straight(p, q)], None),
         None => {
-            let found = refining(path, &walls, options.measure, pace, observer)?;
+            let found = refining(path, &walls, options, pace, observer)?;
             (curve::hermite(&found.walls.s, &found.theta, &found.slope), Some(found))
         }
     };
@@ -79,7 +79,7 @@ pub(super) fn plan(
     };
     out.quality.measure = Some((options.measure, value, prove(options.measure, false).min(value)));
     out.quality.bound_second = match options.measure {
-        Measure::PeakSecond => Some(prove(Measure::PeakSecond, true)),
+        Measure::PeakSecond if options.scope == Scope::Whole => Some(prove(Measure::PeakSecond, true)),
         _ => least_second(path, channel),
     };
     Ok(out)
@@ -107,22 +107,24 @@ fn either_sign(measure: Measure, walls: &Corridor, y: &[f64]) -> f64 {
 }
 
 /// What the solver came to.
-struct Found {
+pub(super) struct Found {
     /// The walls, at the joints of the curve.
-    walls: Corridor,
-    theta: Vec<f64>,
-    slope: Vec<f64>,
+    pub walls: Corridor,
+    pub theta: Vec<f64>,
+    pub slope: Vec<f64>,
     /// Weights that may prove the bound.
-    weights: Vec<Vec<f64>>,
+    pub weights: Vec<Vec<f64>>,
 }
 
 /// Units of the solver.
 #[derive(Clone, Copy, Debug)]
-struct Scale {
+pub(super) struct Scale {
     /// Length of a turn, mm.
-    length: f64,
+    pub length: f64,
+    /// Where the path starts, mm.
+    from: f64,
     /// θ at the start and slope (rad/mm) of the straight line that angles are relative to.
-    base: [f64; 2],
+    pub base: [f64; 2],
     /// θ'' of size 1, rad per turn².
     second: f64,
     /// θ''' of size 1, in `second` per turn.
@@ -135,16 +137,22 @@ impl Scale {
         let middle = |i: usize| 0.5 * (walls.lo[i] + walls.hi[i]);
         let whole = walls.s[n] - walls.s[0];
         let slope = (middle(n) - middle(0)) / whole;
-        Scale { length: whole / turns.max(1) as f64, base: [middle(0), slope], second: 1000.0, third: 30.0 }
+        Scale {
+            length: whole / turns.max(1) as f64,
+            from: walls.s[0],
+            base: [middle(0), slope],
+            second: 1000.0,
+            third: 30.0,
+        }
     }
 
-    fn line(&self, walls: &Corridor, i: usize) -> f64 {
-        self.base[0] + self.base[1] * (walls.s[i] - walls.s[0])
+    pub fn line(&self, walls: &Corridor, i: usize) -> f64 {
+        self.base[0] + self.base[1] * (walls.s[i] - self.from)
     }
 }
 
 /// What a round makes least.
-enum Goal {
+pub(super) enum Goal {
     /// One γ for all.
     Peak { third: bool },
     /// A γ for each turn, at most `cap`; turns begin at `borders`.
@@ -180,7 +188,7 @@ fn refined(walls: &Corridor, parts: usize) -> Corridor {
 fn refining(
     path: &Toolpath,
     walls: &Corridor,
-    measure: Measure,
+    options: &ScheduleOptions,
     pace: Option<Pace>,
     observer: &dyn Observer,
 ) -> Result<Found> {
@@ -188,9 +196,9 @@ fn refining(
     let mut parts = FEWEST.div_ceil(n);
     loop {
         let found = if parts == 1 {
-            solve(path, walls, measure, pace, observer)
+            solve(path, walls, options, pace, observer)
         } else {
-            solve(path, &refined(walls, parts), measure, pace, observer)
+            solve(path, &refined(walls, parts), options, pace, observer)
         };
         parts *= 4;
         match found {
@@ -204,10 +212,11 @@ fn refining(
 fn solve(
     path: &Toolpath,
     walls: &Corridor,
-    measure: Measure,
+    options: &ScheduleOptions,
     pace: Option<Pace>,
     observer: &dyn Observer,
 ) -> Result<Found> {
+    let measure = options.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
         Error::infeasible(Room::Schedule, "the channel leaves no room for a smooth schedule that never turns back")
@@ -225,6 +234,9 @@ fn solve(
         scale.third *= trial.v[0][3].clamp(1e-4, 1e4);
     }
     observer.check(Room::Schedule)?;
+    if options.scope == Scope::Turns && pace.is_none() {
+        return by_turn::solve(path, walls, measure, &scale).ok_or_else(stuck);
+    }
     let (last, weights) = match measure {
         _ if pace.is_some() => {
             let pace = pace.map_or([0.0; 2], |p| [p.rate, p.second]);
@@ -295,22 +307,45 @@ fn blocks(walls: &Corridor, scale: &Scale) -> Vec<bool> {
 
 /// One run of the solver. `None` where the rows cannot be met.
 fn round(walls: &Corridor, scale: &Scale, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
+    round_from(walls, scale, goal, gap, None)
+}
+
+/// One run of the solver, from a given (θ, θ', θ'') in its units.
+pub(super) fn round_from(
+    walls: &Corridor,
+    scale: &Scale,
+    goal: &Goal,
+    gap: f64,
+    from: Option<[f64; 3]>,
+) -> Option<Solution<X, V>> {
     let n = walls.s.len();
     let mut all = Vec::with_capacity(n);
     for i in 0..n {
         all.push(stage(walls, scale, goal, i));
     }
+    let mut start = vec![[0.0, 0.0, 0.0, 1.0, 0.0, 0.0]; n];
+    let mut fixed = [false; 8];
+    if let Some([theta, slope, second]) = from {
+        fixed[..3].fill(true);
+        // What is given is not to be limited.
+        all[0].rows.retain(|r| r.g[2..].iter().any(|g| *g != 0.0));
+        start[0] = [theta, slope, second, 1.0, -second, 0.0];
+        for i in 1..n {
+            for c in 0..X {
+                start[i][c] = all[i - 1].dynamics[c].iter().zip(&start[i - 1]).map(|(d, v)| d * v).sum();
+            }
+        }
+    }
     let count: usize = all.iter().map(|s: &Stage<X, V>| s.rows.len()).sum();
-    let mut start = [0.0; V];
-    start[3] = 1.0;
     let options = Options {
+        fixed,
         tolerance: gap / count as f64,
         slack: 0.1,
         barrier: 10.0 / count as f64,
         iterations: 150,
         ..Options::default()
     };
-    let found = stages::solve(&mut all, &vec![start; n], &(), &options)?;
+    let found = stages::solve(&mut all, &start, &(), &options)?;
     (found.excess < 1e-8 && found.complementarity * (count as f64) < 1e3 * gap).then_some(found)
 }
 
@@ -379,7 +414,9 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> 
         }
         Goal::Turns { cap, borders, .. } => {
             out.gradient[3] = h / whole;
-            out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
+            if cap.is_finite() {
+                out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
+            }
             if borders.get(i).is_some_and(|b| *b) {
                 out.dynamics[3][5] = 1.0;
                 out.hessian[5][5] = 0.0;

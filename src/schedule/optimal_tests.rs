@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::tests::{blade_like, channel, path};
 use super::*;
-use crate::artifact::schedule::Measure;
+use crate::artifact::schedule::{Measure, Scope};
 use crate::error::ErrorKind;
 use crate::observe::Silent;
 
@@ -137,4 +137,71 @@ fn locations_moved_by_rounding_move_it_by_as_little() {
     let after = optimal(&moved, &walls, Measure::PeakSecond);
     let worst = before.theta.iter().zip(&after.theta).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(worst < 1e-6, "{worst}");
+}
+
+#[test]
+fn turn_by_turn_is_sound_and_nearly_as_good() {
+    let (p, walls) = (path(6, 90), blade_like(6, 90, 0.35, 0.2));
+    for m in MEASURES {
+        let by_turn = ScheduleOptions { scope: Scope::Turns, ..options(m) };
+        let s = plan(ScheduleKind::Optimal, &p, &channel(&walls), &by_turn, &Silent).unwrap();
+        assert_sound(&s);
+        let (best, value) = (optimal(&p, &walls, m).quality.measure.unwrap().1, s.quality.measure.unwrap().1);
+        assert!(value > best * (1.0 - 1e-4) && value < best * 1.1, "{m:?} {value} {best}");
+    }
+}
+
+#[test]
+fn a_turn_does_not_wait_for_turns_farther_on() {
+    let (p, walls) = (path(5, 80), blade_like(5, 80, 0.35, 0.2));
+    let mut other = walls.clone();
+    // The last turn and a half is much narrower.
+    for w in &mut other[285..] {
+        let middle = 0.5 * (w[0] + w[1]);
+        *w = [middle - 0.05, middle + 0.05];
+    }
+    let theta = |walls: &[[f64; 2]]| {
+        let o = ScheduleOptions { scope: Scope::Turns, ..options(Measure::PeakSecond) };
+        plan(ScheduleKind::Optimal, &p, &channel(walls), &o, &Silent).unwrap().theta
+    };
+    let (a, b) = (theta(&walls), theta(&other));
+    let differ = |range: std::ops::Range<usize>| range.map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+    // The hull looks ahead by what it narrows, within a turn here; the schedule by one turn.
+    assert!(differ(0..80) < 1e-4, "{}", differ(0..80));
+    assert!(differ(300..400) > 1e-3);
+}
+
+#[test]
+fn one_turn_alone_may_need_nothing_where_the_whole_does() {
+    // Slopes 1, 2, 1: within any turn a straight line fits between any two ends, and a search that looks at one turn alone finds zero.
+    // Where they meet the slope has to change.
+    let mut walls = Vec::new();
+    let mut t = 0.0;
+    for i in 0..=240 {
+        walls.push([t, t + 0.3]);
+        t += 0.01 * if (80..160).contains(&i) { 2.0 } else { 1.0 };
+    }
+    let p = path(3, 80);
+    let s = optimal(&p, &walls, Measure::PeakSecond);
+    assert_sound(&s);
+    assert!(s.quality.measure.unwrap().2 > 1e-5, "{:?}", s.quality.measure);
+    let alone = optimal(&path(1, 80), &walls[80..=160], Measure::PeakSecond);
+    assert!(alone.peak_acceleration < 1e-12);
+}
+
+#[test]
+fn a_channel_one_sample_wide_is_passed() {
+    // Open everywhere but at single samples, where it has no width at all, on either side of its middle.
+    let mut walls = blade_like(3, 60, 0.8, 0.0);
+    for (i, side) in [(40, 0.7), (100, -0.7), (101, -0.69), (150, 0.0)] {
+        let middle = 0.5 * (walls[i][0] + walls[i][1]);
+        walls[i] = [middle + side, middle + side];
+    }
+    for m in [Measure::PeakSecond, Measure::SquareSecond] {
+        let s = optimal(&path(3, 60), &walls, m);
+        assert_sound(&s);
+        for i in [40, 100, 150] {
+            assert!((s.theta[i] - walls[i][0]).abs() < 1e-8, "{i}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::artifact::schedule::Measure;
+use crate::artifact::schedule::{Measure, Scope};
 use crate::error::{Error, Result, Stage};
 
 /// Options of [`super::plan`].
@@ -25,6 +25,8 @@ pub struct ScheduleOptions {
     pub level_stretch_mm: Option<f64>,
     /// What an `optimal` schedule makes least.
     pub measure: Measure,
+    /// Over how much of the path an `optimal` schedule is the best.
+    pub scope: Scope,
     /// For kind `time`: what the rotary axis can follow at the programmed feed.
     #[serde(skip)]
     pub pace: Option<Pace>,
@@ -47,6 +49,7 @@ impl Default for ScheduleOptions {
             beyond_wall_deg: 0.0,
             level_stretch_mm: None,
             measure: Measure::default(),
+            scope: Scope::default(),
             pace: None,
         }
     }
