@@ -59,6 +59,25 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     at.windows(2).map(|w| w[0].min(w[1])).collect()
 }
 
+/// A straight line under `v²/q'²` over an interval, at most `most`, by its ends: where ṡ² is below it, the axis' velocity is within `v`.
+/// `q1`: Bernstein coefficients of q'. The product of q'² and the line has coefficients below v²; what they exceed it by is taken from
+/// the line, which is little where q' changes little.
+pub(super) fn of_velocity(q1: [f64; 3], v: f64, most: f64) -> [f64; 2] {
+    let greatest = q1.iter().fold(0.0f64, |m, q| m.max(q.abs()));
+    let level = (v / greatest).powi(2).min(most);
+    let ends = [q1[0], q1[2]].map(|q| (v / q).powi(2).min(most));
+    let [a, b, c] = q1;
+    let square = [a * a, a * b, (2.0 * b * b + a * c) / 3.0, b * c, c * c];
+    let over = (0..6).fold(1.0f64, |m, k| {
+        let share = k as f64 / 5.0;
+        let before = if k > 0 { share * square[k - 1] * ends[1] } else { 0.0 };
+        let after = if k < 5 { (1.0 - share) * square[k] * ends[0] } else { 0.0 };
+        m.max((before + after) / (v * v))
+    });
+    let line = ends.map(|x| x / over);
+    if line[0] + line[1] > 2.0 * level { line } else { [level; 2] }
+}
+
 /// Curvature of the circle through the ends of two steps, 1/mm; 0 where they do not make one.
 fn curvature(p: &Vector, q: &Vector) -> f64 {
     let size = p.norm() * q.norm() * (p + q).norm();

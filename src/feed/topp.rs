@@ -91,14 +91,16 @@ fn halves(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], out: &mut Vec<H
     }
 }
 
-/// Greatest ṡ² by its own cap and axis velocities over the whole of interval `i`, with `q'` bounded like the acceleration.
-fn cap(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> f64 {
+/// Greatest ṡ² at the ends of interval `i`, by its own cap and axis velocities over the whole of it; straight between.
+fn cap(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> [f64; 2] {
     let s = curve.abscissae();
     let h = s[i + 1] - s[i];
     let [start, middle, end] = [0.0, 0.5 * h, h].map(|t| super::at(curve, i, t).map(|q| q[1]));
-    limits.iter().enumerate().fold(most.get(i).copied().unwrap_or(f64::INFINITY), |m, (k, [most, _])| {
+    let own = most.get(i).copied().unwrap_or(f64::INFINITY);
+    limits.iter().enumerate().fold([own; 2], |m, (k, [most, _])| {
         let inner = 2.0 * middle[k] - 0.5 * (start[k] + end[k]);
-        m.min((most / start[k].abs().max(inner.abs()).max(end[k].abs())).powi(2))
+        let line = super::caps::of_velocity([start[k], inner, end[k]], *most, own);
+        [m[0].min(line[0]), m[1].min(line[1])]
     })
 }
 
@@ -121,8 +123,8 @@ pub(super) fn fastest(
         }
         let h = s[i + 1] - s[i];
         halves(curve, i, limits, &mut lines);
-        let here = cap(curve, i, limits, most);
-        lines.push(Half { a: 2.0 * h, b: 1.0, c: reach[i + 1].min(here) });
+        let [here, there] = cap(curve, i, limits, most);
+        lines.push(Half { a: 2.0 * h, b: 1.0, c: reach[i + 1].min(there) });
         lines.push(Half { a: -2.0 * h, b: -1.0, c: 0.0 });
         reach[i] = greatest(&lines, here);
     }
@@ -131,7 +133,7 @@ pub(super) fn fastest(
     for i in 0..n - 1 {
         let h = s[i + 1] - s[i];
         halves(curve, i, limits, &mut lines);
-        let most = reach[i + 1].min(cap(curve, i, limits, most));
+        let most = reach[i + 1].min(cap(curve, i, limits, most)[1]);
         x[i + 1] = (x[i] + 2.0 * h * range(&lines, x[i]).high).clamp(0.0, most);
         u[i] = (x[i + 1] - x[i]) / (2.0 * h);
         if x[i].max(x[i + 1]) <= 0.0 {

@@ -1,5 +1,6 @@
 //! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of size 1.
 
+use crate::feed::caps::of_velocity;
 use crate::numerics::spline::CubicSpline;
 
 /// Axes that take part.
@@ -23,8 +24,8 @@ pub(super) struct Cell {
     pub q1: [[f64; 3]; AXES],
     pub q2: [[f64; 2]; AXES],
     pub q3: [f64; AXES],
-    /// Greatest ṡ² by feed, contact, chord and the axes' velocities.
-    pub cap: f64,
+    /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight between.
+    pub cap: [f64; 2],
     /// Share of the limits of jerk that the Bernstein coefficients may use, see [`jensen`].
     pub share: f64,
 }
@@ -86,7 +87,7 @@ pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits:
         q1: [[0.0; 3]; AXES],
         q2: [[0.0; 2]; AXES],
         q3: [0.0; AXES],
-        cap: cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed),
+        cap: [cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed); 2],
         share: 1.0,
     };
     let whole = curve.abscissae();
@@ -96,6 +97,7 @@ pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits:
         let x = |s: f64| s.powf(4.0 / 3.0);
         out.share = 1.0 / jensen([x(near), x(near) + 2.0 / 3.0 * h * near.cbrt(), x(near + h)]);
     }
+    let own = out.cap[0];
     for k in 0..AXES {
         let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
         let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
@@ -104,10 +106,10 @@ pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits:
         out.q1[k] = [p, p + 0.5 * h * second(a), q].map(|v| v * l);
         out.q2[k] = [second(a), second(a + h)].map(|v| v * l * l);
         out.q3[k] = 6.0 * d * l * l * l;
-        let most = greatest(&out.q1[k]) / l;
-        out.cap = out.cap.min((limits[k][0] / most).powi(2));
+        let line = of_velocity(out.q1[k].map(|q| q / l), limits[k][0], own);
+        out.cap = [out.cap[0].min(line[0]), out.cap[1].min(line[1])];
     }
-    out.cap /= units.speed * units.speed;
+    out.cap = out.cap.map(|c| c / (units.speed * units.speed));
     out
 }
 
@@ -171,9 +173,14 @@ impl Cell {
         ]
     }
 
+    /// Bernstein coefficients of `cap`.
+    pub fn caps(&self) -> [f64; 3] {
+        [self.cap[0], 0.5 * (self.cap[0] + self.cap[1]), self.cap[1]]
+    }
+
     /// Greatest constant speed squared over the cell.
     pub fn steady(&self, limits: &Limits) -> f64 {
-        let mut most = self.cap;
+        let mut most = self.cap[0].min(self.cap[1]);
         for k in 0..AXES {
             most = most.min(limits[k][1] / greatest(&self.q2[k]));
             most = most.min((limits[k][2] / self.q3[k].abs()).powf(2.0 / 3.0));
@@ -184,7 +191,7 @@ impl Cell {
     /// By how much ṡ² is too great: with a `κ`th of it (and of u and w) every limit is kept over the whole cell.
     pub fn excess(&self, v: &[f64; 3], limits: &Limits) -> f64 {
         let xs = of_x(self.h).map(|g| dot(&g, v));
-        let mut most = greatest(&xs) / self.cap;
+        let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
         for k in 0..AXES {
             for g in self.acceleration(k) {
                 most = most.max(dot(&g, v).abs() / limits[k][1]);
@@ -206,7 +213,7 @@ impl Cell {
     /// axis are greatest at the end or bounded by what they would be there with the greatest derivatives of the cell.
     pub fn from_rest(&self, limits: &Limits) -> f64 {
         let h = self.h;
-        let mut u = self.cap / (1.5 * h);
+        let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
         for k in 0..AXES {
             let (q1, q2, q3) = (greatest(&self.q1[k]), greatest(&self.q2[k]), self.q3[k].abs());
             u = u.min(limits[k][1] / (q1 + 1.5 * h * q2));

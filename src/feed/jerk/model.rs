@@ -144,7 +144,7 @@ impl<'a> Profile<'a> {
         }
         let x = of_x(h);
         out.rows.extend(x.iter().take(2).map(|g| floor(*g)));
-        out.rows.extend(x.iter().map(|g| self.row(cell, g.map(|v| v / p.cap), 1.0)));
+        out.rows.extend(x.iter().zip(p.caps()).map(|(g, cap)| self.row(cell, g.map(|v| v / cap), 1.0)));
         for k in 0..AXES {
             if !self.active[cell][k] {
                 continue;
@@ -211,12 +211,13 @@ fn decisive(p: &Cell, limits: &Limits) -> [bool; AXES] {
         let one_sign = q.iter().all(|v| *v > 0.0) || q.iter().all(|v| *v < 0.0);
         if one_sign { q.iter().fold(f64::INFINITY, |m, v| m.min(v.abs())) } else { 0.0 }
     };
-    let speed = p.cap.sqrt();
+    let cap = p.cap[0].max(p.cap[1]);
+    let speed = cap.sqrt();
     let (mut u, mut w) = (f64::INFINITY, f64::INFINITY);
     for k in 0..AXES {
-        u = u.min((limits[k][1] + greatest(&p.q2[k]) * p.cap) / least(&p.q1[k]));
+        u = u.min((limits[k][1] + greatest(&p.q2[k]) * cap) / least(&p.q1[k]));
     }
-    let rest = |k: usize| 3.0 * greatest(&p.q2[k]) * u * speed + p.q3[k].abs() * p.cap * speed;
+    let rest = |k: usize| 3.0 * greatest(&p.q2[k]) * u * speed + p.q3[k].abs() * cap * speed;
     for k in 0..AXES {
         w = w.min((limits[k][2] + rest(k)) / least(&p.q1[k]));
     }
@@ -225,7 +226,7 @@ fn decisive(p: &Cell, limits: &Limits) -> [bool; AXES] {
         if q == 0.0 && p.q2[k] == [0.0; 2] {
             return false;
         }
-        let (a, j) = (q * u + greatest(&p.q2[k]) * p.cap, q * w + rest(k));
+        let (a, j) = (q * u + greatest(&p.q2[k]) * cap, q * w + rest(k));
         !(a < limits[k][1] && j < limits[k][2])
     })
 }
