@@ -61,7 +61,7 @@ pub(super) fn fastest(curve: &CubicSpline, limits: &Limits, feed: f64, cap: &[f6
     let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(curve, w, cap, limits, units)).collect();
     let scaled = units.scaled(limits);
     let (first, last) = (cells.first()?, cells.last()?);
-    let ends = [first, last].map(|c| [c.h, c.from_rest(&scaled)]);
+    let ends = [first, last].map(|c| [c.h, c.end_from_rest(&scaled)]);
     let mut inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?.to_vec();
     let begin = start::profile(&inner, ends, &scaled)?;
     let mut found = model::fastest(&inner, ends, &scaled, begin)?;

@@ -211,7 +211,7 @@ impl Cell {
 
     /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all limits. Speed, acceleration and jerk of an
     /// axis are greatest at the end or bounded by what they would be there with the greatest derivatives of the cell.
-    pub fn from_rest(&self, limits: &Limits) -> f64 {
+    pub fn end_from_rest(&self, limits: &Limits) -> f64 {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
         for k in 0..AXES {
