@@ -42,15 +42,18 @@ pub struct Row {
     pub stretch: Stretch,
 }
 
+impl Lead {
+    fn rows(&self, stretch: Stretch) -> impl Iterator<Item = Row> + '_ {
+        let rows = self.centres.iter().zip(&self.theta).zip(&self.motion.t_s);
+        rows.map(move |((centre, theta), t_s)| Row { centre: *centre, theta: *theta, t_s: *t_s, stretch })
+    }
+}
+
 impl Plan {
     /// Everything that is moved at the feed of the plan, in order of time: the lead-in, all locations, the lead-out. Ends with the shortest list
     /// of each where their lengths differ.
     pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
         let [before, after] = &self.leads;
-        let lead = |l: &'_ Lead, stretch| {
-            let rows = l.centres.clone().into_iter().zip(l.theta.clone()).zip(l.motion.t_s.clone());
-            rows.map(move |((centre, theta), t_s)| Row { centre, theta, t_s, stretch })
-        };
         let path = self.toolpath.locations.iter().zip(&self.schedule.theta).zip(&self.motion.t_s);
         let path = path.map(|((l, theta), t_s)| Row {
             centre: l.centre,
@@ -58,7 +61,7 @@ impl Plan {
             t_s: *t_s,
             stretch: Stretch::Turn(l.turn),
         });
-        lead(before, Stretch::LeadIn).chain(path).chain(lead(after, Stretch::LeadOut))
+        before.rows(Stretch::LeadIn).chain(path).chain(after.rows(Stretch::LeadOut))
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].
