@@ -121,6 +121,7 @@ impl Setup {
             post_files.push(Dialect::load(file)?);
         }
         let job = draft.complete(&blade)?;
+        machine.check_lean(job.machine.b_deg.to_radians())?;
         if let Some(model) = inputs.first_mut() {
             model.path = job.model.file.display().to_string();
         }
@@ -167,10 +168,7 @@ impl Setup {
             contact_angle_max_rad: c.contact_angle_max_deg.to_radians(),
             tolerance_rad: c.tolerance_deg.to_radians(),
             prove_moves: c.prove_moves,
-            theta_limits_rad: self.machine.limits()[3].travel.map(|[lo, hi]| {
-                let (a, b) = (self.machine.theta_of_a(lo), self.machine.theta_of_a(hi));
-                [a.min(b), a.max(b)]
-            }),
+            theta_limits_rad: self.machine.theta_limits(self.job.machine.b_deg.to_radians()),
             ..ChannelOptions::default()
         }
     }
@@ -448,8 +446,9 @@ fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<Schedu
         let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
         Result::Ok([peaks.velocity[A], peaks.acceleration[A]])
     };
+    let names = setup.machine.axis_names();
     Ok(vec![
-        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?),
-        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?),
+        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, names),
+        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, names),
     ])
 }

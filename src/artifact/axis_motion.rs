@@ -1,9 +1,6 @@
 //! Motion of the machine's axes over time.
 
-/// Axes in the order of the arrays of [`AxisMotion`].
-pub const AXES: [&str; 5] = ["X", "Y", "Z", "A", "B"];
-
-/// One row per cutter location. Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
+/// One row per cutter location, in each X, Y, Z, the rotary axis nearest to the workpiece and the other one (`Machine::axis_names`). Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisMotion {
     /// Time at each cutter location, s, from the start of the whole motion: the first location's is later than 0 where a lead comes before it.

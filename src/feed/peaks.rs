@@ -5,7 +5,7 @@ use crate::artifact::{Schedule, Toolpath};
 use crate::error::Result;
 use crate::machine::Machine;
 
-/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`crate::artifact::axis_motion::AXES`];
+/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`Machine::axis_names`];
 /// mm or rad, and s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisPeaks {

@@ -149,7 +149,7 @@ fn a_turning_table_is_held_by_its_own_limits() {
         .collect();
     let (p, s) = path(&points);
     let m = plan(&p, &s, &machine, &options(60000.0), &Silent).unwrap();
-    let (v, a) = (PI, machine.axes.a.acceleration_deg_s2.to_radians());
+    let (v, a) = (PI, machine.limits()[3].acceleration);
     let want = 50.0 * k / v + v / a;
     assert!((m.time_s / want - 1.0).abs() < 1e-3, "{} {want}", m.time_s);
     let double = plan(&p, &s, &machine.with_limits_scaled(4.0), &options(60000.0), &Silent).unwrap();

@@ -1,12 +1,7 @@
-//! The machine file: what is in it, its checks, its limits in inner units.
-
-use std::path::Path;
+//! The machine file: what is in it, and limits of its axes in inner units.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::artifact::axis_motion::AXES;
-use crate::error::{Error, Result, Stage};
 
 /// The built-in demo machine as its file.
 pub const DEMO_TOML: &str = include_str!("../../models/machines/demo_table_head.toml");
@@ -42,15 +37,78 @@ pub enum PositiveB {
     MinusX,
 }
 
-/// How the blade sits on the machine while `A = 0`.
+/// How the blade sits on the machine while the rotary axes read 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mount {
     /// Origin of the blade frame in machine coordinates, mm.
     pub offset_mm: [f64; 3],
-    /// Angle by which the blade is turned about X, right-hand rule, degrees.
+    /// Angle by which the blade is turned about its own x first, right-hand rule, degrees.
     #[serde(default)]
     pub clamping_deg: f64,
+    /// Direction of the blade axis, root to tip, in machine coordinates, for machines with a `chain`; default: X. The blade is brought there from
+    /// X by the shortest turn (straight back: by half a turn about Z).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<[f64; 3]>,
+}
+
+/// Name of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum AxisName {
+    /// Linear.
+    X,
+    /// Linear.
+    Y,
+    /// Linear.
+    Z,
+    /// Rotary, about X where its direction is not told.
+    A,
+    /// Rotary, about Y where its direction is not told.
+    B,
+    /// Rotary, about Z where its direction is not told.
+    C,
+}
+
+impl AxisName {
+    /// Its place among X, Y, Z; `None`: a rotary one.
+    pub fn linear(self) -> Option<usize> {
+        [AxisName::X, AxisName::Y, AxisName::Z].iter().position(|n| *n == self)
+    }
+    /// Its letter.
+    pub fn letter(self) -> &'static str {
+        match self {
+            AxisName::X => "X",
+            AxisName::Y => "Y",
+            AxisName::Z => "Z",
+            AxisName::A => "A",
+            AxisName::B => "B",
+            AxisName::C => "C",
+        }
+    }
+    /// The direction that it has by its name.
+    pub fn unit(self) -> [f64; 3] {
+        match self {
+            AxisName::X | AxisName::A => [1.0, 0.0, 0.0],
+            AxisName::Y | AxisName::B => [0.0, 1.0, 0.0],
+            AxisName::Z | AxisName::C => [0.0, 0.0, 1.0],
+        }
+    }
+}
+
+/// The spindle of a machine with a `chain`, while all axes read 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Spindle {
+    /// The gauge line's point on the tool axis, machine coordinates, mm.
+    pub gauge_mm: [f64; 3],
+    /// The tool axis, from tip to spindle.
+    pub direction: [f64; 3],
+}
+
+impl Default for Spindle {
+    fn default() -> Self {
+        Spindle { gauge_mm: [0.0; 3], direction: [0.0, 0.0, 1.0] }
+    }
 }
 
 /// The rotary table `A` about machine X.
@@ -95,6 +153,9 @@ pub struct LinearAxis {
     pub jerk_mm_s3: f64,
     /// Where the last three come from.
     pub limits: Provenance,
+    /// Its direction in machine coordinates, for machines with a `chain`; default: that of its name. Positive is the tool moving that way over the workpiece.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction: Option<[f64; 3]>,
 }
 
 /// A rotary axis.
@@ -115,9 +176,16 @@ pub struct RotaryAxis {
     pub jerk_deg_s3: f64,
     /// Where the last three come from.
     pub limits: Provenance,
+    /// Its direction in machine coordinates while all axes read 0, for machines with a `chain`; default: that of its name. Positive is the
+    /// tool going round the workpiece by the right-hand rule (ISO 841); the other way round for an axis that counts the workpiece's own turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction: Option<[f64; 3]>,
+    /// A point on it in machine coordinates while all axes read 0, for machines with a `chain`, mm; default: the origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub point_mm: Option<[f64; 3]>,
 }
 
-/// All five axes.
+/// All axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Axes {
@@ -127,13 +195,18 @@ pub struct Axes {
     pub y: LinearAxis,
     /// Towards the spindle.
     pub z: LinearAxis,
-    /// Rotary table about X.
-    pub a: RotaryAxis,
-    /// Pivoting head in the XZ plane.
-    pub b: RotaryAxis,
+    /// Rotary axis A: on a machine without a `chain` the table about X.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub a: Option<RotaryAxis>,
+    /// Rotary axis B: on a machine without a `chain` the head that pivots in the XZ plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub b: Option<RotaryAxis>,
+    /// Rotary axis C.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub c: Option<RotaryAxis>,
 }
 
-/// A machine with a rotary table about X and a pivoting head; see the module's page for the kinematics.
+/// A machine: a rotary table about X with a pivoting head (`table`, `head`), or a `chain` of axes; see the module's page for the kinematics.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Machine {
@@ -146,10 +219,18 @@ pub struct Machine {
     pub swing_diameter_mm: f64,
     /// How the blade sits on it.
     pub mount: Mount,
-    /// The rotary table.
-    pub table: Table,
-    /// The pivoting head.
-    pub head: Head,
+    /// The rotary table, on a machine without a `chain`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub table: Option<Table>,
+    /// The pivoting head, on a machine without a `chain`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub head: Option<Head>,
+    /// All axes from the workpiece to the tool: X, Y, Z and one or two rotary axes. Left out: a table about X and a pivoting head.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub chain: Vec<AxisName>,
+    /// The spindle of a machine with a `chain`; default: gauge point at the origin, tool axis along Z.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spindle: Option<Spindle>,
     /// Travel and dynamic limits.
     pub axes: Axes,
 }
@@ -169,8 +250,37 @@ pub struct AxisLimits {
     pub provenance: Provenance,
 }
 
+impl Axes {
+    /// X, Y or Z, counted from 0; Z for any other number.
+    pub(super) fn linear(&self, k: usize) -> &LinearAxis {
+        match k {
+            0 => &self.x,
+            1 => &self.y,
+            _ => &self.z,
+        }
+    }
+    /// As [`Axes::rotary`], to be changed.
+    pub fn rotary_mut(&mut self, name: AxisName) -> Option<&mut RotaryAxis> {
+        match name {
+            AxisName::A => self.a.as_mut(),
+            AxisName::B => self.b.as_mut(),
+            AxisName::C => self.c.as_mut(),
+            _ => None,
+        }
+    }
+    /// A rotary axis by its name.
+    pub fn rotary(&self, name: AxisName) -> Option<&RotaryAxis> {
+        match name {
+            AxisName::A => self.a.as_ref(),
+            AxisName::B => self.b.as_ref(),
+            AxisName::C => self.c.as_ref(),
+            _ => None,
+        }
+    }
+}
+
 impl LinearAxis {
-    fn limits(&self) -> AxisLimits {
+    pub(super) fn limits(&self) -> AxisLimits {
         AxisLimits {
             travel: Some([self.min_mm, self.max_mm]),
             velocity: self.velocity_mm_s,
@@ -182,7 +292,7 @@ impl LinearAxis {
 }
 
 impl RotaryAxis {
-    fn limits(&self) -> AxisLimits {
+    pub(super) fn limits(&self) -> AxisLimits {
         AxisLimits {
             travel: self.min_deg.zip(self.max_deg).map(|(lo, hi)| [lo.to_radians(), hi.to_radians()]),
             velocity: self.velocity_deg_s.to_radians(),
@@ -190,154 +300,5 @@ impl RotaryAxis {
             jerk: self.jerk_deg_s3.to_radians(),
             provenance: self.limits,
         }
-    }
-}
-
-impl Machine {
-    /// The built-in demo machine ([`DEMO_TOML`]).
-    ///
-    /// # Errors
-    /// As [`Machine::from_toml`]; the built-in file passes.
-    pub fn demo() -> Result<Self> {
-        Self::from_toml(DEMO_TOML, "built-in demo machine")
-    }
-
-    /// Reads a machine from the text of its file; `origin` names the file in messages.
-    ///
-    /// # Errors
-    /// Kind `Usage`: not TOML, an unknown or missing key, or a value outside its range.
-    pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
-        let machine: Machine = toml::from_str(text).map_err(|e| {
-            let place = e.span().map(|s| {
-                let before = text.get(..s.start).unwrap_or(text);
-                format!(" line {}", before.matches('\n').count() + 1)
-            });
-            Error::usage(Stage::Machine, format!("{origin}{}: {}", place.unwrap_or_default(), e.message()))
-                .advise("models/machines/demo_table_head.toml shows every key with its unit")
-        })?;
-        machine.validate(origin)?;
-        Ok(machine)
-    }
-
-    /// Reads a machine file.
-    ///
-    /// # Errors
-    /// Kind `InputOutput` where the file cannot be read, else as [`Machine::from_toml`].
-    pub fn load(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| {
-            Error::io(Stage::Machine, format!("cannot read the machine file {}: {e}", path.display())).caused_by(e)
-        })?;
-        Self::from_toml(&text, &path.display().to_string())
-    }
-
-    /// Limits of all axes in the order of [`AXES`].
-    pub fn limits(&self) -> [AxisLimits; 5] {
-        let a = &self.axes;
-        [a.x.limits(), a.y.limits(), a.z.limits(), a.a.limits(), a.b.limits()]
-    }
-
-    /// The same machine with velocity, acceleration and jerk of all axes multiplied by `factor` (for sweeps over
-    /// assumed limits).
-    #[must_use]
-    pub fn with_limits_scaled(mut self, factor: f64) -> Self {
-        let a = &mut self.axes;
-        for l in [&mut a.x, &mut a.y, &mut a.z] {
-            l.velocity_mm_s *= factor;
-            l.acceleration_mm_s2 *= factor;
-            l.jerk_mm_s3 *= factor;
-        }
-        for r in [&mut a.a, &mut a.b] {
-            r.velocity_deg_s *= factor;
-            r.acceleration_deg_s2 *= factor;
-            r.jerk_deg_s3 *= factor;
-        }
-        self
-    }
-
-    /// Checks all values; see [`Machine::from_toml`].
-    fn validate(&self, origin: &str) -> Result<()> {
-        let bad = |m: String| Err(Error::usage(Stage::Machine, format!("{origin}: {m}")));
-        let finite = |key: &str, v: f64| {
-            if v.is_finite() { Ok(()) } else { bad(format!("{key} is {v}, it must be a finite number")) }
-        };
-        for v in self.mount.offset_mm {
-            finite("mount.offset_mm", v)?;
-        }
-        finite("mount.clamping_deg", self.mount.clamping_deg)?;
-        finite("table.axis_y_mm", self.table.axis_y_mm)?;
-        finite("table.axis_z_mm", self.table.axis_z_mm)?;
-        finite("head.spindle_offset_mm", self.head.spindle_offset_mm)?;
-        if !(self.head.pivot_length_mm >= 0.0 && self.head.pivot_length_mm.is_finite()) {
-            return bad(format!("head.pivot_length_mm is {}, it must be at least 0", self.head.pivot_length_mm));
-        }
-        if !(self.swing_diameter_mm > 0.0 && self.swing_diameter_mm.is_finite()) {
-            return bad(format!("swing_diameter_mm is {}, it must be greater than 0", self.swing_diameter_mm));
-        }
-        for (axis, r) in [("a", &self.axes.a), ("b", &self.axes.b)] {
-            if r.min_deg.is_some() != r.max_deg.is_some() {
-                return bad(format!("axes.{axis} has only one of min_deg and max_deg, give both or none"));
-            }
-        }
-        for (name, l) in AXES.iter().zip(self.limits()) {
-            let key = format!("axes.{}", name.to_lowercase());
-            for (what, v) in [("velocity", l.velocity), ("acceleration", l.acceleration), ("jerk", l.jerk)] {
-                if !(v > 0.0 && v.is_finite()) {
-                    return bad(format!("{key}: {what} is {v}, it must be greater than 0"));
-                }
-            }
-            if let Some([lo, hi]) = l.travel
-                && !(lo < hi && lo.is_finite() && hi.is_finite())
-            {
-                return bad(format!("{key}: its least position is not below its greatest"));
-            }
-        }
-        match self.limits()[4].travel {
-            Some([lo, hi]) if lo.to_degrees() >= -89.9 && hi.to_degrees() <= 89.9 => Ok(()),
-            _ => bad("axes.b must be limited to -89.9 … 89.9 degrees: at 90 the tool axis is along X".into()),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-    use super::*;
-    use crate::error::ErrorKind;
-
-    #[test]
-    fn the_demo_machine_reads_and_round_trips() {
-        let m = Machine::demo().unwrap();
-        let again = Machine::from_toml(&toml::to_string(&m).unwrap(), "again").unwrap();
-        assert_eq!(m, again);
-        let l = m.limits();
-        assert_eq!(l[3].travel, None);
-        assert!((l[4].travel.unwrap()[1].to_degrees() - 87.0).abs() < 1e-12);
-        assert!(l.iter().all(|l| l.provenance == Provenance::Assumed));
-        assert_eq!(l[0].travel, Some([0.0, 2800.0]));
-        assert_eq!(m.with_limits_scaled(0.5).limits()[1].velocity, 0.5 * l[1].velocity);
-    }
-
-    #[test]
-    fn bad_files_are_usage_errors_that_name_the_key() {
-        let cases = [
-            ("pivot_length_mm = 200.0", "pivot_length_mm = -1.0", "pivot_length_mm"),
-            ("pivot_length_mm = 200.0", "pivot_length = 200.0", "pivot_length"),
-            ("spindle_offset_mm = 0.0", "spindle_offset_mm = inf", "head.spindle_offset_mm"),
-            ("positive_b_leans = \"plus-x\"", "positive_b_leans = \"up\"", "up"),
-            ("velocity_deg_s = 180.0", "velocity_deg_s = 0.0", "axes.a: velocity"),
-            ("max_deg = 87.0", "max_deg = 90.0", "axes.b"),
-            ("max_deg = 87.0", "", "only one of"),
-            ("max_mm = 330.0", "max_mm = -400.0", "axes.y"),
-            ("offset_mm = [1400.0", "offset_mm = [nan", "offset_mm"),
-            ("limits = \"assumed\"\n\n[axes.y]", "limits = \"guessed\"\n\n[axes.y]", "guessed"),
-        ];
-        for (from, to, names) in cases {
-            let text = DEMO_TOML.replacen(from, to, 1);
-            assert_ne!(text, DEMO_TOML, "{from}");
-            let e = Machine::from_toml(&text, "m.toml").unwrap_err();
-            assert_eq!(e.kind, ErrorKind::Usage);
-            assert!(e.message.contains(names) && e.message.contains("m.toml"), "{}", e.message);
-        }
-        assert_eq!(Machine::load(Path::new("/nonexistent.toml")).unwrap_err().kind, ErrorKind::InputOutput);
     }
 }

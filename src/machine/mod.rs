@@ -45,12 +45,16 @@
 //! There is one branch: the other solution, `180° − B`, is outside that range. Velocity, acceleration and jerk say
 //! where they come from ([`Provenance`]).
 
+mod chain;
+#[cfg(test)]
+mod chain_tests;
 mod config;
+mod file;
 mod kinematics;
 mod travel;
 
 pub use config::{
-    Axes, AxisLimits, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance, RotaryAxis, Table,
+    Axes, AxisLimits, AxisName, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance, RotaryAxis, Spindle, Table,
 };
 pub use kinematics::Pose;
 pub use travel::TravelFinding;

@@ -2,12 +2,11 @@
 
 use super::Machine;
 use crate::artifact::AxisMotion;
-use crate::artifact::axis_motion::AXES;
 
 /// The worst position of one axis outside its travel.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct TravelFinding {
-    /// `X`, `Y`, `Z`, `A` or `B`.
+    /// `X`, `Y`, `Z`, `A`, `B` or `C`.
     pub axis: String,
     /// Cutter location where it is worst.
     pub row: usize,
@@ -21,7 +20,7 @@ pub struct TravelFinding {
 
 impl std::fmt::Display for TravelFinding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let linear = AXES.iter().position(|a| *a == self.axis).is_some_and(|i| i < 3);
+        let linear = ["X", "Y", "Z"].contains(&self.axis.as_str());
         let (scale, unit) = if linear { (1.0, "mm") } else { (1f64.to_degrees(), "deg") };
         let [p, l, e] = [self.position, self.limit, self.excess].map(|v| v * scale);
         write!(
@@ -37,6 +36,7 @@ impl Machine {
     /// number counts as outside.
     pub fn check_travel(&self, motion: &AxisMotion) -> Vec<TravelFinding> {
         let mut out = Vec::new();
+        let names = self.axis_names();
         for (i, limits) in self.limits().iter().enumerate() {
             let Some([lo, hi]) = limits.travel else { continue };
             let mut worst: Option<TravelFinding> = None;
@@ -47,7 +47,7 @@ impl Machine {
                 }
                 let (limit, excess) = if v < lo { (lo, lo - v) } else { (hi, v - hi) };
                 if worst.as_ref().is_none_or(|w| excess > w.excess) {
-                    worst = Some(TravelFinding { axis: AXES[i].into(), row, position: v, limit, excess });
+                    worst = Some(TravelFinding { axis: names[i].into(), row, position: v, limit, excess });
                 }
             }
             out.extend(worst);

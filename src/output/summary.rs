@@ -1,6 +1,6 @@
 //! `summary.json`: the figures of a run.
 
-use crate::artifact::axis_motion::{AXES, AxisMotion};
+use crate::artifact::AxisMotion;
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
@@ -114,9 +114,10 @@ pub struct Summary {
 }
 
 /// Peaks of every axis; rotary axes in degrees.
-pub fn axis_peaks(motion: &AxisMotion) -> Vec<AxisPeak> {
+pub fn axis_peaks(motion: &AxisMotion, names: [&str; 5]) -> Vec<AxisPeak> {
     let greatest = |rows: &[[f64; 5]], i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
-    AXES.iter()
+    names
+        .iter()
         .enumerate()
         .map(|(i, axis)| {
             let unit = |v: f64| if i < 3 { v } else { v.to_degrees() };
@@ -131,12 +132,13 @@ pub fn axis_peaks(motion: &AxisMotion) -> Vec<AxisPeak> {
 }
 
 /// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and acceleration, rad, at the
-/// programmed feed held constant.
+/// programmed feed held constant; `names` are the axes'.
 pub fn schedule_figures(
     plan: &Plan,
     schedule: &Schedule,
     motion: &AxisMotion,
     constant_feed: [f64; 2],
+    names: [&str; 5],
 ) -> ScheduleFigures {
     let outside = schedule
         .theta
@@ -151,7 +153,7 @@ pub fn schedule_figures(
         theta_rate_peak_deg_per_mm: schedule.peak_rate.to_degrees(),
         theta_acceleration_peak_deg_per_mm2: schedule.peak_acceleration.to_degrees(),
         machining_time_s: motion.time_s,
-        axes: axis_peaks(motion),
+        axes: axis_peaks(motion, names),
         a_velocity_at_constant_feed_deg_s: constant_feed[0].to_degrees(),
         a_acceleration_at_constant_feed_deg_s2: constant_feed[1].to_degrees(),
     }

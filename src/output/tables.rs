@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
@@ -67,12 +66,12 @@ pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
 
 /// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second. The leads' rows stand before and
 /// behind those of the cutter locations.
-pub fn axes(plan: &Plan) -> String {
+pub fn axes(plan: &Plan, names: [&str; 5]) -> String {
     let [before, after] = &plan.leads;
     let mut out = String::with_capacity(400 * plan.motion.t_s.len() + 200);
     out.push_str("t_s");
     for prefix in ["", "v", "a", "j"] {
-        for axis in AXES {
+        for axis in names {
             let _ = write!(out, ",{prefix}{axis}");
         }
     }

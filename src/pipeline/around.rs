@@ -16,13 +16,11 @@ const REPORT_SWEEP_DEG: [f64; 3] = [-20.0, 45.0, 5.0];
 const REPORT_PLACES: usize = 3000;
 
 impl Setup {
-    /// Angles B from the first to the second by the third, degrees, as far as the machine's head goes.
+    /// Angles B from the first to the second by the third, degrees, as far as the machine leans the tool.
     pub fn angles_b(&self, [from, to, step]: [f64; 3]) -> Vec<f64> {
-        let [a, b] = self.machine.limits()[4].travel.unwrap_or([-1.4, 1.4]).map(|b| self.machine.lean_of_b(b));
-        let head = [a.min(b), a.max(b)].map(f64::to_degrees);
         let count = ((to - from) / step + 1e-9).floor().clamp(0.0, 1000.0) as u32;
         let all = (0..=count).map(|k| from + f64::from(k) * step);
-        all.filter(|b| *b >= head[0] && *b <= head[1] && b.abs() <= 85.0).collect()
+        all.filter(|b| b.abs() <= 85.0 && self.machine.leans(b.to_radians())).collect()
     }
 
     /// What is in the tool's way, indexed.

@@ -9,7 +9,6 @@ use serde::Serialize;
 use super::Setup;
 use super::planning::{channel_as_far_as_it_goes, path_as_asked};
 use super::schedules::{machinable, paced};
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
@@ -155,7 +154,7 @@ pub fn compare(
     };
     folder.add("job.resolved.toml", setup.job.to_toml()?)?;
     folder.add_json("compare.json", &found)?;
-    folder.add("compare.csv", table(&found))?;
+    folder.add("compare.csv", table(&found, setup.machine.axis_names()))?;
     let curves: Vec<(&str, &Schedule)> = names.iter().map(String::as_str).zip(made.iter().map(|m| &m.0)).collect();
     folder.add("compare.svg", plot::svg(&found, &toolpath, &channel, &curves))?;
     Ok((found, folder.finish()?))
@@ -189,13 +188,13 @@ fn unit(axis: usize, v: f64) -> f64 {
     if axis < 3 { v } else { v.to_degrees() }
 }
 
-fn peaks_of(p: &AxisPeaks) -> Vec<Peak> {
-    let peak = |(k, axis): (usize, &&'static str)| Peak {
+fn peaks_of(p: &AxisPeaks, names: [&'static str; 5]) -> Vec<Peak> {
+    let peak = |(k, axis): (usize, &'static str)| Peak {
         axis,
         velocity: unit(k, p.velocity[k]),
         acceleration: unit(k, p.acceleration[k]),
     };
-    AXES.iter().enumerate().map(peak).collect()
+    names.into_iter().enumerate().map(peak).collect()
 }
 
 fn figures(
@@ -215,7 +214,7 @@ fn figures(
         rate_deg_mm: s.peak_rate.to_degrees(),
         second_deg_mm2: s.peak_acceleration.to_degrees(),
         seconds,
-        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?),
+        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axis_names()),
     })
 }
 
@@ -277,7 +276,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         gain_on_fixed: 0.0,
         constant_feed_mm_min: constant,
         constant_feed_time_s: path.locations.last().map_or(0.0, |l| l.s_mm) / (constant / 60.0),
-        peaks: peaks_of(&own),
+        peaks: peaks_of(&own, machine.axis_names()),
     })
 }
 
@@ -289,11 +288,11 @@ fn least_turning(machine: &Machine, channel: &Channel) -> f64 {
 }
 
 /// The sweep as a table.
-fn table(c: &Comparison) -> String {
+fn table(c: &Comparison, names: [&str; 5]) -> String {
     let mut out = String::from(
         "scale,schedule,time_s,within_jerk,over_bound,gain_on_fixed,constant_feed_mm_min,constant_feed_time_s",
     );
-    for axis in AXES {
+    for axis in names {
         out.push_str(&format!(",v{axis},a{axis}"));
     }
     out.push('\n');

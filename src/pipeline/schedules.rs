@@ -9,7 +9,7 @@ use crate::machine::Machine;
 use crate::observe::{Observer, Silent};
 use crate::schedule::{self, Pace, ScheduleOptions};
 
-/// The rotary axis' place in [`crate::artifact::axis_motion::AXES`].
+/// The rotary axis' place in [`Machine::axis_names`].
 const A: usize = 3;
 
 /// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis

@@ -10,13 +10,16 @@ use crate::artifact::Plan;
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::tool;
 
 use super::Run;
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
+
+/// Where five axes move at once: the tool axis within a line is within this of the plan's, rad (0.01 degrees).
+const ASKEW_RAD: f64 = 1.7e-4;
 
 /// The end of a cutting move.
 #[derive(Clone, Copy, Debug)]
@@ -121,10 +124,14 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     let theta = 0.5 * (a.theta + b.theta);
     let (lean, radius) = (run.b_rad(), run.tool.radius_mm);
     match programmed {
-        Programmed::Centre => 0.0,
+        Programmed::Centre => askew_mm(run, a, b),
         Programmed::Tip => {
             let [at_a, at_b, between] = [a.theta, b.theta, theta].map(|t| tool::axis(lean, t));
-            radius * (0.5 * (at_a + at_b) - between).norm()
+            if run.machine.turns_the_blade() {
+                return radius * (0.5 * (at_a + at_b) - between).norm();
+            }
+            let ball = halfway_axis(run, a, b) * radius - 0.5 * radius * (at_a + at_b);
+            ball.norm().max(askew_mm(run, a, b))
         }
         Programmed::Machine => {
             let gauge = run.tool.length_mm();
@@ -133,9 +140,25 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
             for (h, (p, q)) in halfway.iter_mut().zip(p.iter().zip(&q)) {
                 *h = 0.5 * (p + q);
             }
-            (run.machine.forward(&halfway, gauge).centre - middle).norm()
+            (run.machine.forward(&halfway, gauge).centre - middle).norm().max(askew_mm(run, a, b))
         }
     }
+}
+
+/// The tool axis halfway between two locations, the rotary axes turning evenly.
+fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
+    let [p, q] = [a, b].map(|m| run.machine.rotary_of(m.theta, run.b_rad()));
+    run.machine.axis_at([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])])
+}
+
+/// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes then leave the cone. In mm of the chord tolerance,
+/// [`ASKEW_RAD`] being half of it.
+fn askew_mm(run: &Run, a: &Move, b: &Move) -> f64 {
+    if run.machine.turns_the_blade() {
+        return 0.0;
+    }
+    let between = tool::axis(run.b_rad(), 0.5 * (a.theta + b.theta));
+    0.5 * run.plan.toolpath.chord_mm * (halfway_axis(run, a, b) - between).norm() / ASKEW_RAD
 }
 
 #[cfg(test)]

@@ -22,13 +22,17 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 37] = [
+pub const KEYS: [(&str, Class, &str); 42] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
-    ("a", Class::Angle, "position of A, degrees, as `rotary` counts"),
-    ("da", Class::Angle, "step of A since the block before, degrees"),
-    ("b", Class::Angle, "position of B, degrees"),
+    ("a", Class::Angle, "position of the rotary axis that turns the blade (the one nearest to the workpiece), degrees, as `rotary` counts"),
+    ("da", Class::Angle, "step of that axis since the block before, degrees"),
+    ("a_name", Class::Text, "its letter: A on a machine with a table about X"),
+    ("b", Class::Angle, "position of the other rotary axis, degrees; a word with it is left out on a machine that has none"),
+    ("b_moving", Class::Angle, "as b; a word with it is left out where that axis stands still while the blade turns"),
+    ("b_name", Class::Text, "its letter: B on a machine with a table about X"),
+    ("cone", Class::Text, "what keeps the tool axis on its cone: the letters of rotary axes that stand still or move together"),
     ("i", Class::Direction, "tool axis along blade x"),
     ("j", Class::Direction, "tool axis along blade y"),
     ("k", Class::Direction, "tool axis along blade z"),
@@ -52,6 +56,7 @@ pub const KEYS: [(&str, Class, &str); 37] = [
     ("mount_x", Class::Length, "machine X of the blade frame's origin at A = 0, mm"),
     ("mount_y", Class::Length, "machine Y of it, mm"),
     ("mount_z", Class::Length, "machine Z of it, mm"),
+    ("along", Class::Text, "where the blade axis points while the rotary axes read 0, where that is not X; else nothing"),
     ("clamping", Class::Angle, "angle about X by which the blade is clamped, degrees"),
     ("name", Class::Text, "program name"),
     ("program_number", Class::Text, "four digits for an O word"),

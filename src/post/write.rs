@@ -117,13 +117,22 @@ impl<'a> Writer<'a> {
             ("mount_y", m.offset_mm[1]),
             ("mount_z", m.offset_mm[2]),
             ("clamping", m.clamping_deg),
-            ("b", run.machine.b_of_lean(run.b_rad()).to_degrees()),
         ] {
             self.set(name, Value::Number(v));
         }
         let [shift, rows] = cad(&run.blade.model_from_blade);
         let [row_1, row_2, row_3] = &rows[..] else { return };
+        let [.., a_name, b_name] = run.machine.axis_names();
+        let cone = match run.machine.turns_the_blade() {
+            true => format!("{b_name} is fixed"),
+            false => format!("{a_name} and {b_name} move together"),
+        };
+        let along = m.along.map_or_else(String::new, |[x, y, z]| format!(" Blade axis along machine {x:.6} {y:.6} {z:.6}."));
         for (name, text) in [
+            ("a_name", a_name),
+            ("b_name", b_name),
+            ("cone", &cone),
+            ("along", &along),
             ("name", o.program_name.as_str()),
             ("program_number", "0001"),
             ("part", o.part_file.as_str()),
@@ -159,6 +168,8 @@ impl<'a> Writer<'a> {
         let a = a_rad.to_degrees();
         match self.dialect.file.rotary {
             Rotary::Accumulate | Rotary::Vector => a,
+            // An axis with ends of travel stands where it is told.
+            _ if self.run.machine.limits()[3].travel.is_some() => a,
             // Whole turns before the first location are dropped.
             Rotary::Incremental => {
                 let first = self.run.plan.axes().next().map_or(0.0, |q| q[3].to_degrees());
@@ -171,7 +182,7 @@ impl<'a> Writer<'a> {
     /// Takes over a pose; the step of `A` is from the pose before.
     fn take(&mut self, p: &Placed) -> Result<()> {
         let mut a = Fixed::new(p.a_deg, self.dialect.file.numbers.angle_decimals)?;
-        if self.dialect.file.rotary == Rotary::Modulo {
+        if self.dialect.file.rotary == Rotary::Modulo && self.run.machine.limits()[3].travel.is_none() {
             a = a.modulo(360);
         }
         if let Some(Value::Rounded(before)) = key("a").and_then(|k| self.values.get(k)) {
@@ -179,6 +190,9 @@ impl<'a> Writer<'a> {
             self.set("da", Value::Rounded(step));
         }
         self.set("a", Value::Rounded(a));
+        for name in ["b", "b_moving"] {
+            self.set(name, Value::Number(p.axes[4].to_degrees()));
+        }
         let numbers = ["x", "y", "z", "mx", "my", "mz", "i", "j", "k"].into_iter();
         let values = p.point.iter().chain(&p.axes[..3]).chain(&p.axis);
         for (name, v) in numbers.zip(values) {
@@ -265,7 +279,7 @@ impl<'a> Writer<'a> {
             FeedWord::InverseTime => 60.0 / dt_s,
             FeedWord::PerMinute => {
                 let way = (0..3).map(|i| (to.point[i] - from.point[i]).powi(2)).sum::<f64>().sqrt();
-                let turn = (to.axes[3] - from.axes[3]).abs().to_degrees();
+                let turn = (to.axes[3] - from.axes[3]).hypot(to.axes[4] - from.axes[4]).to_degrees();
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
             }
         };
@@ -277,6 +291,9 @@ impl<'a> Writer<'a> {
         for line in lines {
             let mut text = String::new();
             for word in &line.words {
+                if !line.comment && self.left_out(word) {
+                    continue;
+                }
                 let mut w = String::new();
                 for piece in &word.pieces {
                     match piece {
@@ -299,6 +316,14 @@ impl<'a> Writer<'a> {
             }
         }
         Ok(())
+    }
+
+    /// A word of the second rotary axis that the machine has not, or that stands still and need not be told again.
+    fn left_out(&self, word: &Word) -> bool {
+        let machine = self.run.machine;
+        let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
+        let none = machine.rotary_axes()[1].is_none();
+        none && says("b") || (none || machine.turns_the_blade()) && says("b_moving")
     }
 
     /// A modal word says what it said before; remembers what it says now.

@@ -186,6 +186,8 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
 /// A face of the part in words.
 pub(super) fn face_name(part: &Part, face: u32) -> String {
     match part.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
+        // A face without a name of its own is called so already.
+        Some(f) if f.name.starts_with("face ") => f.name.clone(),
         Some(f) => format!("face {}", f.name),
         None => format!("group {face}"),
     }

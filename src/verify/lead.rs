@@ -8,7 +8,6 @@ use super::clearance::{self, Nearest, Track};
 use super::gouge::{self, face_name};
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Lead, Obstacle, Plan};
 use crate::geometry::allowance::Allowed;
@@ -181,7 +180,7 @@ fn off_travel(lead: &Lead, room: &Room) -> Option<String> {
     lead.centres.iter().zip(&lead.theta).find_map(|(c, theta)| {
         let q = room.machine.inverse(c, *theta, room.b_rad, gauge);
         let out = |i: &usize| limits[*i].travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
-        (0..AXES.len()).find(out).map(|i| format!("axis {} would leave its travel", AXES[i]))
+        (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", room.machine.axis_names()[i]))
     })
 }
 
@@ -291,11 +290,11 @@ fn within_limits(plan: &Plan, room: &Room) -> Check {
     let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());
     // Two rows of the path belong to the accelerations at the joint.
     let ends = [&rows[..(before + 2).min(rows.len())], &rows[rows.len().saturating_sub(after + 2)..]];
-    let mut worst = (0.0f64, String::new());
+    let (mut worst, names) = ((0.0f64, String::new()), room.machine.axis_names());
     let mut take = |share: f64, axis: usize, kind: &str| {
         let share = if share.is_nan() { f64::MAX } else { share };
         if share > worst.0 {
-            worst = (share, format!("axis {}: {kind}", AXES[axis]));
+            worst = (share, format!("axis {}: {kind}", names[axis]));
         }
     };
     for (axis, limit) in room.machine.limits().iter().enumerate() {

@@ -10,7 +10,6 @@
 //! cutter location and `a(θ)`.
 
 use super::options::VerifyOptions;
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
 use crate::machine::Machine;
@@ -35,7 +34,8 @@ fn worst(values: impl Iterator<Item = f64>) -> Worst {
 pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &VerifyOptions) -> Vec<Check> {
     let mut checks = vec![forward_in_time(plan, blade)];
     let limits = machine.limits();
-    for (axis, limit) in limits.iter().enumerate() {
+    let there = if machine.rotary_axes()[1].is_some() { 5 } else { 4 };
+    for (axis, limit) in limits.iter().enumerate().take(there) {
         let travel = limit.travel.map(|[lo, hi]| {
             let over = |q: &[f64; 5]| (lo - q[axis]).max(q[axis] - hi);
             ("travel", "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
@@ -94,7 +94,7 @@ fn judge(
     machine: &Machine,
     options: &VerifyOptions,
 ) -> Check {
-    let rotary = axis >= 3;
+    let (rotary, name) = (axis >= 3, machine.axis_names()[axis]);
     let scale = if rotary { 1f64.to_degrees() } else { 1.0 };
     let unit = match (kind, rotary) {
         ("travel", false) => "mm",
@@ -114,8 +114,8 @@ fn judge(
     };
     at_row(
         Check {
-            name: format!("{}-{kind}", AXES[axis].to_lowercase()),
-            quantity: format!("axis {}: {quantity}", AXES[axis]),
+            name: format!("{}-{kind}", name.to_lowercase()),
+            quantity: format!("axis {name}: {quantity}"),
             worst: if kind == "travel" { worst.max(0.0) } else { worst },
             limit: limit * scale,
             unit: unit.into(),

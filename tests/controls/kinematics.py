@@ -3,7 +3,11 @@
 
 usage: LINUXCNC_ROOT=DIR/root python3 tests/controls/kinematics.py target/release/examples/axis_positions [POSES]      needs cc
 
-LinuxCNC has no module for a rotary table about X with a pivoting head, so two are chained: `xyzac-trt-kins` turns the part about X,
+First chains that LinuxCNC has a module for (CHAINS below: two tables, table and head, two heads), each with its blade askew and its axes out of
+the origin. A ball centre and a point higher up on the tool axis are both asked for: as the module brings either to its place with the same axis
+positions that ours gives, position and direction of the tool agree.
+
+Then the machine without a chain. LinuxCNC has no module for a rotary table about X with a pivoting head, so two are chained: `xyzac-trt-kins` turns the part about X,
 `5axiskins` leans the head. Both are shared objects that ask HAL for their pins; a few lines of C stand in for HAL. What has to be
 translated between the two worlds: their A turns the workpiece, ours (ISO 841) the tool; their B leans the other way; their pivot length is
 that from pivot to ball centre, and their Z is that much less the gauge length lower.
@@ -48,7 +52,7 @@ class Pose(C.Structure):
 class Module:
     """One module with its pins."""
 
-    def __init__(self, name, **pins):
+    def __init__(self, name, kind=0, **pins):
         folder = tempfile.mkdtemp()
         open(folder + "/hal.c", "w").write(HAL)
         subprocess.check_call(["cc", "-O1", "-w", "-shared", "-fPIC", "-o", folder + "/hal.so", folder + "/hal.c"])
@@ -57,12 +61,16 @@ class Module:
         self.kins = C.CDLL(f"{ROOT}/usr/lib/linuxcnc/modules/{name}.so", mode=os.RTLD_LAZY)
         if self.kins.rtapi_app_main():
             raise SystemExit(f"{name} does not start")
+        # Modules made by halcompile make their pins when they are asked for their type.
+        self.kins.kinematicsType()
         names = []
         while (n := self.hal.pin_name(len(names))) is not None:
             names.append(n.decode())
         for pin, value in pins.items():
             index = next(i for i, n in enumerate(names) if n.endswith("." + pin.replace("_", "-")))
             self.hal.set_pin(index, C.c_double(value))
+        if kind:
+            self.kins.kinematicsSwitch(kind)
 
     def joints(self, *pose):
         p, j = Pose(*pose), (C.c_double * 16)()
@@ -72,10 +80,82 @@ class Module:
         return list(j[:6])
 
 
+# Module; rotary axes from the workpiece: letter, direction, point; pins; whether the second one carries the tool; kind. Their sense and their points
+# are what the modules compute: the tables count the workpiece's own turn, the heads lean the other way about Y.
+CHAINS = [
+    ("xyzac-trt-kins", [("c", [0, 0, -1], [3.5, -5.25, 0.0]), ("a", [-1, 0, 0], [0.0, -5.25 + 11.0, 7.0 + 13.5])],
+     dict(x_rot_point=3.5, y_rot_point=-5.25, z_rot_point=7.0, y_offset=11.0, z_offset=13.5), False, 0),
+    ("xyzbc-trt-kins", [("c", [0, 0, -1], [3.5, -5.25, 0.0]), ("b", [0, -1, 0], [3.5 + 11.0, 0.0, 7.0 + 13.5])],
+     dict(x_rot_point=3.5, y_rot_point=-5.25, z_rot_point=7.0, x_offset=11.0, z_offset=13.5), False, 0),
+    ("xyzab_tdr_kins", [("a", [1, 0, 0], [0.0, -5.25, 7.0 + 13.5]), ("b", [0, 1, 0], [3.5, 0.0, 7.0])],
+     dict(x_rot_point=3.5, y_rot_point=-5.25, z_rot_point=7.0, z_offset=13.5), False, 1),
+    ("5axiskins", [("c", [0, 0, 1], [0.0, 0.0, 0.0]), ("b", [0, -1, 0], [0.0, 0.0, 180.0])], {}, True, 0),
+    ("maxkins", [("c", [0, 0, 1], [0.0, 0.0, 0.0]), ("b", [0, -1, 0], [0.0, 0.0, 180.0])], {}, True, 0),
+]
+# Order of the axes of each: from the workpiece to the tool.
+ORDER = {"5axiskins": "XYZCB", "maxkins": "CXYZB", "xyzac-trt-kins": "CAXYZ", "xyzbc-trt-kins": "CBXYZ", "xyzab_tdr_kins": "ABXYZ"}
+# The mount of all of them.
+OFFSET, CLAMPING = [12.0, -7.0, 30.0], 33.0
+
+
+def chain_machine(folder, module, rotary):
+    """The machine file of a chain; the blade along the first rotary axis, root to tip."""
+    limits = "velocity_{0} = 100.0\nacceleration_{0}2 = 1000.0\njerk_{0}3 = 10000.0\nlimits = \"assumed\"\n"
+    along = [abs(v) for v in rotary[0][1]]
+    order = ", ".join(f'"{a}"' for a in ORDER[module])
+    text = f'name = "{module}"\nswing_diameter_mm = 500.0\nchain = [{order}]\n'
+    text += f"[mount]\noffset_mm = {OFFSET}\nclamping_deg = {CLAMPING}\nalong = {[float(v) for v in along]}\n"
+    for a in "xyz":
+        text += f"[axes.{a}]\nmin_mm = -1000.0\nmax_mm = 1000.0\n" + limits.format("mm_s")
+    for letter, direction, point in rotary:
+        text += f"[axes.{letter}]\ndirection = {[float(v) for v in direction]}\npoint_mm = {point}\n" + limits.format("deg_s")
+    path = folder + f"/{module}.toml"
+    open(path, "w").write(text)
+    return path, along
+
+
+def compare_chain(program, count, folder, module, rotary, pins, head, kind):
+    import concurrent.futures as pool
+
+    draw, gauge, higher = random.Random(11), 132.5, 90.0
+    path, along = chain_machine(folder, module, rotary)
+    poses = [[draw.uniform(-150, 150) for _ in range(3)] + [draw.uniform(-3600, 3600), draw.uniform(-80, 80)] for _ in range(count)]
+    text = "\n".join(" ".join(repr(v) for v in p) for p in poses) + "\n"
+    lines = subprocess.run([program, str(gauge), path], input=text, capture_output=True, text=True, check=True).stdout.splitlines()
+    ours = [[float(v) for v in l.split()] for l in lines]
+    s, c = math.sin(math.radians(CLAMPING)), math.cos(math.radians(CLAMPING))
+
+    def on_machine(x, y, z):
+        y, z = c * y - s * z, s * y + c * z
+        # X is brought to Z about Y.
+        x, y, z = (-z, y, x) if along[2] else (x, y, z)
+        return [OFFSET[0] + x, OFFSET[1] + y, OFFSET[2] + z]
+
+    worst = 0.0
+    for up in (0.0, higher):
+        asked = []
+        for (x, y, z, theta, lean), q in zip(poses, ours):
+            t, b = math.radians(theta), math.radians(lean)
+            at = [x + up * math.sin(b), y + up * math.cos(b) * math.cos(t), z + up * math.cos(b) * math.sin(t)]
+            angles = {letter: q[3 + k] for k, (letter, _, _) in enumerate(rotary)}
+            asked.append((*on_machine(*at), *(angles.get(l, 0.0) for l in "abc"), 0.0, 0.0, 0.0))
+        own = dict(pins, pivot_length=180.0 + gauge - up) if head else pins
+        with pool.ProcessPoolExecutor(1) as one:
+            theirs = one.submit(ask, (module, own, asked, kind)).result()
+        for p, q, j in zip(poses, ours, theirs):
+            # They read the tool's tip, which is our ball centre or the point above it; ours reads the gauge line.
+            want = [j[0], j[1], j[2] + gauge - up]
+            off = max(abs(a - b) for a, b in zip(q, want))
+            worst = max(worst, off)
+            if off > 1e-8:
+                raise SystemExit(f"{module}, pose {p}, {up} mm up the tool: axes {q}, the module says {want}")
+    return worst
+
+
 def ask(job):
     """Joints of poses by one module, in a process of its own: two HALs do not go together."""
-    name, pins, poses = job
-    module = Module(name, **pins)
+    name, pins, poses, *kind = job
+    module = Module(name, *kind, **pins)
     return [module.joints(*p) for p in poses]
 
 
@@ -124,6 +204,9 @@ def main():
     program = os.path.abspath(sys.argv[1])
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 10000
     with tempfile.TemporaryDirectory() as folder:
+        for module, rotary, pins, head, kind in CHAINS:
+            off = compare_chain(program, count, folder, module, rotary, pins, head, kind)
+            print(f"{module}: {count} poses, ball centre and tool axis: axis positions differ by at most {off:.1e} mm")
         demo = compare(program, count, None, [1400.0, 0.0, 0.0], 0.0, [0.0, 0.0], 200.0)
         other = compare(program, count, turned_machine(folder), [1200.0, 4.0, -3.0], 33.0, [12.5, -7.25], 150.0)
     print(f"{count} poses on each of two machines: axis positions differ by at most {max(demo, other):.1e} mm or degrees")

@@ -46,7 +46,7 @@ fn total_s(moves: &[Move]) -> f64 {
 fn siemens_positions_are_the_plans_tool_tips() {
     let built_in = Control::Siemens.post_file();
     // An own post file for a linear A: absolute words over all turns.
-    let absolute = built_in.replace("\"incremental\"", "\"accumulate\"").replace("A=IC({da})", "A={a}");
+    let absolute = built_in.replace("\"incremental\"", "\"accumulate\"").replace("{a_name}=IC({da})", "{a_name}={a}");
     for text in [built_in, &absolute] {
         let plan = sample::plan(3, 720);
         let p = written(&Dialect::from_toml(text, "test").unwrap(), plan.clone(), false, &options()).unwrap();
@@ -101,7 +101,7 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
             if control == Control::Linuxcnc {
                 return machine.forward(&q, tool.length_mm()).centre;
             }
-            let axis = tool::axis(q[4], machine.theta_of_a(q[3]));
+            let axis = machine.axis_at([q[3], q[4]]);
             Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
         };
         for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {

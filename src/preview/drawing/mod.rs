@@ -14,7 +14,6 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
 use super::report::{Baseline, scallop_histogram};
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::{AxisMotion, CheckReport, Plan, Section};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
@@ -49,7 +48,7 @@ pub fn plots(input: &PlotInput, turn: usize) -> Result<Vec<(String, String)>> {
     };
     let rows = t.first.min(n)..t.first.saturating_add(t.count).min(n);
     let mut out = vec![(format!("channel-turn-{turn}"), chart::svg(&[channel(input, turn, rows.clone())]))];
-    for (axis, name) in AXES.iter().enumerate() {
+    for (axis, name) in input.machine.axis_names().iter().enumerate() {
         let panels: Vec<Chart> = (0..4).map(|kind| motion(input, turn, rows.clone(), axis, kind)).collect();
         out.push((format!("axis-{}-turn-{turn}", name.to_lowercase()), chart::svg(&panels)));
     }
@@ -133,12 +132,12 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
             }
         }
     }
-    let unit = if axis < 3 { "mm" } else { "°" };
+    let (unit, name) = (if axis < 3 { "mm" } else { "°" }, input.machine.axis_names()[axis]);
     let (what, per) = [("position", ""), ("velocity", "/s"), ("acceleration", "/s²"), ("jerk", "/s³")][kind];
     Chart {
-        title: format!("{} {what} of turn {turn}", AXES[axis]),
+        title: format!("{name} {what} of turn {turn}"),
         x: format!("time, s (turn {turn})"),
-        y: format!("{} {what}, {unit}{per}", AXES[axis]),
+        y: format!("{name} {what}, {unit}{per}"),
         curves,
         ..Chart::default()
     }

@@ -40,11 +40,12 @@ pub(super) fn table(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>>
         glb,
         "table",
         vec![shown],
-        json!({ "what": "the machine's table, schematic: its axis is true, its size is not", "axis": "A" }),
+        json!({ "what": "the machine's table, schematic: its axis is true, its size is not", "axis": scene.machine.axis_names()[3] }),
     );
     // The table's axis in the blade frame, at the root's end.
-    let at_axis = Point::new(0.0, scene.machine.table.axis_y_mm, scene.machine.table.axis_z_mm);
-    let mut at = scene.machine.machine_from_part(0.0).inverse() * at_axis;
+    let (clamped, [axis_y, axis_z], _) = scene.machine.shown_table();
+    let at_axis = Point::new(0.0, axis_y, axis_z);
+    let mut at = clamped.inverse() * at_axis;
     at.x = part.min.x;
     let to_x = UnitQuaternion::rotation_between(&Vector::z(), &Vector::x()).unwrap_or_default();
     let q = scene.blade.model_from_blade.rotation * to_x;
@@ -59,7 +60,7 @@ pub(super) fn table(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>>
 /// Spindle from the holder's end to the pivot, and the pivot's axle; in the tool's frame.
 pub(super) fn head(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<Node>> {
     let gauge = scene.tool.length_mm();
-    let pivot = gauge + scene.machine.head.pivot_length_mm;
+    let pivot = gauge + scene.machine.shown_pivot_mm();
     let widest = scene.tool.holder.iter().map(|h| h.radius_mm).fold(scene.tool.shank_radius_mm, f64::max);
     let radius = 1.15 * widest;
     let spindle = revolved(glb, "machine", COLOUR, &cylinder(gauge, pivot + radius, radius))?;
@@ -72,7 +73,7 @@ pub(super) fn head(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
     glb.place(axle, [0.0, 0.0, single(pivot)?], [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
     let note = json!({
         "what": "the machine's head, schematic: the pivot's place is true, widths are not",
-        "pivot_length_mm": scene.machine.head.pivot_length_mm,
+        "pivot_length_mm": scene.machine.shown_pivot_mm(),
     });
     Ok(group(glb, "head", vec![spindle, axle], &note))
 }

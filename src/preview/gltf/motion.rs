@@ -59,8 +59,9 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
 /// The machine frame's place in the scene, which is the model frame.
 fn scene_from_machine(scene: &Scene) -> Rigid {
     let mid = scene.blade.part.mesh.aabb().map_or(crate::geometry::Point::origin(), |b| b.min + (b.max - b.min) * 0.5);
-    let mut axis = scene.machine.machine_from_part(0.0) * mid;
-    (axis.y, axis.z) = (scene.machine.table.axis_y_mm, scene.machine.table.axis_z_mm);
+    let (at_zero, [axis_y, axis_z], _) = scene.machine.shown_table();
+    let mut axis = at_zero * mid;
+    (axis.y, axis.z) = (axis_y, axis_z);
     Rigid::from_parts((scene.blade.model_from_blade * mid - axis).into(), UnitQuaternion::identity())
 }
 
@@ -87,7 +88,7 @@ pub(super) fn animations(
         let theta = plan.schedule.theta[i];
         let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), theta);
         let in_part = Rigid::from_parts(plan.toolpath.locations[i].centre.coords.into(), turn * lean);
-        let table = to_scene * scene.machine.machine_from_part(scene.machine.a_of_theta(theta));
+        let table = to_scene * scene.machine.shown_part(theta);
         fixed.push(&(model * in_part))?;
         carried.push(&(table * in_part))?;
         turned.push(&(table * part_from_model))?;

@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 
 use super::pack::Pack;
 use super::{ReportInput, scallop, scene};
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::{AxisMotion, Plan, Section};
 use crate::preview::colour;
 
@@ -124,8 +123,8 @@ fn motion_of(motion: &AxisMotion, range: &Range<usize>, pieces: &[Range<usize>],
     let start = motion.t_s.get(range.start).copied().unwrap_or(0.0);
     let first = motion.position.get(range.start).copied().unwrap_or_default();
     let t = pack.list(pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
-    let axes = (0..AXES.len()).map(|axis| {
-        // A is shown from the turn's start on, the others where they are.
+    let axes = (0..first.len()).map(|axis| {
+        // What turns the blade is shown from the turn's start on, the others where they are.
         let zero = if axis == 3 { first[3] } else { 0.0 };
         let at = |p: &Range<usize>| motion.position.get(p.start).map_or(f64::NAN, |r| (r[axis] - zero) * scale(axis));
         let mut peak = |rows: &[[f64; 5]]| {
@@ -157,8 +156,8 @@ fn axes(plan: &Plan, input: &ReportInput, pack: &mut Pack) -> Value {
         turns.push(json!({ "s": s, "plan": own, "baseline": other }));
     }
     json!({
-        "names": AXES,
-        "units": AXES.iter().enumerate().map(|(i, _)| if i < 3 { "mm" } else { "°" }).collect::<Vec<_>>(),
+        "names": input.machine.axis_names(),
+        "units": (0..limits.len()).map(|i| if i < 3 { "mm" } else { "°" }).collect::<Vec<_>>(),
         "limits": limits.iter().enumerate().map(|(i, l)| json!([
             rounded(l.velocity * scale(i), 3), rounded(l.acceleration * scale(i), 3), rounded(l.jerk * scale(i), 3)
         ])).collect::<Vec<_>>(),

@@ -3,7 +3,6 @@
 use serde_json::Value;
 
 use super::{ReportInput, escape, figure, number};
-use crate::artifact::axis_motion::AXES;
 
 fn card(out: &mut String, label: &str, value: &str, note: &str) {
     out.push_str(&format!(
@@ -218,7 +217,7 @@ pub(super) fn axes(input: &ReportInput) -> String {
     let limits = input.machine.limits();
     let others = count(input, "/schedules") > 1;
     let mut rows = String::new();
-    for (i, axis) in AXES.iter().enumerate() {
+    for (i, axis) in input.machine.axis_names().iter().enumerate() {
         let unit = if i < 3 { "mm" } else { "°" };
         let scale = if i < 3 { 1.0 } else { 1f64.to_degrees() };
         let kinds = [

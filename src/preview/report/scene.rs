@@ -36,7 +36,7 @@ pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
     let (blade, machine) = (input.blade, input.machine);
     let q = blade.model_from_blade.rotation;
     let at = blade.model_from_blade.translation.vector;
-    let clamped = machine.machine_from_part(0.0);
+    let (clamped, axis, turn) = machine.shown_table();
     let turned = clamped.rotation;
     let bounds = blade.part.mesh.aabb();
     json!({
@@ -50,17 +50,11 @@ pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
                 "q": [turned.i, turned.j, turned.k, turned.w],
                 "t": clamped.translation.vector.as_slice(),
             },
-            "axis": [machine.table.axis_y_mm, machine.table.axis_z_mm],
+            "axis": axis,
             // Right-hand angle of the part about X: `turn[0] + turn[1] θ`.
-            "turn": [turn(machine, 0.0), turn(machine, 1.0) - turn(machine, 0.0)],
+            "turn": [turn(0.0), turn(1.0) - turn(0.0)],
         },
     })
-}
-
-/// Right-hand angle by which the table has turned the part where the tool axis is at `theta`, rad.
-fn turn(machine: &crate::machine::Machine, theta: f64) -> f64 {
-    // The whole turn of the part brings θ to 90°.
-    std::f64::consts::FRAC_PI_2 - theta - machine.mount.clamping_deg.to_radians()
 }
 
 fn path(input: &ReportInput, pack: &mut Pack) -> Value {

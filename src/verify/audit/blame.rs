@@ -20,14 +20,16 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
     if contact && checks::share_bad(scene) < WIDESPREAD {
         return Ok(out);
     }
+    let [.., first, second] = scene.bench.machine.axis_names();
     let leans = scene.moves.iter().any(|m| m.from[4] != 0.0 || m.to[4] != 0.0);
     if leans && well(scene, &other_b(scene.moves), scene.bench.machine)? {
-        let quantity = "with the other sign of B there is contact, and neither gouge nor touch: B has the wrong sign in the program, or in the machine file";
-        out.push(blamed(scene, "b-sign", quantity, |m| m.to[4] != 0.0));
+        let quantity = format!("with the other sign of {second} there is contact, and neither gouge nor touch: {second} has the wrong sign in the program, or in the machine file");
+        out.push(blamed(scene, "b-sign", &quantity, |m| m.to[4] != 0.0));
     }
     if well(scene, scene.moves, &other_a(scene.bench.machine))? {
-        let quantity = "with the other sense of A there is contact, and neither gouge nor touch: A turns the other way than table.positive_a_turns of the machine file says";
-        out.push(blamed(scene, "a-sense", quantity, |m| m.to[3] != 0.0));
+        let says = if scene.bench.machine.chain.is_empty() { "table.positive_a_turns" } else { "its direction" };
+        let quantity = format!("with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says");
+        out.push(blamed(scene, "a-sense", &quantity, |m| m.to[3] != 0.0));
     }
     Ok(out)
 }
@@ -42,12 +44,21 @@ fn other_b(moves: &[Moved]) -> Vec<Moved> {
     moves.iter().map(turned).collect()
 }
 
+/// The first rotary axis counted the other way.
 fn other_a(machine: &Machine) -> Machine {
     let mut other = machine.clone();
-    other.table.positive_a_turns = match machine.table.positive_a_turns {
-        PositiveA::Tool => PositiveA::Workpiece,
-        PositiveA::Workpiece => PositiveA::Tool,
-    };
+    if let Some(table) = &mut other.table {
+        table.positive_a_turns = match table.positive_a_turns {
+            PositiveA::Tool => PositiveA::Workpiece,
+            PositiveA::Workpiece => PositiveA::Tool,
+        };
+    }
+    if let [Some(first), _] = other.rotary_axes()
+        && let (false, Some(axis)) = (other.chain.is_empty(), other.axes.rotary_mut(first))
+    {
+        let [x, y, z] = axis.direction.unwrap_or_else(|| first.unit());
+        axis.direction = Some([-x, -y, -z]);
+    }
     other
 }
 

@@ -3,7 +3,6 @@
 use super::Scene;
 use super::legs::Kind;
 use super::report::{Limit, LineCheck, Worst};
-use crate::artifact::axis_motion::AXES;
 use crate::artifact::program::Programmed;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
@@ -158,7 +157,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
 /// Every axis that has an end of travel.
 pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
     let machine = scene.bench.machine;
-    let reached = reached(scene);
+    let (reached, names) = (reached(scene), machine.axis_names());
     let mut out = Vec::new();
     for (axis, limits) in machine.limits().iter().enumerate() {
         let Some([lo, hi]) = limits.travel else { continue };
@@ -171,8 +170,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
         let limit = Limit {
-            name: format!("{}-travel", AXES[axis].to_lowercase()),
-            quantity: format!("how far axis {} leaves its travel", AXES[axis]),
+            name: format!("{}-travel", names[axis].to_lowercase()),
+            quantity: format!("how far axis {} leaves its travel", names[axis]),
             limit: 0.0,
             unit: if axis >= 3 { "deg" } else { "mm" },
             passed: worst.1 <= ROUNDING,

@@ -94,8 +94,10 @@ impl Legs {
         }
         let [.., a, b] = m.at(f);
         self.centres.push(m.pose(f, bench.tool, bench.machine).centre);
-        self.theta.push(bench.machine.theta_of_a(a));
-        self.b_rad.push(bench.machine.lean_of_b(b));
+        let near = self.theta.last().copied().unwrap_or(0.0);
+        let [theta, lean] = bench.machine.theta_and_lean([a, b], near);
+        self.theta.push(theta);
+        self.b_rad.push(lean);
     }
 
     /// Which legs are of a kind.
@@ -123,11 +125,23 @@ impl Legs {
 fn parts(m: &Moved, bench: &Bench) -> usize {
     let turn = (m.to[3] - m.from[3]).abs().max((m.to[4] - m.from[4]).abs());
     let coarse = (turn / COARSE_RAD).ceil().clamp(1.0, 1e9);
-    let centre = |f: f64| m.pose(f, bench.tool, bench.machine).centre;
+    let (machine, reach) = (bench.machine, bench.tool.length_mm());
+    let pose = |f: f64| {
+        let [.., a, b] = m.at(f);
+        (m.pose(f, bench.tool, machine).centre, [a, b])
+    };
     // The deviation of a leg falls with the square of its length; it may differ along the move.
     let off = |k: f64| {
-        let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| centre(k / coarse));
-        (mid - nalgebra::center(&a, &b)).norm()
+        let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| pose(k / coarse));
+        let centre = (mid.0 - nalgebra::center(&a.0, &b.0)).norm();
+        // θ and lean change evenly with the rotary axes where one of these turns the blade.
+        if machine.turns_the_blade() && a.1[1] == b.1[1] {
+            return centre;
+        }
+        let from = machine.theta_and_lean(a.1, 0.0);
+        let [middle, to] = [mid.1, b.1].map(|rotary| machine.theta_and_lean(rotary, from[0]));
+        let turned = (middle[0] - 0.5 * (from[0] + to[0])).hypot(middle[1] - 0.5 * (from[1] + to[1]));
+        centre.max(turned * reach)
     };
     let worst = [0.0, (0.5 * coarse).floor(), coarse - 1.0].map(off).into_iter().fold(0.0, f64::max);
     let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };

@@ -34,8 +34,8 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
             // Where home is, is the machine's: from then on nothing is known.
             "GOHOME" => out.push(Block {
                 line,
-                place: Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 2] },
-                ways: [Way::To; 2],
+                place: Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] },
+                ways: [Way::To; 3],
                 feed: Feed::Rapid,
                 machine: true,
                 tool_length: false,
@@ -60,7 +60,7 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                 out.push(Block {
                     line,
                     place,
-                    ways: [Way::To; 2],
+                    ways: [Way::To; 3],
                     feed,
                     machine: false,
                     tool_length: false,

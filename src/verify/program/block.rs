@@ -3,12 +3,12 @@
 /// Where a line goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
-    /// Words of the programmed point (mm) and of rotary axes A and B (degrees); what is not given stays.
+    /// Words of the programmed point (mm) and of rotary axes (degrees); what is not given stays.
     Words {
         /// X, Y, Z.
         point: [Option<f64>; 3],
-        /// A and B.
-        rotary: [Option<f64>; 2],
+        /// A, B and C.
+        rotary: [Option<f64>; 3],
     },
     /// Words of the programmed point and the tool axis as a vector.
     Vector {
@@ -54,7 +54,7 @@ pub struct Block {
     /// Where to.
     pub place: Place,
     /// How the rotary words are meant.
-    pub ways: [Way; 2],
+    pub ways: [Way; 3],
     /// How fast.
     pub feed: Feed,
     /// Linear words are positions of the machine's axes, whatever the program's coordinates are otherwise.

@@ -11,8 +11,8 @@ use super::unreadable;
 use crate::artifact::program::{Language, Programmed};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
-use crate::machine::{Machine, Pose};
-use crate::tool::{self, Tool};
+use crate::machine::{AxisName, Machine, Pose};
+use crate::tool::Tool;
 
 /// Where the zero of a program's coordinates is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,8 @@ pub struct Moved {
     pub line: usize,
     /// What the first three numbers of `from` and `to` are.
     pub words: Programmed,
-    /// Before it: tip or ball centre in the blade frame or X, Y, Z of the machine, mm; A and B, rad, A over all turns.
+    /// Before it: tip or ball centre in the blade frame or X, Y, Z of the machine, mm; rotary axes as in
+    /// [`Machine::axis_names`], rad, over all turns.
     pub from: [f64; 5],
     /// After it.
     pub to: [f64; 5],
@@ -94,18 +95,18 @@ fn pose(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> Pos
     if words == Programmed::Machine {
         return machine.forward(at, tool.length_mm());
     }
-    let axis = tool::axis(machine.lean_of_b(b), machine.theta_of_a(a));
+    let axis = machine.axis_at([a, b]);
     let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
     Pose { centre: Point::new(x, y, z) + axis * lift, axis }
 }
 
-/// Positions of the axes where the words say; A and B are kept to the bit.
+/// Positions of the axes where the words say; the rotary ones are kept to the bit.
 fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f64; 5] {
     if words == Programmed::Machine {
         return *at;
     }
     let centre = pose(words, at, tool, machine).centre;
-    let [x, y, z, ..] = machine.inverse(&centre, machine.theta_of_a(at[3]), machine.lean_of_b(at[4]), tool.length_mm());
+    let [x, y, z] = machine.linear_at(&centre, [at[3], at[4]], tool.length_mm());
     [x, y, z, at[3], at[4]]
 }
 
@@ -144,7 +145,7 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
     Ok(out)
 }
 
-/// Where the axes stand at first: A and B at 0.
+/// Where the axes stand at first: rotary ones at 0.
 const UNKNOWN: [f64; 5] = [f64::NAN, f64::NAN, f64::NAN, 0.0, 0.0];
 
 struct Follower<'a> {
@@ -158,12 +159,12 @@ struct Follower<'a> {
 impl Follower<'_> {
     fn step(&mut self, block: &Block) -> Result<Moved> {
         let (point, rotary) = match block.place {
-            Place::Words { point, rotary } => (point, self.rotary(block, rotary)),
+            Place::Words { point, rotary } => (point, self.rotary(block, rotary)?),
             Place::Vector { point, axis } => {
                 let axis = self.bench.zero.blade_from_program.rotation * Vector::from(axis);
-                let near = self.bench.machine.rotary_of_axis(&axis, self.stands[3]);
+                let near = self.bench.machine.rotary_of_axis(&axis, [self.stands[3], self.stands[4]]);
                 let reached =
-                    near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, or none"))?;
+                    near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, out of reach, or none"))?;
                 (point, reached)
             }
         };
@@ -219,12 +220,20 @@ impl Follower<'_> {
     }
 
     /// Rotary positions after a line, rad.
-    fn rotary(&self, block: &Block, words: [Option<f64>; 2]) -> [f64; 2] {
+    fn rotary(&self, block: &Block, words: [Option<f64>; 3]) -> Result<[f64; 2]> {
         let mut to = [self.stands[3], self.stands[4]];
+        let axes = self.bench.machine.rotary_axes();
+        let own = [AxisName::A, AxisName::B, AxisName::C];
+        for (name, word) in own.into_iter().zip(words) {
+            if word.is_some() && !axes.contains(&Some(name)) {
+                return Err(unreadable(block.line, &format!("the machine has no axis {}", name.letter())));
+            }
+        }
         for (i, at) in to.iter_mut().enumerate() {
-            let Some(word) = words[i].map(f64::to_radians) else { continue };
+            let Some(letter) = own.iter().position(|n| Some(*n) == axes[i]) else { continue };
+            let Some(word) = words[letter].map(f64::to_radians) else { continue };
             let nearest = word + TAU * ((*at - word) / TAU).round();
-            *at = match block.ways[i] {
+            *at = match block.ways[letter] {
                 Way::By => *at + word,
                 Way::Shorter => nearest,
                 Way::Up => *at + (word - *at).rem_euclid(TAU),
@@ -233,7 +242,7 @@ impl Follower<'_> {
                 Way::To => word,
             };
         }
-        to
+        Ok(to)
     }
 }
 

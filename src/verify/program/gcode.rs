@@ -20,8 +20,8 @@ struct Modal {
 #[derive(Default)]
 struct Said {
     point: [Option<f64>; 3],
-    rotary: [Option<f64>; 2],
-    ways: [Way; 2],
+    rotary: [Option<f64>; 3],
+    ways: [Way; 3],
     vector: [Option<f64>; 3],
     feed: Option<f64>,
     machine: bool,
@@ -134,8 +134,8 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
             let axis = usize::from(address.as_bytes()[0] - b'X');
             said.point[axis] = Some(linear * number(value)?);
         }
-        "A" | "B" => {
-            let axis = usize::from(address == "B");
+        "A" | "B" | "C" => {
+            let axis = usize::from(address.as_bytes()[0] - b'A');
             let named = [("IC", Way::By), ("AC", Way::To), ("DC", Way::Shorter), ("ACP", Way::Up), ("ACN", Way::Down)];
             let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, *way)));
             let (plain, way) = called.unwrap_or((value, Way::To));

@@ -48,7 +48,7 @@ fn straight(
     feed: &mut Option<f64>,
 ) -> std::result::Result<Option<Block>, String> {
     let mut point = [None; 3];
-    let mut rotary = [None; 2];
+    let mut rotary = [None; 3];
     let mut axis = [None; 3];
     let (mut machine, mut rapid) = (false, false);
     for word in code.split_whitespace().skip(1) {
@@ -68,6 +68,7 @@ fn straight(
             _ if word.starts_with('Z') => point[2] = Some(number("Z")?),
             _ if word.starts_with('A') => rotary[0] = Some(number("A")?),
             _ if word.starts_with('B') => rotary[1] = Some(number("B")?),
+            _ if word.starts_with('C') => rotary[2] = Some(number("C")?),
             _ if word.starts_with('F') => *feed = Some(number("F")?),
             _ if word.starts_with('M') => {
                 number("M")?;
@@ -88,5 +89,5 @@ fn straight(
         (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
         _ => return Err("a straight block before any F".into()),
     };
-    Ok(Some(Block { line, place, ways: [Way::To; 2], feed, machine, tool_length: false, centre_point, tool_calls: 0 }))
+    Ok(Some(Block { line, place, ways: [Way::To; 3], feed, machine, tool_length: false, centre_point, tool_calls: 0 }))
 }

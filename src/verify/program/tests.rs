@@ -17,12 +17,12 @@ fn words_modes_and_comments() {
     .unwrap();
     assert_eq!(b.len(), 4);
     assert_eq!((b[0].line, b[0].feed), (4, Feed::Rapid));
-    assert_eq!(b[0].place, Place::Words { point: [Some(1.0), Some(-2.5), Some(3.0)], rotary: [None; 2] });
+    assert_eq!(b[0].place, Place::Words { point: [Some(1.0), Some(-2.5), Some(3.0)], rotary: [None; 3] });
     assert_eq!(b[1].feed, Feed::PerMinute(100.0));
     assert_eq!(b[2].feed, Feed::PerMove(2.0));
     assert_eq!(
         (b[2].ways, b[2].place),
-        ([Way::By, Way::To], Place::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0)] })
+        ([Way::By, Way::To, Way::To], Place::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0), None] })
     );
     assert!(b[3].machine && b[3].feed == Feed::Rapid);
 }

@@ -1,0 +1,364 @@
+//! Chains of axes in general: forward kinematics as a product of motions, inverse kinematics in closed form.
+//!
+//! A chain lists the axes from the workpiece to the tool. Every axis is a motion `E(q)` of all that follows it in the list, against all that comes
+//! before: a shift by `q` along a direction, or the right-hand turn by `q` about a line. Directions and lines are those of the machine while all axes read 0. So the
+//! tool, seen from the workpiece, is at (product of exponentials; Brockett 1984, Murray, Li and Sastry 1994, chapter 3)
+//!
+//! ```text
+//! T(q) = E₁(q₁) E₂(q₂) … Eₙ(qₙ),     ball centre  c = M⁻¹ T (g − L a₀),     tool axis  a = M⁻¹ T a₀
+//! ```
+//!
+//! with the gauge point `g` and the tool axis `a₀` while all axes read 0, the length `L` from ball centre to gauge point, and the place `M` of the blade.
+//! This is the sense of ISO 841 for every axis: positive is the tool going round, or along, the workpiece, whichever of the two really moves.
+//!
+//! ## Rotary axes
+//! With directions `u` and `v` of the first and the second rotary axis (from the workpiece), and `a` the tool axis wanted, `u·a = u·Rᵥ(q₂) a₀`, that is
+//!
+//! ```text
+//! k₀ + ρ cos(q₂ − φ) = u·a,   k₀ = (u·v)(v·a₀),   ρ cos φ = u·a₀ − k₀,   ρ sin φ = u·(v × a₀)
+//! q₂ = φ ± arccos((u·a − k₀)/ρ),   q₁: the angle about u from Rᵥ(q₂) a₀ to a
+//! ```
+//!
+//! The sign is one of two branches. A branch is taken for a whole plan: the tool axis runs round a cone about the blade axis, along which `u·a` has a
+//! least and a greatest value, so `q₂` has; the branch whose `q₂` keeps within travel is taken, of two the one that turns less far from 0.
+//!
+//! Where the first rotary axis is along the blade axis, `q₂` stands still and `q₁` turns as `θ` does: four axes move. Otherwise five move at once.
+//! `q₁` then follows `θ` over many turns where the cone goes round `u`, and swings to and fro where it does not; in both cases it is within half a
+//! turn of a line through the place where the cone is symmetric to the plane of `u` and the blade axis, so that it is a function of `θ` alone.
+//!
+//! ## Linear axes
+//! What they shift adds up: with the rotary axes known, their positions solve three linear equations, wherever in the chain they are.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::{Matrix3, Unit, UnitQuaternion};
+
+use super::Machine;
+use super::config::{AxisName, RotaryAxis};
+use super::kinematics::Pose;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Rigid, Vector};
+use crate::tool;
+
+/// Directions nearer to one another than this are parallel, rad.
+const PARALLEL_RAD: f64 = 1e-9;
+/// The tool axis must keep this far from the first rotary axis, rad: at 0 that axis would have to turn at once.
+const SINGULAR_RAD: f64 = 1e-3;
+/// Rounding of a cosine at the end of what an axis can reach.
+const ROUNDING: f64 = 1e-9;
+
+/// A rotary axis of a chain.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    direction: Unit<Vector>,
+    point: Point,
+    travel: Option<[f64; 2]>,
+}
+
+impl Turn {
+    fn new(name: AxisName, axis: &RotaryAxis) -> Option<Self> {
+        let direction = Vector::from(axis.direction.unwrap_or_else(|| name.unit()));
+        Some(Turn {
+            direction: Unit::try_new(direction, 1e-9)?,
+            point: Point::from(axis.point_mm.unwrap_or([0.0; 3])),
+            travel: axis.min_deg.zip(axis.max_deg).map(|(lo, hi)| [lo.to_radians(), hi.to_radians()]),
+        })
+    }
+    fn rotation(&self, q: f64) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_axis_angle(&self.direction, q)
+    }
+    fn motion(&self, q: f64) -> Rigid {
+        let rotation = self.rotation(q);
+        Rigid::from_parts((self.point - rotation * self.point).into(), rotation)
+    }
+}
+
+/// A chain ready to be computed with.
+#[derive(Clone, Debug)]
+pub(super) struct Chain {
+    /// From the workpiece.
+    first: Turn,
+    /// None: a machine of four axes.
+    second: Option<Turn>,
+    /// X, Y, Z: direction, and how many rotary axes come before.
+    linear: [(Vector, usize); 3],
+    gauge: Point,
+    tool: Vector,
+    /// Blade frame to the workpiece's side of the chain.
+    mount: Rigid,
+}
+
+/// How the rotary axes stand along a cone of tool axes.
+#[derive(Clone, Copy, Debug)]
+struct Posture {
+    /// Sign of the branch.
+    sign: f64,
+    /// Whole turns added to the second rotary axis, rad.
+    shift: f64,
+    /// How far the second rotary axis leaves its travel, rad.
+    excess: f64,
+}
+
+impl Chain {
+    /// The chain of a machine that has one; `None` where it has none or it is none.
+    pub(super) fn of(machine: &Machine) -> Option<Self> {
+        let mut turns = Vec::new();
+        let mut linear = [(Vector::zeros(), 0); 3];
+        for name in &machine.chain {
+            match name.linear() {
+                Some(k) => {
+                    let own = machine.axes.linear(k).direction.unwrap_or_else(|| name.unit());
+                    linear[k] = (Vector::from(own).try_normalize(1e-9)?, turns.len());
+                }
+                None => turns.push(Turn::new(*name, machine.axes.rotary(*name)?)?),
+            }
+        }
+        let spindle = machine.spindle.unwrap_or_default();
+        let along = Vector::from(machine.mount.along.unwrap_or([1.0, 0.0, 0.0])).try_normalize(1e-9)?;
+        // Straight back is half a turn about Z.
+        let placed = UnitQuaternion::rotation_between(&Vector::x(), &along)
+            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector::z_axis(), std::f64::consts::PI));
+        let clamped = UnitQuaternion::from_axis_angle(&Vector::x_axis(), machine.mount.clamping_deg.to_radians());
+        Some(Chain {
+            first: *turns.first()?,
+            second: turns.get(1).copied(),
+            linear,
+            gauge: Point::from(spindle.gauge_mm),
+            tool: Vector::from(spindle.direction).try_normalize(1e-9)?,
+            mount: Rigid::from_parts(Vector::from(machine.mount.offset_mm).into(), placed * clamped),
+        })
+    }
+
+    /// All rotary axes at these positions, the linear ones at 0.
+    fn turned(&self, [q1, q2]: [f64; 2]) -> Rigid {
+        let first = self.first.motion(q1);
+        self.second.map_or(first, |s| first * s.motion(q2))
+    }
+
+    /// Shifts of X, Y, Z seen from the workpiece, in columns.
+    fn shifts(&self, [q1, q2]: [f64; 2]) -> Matrix3<f64> {
+        let column = |(direction, before): &(Vector, usize)| match (before, &self.second) {
+            (0, _) => *direction,
+            (2, Some(s)) => self.first.rotation(q1) * (s.rotation(q2) * direction),
+            _ => self.first.rotation(q1) * direction,
+        };
+        Matrix3::from_columns(&[column(&self.linear[0]), column(&self.linear[1]), column(&self.linear[2])])
+    }
+
+    /// Whether X, Y, Z reach all places with the rotary axes at 0.
+    pub(super) fn spans_space(&self) -> bool {
+        self.shifts([0.0; 2]).determinant().abs() > 1e-3
+    }
+
+    pub(super) fn forward(&self, axes: &[f64; 5], gauge_length_mm: f64) -> Pose {
+        let [x, y, z, rotary @ ..] = *axes;
+        let turned = self.turned(rotary);
+        let at = turned * (self.gauge - self.tool * gauge_length_mm) + self.shifts(rotary) * Vector::new(x, y, z);
+        let blade = self.mount.inverse();
+        Pose { centre: blade * at, axis: blade * (turned * self.tool) }
+    }
+
+    /// The tool axis, blade frame.
+    pub(super) fn axis(&self, rotary: [f64; 2]) -> Vector {
+        self.mount.rotation.inverse() * (self.turned(rotary).rotation * self.tool)
+    }
+
+    /// X, Y, Z that bring the ball there; not numbers where their directions do not reach it.
+    pub(super) fn linear(&self, centre: &Point, rotary: [f64; 2], gauge_length_mm: f64) -> [f64; 3] {
+        let from = self.turned(rotary) * (self.gauge - self.tool * gauge_length_mm);
+        let shift = self.shifts(rotary);
+        let solved = shift.try_inverse().map(|inverse| inverse * (self.mount * centre - from));
+        solved.map_or([f64::NAN; 3], Into::into)
+    }
+
+    /// `k₀`, `ρ`, `φ` of the module's page; `None` for four axes, or a second axis that is along the first or along the tool.
+    fn second_axis(&self) -> Option<(f64, f64, f64)> {
+        let (u, s) = (self.first.direction, self.second?);
+        let k0 = u.dot(&s.direction) * s.direction.dot(&self.tool);
+        let [c, s] = [u.dot(&self.tool) - k0, u.dot(&s.direction.cross(&self.tool))];
+        let rho = c.hypot(s);
+        (rho > PARALLEL_RAD).then(|| (k0, rho, s.atan2(c)))
+    }
+
+    /// Positions of the second axis of both branches for a tool axis with that cosine to the first; `None`: out of reach.
+    fn second_of(&self, cosine: f64) -> Option<[f64; 2]> {
+        let Some((k0, rho, phi)) = self.second_axis() else {
+            let fixed = self.second.is_none() && (self.first.direction.dot(&self.tool) - cosine).abs() < ROUNDING;
+            return fixed.then_some([0.0; 2]);
+        };
+        let share = (cosine - k0) / rho;
+        let angle = (share.abs() <= 1.0 + ROUNDING).then(|| share.clamp(-1.0, 1.0).acos())?;
+        Some([phi + angle, phi - angle])
+    }
+
+    /// Least and greatest cosine between the first rotary axis and the tool axes of a cone.
+    fn cosines(&self, lean_rad: f64) -> [f64; 2] {
+        let w = self.first_in_blade();
+        let across = w.y.hypot(w.z);
+        let (along, apart) = (w.x * lean_rad.sin(), across * lean_rad.cos());
+        // Parallel: one value, to the bit.
+        if across < PARALLEL_RAD { [along; 2] } else { [along - apart, along + apart] }
+    }
+
+    fn first_in_blade(&self) -> Vector {
+        self.mount.rotation.inverse() * self.first.direction.into_inner()
+    }
+
+    /// Whether the first rotary axis is along the blade axis, and its sense then: 1 along x, -1 against it.
+    pub(super) fn along_blade(&self) -> Option<f64> {
+        let w = self.first_in_blade();
+        (w.y.hypot(w.z) < PARALLEL_RAD).then(|| w.x.signum())
+    }
+
+    /// The branch for a cone; `None`: a part of the cone is out of reach.
+    fn posture(&self, lean_rad: f64) -> Option<Posture> {
+        let [low, high] = self.cosines(lean_rad).map(|c| self.second_of(c));
+        let (low, high) = (low?, high?);
+        let one = |k: usize| {
+            let (a, b) = (low[k].min(high[k]), low[k].max(high[k]));
+            let (shift, excess) = placed([a, b], self.second.and_then(|s| s.travel));
+            let farthest = (a + shift).abs().max((b + shift).abs());
+            (Posture { sign: if k == 0 { 1.0 } else { -1.0 }, shift, excess }, farthest, a + b + 2.0 * shift)
+        };
+        let [p, n] = [one(0), one(1)];
+        // Of equals the one on the positive side.
+        let order = (p.0.excess - n.0.excess, p.1 - n.1, n.2 - p.2);
+        let first_of = [order.0, order.1, order.2].into_iter().find(|d| d.abs() > ROUNDING).unwrap_or(0.0);
+        Some(if first_of <= 0.0 { p.0 } else { n.0 })
+    }
+
+    /// Position of the first axis, within half a turn, that brings the tool axis over the workpiece's `a` with the second at `q2`.
+    fn first_of(&self, a: &Vector, q2: f64) -> f64 {
+        let u = self.first.direction;
+        let v = self.second.map_or(self.tool, |s| s.rotation(q2) * self.tool);
+        u.dot(&v.cross(a)).atan2(v.dot(a) - u.dot(&v) * u.dot(a))
+    }
+
+    /// Rotary positions for a lean and an angle `θ` over all turns; not numbers where the lean is out of reach.
+    pub(super) fn rotary(&self, theta: f64, lean_rad: f64) -> [f64; 2] {
+        let Some(posture) = self.posture(lean_rad) else { return [f64::NAN; 2] };
+        let one = |theta: f64| {
+            let a = self.mount * tool::axis(lean_rad, theta);
+            let both = self.second_of(self.first.direction.dot(&a))?;
+            let q2 = both[usize::from(posture.sign < 0.0)];
+            Some([self.first_of(&a, q2), q2 + posture.shift])
+        };
+        if let Some(sense) = self.along_blade() {
+            return one(0.0).map_or([f64::NAN; 2], |[q1, q2]| [q1 + sense * theta, q2]);
+        }
+        let w = self.first_in_blade();
+        let middle = w.z.atan2(w.y);
+        let (Some([centre, _]), Some([q1, q2])) = (one(middle), one(theta)) else { return [f64::NAN; 2] };
+        let (apart, half) = (w.x.clamp(-1.0, 1.0).acos(), FRAC_PI_2 - lean_rad);
+        // How often the axis turns while θ turns once.
+        let winds = f64::from(i8::from(apart < half) - i8::from(std::f64::consts::PI - apart < half));
+        let swing = if winds == 0.0 { FRAC_PI_2 } else { 0.0 };
+        let (shift, _) = placed([centre - swing, centre + swing], self.first.travel);
+        let near = centre + shift + winds * (theta - middle);
+        [near + wrapped(q1 - near), q2]
+    }
+
+    /// Rotary positions for a tool axis of the blade frame, of both branches and all turns those nearest to `near`, within travel where they can be.
+    pub(super) fn rotary_of_axis(&self, axis: &Vector, near: [f64; 2]) -> Option<[f64; 2]> {
+        let a = self.mount * axis.try_normalize(f64::MIN_POSITIVE)?;
+        let cosine = self.first.direction.dot(&a);
+        if !(1.0 - cosine.abs() > 1e-12 && near.iter().all(|v| v.is_finite())) {
+            return None;
+        }
+        let reached = self.second_of(cosine)?.map(|q2| {
+            let q1 = self.first_of(&a, q2);
+            let nearest = [near[0] + wrapped(q1 - near[0]), near[1] + wrapped(q2 - near[1])];
+            let outside = |turn: Option<Turn>, q: f64| {
+                let [lo, hi] = turn.and_then(|t| t.travel).unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+                (lo - q).max(q - hi).max(0.0)
+            };
+            // An axis with ends of travel may have to come from the other side.
+            let turned = |k: usize, turn: Option<Turn>| {
+                let tries = [0.0, TAU, -TAU].map(|t| nearest[k] + t);
+                tries.into_iter().min_by(|a, b| outside(turn, *a).total_cmp(&outside(turn, *b))).unwrap_or(nearest[k])
+            };
+            let q = [turned(0, Some(self.first)), turned(1, self.second)];
+            let out = outside(Some(self.first), q[0]) + outside(self.second, q[1]);
+            (out, (q[0] - near[0]).abs() + (q[1] - near[1]).abs(), q)
+        });
+        let [p, n] = reached;
+        let better = if (p.0 - n.0).abs() > ROUNDING { p.0 < n.0 } else { p.1 <= n.1 };
+        Some(if better { p.2 } else { n.2 })
+    }
+
+    /// `θ` and lean of the tool axis at rotary positions; `θ` over all turns where the first axis is along the blade, else nearest to `near`.
+    pub(super) fn theta_and_lean(&self, rotary: [f64; 2], near: f64) -> [f64; 2] {
+        if let Some(sense) = self.along_blade() {
+            let a = self.axis([0.0, rotary[1]]);
+            return [a.z.atan2(a.y) + sense * rotary[0], a.x.atan2(a.y.hypot(a.z))];
+        }
+        let a = self.axis(rotary);
+        let theta = a.z.atan2(a.y);
+        [near + wrapped(theta - near), a.x.atan2(a.y.hypot(a.z))]
+    }
+
+    /// `θ` between the ends of travel of the first rotary axis, where it turns the blade.
+    pub(super) fn theta_limits(&self, lean_rad: f64) -> Option<[f64; 2]> {
+        let (sense, [lo, hi]) = (self.along_blade()?, self.first.travel?);
+        let [zero, _] = self.rotary(0.0, lean_rad);
+        let [a, b] = [lo, hi].map(|q| sense * (q - zero));
+        zero.is_finite().then(|| [a.min(b), a.max(b)])
+    }
+
+    /// Whether a lean of the tool can be kept all round the blade.
+    pub(super) fn check_lean(&self, lean_rad: f64, names: [&str; 5]) -> Result<()> {
+        let deg = lean_rad.to_degrees();
+        let no = |what: String, advice: &str| Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()));
+        let Some(posture) = self.posture(lean_rad) else {
+            return match (self.second, self.along_blade()) {
+                (None, Some(sense)) => {
+                    let fixed = (sense * self.first.direction.dot(&self.tool)).clamp(-1.0, 1.0).asin().to_degrees();
+                    no(
+                        format!("the machine has no axis that leans the tool: it always leans by {fixed:.6} deg, machine.b_deg is {deg}"),
+                        "set machine.b_deg to that",
+                    )
+                }
+                (None, None) => no(
+                    format!("axis {} is not along the blade axis, and there is no other rotary axis", names[3]),
+                    "mount the blade along it (mount.along)",
+                ),
+                _ => no(
+                    format!("the rotary axes {} and {} do not reach the tool axis all round the blade at a lean of {deg} deg", names[3], names[4]),
+                    "mount the blade along the first rotary axis (mount.along), or change machine.b_deg",
+                ),
+            };
+        };
+        let off = self.cosines(lean_rad).map(|c| 1.0 - c.abs()).into_iter().fold(1.0, f64::min);
+        if off < 1.0 - SINGULAR_RAD.cos() {
+            let what = format!(
+                "at a lean of {deg} deg the tool axis comes along axis {}, which would have to turn by any angle at once (singular)",
+                names[3]
+            );
+            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
+        }
+        if posture.excess > ROUNDING {
+            let what = format!(
+                "at a lean of {deg} deg axis {} would leave its travel by {:.3} deg on either branch",
+                names[4],
+                posture.excess.to_degrees()
+            );
+            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
+        }
+        Ok(())
+    }
+}
+
+/// The angle within half a turn.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// The whole turns that bring a range into a travel, or nearest to 0 without one, and how far it stays outside.
+fn placed([a, b]: [f64; 2], travel: Option<[f64; 2]>) -> (f64, f64) {
+    let base = -TAU * (0.5 * (a + b) / TAU).round();
+    let Some([lo, hi]) = travel else { return (base, 0.0) };
+    let outside = |shift: f64| (lo - a - shift).max(b + shift - hi).max(0.0);
+    let turns = [0.0, 1.0, -1.0, 2.0, -2.0].map(|k| base + k * TAU);
+    let best = turns.into_iter().min_by(|s, t| outside(*s).total_cmp(&outside(*t))).unwrap_or(base);
+    (best, outside(best))
+}

@@ -1,0 +1,229 @@
+//! Chains of axes: against the closed form of the table-head machine, against themselves, and where they must refuse.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use proptest::prelude::*;
+
+use super::{AxisName, Machine, PositiveA, PositiveB, Spindle};
+use crate::error::ErrorKind;
+use crate::geometry::{Point, Vector};
+use crate::tool;
+
+const TRUNNION: &str = include_str!("../../models/machines/trunnion_ac.toml");
+const FORK: &str = include_str!("../../models/machines/fork_head_ca.toml");
+const NUTATING: &str = include_str!("../../models/machines/nutating_head_cb.toml");
+const FOUR: &str = include_str!("../../models/machines/four_axis_a.toml");
+
+fn machine(text: &str) -> Machine {
+    Machine::from_toml(text, "test").unwrap()
+}
+
+/// Table-table B-C: the trunnion's axis is Y.
+fn trunnion_bc() -> Machine {
+    let text = TRUNNION.replace("\"A\"", "\"B\"").replace("[axes.a]", "[axes.b]");
+    machine(&text.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -30.0\nmax_deg = 120.0"))
+}
+
+/// The blade stands askew on the trunnion's table: five axes move.
+fn askew() -> Machine {
+    machine(&TRUNNION.replace("along = [0.0, 0.0, 1.0]", "along = [0.3, 0.1, 1.0]\nclamping_deg = 20.0"))
+}
+
+/// The blade lies along X on the trunnion's table: C swings to and fro.
+fn lying() -> Machine {
+    machine(&TRUNNION.replace("along = [0.0, 0.0, 1.0]", "along = [1.0, 0.0, 0.0]").replace("min_deg = -120.0\nmax_deg = 30.0\n", ""))
+}
+
+fn all() -> Vec<(&'static str, Machine, f64)> {
+    vec![
+        ("trunnion A-C", machine(TRUNNION), 0.1),
+        ("trunnion B-C", trunnion_bc(), -0.2),
+        ("fork head C-A", machine(FORK), 0.1),
+        ("nutating head C-B", machine(NUTATING), 0.3),
+        ("four axes", machine(FOUR), 0.0),
+        ("askew", askew(), 0.4),
+        ("lying", lying(), 0.5),
+    ]
+}
+
+/// The table-head machine written as a chain.
+fn as_chain(m: &Machine) -> Machine {
+    let (table, head) = (m.table.unwrap(), m.head.unwrap());
+    let mut out = m.clone();
+    (out.table, out.head) = (None, None);
+    out.chain = vec![AxisName::A, AxisName::X, AxisName::Y, AxisName::Z, AxisName::B];
+    out.spindle = Some(Spindle::default());
+    let a = out.axes.a.as_mut().unwrap();
+    a.direction = Some(if table.positive_a_turns == PositiveA::Tool { [1.0, 0.0, 0.0] } else { [-1.0, 0.0, 0.0] });
+    a.point_mm = Some([0.0, table.axis_y_mm, table.axis_z_mm]);
+    let b = out.axes.b.as_mut().unwrap();
+    b.direction = Some(if head.positive_b_leans == PositiveB::PlusX { [0.0, 1.0, 0.0] } else { [0.0, -1.0, 0.0] });
+    b.point_mm = Some([-head.spindle_offset_mm, 0.0, head.pivot_length_mm]);
+    Machine::from_toml(&toml::to_string(&out).unwrap(), "chain").unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #[test]
+    fn a_table_head_machine_is_a_chain_like_any_other(
+        c in prop::array::uniform3(-300.0..300.0f64), theta in -30.0..30.0f64, lean in -1.5..1.5f64,
+        gauge in 0.0..400.0f64, clamp in -360.0..360.0f64, axis_at in prop::array::uniform2(-100.0..100.0f64),
+        passes in -50.0..50.0f64, iso in any::<bool>(), plus in any::<bool>(),
+    ) {
+        let mut m = Machine::demo().unwrap();
+        m.mount.clamping_deg = clamp;
+        let t = m.table.as_mut().unwrap();
+        [t.axis_y_mm, t.axis_z_mm] = axis_at;
+        t.positive_a_turns = if iso { PositiveA::Tool } else { PositiveA::Workpiece };
+        let h = m.head.as_mut().unwrap();
+        h.spindle_offset_mm = passes;
+        h.positive_b_leans = if plus { PositiveB::PlusX } else { PositiveB::MinusX };
+        let chain = as_chain(&m);
+        let centre = Point::from(c);
+        let (p, q) = (m.inverse(&centre, theta, lean, gauge), chain.inverse(&centre, theta, lean, gauge));
+        for k in 0..5 {
+            // A may be counted from another turn.
+            let off = if k == 3 { (p[k] - q[k]) - TAU * ((p[k] - q[k]) / TAU).round() } else { p[k] - q[k] };
+            prop_assert!(off.abs() < 1e-8, "{p:?} {q:?}");
+        }
+        let (a, b) = (m.forward(&p, gauge), chain.forward(&p, gauge));
+        prop_assert!((a.centre - b.centre).norm() < 1e-9 && (a.axis - b.axis).norm() < 1e-11);
+    }
+
+    #[test]
+    fn forward_undoes_inverse_on_every_chain(
+        which in 0..7usize, c in prop::array::uniform3(-200.0..200.0f64), theta in -60.0..60.0f64, gauge in 0.0..400.0f64,
+        more in -0.05..0.05f64,
+    ) {
+        let (name, m, lean) = all().swap_remove(which);
+        let lean = if m.rotary_axes()[1].is_some() { lean + more } else { lean };
+        let centre = Point::from(c);
+        let q = m.inverse(&centre, theta, lean, gauge);
+        let pose = m.forward(&q, gauge);
+        prop_assert!((pose.centre - centre).norm() < 1e-9, "{name}: {q:?}");
+        prop_assert!((pose.axis - tool::axis(lean, theta)).norm() < 1e-11, "{name}: {q:?}");
+        let rotary = [q[3], q[4]];
+        prop_assert!((m.axis_at(rotary) - pose.axis).norm() < 1e-12);
+        let linear = m.linear_at(&centre, rotary, gauge);
+        prop_assert!((Vector::from(linear) - Vector::new(q[0], q[1], q[2])).norm() < 1e-9);
+        let [t, l] = m.theta_and_lean(rotary, theta + 1.0);
+        let turns = (t - theta) / TAU;
+        prop_assert!((turns - turns.round()).abs() < 1e-9 && (l - lean).abs() < 1e-9, "{name}: {t} {theta}");
+        // A vector is placed on the same branch, from nearby.
+        let again = m.rotary_of_axis(&pose.axis, [q[3] + 0.3, q[4] + 0.05]).unwrap();
+        prop_assert!((again[0] - q[3]).abs() < 1e-7 && (again[1] - q[4]).abs() < 1e-7, "{name}: {again:?} {q:?}");
+    }
+}
+
+/// Rotary positions over three turns of θ, every half degree.
+fn over_turns(m: &Machine, lean: f64) -> Vec<[f64; 2]> {
+    (0..=2160).map(|k| m.rotary_of((f64::from(k) * 0.5).to_radians(), lean)).collect()
+}
+
+#[test]
+fn rotary_axes_run_on_without_a_jump_and_within_travel() {
+    for (name, m, lean) in all() {
+        m.check_lean(lean).unwrap();
+        let q = over_turns(&m, lean);
+        // The axis near the cone's edge is as fast as 1 / sin of what is between them.
+        let fastest = q.windows(2).flat_map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).fold(0.0, |m: f64, d| m.max(d.abs()));
+        assert!(fastest < 0.06, "{name}: {fastest}");
+        let travel = m.limits()[4].travel;
+        assert!(travel.is_none_or(|[lo, hi]| q.iter().all(|q| (lo..=hi).contains(&q[1]))), "{name}");
+        let turned = (q.last().unwrap()[0] - q[0][0]) / TAU;
+        let wanted = if name == "lying" { 0.0 } else { 3.0 };
+        assert!((turned.abs() - wanted).abs() < 1e-9, "{name}: {turned}");
+        let still = q.iter().all(|r| (r[1] - q[0][1]).abs() < 1e-15);
+        assert_eq!(still, m.turns_the_blade(), "{name}");
+        assert_eq!(still, !["askew", "lying"].contains(&name), "{name}");
+    }
+}
+
+#[test]
+fn hand_worked_poses() {
+    // Blade upright on the trunnion: at θ = 0 its y comes up, so A is −85° for a lean of 5°, and the tool of 100 mm stands over the point.
+    let m = machine(TRUNNION);
+    let lean = 5f64.to_radians();
+    let q = m.inverse(&Point::new(20.0, 0.0, 0.0), 0.0, lean, 100.0);
+    assert!((q[4] + 85f64.to_radians()).abs() < 1e-12, "{q:?}");
+    // The point is where the trunnion's axis is, 80 mm up, so tilting leaves it there.
+    assert!((q[0].abs(), q[1].abs(), (q[2] - 180.0).abs()) < (1e-9, 1e-9, 1e-9), "{q:?}");
+    // The fork's pivot is 320 mm along the tool axis from the ball, and reads 220 mm less.
+    let f = machine(FORK);
+    let q = f.inverse(&Point::new(0.0, 0.0, 0.0), 0.3, lean, 100.0);
+    let out = Vector::new(q[0] - 2000.0, q[1], q[2] + 220.0 - 300.0);
+    assert!((out.norm() - 320.0).abs() < 1e-9 && (out.z - 320.0 * lean.sin()).abs() < 1e-9, "{q:?}");
+    // A nutating head reaches the horizontal at half a turn.
+    let n = machine(NUTATING);
+    assert!((n.rotary_of(0.0, 1e-6)[1] - PI).abs() < 3e-3);
+    assert!((n.rotary_of(0.0, FRAC_PI_2 - 1e-3)[1]).abs() < 3e-3);
+}
+
+#[test]
+fn what_a_chain_cannot_do_is_said() {
+    for (m, lean, says) in [
+        (machine(NUTATING), -0.1, "do not reach"),
+        (machine(FOUR), 0.1, "always leans by 0.000000 deg"),
+        (machine(&FOUR.replace("[mount]", "[mount]\nalong = [0.0, 1.0, 1.0]")), 0.0, "not along the blade axis"),
+        (lying(), 1e-4, "singular"),
+        (machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -60.0\nmax_deg = 60.0")), 0.1, "leave its travel by 24.270 deg"),
+    ] {
+        let e = m.check_lean(lean).unwrap_err();
+        assert_eq!(e.kind, ErrorKind::Infeasible);
+        assert!(e.message.contains(says), "{}", e.message);
+        assert!(!m.leans(lean));
+    }
+    assert!(Machine::demo().unwrap().leans(1.5) && !Machine::demo().unwrap().leans(1.53));
+    let m = machine(TRUNNION);
+    assert_eq!(m.rotary_of_axis(&Vector::zeros(), [0.0; 2]), None);
+    assert_eq!(m.rotary_of_axis(&Vector::x(), [0.0; 2]), None, "the blade's x is along C");
+}
+
+#[test]
+fn the_other_branch_is_taken_where_travel_asks_for_it() {
+    let other = machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -30.0\nmax_deg = 120.0"));
+    for (m, sign) in [(machine(TRUNNION), -1.0), (other, 1.0)] {
+        let [_, a] = m.rotary_of(1.0, 0.1);
+        assert!((a - sign * (FRAC_PI_2 - 0.1)).abs() < 1e-12, "{a}");
+    }
+    // Ends of travel of the axis that turns the blade are ends of θ.
+    let short = machine(&FORK.replace("[axes.c]", "[axes.c]\nmin_deg = -360.0\nmax_deg = 360.0"));
+    let [lo, hi] = short.theta_limits(0.1).unwrap();
+    assert!((hi - lo - 2.0 * TAU).abs() < 1e-12);
+    assert!((short.rotary_of(hi, 0.1)[0].abs() - TAU).abs() < 1e-12);
+    assert_eq!(machine(FORK).theta_limits(0.1), None);
+}
+
+#[test]
+fn bad_chains_are_usage_errors_that_say_what() {
+    for (from, to, says) in [
+        ("\"Y\", ", "", "X, Y, Z and one or two of A, B, C"),
+        ("\"Y\", \"Z\"", "\"Y\", \"Y\"", "axis Y twice"),
+        ("[\"C\"", "[\"B\"", "axis A"),
+        ("[axes.c]", "[axes.b]", "axis B must be in the chain"),
+        ("along = [0.0, 0.0, 1.0]", "along = [0.0, 0.0, 0.0]", "no direction"),
+        ("along = [0.0, 0.0, 1.0]", "along = [nan, 0.0, 1.0]", "mount.along"),
+        ("[axes.z]\n", "[axes.z]\ndirection = [1.0, 1.0, 0.0]\n", "lie in a plane"),
+        ("min_deg = -120.0\n", "", "only one of"),
+        ("[mount]", "[spindle]\ndirection = [0.0, 0.0, 0.0]\n[mount]", "no direction"),
+        ("[mount]", "[head]\npivot_length_mm = 1.0\n[mount]", "both a chain"),
+    ] {
+        let text = TRUNNION.replacen(from, to, 1);
+        assert_ne!(text, TRUNNION, "{from}");
+        let e = Machine::from_toml(&text, "m.toml").unwrap_err();
+        assert_eq!(e.kind, ErrorKind::Usage);
+        assert!(e.message.contains(says) || from == "[\"C\"", "{says}: {}", e.message);
+    }
+    let demo = super::DEMO_TOML;
+    for (from, to, says) in [
+        ("clamping_deg = 0.0", "along = [0.0, 0.0, 1.0]", "for machines with a chain"),
+        ("[head]", "[axes.c]", "pivot_length_mm"),
+    ] {
+        let e = Machine::from_toml(&demo.replacen(from, to, 1), "m.toml").unwrap_err();
+        assert!(e.message.contains(says), "{}", e.message);
+    }
+    assert_eq!(machine(FOUR).axis_names(), ["X", "Y", "Z", "A", "B"]);
+    assert_eq!(machine(TRUNNION).axis_names(), ["X", "Y", "Z", "C", "A"]);
+    assert_eq!(Machine::demo().unwrap().axis_names(), ["X", "Y", "Z", "A", "B"]);
+}
