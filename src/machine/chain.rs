@@ -46,6 +46,8 @@ const PARALLEL_RAD: f64 = 1e-9;
 const SINGULAR_RAD: f64 = 1e-3;
 /// Rounding of a cosine at the end of what an axis can reach.
 const ROUNDING: f64 = 1e-9;
+/// The same for a tool axis that was read from a program: its words are rounded. What is reached is a position; it is the axis there that counts.
+const WORDS: f64 = 1e-4;
 
 /// A rotary axis of a chain.
 #[derive(Clone, Copy, Debug)]
@@ -180,14 +182,14 @@ impl Chain {
         (rho > PARALLEL_RAD).then(|| (k0, rho, s.atan2(c)))
     }
 
-    /// Positions of the second axis of both branches for a tool axis with that cosine to the first; `None`: out of reach.
-    fn second_of(&self, cosine: f64) -> Option<[f64; 2]> {
+    /// Positions of the second axis of both branches for a tool axis with that cosine to the first; `None`: out of reach by more than `slack`.
+    fn second_of(&self, cosine: f64, slack: f64) -> Option<[f64; 2]> {
         let Some((k0, rho, phi)) = self.second_axis() else {
-            let fixed = self.second.is_none() && (self.first.direction.dot(&self.tool) - cosine).abs() < ROUNDING;
+            let fixed = self.second.is_none() && (self.first.direction.dot(&self.tool) - cosine).abs() < slack;
             return fixed.then_some([0.0; 2]);
         };
         let share = (cosine - k0) / rho;
-        let angle = (share.abs() <= 1.0 + ROUNDING).then(|| share.clamp(-1.0, 1.0).acos())?;
+        let angle = (share.abs() <= 1.0 + slack).then(|| share.clamp(-1.0, 1.0).acos())?;
         Some([phi + angle, phi - angle])
     }
 
@@ -212,7 +214,7 @@ impl Chain {
 
     /// The branch for a cone; `None`: a part of the cone is out of reach.
     fn posture(&self, lean_rad: f64) -> Option<Posture> {
-        let [low, high] = self.cosines(lean_rad).map(|c| self.second_of(c));
+        let [low, high] = self.cosines(lean_rad).map(|c| self.second_of(c, ROUNDING));
         let (low, high) = (low?, high?);
         let one = |k: usize| {
             let (a, b) = (low[k].min(high[k]), low[k].max(high[k]));
@@ -239,7 +241,7 @@ impl Chain {
         let Some(posture) = self.posture(lean_rad) else { return [f64::NAN; 2] };
         let one = |theta: f64| {
             let a = self.mount * tool::axis(lean_rad, theta);
-            let both = self.second_of(self.first.direction.dot(&a))?;
+            let both = self.second_of(self.first.direction.dot(&a), ROUNDING)?;
             let q2 = both[usize::from(posture.sign < 0.0)];
             Some([self.first_of(&a, q2), q2 + posture.shift])
         };
@@ -265,7 +267,7 @@ impl Chain {
         if !(1.0 - cosine.abs() > 1e-12 && near.iter().all(|v| v.is_finite())) {
             return None;
         }
-        let reached = self.second_of(cosine)?.map(|q2| {
+        let reached = self.second_of(cosine, WORDS)?.map(|q2| {
             let q1 = self.first_of(&a, q2);
             let nearest = [near[0] + wrapped(q1 - near[0]), near[1] + wrapped(q2 - near[1])];
             let outside = |turn: Option<Turn>, q: f64| {
@@ -314,7 +316,9 @@ impl Chain {
                 (None, Some(sense)) => {
                     let fixed = (sense * self.first.direction.dot(&self.tool)).clamp(-1.0, 1.0).asin().to_degrees();
                     no(
-                        format!("the machine has no axis that leans the tool: it always leans by {fixed:.6} deg, machine.b_deg is {deg}"),
+                        format!(
+                            "the machine has no axis that leans the tool: it always leans by {fixed:.6} deg, machine.b_deg is {deg}"
+                        ),
                         "set machine.b_deg to that",
                     )
                 }
@@ -323,7 +327,10 @@ impl Chain {
                     "mount the blade along it (mount.along)",
                 ),
                 _ => no(
-                    format!("the rotary axes {} and {} do not reach the tool axis all round the blade at a lean of {deg} deg", names[3], names[4]),
+                    format!(
+                        "the rotary axes {} and {} do not reach the tool axis all round the blade at a lean of {deg} deg",
+                        names[3], names[4]
+                    ),
                     "mount the blade along the first rotary axis (mount.along), or change machine.b_deg",
                 ),
             };

@@ -32,7 +32,11 @@ fn askew() -> Machine {
 
 /// The blade lies along X on the trunnion's table: C swings to and fro.
 fn lying() -> Machine {
-    machine(&TRUNNION.replace("along = [0.0, 0.0, 1.0]", "along = [1.0, 0.0, 0.0]").replace("min_deg = -120.0\nmax_deg = 30.0\n", ""))
+    machine(
+        &TRUNNION
+            .replace("along = [0.0, 0.0, 1.0]", "along = [1.0, 0.0, 0.0]")
+            .replace("min_deg = -120.0\nmax_deg = 30.0\n", ""),
+    )
 }
 
 fn all() -> Vec<(&'static str, Machine, f64)> {
@@ -127,7 +131,8 @@ fn rotary_axes_run_on_without_a_jump_and_within_travel() {
         m.check_lean(lean).unwrap();
         let q = over_turns(&m, lean);
         // The axis near the cone's edge is as fast as 1 / sin of what is between them.
-        let fastest = q.windows(2).flat_map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).fold(0.0, |m: f64, d| m.max(d.abs()));
+        let fastest =
+            q.windows(2).flat_map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).fold(0.0, |m: f64, d| m.max(d.abs()));
         assert!(fastest < 0.06, "{name}: {fastest}");
         let travel = m.limits()[4].travel;
         assert!(travel.is_none_or(|[lo, hi]| q.iter().all(|q| (lo..=hi).contains(&q[1]))), "{name}");
@@ -167,7 +172,11 @@ fn what_a_chain_cannot_do_is_said() {
         (machine(FOUR), 0.1, "always leans by 0.000000 deg"),
         (machine(&FOUR.replace("[mount]", "[mount]\nalong = [0.0, 1.0, 1.0]")), 0.0, "not along the blade axis"),
         (lying(), 1e-4, "singular"),
-        (machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -60.0\nmax_deg = 60.0")), 0.1, "leave its travel by 24.270 deg"),
+        (
+            machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -60.0\nmax_deg = 60.0")),
+            0.1,
+            "leave its travel by 24.270 deg",
+        ),
     ] {
         let e = m.check_lean(lean).unwrap_err();
         assert_eq!(e.kind, ErrorKind::Infeasible);

@@ -64,7 +64,8 @@ impl Machine {
     /// Limits of all axes in the order of [`Machine::axis_names`]. An axis that is not there has no ends of travel.
     pub fn limits(&self) -> [AxisLimits; 5] {
         let a = &self.axes;
-        let [first, second] = self.rotary_axes().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
+        let [first, second] =
+            self.rotary_axes().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
         [a.x.limits(), a.y.limits(), a.z.limits(), first, second]
     }
 
@@ -159,7 +160,11 @@ impl Machine {
             return bad(origin, "a machine without a chain has the rotary axes [axes.a] and [axes.b]".into());
         }
         let placed = [&a.a, &a.b].into_iter().flatten().any(|r| r.direction.is_some() || r.point_mm.is_some());
-        if placed || (0..3).any(|k| a.linear(k).direction.is_some()) || self.mount.along.is_some() || self.spindle.is_some() {
+        if placed
+            || (0..3).any(|k| a.linear(k).direction.is_some())
+            || self.mount.along.is_some()
+            || self.spindle.is_some()
+        {
             return bad(origin, "direction, point_mm, mount.along and [spindle] are for machines with a chain".into());
         }
         match self.limits()[4].travel {
@@ -185,7 +190,10 @@ impl Machine {
         for name in [AxisName::A, AxisName::B, AxisName::C] {
             let key = name.letter().to_lowercase();
             if self.chain.contains(&name) != self.axes.rotary(name).is_some() {
-                return bad(origin, format!("axis {} must be in the chain and have a table [axes.{key}]", name.letter()));
+                return bad(
+                    origin,
+                    format!("axis {} must be in the chain and have a table [axes.{key}]", name.letter()),
+                );
             }
         }
         match Chain::of(self) {

@@ -40,9 +40,18 @@
 //! and machine zero as work zero. A control with tool-centre-point kinematics (Siemens `TRAORI`) is programmed with
 //! the tool tip in the blade frame instead.
 //!
+//! ## Chains
+//! A machine file may have a `chain` instead of table and head: all axes from the workpiece to the tool, each with direction, point and travel, one or two of them
+//! rotary, in any order: two tables, table and head, two heads, four axes. Directions need not be square to one another (nutating heads). Positive is always the tool
+//! against the workpiece (ISO 841). Equations are on the page of `chain.rs`; the table-head form above is a chain too (a test holds both against each other) and
+//! keeps its own closed form. `mount.along` says where the blade axis points. Along the first rotary axis, as a process engineer would clamp a blade,
+//! that axis turns the blade and the second stands still at what the lean of the job asks for; otherwise both rotary axes move, all five axes at once, and
+//! programs say so. What a chain cannot do at a lean (out of reach, beyond travel on either branch, the tool axis within 0.06 degrees of the first rotary axis) is
+//! said before anything is planned ([`Machine::check_lean`]).
+//!
 //! ## Limits
 //! `|B| < 90°`: at 90° the tool axis is along X and `A` places nothing; machine files must keep within ±89.9°.
-//! There is one branch: the other solution, `180° − B`, is outside that range. Velocity, acceleration and jerk say
+//! Without a chain there is one branch: the other solution, `180° − B`, is outside that range. Velocity, acceleration and jerk say
 //! where they come from ([`Provenance`]).
 
 mod chain;
@@ -54,7 +63,8 @@ mod kinematics;
 mod travel;
 
 pub use config::{
-    Axes, AxisLimits, AxisName, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance, RotaryAxis, Spindle, Table,
+    Axes, AxisLimits, AxisName, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance,
+    RotaryAxis, Spindle, Table,
 };
 pub use kinematics::Pose;
 pub use travel::TravelFinding;

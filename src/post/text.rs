@@ -230,6 +230,9 @@ fn notes(run: &Run, lines: &mut Lines) {
     }
     if run.ends.iter().any(|e| !e.clear) {
         lines.comment("CAUTION  the travel of the machine ends before the tool is clear of the turning part:");
-        lines.comment(&format!("         approach and retract are shortened, and {} is not unwound at the end.", run.machine.axis_names()[3]));
+        lines.comment(&format!(
+            "         approach and retract are shortened, and {} is not unwound at the end.",
+            run.machine.axis_names()[3]
+        ));
     }
 }

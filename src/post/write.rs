@@ -127,7 +127,8 @@ impl<'a> Writer<'a> {
             true => format!("{b_name} is fixed"),
             false => format!("{a_name} and {b_name} move together"),
         };
-        let along = m.along.map_or_else(String::new, |[x, y, z]| format!(" Blade axis along machine {x:.6} {y:.6} {z:.6}."));
+        let along =
+            m.along.map_or_else(String::new, |[x, y, z]| format!(" Blade axis along machine {x:.6} {y:.6} {z:.6}."));
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),

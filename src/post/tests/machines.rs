@@ -66,7 +66,8 @@ fn chains() -> Vec<(Machine, [&'static str; 2])> {
     // A fixed spindle that leans by what the plan asks for.
     let four = FOUR.replace("[mount]", &format!("[spindle]\ndirection = [{s}, 0.0, {c}]\n[mount]"));
     let askew = TRUNNION.replace("along = [0.0, 0.0, 1.0]", "along = [0.2, 0.1, 1.0]");
-    let all = [(TRUNNION, ["C", "A"]), (FORK, ["C", "A"]), (NUTATING, ["C", "B"]), (&four, ["A", ""]), (&askew, ["C", "A"])];
+    let all =
+        [(TRUNNION, ["C", "A"]), (FORK, ["C", "A"]), (NUTATING, ["C", "B"]), (&four, ["A", ""]), (&askew, ["C", "A"])];
     all.into_iter().map(|(text, letters)| (Machine::from_toml(text, "test").unwrap(), letters)).collect()
 }
 
@@ -85,15 +86,25 @@ fn every_dialect_reads_back_on_every_chain() {
             assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
             let cutting: Vec<&str> = p.text.lines().filter(|l| l.contains(" X") && l.contains(" F")).collect();
             let line = cutting.iter().rev().nth(4).copied().unwrap_or("");
-            let has = |letter: &str| !letter.is_empty() && line.split(' ').any(|w| w.starts_with(letter) && !w[1..].starts_with('3'));
+            let has = |letter: &str| {
+                !letter.is_empty() && line.split(' ').any(|w| w.starts_with(letter) && !w[1..].starts_with('3'))
+            };
             match control {
                 Control::SiemensVector | Control::HeidenhainVector | Control::FanucVector | Control::Apt => {}
-                Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => assert!(has(first) && has(second) == !second.is_empty(), "{control:?} {line}"),
+                Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => {
+                    assert!(has(first) && has(second) == !second.is_empty(), "{control:?} {line}")
+                }
                 // Under tool-centre-point control what stands still is told once.
                 _ => assert!(has(first) && has(second) == (k == 4), "{control:?} {line}"),
             }
             if !second.is_empty() && control != Control::Apt {
-                let start = [format!(" {second}="), format!(" {second}-"), format!(" {second}+"), format!(" {second}1"), format!(" {second}8")];
+                let start = [
+                    format!(" {second}="),
+                    format!(" {second}-"),
+                    format!(" {second}+"),
+                    format!(" {second}1"),
+                    format!(" {second}8"),
+                ];
                 assert!(start.iter().any(|s| p.text.contains(s)), "{control:?}");
             }
             // The ball touches the part at a location, and the tool axis is the plan's.

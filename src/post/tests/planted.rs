@@ -198,7 +198,11 @@ fn a_gouge_of_five_micrometres_is_found() {
         let out = Vector::new(0.0, pose.centre.y, pose.centre.z).normalize();
         let machine = s.program.language.programmed == crate::artifact::program::Programmed::Machine;
         let inward = out * -0.005;
-        let d = if machine { s.machine.shown_part(s.machine.theta_and_lean([cut.to[3], cut.to[4]], 0.0)[0]).rotation * inward } else { inward };
+        let d = if machine {
+            s.machine.shown_part(s.machine.theta_and_lean([cut.to[3], cut.to[4]], 0.0)[0]).rotation * inward
+        } else {
+            inward
+        };
         let text = s.changed(cut.line, |b| vec![with_point(b, &|i, v| v + d[i])]);
         let found = s.failing(&text);
         s.only(&found, &["gouge"]);

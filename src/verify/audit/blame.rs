@@ -23,12 +23,16 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
     let [.., first, second] = scene.bench.machine.axis_names();
     let leans = scene.moves.iter().any(|m| m.from[4] != 0.0 || m.to[4] != 0.0);
     if leans && well(scene, &other_b(scene.moves), scene.bench.machine)? {
-        let quantity = format!("with the other sign of {second} there is contact, and neither gouge nor touch: {second} has the wrong sign in the program, or in the machine file");
+        let quantity = format!(
+            "with the other sign of {second} there is contact, and neither gouge nor touch: {second} has the wrong sign in the program, or in the machine file"
+        );
         out.push(blamed(scene, "b-sign", &quantity, |m| m.to[4] != 0.0));
     }
     if well(scene, scene.moves, &other_a(scene.bench.machine))? {
         let says = if scene.bench.machine.chain.is_empty() { "table.positive_a_turns" } else { "its direction" };
-        let quantity = format!("with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says");
+        let quantity = format!(
+            "with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says"
+        );
         out.push(blamed(scene, "a-sense", &quantity, |m| m.to[3] != 0.0));
     }
     Ok(out)

@@ -163,8 +163,9 @@ impl Follower<'_> {
             Place::Vector { point, axis } => {
                 let axis = self.bench.zero.blade_from_program.rotation * Vector::from(axis);
                 let near = self.bench.machine.rotary_of_axis(&axis, [self.stands[3], self.stands[4]]);
-                let reached =
-                    near.ok_or_else(|| unreadable(block.line, "the tool axis is along the rotary axis, out of reach, or none"))?;
+                let reached = near.ok_or_else(|| {
+                    unreadable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
+                })?;
                 (point, reached)
             }
         };
