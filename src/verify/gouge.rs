@@ -86,9 +86,7 @@ fn measure_moves(
     let length = |i: usize| (sweep.centres[i + 1] - sweep.centres[i]).norm();
     let longest = moves.clone().filter(|i| sweep.counts(*i)).map(length).fold(0.0, f64::max);
     let cap = radius + longest.max(reach_mm);
-    let distance = |c: &Point| {
-        far_off(part, c, cap, radius).unwrap_or_else(|| part.closest(c, cap).map_or(cap, |f| f.distance_mm))
-    };
+    let distance = |c: &Point| part.closest(c, cap).map_or(cap, |f| f.distance_mm);
     let mut worst = Gouge::none();
     let see = |worst: &mut Gouge, segment: usize, centre: Point, d: f64| {
         if radius - d > worst.found_mm {
@@ -126,18 +124,6 @@ fn measure_moves(
         d0 = d1;
     }
     worst
-}
-
-/// A bound of the distance of a place of a long move that is farther than two radii from the part, by its mesh; `None` nearer by. Exact faces
-/// are not asked: from afar, about the axis of a face that is round, all of it may be equally near.
-fn far_off(part: &Allowed, c: &Point, cap_mm: f64, radius_mm: f64) -> Option<f64> {
-    let near_mm = 2.0 * radius_mm;
-    if cap_mm <= near_mm {
-        return None;
-    }
-    let off_mm = part.stock_mm + part.deflection_mm;
-    let least = part.closest_on_mesh(c, cap_mm + off_mm).map_or(cap_mm, |f| f.distance_mm - off_mm);
-    (least > near_mm).then_some(least)
 }
 
 /// The moves that cut deeper than `limit_mm` at an end or in the middle.

@@ -49,6 +49,14 @@ impl Shape<'_> {
         d.dvv *= v[1] * v[1];
         d
     }
+    /// Whether a side of a rectangle lies on a crease, or whether that is not known.
+    pub fn sharp(&self, rect: &Rect) -> bool {
+        let Some(t) = self.table else { return true };
+        let side = |a: usize, end: usize| {
+            (rect.range[a][end].abs() - 1.0).abs() < 1e-12 && t.creased(a, rect.span[a] as usize, end)
+        };
+        (0..4).any(|k| side(k / 2, k % 2))
+    }
     /// From a span's coordinates to the face's parameters.
     pub fn uv(&self, span: [u32; 2], st: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|a| {
@@ -143,6 +151,10 @@ pub(super) struct Leaf {
     pub lesser: [f64; 2],
     /// Sine, and one minus cosine, of the greatest angle between a normal of the piece and the slab's.
     pub turn: [f64; 2],
+    /// The same seen along the slab's first and second axis: greatest slope of a normal (tangent of the angle).
+    pub slope: [f64; 2],
+    /// A point of a side of the piece may be nearest without being a foot: the surface has a crease there.
+    pub sharp: bool,
     /// The piece has a pole, a cusp or wild normals: nothing follows from its curvature.
     pub wild: bool,
     /// Which sides of the loops matter here: index into the borders, or [`NO_BORDER`] where the piece lies within the face.
@@ -279,6 +291,8 @@ impl Leaf {
             greater: [f64::INFINITY, f64::NEG_INFINITY],
             lesser: [f64::INFINITY, f64::NEG_INFINITY],
             turn: [0.0; 2],
+            slope: [0.0; 2],
+            sharp: shape.sharp(&rect),
             wild: normal.is_none(),
             border: NO_BORDER,
         };
@@ -292,7 +306,7 @@ impl Leaf {
             (self.greater, self.lesser) = ([0.0; 2], [0.0; 2]);
             return;
         }
-        let n = self.slab.axes[2];
+        let [a, b, n] = self.slab.axes;
         let mut cosine = 1.0f64;
         for st in self.rect.places() {
             let d = shape.local(self.rect.span, st);
@@ -300,7 +314,10 @@ impl Leaf {
                 self.wild = true;
                 return;
             };
-            cosine = cosine.min(m.dot(&n));
+            let axial = m.dot(&n);
+            cosine = cosine.min(axial);
+            let steep = [m.dot(&a) / axial, m.dot(&b) / axial].map(f64::abs);
+            self.slope = [self.slope[0].max(steep[0]), self.slope[1].max(steep[1])];
             let [k1, k2] = p.curvature;
             self.greater = [self.greater[0].min(k1), self.greater[1].max(k1)];
             self.lesser = [self.lesser[0].min(k2), self.lesser[1].max(k2)];
@@ -312,6 +329,22 @@ impl Leaf {
         let angle = 1.2 * cosine.clamp(-1.0, 1.0).acos() + 1e-9;
         self.wild |= angle > 1.0 || !self.greater[1].is_finite() || !self.lesser[0].is_finite();
         self.turn = [angle.sin(), 1.0 - angle.cos()];
+        // What the samples differ by from the middle, and a quarter more.
+        self.slope = self.slope.map(|s| 1.25 * s + 1e-9);
+    }
+
+    /// Whether the line from `q` to a point of the piece may be the piece's normal there. Where it cannot, the nearest point of the
+    /// piece is on a side, and there the next piece or an edge is as near.
+    #[inline]
+    pub fn may_hold_foot(&self, q: &Point) -> bool {
+        let r = q - self.slab.middle;
+        let [a, b, n] = &self.slab.axes;
+        let height = r.dot(n).abs() + self.slab.half[2];
+        let slack = 1e-6 + 1e-9 * height;
+        let off = [r.dot(a).abs() - self.slab.half[0], r.dot(b).abs() - self.slab.half[1]];
+        self.wild
+            || self.sharp
+            || (off[0] <= height * self.slope[0] + slack && off[1] <= height * self.slope[1] + slack)
     }
 }
 

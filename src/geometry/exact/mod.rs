@@ -10,7 +10,8 @@
 //! edges.
 //!
 //! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most [`trim::BEYOND_EDGE_MM`]
-//! beyond, so that smooth joints have no crack) or on an edge. No point of the part is nearer by more than 10⁻⁷ mm, as far as the
+//! beyond, so that smooth joints have no crack) or on an edge. No point of the part is nearer by more than 10⁻⁷ mm (10⁻⁴ mm about
+//! points from which a whole stretch of a face or edge is equally far, where more would take time without end), as far as the
 //! curvature of a piece lies within the bounds measured on it. The answer depends on nothing but part and point.
 //!
 //! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples instead of control points, and are

@@ -94,7 +94,14 @@ pub(super) struct SurfaceTable {
     /// Per span (u first), per power of s, per power of t.
     coefficients: Vec<Coefficient>,
     rational: bool,
+    /// Per direction and break: the normal jumps there (a crease; at the ends of a closed direction a sharp seam).
+    creases: [Vec<bool>; 2],
 }
+
+/// Normals on both sides of a break closer than this, sine, are one.
+const CREASE: f64 = 1e-5;
+/// Ends of the domain nearer than this to each other, mm, are a seam.
+const SEAM_MM: f64 = 1e-3;
 
 impl SurfaceTable {
     /// `None` where the table would be larger than [`MOST_COEFFICIENTS`].
@@ -126,7 +133,37 @@ impl SurfaceTable {
             }
         }
         let rational = s.points.iter().any(|p| p.w != 1.0);
-        Some(SurfaceTable { degree: [p, q], spans, coefficients, rational })
+        let mut table =
+            SurfaceTable { degree: [p, q], spans, coefficients, rational, creases: [Vec::new(), Vec::new()] };
+        table.creases = [0, 1].map(|a| table.creases_along(a));
+        Some(table)
+    }
+
+    /// Looks at both sides of every break along one direction, at places spread over the other.
+    fn creases_along(&self, along: usize) -> Vec<bool> {
+        let (n, m) = (self.spans[along].len(), self.spans[1 - along].len());
+        let at = |span: usize, other: usize, end: f64, t: f64| {
+            let turn = |x: usize, y: usize| if along == 0 { [x, y] } else { [y, x] };
+            let st = if along == 0 { [end, t] } else { [t, end] };
+            self.local(turn(span, other), st)
+        };
+        let jumps = |before: usize, after: usize| {
+            (0..m).any(|other| {
+                [-0.9, 0.1, 0.8].into_iter().any(|t| {
+                    let (a, b) = (at(before, other, 1.0, t), at(after, other, -1.0, t));
+                    // Sides that do not meet are edges of the face, and edges are searched by themselves.
+                    let (Some(x), Some(y)) = (a.normal(), b.normal()) else { return true };
+                    (a.p - b.p).norm() < SEAM_MM && (x - y).norm() > CREASE
+                })
+            })
+        };
+        let ends = jumps(n - 1, 0);
+        (0..=n).map(|k| if k == 0 || k == n { ends } else { jumps(k - 1, k) }).collect()
+    }
+
+    /// Whether the normal jumps at the beginning or the end of a span.
+    pub fn creased(&self, along: usize, span: usize, end: usize) -> bool {
+        self.creases[along].get(span + end).copied().unwrap_or(true)
     }
 
     /// Coefficients of a span, `[power of s][power of t]`.

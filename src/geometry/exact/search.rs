@@ -5,28 +5,36 @@
 //! is the only one if the distance is convex there, which follows if the piece's curvature lies in the range measured on it; if it
 //! does not follow, the least eigenvalue of the Hessian says by how much another one could be nearer, and where that is more than
 //! [`NEGLIGIBLE_MM`] the piece is halved and its halves are searched.
+//!
+//! Left out too is a piece to whose normals `q` cannot belong ([`Leaf::may_hold_foot`]), and of a piece that loops cross the halves
+//! beyond them. About a point from which a whole stretch is equally far (the axis of a round face) halving would have no end:
+//! the more pieces a query has halved, the more is negligible to it, up to [`MOST_NEGLIGIBLE_MM`].
 
 use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::Exact;
-use super::leaf::{Arc, Leaf, NO_BORDER, Shape, extents, hull};
+use super::leaf::{Arc, Leaf, NO_BORDER, Rect, Shape, extents, hull};
 use super::patch::CurveTable;
 use super::tree::{Child, Seen};
+use super::trim::{Border, Kind};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
 
 /// A minimum that could be nearer by no more than this is not looked for, mm.
 pub(super) const NEGLIGIBLE_MM: f64 = 1e-7;
+/// What [`NEGLIGIBLE_MM`] grows to, mm, doubled with every [`PATIENCE`] pieces that a query halves.
+const MOST_NEGLIGIBLE_MM: f64 = 1e-4;
+const PATIENCE: u32 = 16;
 /// Newton's last step, mm: after it the foot is right to the square of this over the radius of curvature.
 const LAST_STEP_MM: f64 = 1e-5;
 const MOST_STEPS: usize = 30;
 /// No piece is halved more often.
 const DEEPEST: u32 = 48;
-/// A query halves at most this many pieces: a bound on its time, met only about a point from which everything is equally far.
-const MOST_CUTS: u32 = 20_000;
+/// A query halves at most this many pieces: a bound on its time.
+const MOST_CUTS: u32 = 5_000;
 
 /// The closest point, and what it lies on.
 #[derive(Clone, Copy, Debug)]
@@ -69,17 +77,24 @@ struct Search<'a> {
     limit2: f64,
     /// Nothing farther need be looked at: as `limit2`, or less where a point of the part is known to be nearer.
     reach2: f64,
-    /// Whether points in the middle of pieces lower `reach2`.
+    /// Whether points known to be on the part lower `reach2`, and pieces are left out by their normals.
     eager: bool,
     leaves: Vec<(Leaf, u32)>,
+    /// Borders of `leaves`, numbered on from those of all faces.
+    borders: Vec<Vec<Border>>,
     arcs: Vec<(Arc, u32)>,
     cuts: u32,
 }
 
 /// The closest point no farther than `cap_mm`.
 pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Option<Found> {
+    counted(exact, brep, q, cap_mm).0
+}
+
+/// The same, and how many pieces were halved for it.
+pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Option<Found>, u32) {
     if !q.coords.iter().all(|x| x.is_finite()) || exact.tree.is_empty() || !(cap_mm >= 0.0) {
-        return None;
+        return (None, 0);
     }
     let mut heap = HEAP.take();
     heap.clear();
@@ -94,19 +109,20 @@ pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Opt
         reach2: limit2,
         eager: true,
         leaves: Vec::new(),
+        borders: Vec::new(),
         arcs: Vec::new(),
         cuts: 0,
     };
     search.run(&mut heap);
-    if search.best.is_none() && search.reach2 < limit2 {
+    let promised = |s: &Search| s.best.is_none_or(|b| b.d2.sqrt() > s.reach2.sqrt() + 2.0 * MOST_NEGLIGIBLE_MM);
+    if search.reach2 < limit2 && promised(&search) {
         // A point was promised, but Newton found none as near: once more, without promises.
-        (search.eager, search.reach2) = (false, limit2);
+        (search.eager, search.reach2) = (false, search.limit2);
         heap.clear();
         search.run(&mut heap);
     }
-    let best = search.best;
     HEAP.set(heap);
-    best
+    (search.best, search.cuts)
 }
 
 impl Search<'_> {
@@ -158,7 +174,7 @@ impl Search<'_> {
                             if eager && leaf.border == NO_BORDER && known2 < reach2.get() {
                                 reach2.set(known2);
                             }
-                            leaf.slab.distance2(&q)
+                            if eager && !leaf.may_hold_foot(&q) { f64::INFINITY } else { leaf.slab.distance2(&q) }
                         }
                         None => exact.arcs[(i - leaves) as usize].distance2(&q),
                     };
@@ -209,25 +225,63 @@ impl Search<'_> {
         if least2 >= self.worth(foot.d2) || depth >= DEEPEST || self.cuts >= MOST_CUTS {
             return;
         }
+        if depth == 0 && leaf.border != NO_BORDER {
+            self.look_beside(leaf);
+        }
         self.cuts += 1;
         let (points, row) = hull(&shape, &leaf.rect);
         let size = extents(&points, row);
         for half in leaf.rect.halves(usize::from(size[1] > size[0])) {
             let (points, _) = hull(&shape, &half);
             let mut child = Leaf::new(&shape, half, &points);
-            child.border = leaf.border;
             let d2 = child.slab.distance2(&self.q);
-            if d2 < self.worth(d2) {
-                heap.push(Reverse((key(d2, PART_OF_LEAF), self.leaves.len() as u32)));
-                self.leaves.push((child, depth + 1));
+            if d2 >= self.worth(d2) || (self.eager && !child.may_hold_foot(&self.q)) {
+                continue;
+            }
+            match self.border_of(leaf, &shape, &half) {
+                Kind::Outside => continue,
+                Kind::Inside => child.border = NO_BORDER,
+                Kind::Crossed(borders) => {
+                    child.border = (self.exact.borders.len() + self.borders.len()) as u32;
+                    self.borders.push(borders);
+                }
+            }
+            heap.push(Reverse((key(d2, PART_OF_LEAF), self.leaves.len() as u32)));
+            self.leaves.push((child, depth + 1));
+        }
+    }
+
+    /// The borders of a piece that loops cross.
+    fn borders(&self, leaf: &Leaf) -> &[Border] {
+        let k = leaf.border as usize;
+        let all = self.exact.borders.get(k).or_else(|| self.borders.get(k - self.exact.borders.len()));
+        all.map_or(&[], Vec::as_slice)
+    }
+
+    /// What the loops make of a part of a piece.
+    fn border_of(&self, leaf: &Leaf, shape: &Shape, half: &Rect) -> Kind {
+        if leaf.border == NO_BORDER {
+            return Kind::Inside;
+        }
+        self.exact.loops.regions[leaf.rect.face as usize].kind(shape, half, Some(self.borders(leaf)))
+    }
+
+    /// Lowers what need be looked at to points on the edges beside a piece: its own nearest point may not be the face's.
+    fn look_beside(&mut self, leaf: &Leaf) {
+        let region = &self.exact.loops.regions[leaf.rect.face as usize];
+        for p in region.points_beside(self.brep, &self.exact.loops.chords, self.borders(leaf)) {
+            let known2 = (p - self.q).norm_squared() * (1.0 + 1e-12);
+            if self.eager && known2 < self.reach2 {
+                self.reach2 = known2;
             }
         }
     }
 
     /// What a squared distance must be below to be worth looking for.
     fn worth(&self, d2: f64) -> f64 {
-        let at = d2.max(0.0).min(self.limit2);
-        self.limit2 - 2.0 * NEGLIGIBLE_MM * at.sqrt() - NEGLIGIBLE_MM * NEGLIGIBLE_MM
+        let least = (NEGLIGIBLE_MM * f64::from(self.cuts / PATIENCE).exp2()).min(MOST_NEGLIGIBLE_MM);
+        let at = d2.max(0.0).min(self.reach2);
+        self.reach2 - 2.0 * least * at.sqrt() - least * least
     }
 
     /// Whether a foot belongs to its face.
@@ -247,7 +301,7 @@ impl Search<'_> {
         let [hu, hv] = [0, 1].map(|a| shape.frame(a, leaf.rect.span[a])[1]);
         let at = SurfaceDerivatives { p: foot.point, du: foot.at.du / hu, dv: foot.at.dv / hv, ..foot.at };
         let uv = shape.uv(leaf.rect.span, foot.st);
-        region.holds(self.brep, &self.exact.loops.chords, &self.exact.borders[leaf.border as usize], uv, &at)
+        region.holds(self.brep, &self.exact.loops.chords, self.borders(leaf), uv, &at)
     }
 
     /// Looks for the closest point of a piece of an edge.

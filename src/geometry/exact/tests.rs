@@ -1,11 +1,15 @@
 #![allow(clippy::unwrap_used)]
 use nalgebra::Vector4;
 
+use super::Exact;
+use super::search::counted;
+
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::mesh::topology;
 use crate::geometry::nurbs::shapes::{cone, cylinder, loft, sphere, torus};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::part::Part;
+use crate::geometry::tessellate::{Options, tessellate};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
@@ -393,5 +397,37 @@ fn centres_of_curvature() {
         let a = 0.1 * f64::from(k);
         let q = Point::new(10.0 * a.cos(), 10.0 * a.sin(), 0.0);
         assert!((ring.closest(&q, 100.0).unwrap().distance_mm - 3.0).abs() < 1e-8);
+    }
+}
+
+/// A wall between two circles of a longer, slightly uneven cylinder: for points of its axis all of it, or all of a rim, is about equally
+/// far. Few pieces are halved wherever the point is, and the distance is right.
+#[test]
+fn points_on_the_axis_of_a_round_face_are_soon_done() {
+    let (radius, height) = (12.0, 100.0);
+    for uneven in [0.0, 1e-6, 1e-4] {
+        let mut wall = cylinder(radius, height);
+        let bump = |k: usize| 1.0 + uneven / radius * [0.3, -1.0, 0.6, 0.1, 1.0][k % 5];
+        for (k, p) in wall.points.iter_mut().enumerate() {
+            // The two ends of the seam stay one.
+            let scale = bump(if k / 2 == 8 { k % 2 } else { k });
+            (p.x, p.y) = (p.x * scale, p.y * scale);
+        }
+        let edges = vec![circle(&wall, 0.2), circle(&wall, 0.8)];
+        let loops = vec![vec![used(0, false)], vec![used(1, true)]];
+        let brep = Brep { faces: vec![face(wall, false, loops)], edges };
+        let t = tessellate(&brep, &Options::with_deflection(0.02), &Silent).unwrap();
+        let exact = Exact::new(&t);
+        for k in 0..60 {
+            for off in [0.0, 1e-6, 1e-3] {
+                let q = Point::new(off, 0.3 * off, -120.0 + 5.0 * f64::from(k));
+                let beyond = (20.0 - q.z).max(q.z - 80.0).max(0.0);
+                let (found, cuts) = counted(&exact, &t.brep, &q, f64::INFINITY);
+                let d = found.unwrap().d2.sqrt();
+                let wrong = d - (radius - q.x.hypot(q.y)).hypot(beyond);
+                assert!(wrong.abs() < 1.1 * uneven + 2e-4, "{uneven} at {q}: wrong by {wrong}");
+                assert!(cuts < 1500, "{uneven} at {q}: {cuts}");
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@
 //! on which side of its tangent the foot lies.
 
 use super::leaf::{Rect, Shape};
+use crate::geometry::Point;
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::tessellate::loops::Ring;
@@ -23,6 +24,8 @@ pub(super) struct Region {
     bounds: [[f64; 2]; 2],
     /// Per ring: the face lies to the left of its sides in the parameter plane.
     left: Vec<bool>,
+    /// All sides.
+    all: Vec<Side>,
 }
 
 /// The sides that matter in one piece, for one copy of it along the face's closed directions.
@@ -67,18 +70,14 @@ impl Region {
                 (ring.signed_area() > 0.0) != hole
             })
             .collect();
-        Region { trim, bounds, left }
+        let of = |(r, ring): (usize, &Ring)| (0..ring.nodes.len()).map(|k| [r as u32, k as u32]).collect::<Vec<_>>();
+        let all = trim.rings.iter().enumerate().flat_map(of).collect();
+        Region { trim, bounds, left, all }
     }
 
     /// Whether the face lies to the left of a ring, seen against `S_u × S_v`.
     pub fn is_left(&self, ring: usize) -> bool {
         self.left.get(ring).copied().unwrap_or(true)
-    }
-
-    /// All sides.
-    pub fn sides(&self) -> Vec<Side> {
-        let of = |(r, ring): (usize, &Ring)| (0..ring.nodes.len()).map(|k| [r as u32, k as u32]).collect::<Vec<_>>();
-        self.trim.rings.iter().enumerate().flat_map(of).collect()
     }
 
     fn ends(&self, [r, k]: Side) -> [[f64; 2]; 2] {
@@ -90,6 +89,16 @@ impl Region {
     fn bounds_face(&self, [r, k]: Side) -> bool {
         let node = &self.trim.rings[r as usize].nodes[k as usize];
         node.chord != NO_CHORD && !node.seam
+    }
+
+    /// Points of the part: one on each edge near these borders.
+    pub fn points_beside(&self, brep: &Brep, chords: &[Chord], borders: &[Border]) -> Vec<Point> {
+        let point = |[r, k]: &Side| {
+            let chord = chords.get(self.trim.rings[*r as usize].nodes[*k as usize].chord as usize)?;
+            Some(brep.edges[chord.edge as usize].curve.point(0.5 * (chord.t[0] + chord.t[1])))
+        };
+        let sides = borders.iter().flat_map(|b| &b.sides).filter(|s| self.bounds_face(**s));
+        sides.filter_map(point).collect()
     }
 
     /// Feet nearer than this to a side are decided by the exact edge, mm.
@@ -119,9 +128,8 @@ impl Region {
             let wide = [0, 1].map(|a| [box_[a][0] - margin[a], box_[a][1] + margin[a]]);
             // Not the middle itself, through which sides like to run.
             let middle = [0, 1].map(|a| box_[a][0] + [0.487_137, 0.513_811][a] * (box_[a][1] - box_[a][0]));
-            let all = self.sides();
-            let candidates = before.map_or(&all, |b| &b.sides);
-            let sides: Vec<Side> = candidates.iter().copied().filter(|s| meets(self.ends(*s), wide)).collect();
+            let near = |sides: &[Side]| sides.iter().copied().filter(|s| meets(self.ends(*s), wide)).collect();
+            let sides: Vec<Side> = before.map_or_else(|| near(&self.all), |b| near(&b.sides));
             let known = before.map_or_else(|| self.by_ray(middle), |b| self.by_way(b, middle));
             if sides.iter().any(|s| self.bounds_face(*s)) {
                 crossed.push(Border { shift, known: (middle, known), sides });

@@ -143,7 +143,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
     if upper.check.worst <= least || !least.is_finite() {
         return Some(upper);
     }
-    let at = scene.part.closest_on_mesh(&ball.centre, f64::INFINITY);
+    let at = scene.part.closest(&ball.centre, f64::INFINITY);
     let face = at.map(|c| face_name(&scene.part, c.face)).unwrap_or_default();
     let note = format!("ball to {face}; measured {:.6}, nowhere less than {least:.6}", -ball.found_mm);
     let limit = Limit { passed: least >= 0.0, ..limit() };
