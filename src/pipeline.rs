@@ -180,6 +180,7 @@ impl Setup {
             lead_deg: s.lead_deg,
             beyond_wall_deg: s.beyond_wall_deg,
             measure: s.measure,
+            base_angle: s.base_angle,
             scope: s.scope,
             ..ScheduleOptions::default()
         }

@@ -70,6 +70,28 @@ pub enum Scope {
     Turns,
 }
 
+/// The angle at which a `piecewise` schedule stands at the start of a turn.
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    Default,
+    PartialEq,
+    Eq,
+    serde::Serialize,
+    serde::Deserialize,
+    schemars::JsonSchema,
+    clap::ValueEnum,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum BaseAngle {
+    /// Of several between the channel's limits, the one with the least rotary acceleration, the same share of the width at all turns.
+    #[default]
+    Best,
+    /// The forward limit, as published.
+    ForwardLimit,
+}
+
 /// How good a schedule is, beside its peaks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]

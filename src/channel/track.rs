@@ -131,9 +131,11 @@ impl<'a> Tracker<'a> {
         self.age += 1;
         self.open.clear();
         if fresh || self.age > PLACES || self.front.len() > 2 * self.made + 200 {
-            self.front.clear();
-            self.open.extend(self.search.roots());
-            self.verify();
+            self.anew();
+            if fresh {
+                // What was looked at before the ends had moved to where they are was opened too far, and holds too little room.
+                self.anew();
+            }
             (self.made, self.age) = (self.front.len(), 0);
         } else {
             let centre = self.search.centre();
@@ -141,6 +143,13 @@ impl<'a> Tracker<'a> {
             self.verify();
         }
         self.finish(place.azimuth)
+    }
+
+    /// Makes the front anew, from all of every body.
+    fn anew(&mut self) {
+        self.front.clear();
+        self.open.extend(self.search.roots());
+        self.verify();
     }
 
     /// Remembers what the next place starts from.

@@ -154,6 +154,7 @@ impl Draft {
             },
             schedule: ScheduleJob {
                 kind: schedule.kind.unwrap_or(ScheduleKind::Piecewise),
+                base_angle: schedule.base_angle.unwrap_or_default(),
                 measure: schedule.measure.unwrap_or_default(),
                 scope: schedule.scope.unwrap_or_default(),
                 margin_deg: schedule.margin_deg.unwrap_or(0.5),

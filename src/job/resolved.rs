@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
-use crate::artifact::schedule::{Measure, ScheduleKind, Scope};
+use crate::artifact::schedule::{BaseAngle, Measure, ScheduleKind, Scope};
 use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::error::{Error, Result, Stage};
 use crate::tool::Tool;
@@ -175,6 +175,9 @@ pub struct MachineJob {
 pub struct ScheduleJob {
     /// How θ(S) is made. Default `piecewise`.
     pub kind: ScheduleKind,
+    /// Where kind `piecewise` stands at the start of each turn. Default `best`; the published method says `forward-limit`.
+    #[serde(default)]
+    pub base_angle: BaseAngle,
     /// What kind `optimal` makes least. Default `peak-second`: the rotary axis' greatest acceleration at constant feed.
     #[serde(default)]
     pub measure: Measure,

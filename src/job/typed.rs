@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::Control;
-use crate::artifact::schedule::{Measure, ScheduleKind, Scope};
+use crate::artifact::schedule::{BaseAngle, Measure, ScheduleKind, Scope};
 use crate::artifact::toolpath::{Direction, PathKind, Start};
 use crate::tool::HolderStage;
 
@@ -201,6 +201,8 @@ keys! {
     ScheduleKeys {
         /// How θ(S) is made.
         kind: ScheduleKind,
+        /// Where kind `piecewise` stands at the start of each turn.
+        base_angle: BaseAngle,
         /// What kind `optimal` makes least.
         measure: Measure,
         /// Over how much of the path at once.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::artifact::schedule::{Measure, Scope};
+use crate::artifact::schedule::{BaseAngle, Measure, Scope};
 use crate::error::{Error, Result, Stage};
 
 /// Options of [`super::plan`].
@@ -23,6 +23,8 @@ pub struct ScheduleOptions {
     /// turn's length.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub level_stretch_mm: Option<f64>,
+    /// Where a `piecewise` schedule stands at the start of each turn.
+    pub base_angle: BaseAngle,
     /// What an `optimal` schedule makes least.
     pub measure: Measure,
     /// Over how much of the path an `optimal` schedule is the best.
@@ -48,6 +50,7 @@ impl Default for ScheduleOptions {
             lead_deg: 15.0,
             beyond_wall_deg: 0.0,
             level_stretch_mm: None,
+            base_angle: BaseAngle::default(),
             measure: Measure::default(),
             scope: Scope::default(),
             pace: None,

@@ -8,13 +8,16 @@ use super::corridor::{Corridor, Node};
 use super::turn::{self, End, MOST, Smoothed, Stretch};
 use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
-use crate::artifact::schedule::{BezierPiece, ScheduleKind};
+use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
 const BASE_INSETS: [f64; 4] = [0.02, 0.05, 0.15, 0.4];
+/// Angles of the base points that are tried, in shares of the width there from the backward to the forward limit. The
+/// last is the published one; where the channel is wide it makes every turn begin with a wait and end with a rush.
+const BASE_SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Lengths of the level stretches that are tried, in shares of the shorter neighbouring turn.
 const LEVEL_SHARES: [f64; 3] = [0.02, 0.06, 0.15];
 /// A level stretch is halved at most so often to fit.
@@ -145,7 +148,18 @@ fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn 
     }
 }
 
-/// A choice of base inset and level share, carried out.
+/// What is chosen alike for all turns.
+#[derive(Clone, Copy)]
+struct Choice {
+    /// Of the base points from the walls, rad.
+    inset: f64,
+    /// Length of the level stretches, as a share of the shorter neighbouring turn.
+    level: f64,
+    /// Angle of the base points, see [`BASE_SHARES`].
+    base: f64,
+}
+
+/// A choice, carried out.
 struct Attempt {
     stretches: Vec<Smoothed>,
     peak: f64,
@@ -166,12 +180,18 @@ fn decoupled(
     // A length that was asked for, or a path without inner base points, leaves nothing to choose.
     let given = options.level_stretch_mm.is_some() || path.turns.len() < 2;
     let shares = if given { &LEVEL_SHARES[..1] } else { &LEVEL_SHARES[..] };
-    let choices: Vec<(f64, f64)> = BASE_INSETS.iter().flat_map(|c| shares.iter().map(move |l| (*c, *l))).collect();
+    let published = options.base_angle == BaseAngle::ForwardLimit || path.turns.len() < 2;
+    let places = if published { &BASE_SHARES[BASE_SHARES.len() - 1..] } else { &BASE_SHARES[..] };
+    let choices: Vec<Choice> = BASE_INSETS
+        .iter()
+        .flat_map(|inset| shares.iter().map(move |level| (*inset, *level)))
+        .flat_map(|(inset, level)| places.iter().map(move |base| Choice { inset, level, base: *base }))
+        .collect();
     let tried: Vec<Result<std::result::Result<Attempt, Node>>> = choices
         .par_iter()
-        .map(|(inset, share)| {
+        .map(|choice| {
             observer.check(Stage::Schedule)?;
-            Ok(attempt(path, walls, options, *inset, *share))
+            Ok(attempt(path, walls, options, *choice))
         })
         .collect();
     let mut best: Option<Attempt> = None;
@@ -205,11 +225,10 @@ fn attempt(
     path: &Toolpath,
     walls: &Corridor,
     options: &ScheduleOptions,
-    inset: f64,
-    share: f64,
+    choice: Choice,
 ) -> std::result::Result<Attempt, Node> {
     let (Some(&start), Some(&end)) = (walls.s.first(), walls.s.last()) else { return Err([0.0, 0.0]) };
-    let inner = walls.shrunk(inset, MOST);
+    let inner = walls.shrunk(choice.inset, MOST);
     let bases: Vec<(u32, f64)> = (1u32..)
         .zip(path.turns.iter().skip(1))
         .filter_map(|(k, t)| path.locations.get(t.first).map(|l| (k, l.s_mm)))
@@ -222,7 +241,8 @@ fn attempt(
         let next = bases.get(i + 1).map_or(end, |b| b.1);
         let short = SHORT_TURN * longest;
         let shorter = (s - from).min(next - s);
-        let level = if s - from < short || next - s < short { None } else { level(&inner, s, shorter, share, options) };
+        let level =
+            if s - from < short || next - s < short { None } else { level(&inner, s, shorter, choice, options) };
         match level {
             Some((theta, length, asked)) => {
                 if length < asked {
@@ -236,20 +256,21 @@ fn attempt(
     }
     stretches.push(Stretch { from, to: end, start: open, end: End::Free });
     found.stretches =
-        stretches.par_iter().map(|s| turn::plan(walls, s, inset)).collect::<std::result::Result<Vec<_>, _>>()?;
+        stretches.par_iter().map(|s| turn::plan(walls, s, choice.inset)).collect::<std::result::Result<Vec<_>, _>>()?;
     found.peak = found.stretches.iter().fold(0.0, |m, s| m.max(s.peak));
     Ok(found)
 }
 
-/// Angle, half length and asked-for half length of the level stretch around the base point at `s`: the greatest angle
-/// that stays inside over the whole stretch is the upper wall at its start. Halved until it fits.
-fn level(inner: &Corridor, s: f64, shorter: f64, share: f64, options: &ScheduleOptions) -> Option<(f64, f64, f64)> {
-    let asked = options.level_stretch_mm.unwrap_or(share * shorter);
+/// Angle, half length and asked-for half length of the level stretch around the base point at `s`: what stays inside over the
+/// whole stretch is what lies between the lower wall at its end and the upper wall at its start. Halved until it fits.
+fn level(inner: &Corridor, s: f64, shorter: f64, choice: Choice, options: &ScheduleOptions) -> Option<(f64, f64, f64)> {
+    let asked = options.level_stretch_mm.unwrap_or(choice.level * shorter);
     let mut length = asked.min(0.4 * shorter);
     for _ in 0..=HALVINGS {
-        let theta = inner.at(s - length)[1];
-        if theta >= inner.at(s + length)[0] {
-            return Some((theta, length, asked));
+        let (greatest, least) = (inner.at(s - length)[1], inner.at(s + length)[0]);
+        if greatest >= least {
+            // Exactly the wall at a share of 1.
+            return Some((greatest - (1.0 - choice.base) * (greatest - least), length, asked));
         }
         length *= 0.5;
     }

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artifact::channel::{Binding, ChannelRow};
+use crate::artifact::schedule::BaseAngle;
 use crate::artifact::toolpath::{CutterLocation, Turn};
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
@@ -284,6 +285,38 @@ proptest! {
         prop_assume!(c.rows.iter().all(|r| r.hull_max - r.hull_min > 1e-4));
         let s = run(&p, &c).unwrap();
         assert_sound(&s, &p, &c);
+    }
+}
+
+#[test]
+fn a_base_angle_inside_a_wide_channel_is_gentler_than_the_forward_limit() {
+    // One round of the normal a turn, uneven by 0.9 rad, in a channel that is just too narrow for a straight line.
+    let limits: Vec<[f64; 2]> = (0..=240)
+        .map(|i| {
+            let u = TAU * f64::from(i) / 60.0;
+            let middle = u + 0.9 * u.sin();
+            [middle - 0.85, middle + 0.85]
+        })
+        .collect();
+    let (path, channel) = (path(4, 60), channel(&limits));
+    let with = |base_angle| {
+        let options = ScheduleOptions { base_angle, ..ScheduleOptions::default() };
+        plan(ScheduleKind::Piecewise, &path, &channel, &options, &Silent).unwrap()
+    };
+    let (best, published) = (with(BaseAngle::Best), with(BaseAngle::ForwardLimit));
+    assert_sound(&best, &path, &channel);
+    assert_sound(&published, &path, &channel);
+    assert!(
+        best.peak_acceleration < 0.75 * published.peak_acceleration,
+        "{} {}",
+        best.peak_acceleration,
+        published.peak_acceleration
+    );
+    assert!(best.peak_rate < published.peak_rate);
+    // Published: less than half a radian behind the limit at every base point, whatever inset was the best.
+    for turn in path.turns.iter().skip(1) {
+        let (r, theta) = (&channel.rows[turn.first], published.theta[turn.first]);
+        assert!(r.hull_max - theta < 0.5 && theta <= r.hull_max, "{} {}", r.hull_max, theta);
     }
 }
 
