@@ -175,6 +175,7 @@ impl Setup {
 
     fn schedule_options(&self) -> ScheduleOptions {
         let s = &self.job.schedule;
+        let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
         ScheduleOptions {
             margin_deg: s.margin_deg,
             lead_deg: s.lead_deg,
@@ -182,6 +183,7 @@ impl Setup {
             measure: s.measure,
             base_angle: s.base_angle,
             scope: s.scope,
+            pace,
             ..ScheduleOptions::default()
         }
     }

@@ -36,6 +36,12 @@ pub(super) fn least_time(
     Ok(schedule)
 }
 
+/// What the rotary axis can follow at the programmed feed.
+pub(super) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
+    let (limits, f) = (machine.limits()[A], feed_mm_min / 60.0);
+    Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f) }
+}
+
 /// The schedule for the least time by the rotary axis alone.
 pub(super) fn paced(
     machine: &Machine,
@@ -44,9 +50,8 @@ pub(super) fn paced(
     channel: &Channel,
     options: &ScheduleOptions,
 ) -> Result<Schedule> {
-    let (limits, f) = (machine.limits()[A], feed.feed_mm_min / 60.0);
-    let pace = Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f) };
-    schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace: Some(pace), ..*options }, &Silent)
+    let pace = Some(pace(machine, feed.feed_mm_min));
+    schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.

@@ -28,7 +28,8 @@
 //!      segment (the whole length next to a base point, where no other corner needs it). S is divided by the length
 //!      of the turn and θ by 100 full turns, since angles depend on the scales: the bisector is then the mean slope.
 //!   6. *Choice*: the share and the insets of 3 and 4 and the length of the level stretch are taken from a short fixed list so that
-//!      the greatest |d²θ/ds²| is least.
+//!      the weakest rotary axis can follow at the programmed feed: the greater of the peaks of velocity and acceleration,
+//!      each in units of its limit, is least (without a machine: the peak of |d²θ/ds²|).
 //!
 //! ## The curve
 //! Every schedule is a curve of cubic pieces ([`Schedule::pieces`]). Turning points, peaks and the greatest distance outside the

@@ -29,7 +29,7 @@ pub struct ScheduleOptions {
     pub measure: Measure,
     /// Over how much of the path an `optimal` schedule is the best.
     pub scope: Scope,
-    /// For kind `time`: what the rotary axis can follow at the programmed feed.
+    /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise` chooses by it.
     #[serde(skip)]
     pub pace: Option<Pace>,
 }
@@ -41,6 +41,13 @@ pub struct Pace {
     pub rate: f64,
     /// Greatest acceleration over the square of the feed, rad/mm².
     pub second: f64,
+}
+
+impl Pace {
+    /// The multiple of the axis' limits that a schedule with these peaks (rad/mm, rad/mm²) needs to keep the feed.
+    pub(super) fn needed(&self, rate: f64, second: f64) -> f64 {
+        (rate / self.rate).max(second / self.second)
+    }
 }
 
 impl Default for ScheduleOptions {

@@ -162,14 +162,15 @@ struct Choice {
 /// A choice, carried out.
 struct Attempt {
     stretches: Vec<Smoothed>,
-    peak: f64,
+    /// See [`turn::cost`].
+    cost: f64,
     /// Turns whose base point got a shorter level stretch, and its length, mm.
     shortened: Vec<(u32, f64)>,
     /// Turns scheduled together with the one before.
     merged: Vec<u32>,
 }
 
-/// Tries all choices and keeps the one with the least peak.
+/// Tries all choices and keeps the one with the least cost.
 fn decoupled(
     path: &Toolpath,
     channel: &Channel,
@@ -198,7 +199,7 @@ fn decoupled(
     let mut stuck = [0.0, 0.0];
     for t in tried {
         match t? {
-            Ok(a) if best.as_ref().is_none_or(|b| a.peak < b.peak) => best = Some(a),
+            Ok(a) if best.as_ref().is_none_or(|b| a.cost < b.cost) => best = Some(a),
             Ok(_) => {}
             Err(at) => stuck = at,
         }
@@ -234,7 +235,7 @@ fn attempt(
         .filter_map(|(k, t)| path.locations.get(t.first).map(|l| (k, l.s_mm)))
         .collect();
     let longest = path.turns.iter().fold(0.0, |m: f64, t| m.max(t.length_mm)).min(end - start);
-    let mut found = Attempt { stretches: Vec::new(), peak: 0.0, shortened: Vec::new(), merged: Vec::new() };
+    let mut found = Attempt { stretches: Vec::new(), cost: 0.0, shortened: Vec::new(), merged: Vec::new() };
     let mut stretches = Vec::new();
     let (mut from, mut open) = (start, End::Free);
     for (i, &(k, s)) in bases.iter().enumerate() {
@@ -255,9 +256,11 @@ fn attempt(
         }
     }
     stretches.push(Stretch { from, to: end, start: open, end: End::Free });
-    found.stretches =
-        stretches.par_iter().map(|s| turn::plan(walls, s, choice.inset)).collect::<std::result::Result<Vec<_>, _>>()?;
-    found.peak = found.stretches.iter().fold(0.0, |m, s| m.max(s.peak));
+    found.stretches = stretches
+        .par_iter()
+        .map(|s| turn::plan(walls, s, choice.inset, options.pace))
+        .collect::<std::result::Result<Vec<_>, _>>()?;
+    found.cost = found.stretches.iter().fold(0.0, |m, s| m.max(s.cost));
     Ok(found)
 }
 

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::bezier::{self, Reach};
 use super::corridor::{Corridor, Node, slope};
 use super::keys::{self, Walls};
+use super::options::Pace;
 use crate::artifact::schedule::BezierPiece;
 
 /// Share of the local width that an inset may take on either side.
@@ -41,19 +42,27 @@ pub(super) struct Stretch {
 pub(super) struct Smoothed {
     pub keys: Vec<Node>,
     pub pieces: Vec<BezierPiece>,
-    /// Greatest |d²θ/ds²|, rad/mm².
-    pub peak: f64,
+    /// See [`cost`].
+    pub cost: f64,
 }
 
-/// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least peak. `walls`: where
+/// What is made least: the multiple of the rotary axis' limits that the pieces need at the programmed feed, or, where those are not
+/// known, the greatest |d²θ/ds²|, rad/mm².
+fn cost(pieces: &[BezierPiece], pace: Option<Pace>) -> f64 {
+    let most = |f: fn(&BezierPiece) -> f64| pieces.iter().map(f).fold(0.0, f64::max);
+    let second = most(bezier::peak_acceleration);
+    pace.map_or(second, |p| p.needed(most(bezier::peak_rate), second))
+}
+
+/// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least cost. `walls`: where
 /// the curve may be. `Err`: the key point in which the channel leaves no room to bend.
-pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64) -> Result<Smoothed, Node> {
+pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace>) -> Result<Smoothed, Node> {
     let local = walls.between(stretch.from, stretch.to);
     let mut best: Option<Smoothed> = None;
     let mut stuck = [stretch.from, 0.0];
     for share in SHARES {
-        match with_inset(&local, stretch, share * inset) {
-            Ok(found) if best.as_ref().is_none_or(|b| found.peak < b.peak) => best = Some(found),
+        match with_inset(&local, stretch, share * inset, pace) {
+            Ok(found) if best.as_ref().is_none_or(|b| found.cost < b.cost) => best = Some(found),
             Ok(_) => {}
             Err(at) => stuck = at,
         }
@@ -62,7 +71,7 @@ pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64) -> Result<Sm
 }
 
 /// One inset: all angles of the free ends.
-fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64) -> Result<Smoothed, Node> {
+fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace>) -> Result<Smoothed, Node> {
     let walls =
         Walls { curve: curve.clone(), string: curve.shrunk(inset, MOST), lines: curve.shrunk(0.5 * inset, 0.5 * MOST) };
     let choices = |end: End, s: f64| match end {
@@ -80,8 +89,8 @@ fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64) -> Result<Smoothe
                 continue;
             }
             let keys = keys::linear(&walls, stretch, start, end);
-            match smooth(&keys, curve, stretch) {
-                Ok(found) if best.as_ref().is_none_or(|b| found.peak < b.peak) => best = Some(found),
+            match smooth(&keys, curve, stretch, pace) {
+                Ok(found) if best.as_ref().is_none_or(|b| found.cost < b.cost) => best = Some(found),
                 Ok(_) => {}
                 Err(at) => stuck = at,
             }
@@ -103,11 +112,10 @@ fn reach(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> Reach {
 }
 
 /// Rounds all corners and fills in the straight stretches.
-fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch) -> Result<Smoothed, Node> {
+fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch, pace: Option<Pace>) -> Result<Smoothed, Node> {
     let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return Err([stretch.from, 0.0]) };
     let mut pieces = Vec::with_capacity(3 * keys.len());
     let mut at = first;
-    let mut peak = 0.0f64;
     // A shorter straight stretch would be all rounding: the corner's curve begins earlier on the same line instead.
     let least = 1e-4 * (stretch.to - stretch.from);
     for i in 1..keys.len().saturating_sub(1) {
@@ -122,7 +130,6 @@ fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch) -> Result<Smoothed
         } else {
             p[0] = at;
         }
-        peak = peak.max(bezier::peak_acceleration(&p)).max(bezier::peak_acceleration(&q));
         at = q[3];
         pieces.extend([p, q]);
     }
@@ -133,5 +140,6 @@ fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch) -> Result<Smoothed
     } else {
         pieces.push(bezier::straight(first, last));
     }
-    Ok(Smoothed { keys: keys.to_vec(), pieces, peak })
+    let cost = cost(&pieces, pace);
+    Ok(Smoothed { keys: keys.to_vec(), pieces, cost })
 }
