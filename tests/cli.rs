@@ -324,12 +324,20 @@ fn runs_are_joined(d: &Path, model: &str) {
     assert!(text.contains("Operation 1 of 2") && text.contains("Operation 2 of 2") && text.matches("M30").count() == 1);
     let tool = "1/job.resolved.toml";
     let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.01"];
+    let mapped = bladewright(&[&judged[..], &["--map", "joined/both.csv"]].concat(), d);
+    let table = std::fs::read_to_string(d.join("joined/both.csv")).expect("the map of what both leave");
+    assert!(mapped.status.success() && table.lines().count() > 1000);
     let out = bladewright(&judged, d);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(out.status.code(), Some(0), "{said}");
     assert!(said.contains("operation  2 of 2") && said.matches("ok   rapid").count() == 2, "{said}");
     let out = bladewright(&[&two[..], &["--from-operation", "2", "--from-turn", "2"]].concat(), d);
-    assert!(out.status.success() && d.join("joined/from_operation_2.from_turn_2.program.mpf").is_file());
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    // What goes on within a path comes onto it on an arc of its own, at the feed.
+    let rest = std::fs::read_to_string(d.join("joined/from_operation_2.from_turn_2.program.mpf")).expect("readable");
+    assert!(rest.contains("GOES ON with turn 2") && rest.contains("Lead-in  arc of radius"), "{rest}");
+    let lead = rest.find("; Lead-in\n").expect("lines of the lead-in");
+    assert!(rest[lead..].find("; Turn 2 of").is_some_and(|k| rest[lead..lead + k].matches("G1 X").count() > 10));
     fails(&["post", "1", "1", "--control", "iso"], d, 2, &["several runs", "-o"]);
     fails(&[&two[..], &["--from-operation", "3"]].concat(), d, 2, &["operations 1 to 2"]);
     let third = [&judged[..], &["--tool", tool]].concat();

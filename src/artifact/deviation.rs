@@ -18,4 +18,7 @@ pub struct DeviationMap {
     pub tolerance_mm: f64,
     /// Triangles that were not divided further because the map had become too large, or their edges too short.
     pub coarse: usize,
+    /// In those the height anywhere is off the linear one between the corners by no more than this, mm, where the ball comes to all three; infinite where
+    /// no bound can be given.
+    pub coarse_bound_mm: f64,
 }

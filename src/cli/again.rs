@@ -91,6 +91,13 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
 
 /// A deviation map as a scene or as a table, by the file's name.
 pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64) -> Result<()> {
+    if map.coarse > 0 {
+        let (coarse, all) = (map.coarse, map.triangles.len());
+        let bound = map.coarse_bound_mm;
+        sayln!(
+            "map        {coarse} of {all} triangles could not be made finer: in those heights are within {bound:.4} mm of the linear ones"
+        );
+    }
     if file.extension().is_some_and(|e| e == "csv") {
         return output::write_file(file, tables::deviation(blade, map).as_bytes());
     }

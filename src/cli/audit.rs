@@ -36,10 +36,6 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     let text = text(&args.what)?;
     let (language, why) = language(args, &text)?;
     let tools = args.tool.iter().map(|t| Tool::load(t)).collect::<Result<Vec<_>>>()?;
-    if tools.len() > 1 && args.map.is_some() {
-        return Err(Error::usage(Stage::Verify, "a map of what several tools leave is not made")
-            .advise("leave out --map, or look at the operations one by one"));
-    }
     let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| Machine::load(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
@@ -61,7 +57,8 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
             [bench] => vec![audit::audit(&text, &blade, bench, &options, &terminal)?],
             _ => audit::audit_each(&text, &blade, &benches, &options, &terminal)?,
         };
-        if let (Some(file), [audit]) = (&args.map, &audits[..])
+        // The last one's map is that of all.
+        if let (Some(file), Some(audit)) = (&args.map, audits.last())
             && let Some(map) = &audit.map
         {
             again::write_map(file, map, &blade, args.scallop.unwrap_or(audit.scallop_p99_mm.max(0.001)))?;

@@ -4,7 +4,7 @@
 //! programs one after another, each from its tool call to the unwound axis; what is new are the moves between, and those are read back and
 //! checked (`program-rapids`).
 
-use super::{Setup, reuse};
+use super::{Setup, leads, reuse};
 use crate::artifact::report::Check;
 use crate::artifact::{Plan, Program};
 use crate::error::{Error, Result, Stage};
@@ -49,10 +49,20 @@ pub fn join(runs: &[Done], dialect: &Dialect, from: From) -> Result<(Program, Ve
     let turn = |k: usize| if k == 0 { from.turn } else { None };
     let options: Vec<PostOptions> =
         left.iter().enumerate().map(|(k, r)| PostOptions { from_turn: turn(k), ..r.setup.post_options() }).collect();
+    // What goes on within a path comes onto it on a lead of its own.
+    let begun = match (left.first(), from.turn) {
+        (Some(r), Some(turn)) => Some(leads::restart(&r.setup, &r.verified, turn)?),
+        _ => None,
+    };
     let operations: Vec<Operation> = left
         .iter()
         .zip(&options)
-        .map(|(r, options)| Operation { plan: &r.verified, tool: &r.setup.job.tool, options })
+        .enumerate()
+        .map(|(k, (r, options))| Operation {
+            plan: begun.as_ref().filter(|_| k == 0).unwrap_or(&r.verified),
+            tool: &r.setup.job.tool,
+            options,
+        })
         .collect();
     let (blade, machine) = (&one.setup.blade, &one.setup.machine);
     let program = post::join(dialect, &operations, first, blade, machine)?;

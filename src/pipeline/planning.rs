@@ -49,7 +49,8 @@ pub(super) fn plan(
     let (schedule, motion) = match (job.schedule.kind, known.schedule) {
         (_, Some(s)) => (s, known.motion),
         (ScheduleKind::Time, None) => {
-            (clock.time(Stage::Schedule, || schedules::least_time(setup, &toolpath, &channel, observer))?, None)
+            let found = clock.time(Stage::Schedule, || schedules::least_time(setup, &toolpath, &channel, observer))?;
+            (found.0, Some(found.1))
         }
         (kind, None) => {
             (clock.time(Stage::Schedule, || schedule::plan(kind, &toolpath, &channel, &options, observer))?, None)

@@ -1,39 +1,52 @@
 //! Schedules that need the feed to be judged.
 
-use super::Setup;
+use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
-use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::Result;
-use crate::feed::{self, FeedOptions};
+use crate::artifact::{AxisMotion, Channel, Lead, Schedule, Toolpath};
+use crate::error::{Error, Result};
+use crate::feed::FeedOptions;
 use crate::machine::Machine;
-use crate::observe::{Observer, Silent};
+use crate::observe::{Observer, Recorder, Silent, Warning};
 use crate::schedule::{self, Pace, ScheduleOptions};
 
 /// The rotary axis' place in [`Machine::axis_names`].
 const A: usize = 3;
 
 /// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis
-/// alone, the optimal ones and the others. Candidates that turn back or leave the channel do not take part.
+/// alone, the optimal ones and the others, with its motion, in which the leads are. Candidates that turn back or leave the channel do not take part.
 pub(super) fn least_time(
     setup: &Setup,
     path: &Toolpath,
     channel: &Channel,
     observer: &dyn Observer,
-) -> Result<Schedule> {
+) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
-    // Warnings of candidates that are not used would mislead.
     let first = paced(&setup.machine, &feed, path, channel, &options)?;
-    let mut best = (feed::plan(path, &first, &setup.machine, &feed, observer)?, first);
-    for other in rivals(path, channel, &options) {
+    let mut best: Option<Moved> = None;
+    for schedule in std::iter::once(first).chain(rivals(path, channel, &options)) {
         observer.check(crate::Stage::Schedule)?;
-        let motion = feed::plan(path, &other, &setup.machine, &feed, &Silent)?;
-        if motion.time_s < best.0.time_s {
-            best = (motion, other);
+        let told = Recorder::new(&Silent);
+        let leads = leads::choose(setup, path, &schedule, &told)?;
+        let (motion, leads) = leads::motion(setup, path, &schedule, leads, &told)?;
+        if best.as_ref().is_none_or(|b| motion.time_s < b.motion.time_s) {
+            best = Some(Moved { schedule, motion, leads, warnings: told.warnings() });
         }
     }
-    let (_, mut schedule) = best;
+    let Some(Moved { mut schedule, motion, leads, warnings }) = best else {
+        return Err(Error::infeasible(crate::Stage::Schedule, "there is no schedule to be compared"));
+    };
+    // Warnings of candidates that are not used would mislead.
+    warnings.into_iter().for_each(|w| observer.warn(w));
     schedule.kind = ScheduleKind::Time;
-    Ok(schedule)
+    Ok((schedule, (motion, leads)))
+}
+
+/// A candidate with its fastest motion, leads included.
+struct Moved {
+    schedule: Schedule,
+    motion: AxisMotion,
+    leads: [Lead; 2],
+    warnings: Vec<Warning>,
 }
 
 /// What the rotary axis can follow at the programmed feed.

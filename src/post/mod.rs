@@ -123,6 +123,10 @@ impl PostOptions {
 /// `Usage` where there is no such turn.
 pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan>> {
     let Some(turn) = options.from_turn else { return Ok(Cow::Borrowed(plan)) };
+    // Locations keep the numbers of their turns: what has been cut off already, with a lead-in of its own, stays as it is.
+    if turn > 1 && plan.toolpath.locations.first().is_some_and(|l| l.turn as usize + 1 == turn) {
+        return Ok(Cow::Borrowed(plan));
+    }
     let left = turn.checked_sub(1).and_then(|t| plan.from_turn(t));
     left.map(Cow::Owned).ok_or_else(|| {
         let turns = plan.toolpath.turns.len();

@@ -5,6 +5,20 @@
 //! across their longest edge until that edge is short beside the stepover and the height in its middle is within the tolerance of the mean
 //! of its ends. New corners are put onto the exact surface.
 //!
+//! ## Bound in triangles that are not fine enough
+//! Where triangles may not be halved any further the height between corners is bounded. A ball whose centre is `R sin φ` off the normal's line has there a
+//! height whose slope along the surface is at most `tan φ`, and so has the lowest of several balls (a turn `δn` of the normal adds `h δn` to the way). In a triangle of longest
+//! edge `ℓ` a ball gets no farther from the normal's line than at a corner plus `ℓ + R δn`. No ball counts that is farther off than the reach, which bounds all
+//! slopes; and only balls count that, at a corner, are no higher over the lowest one than this slope makes up for on twice the way to any place of the triangle. Of
+//! those, the farthest off gives `φ`. The mean distance of a place to the corners, weighted as the linear interpolation weights them, is at most `ℓ/√3`. So the height is
+//! off the linear one by at most
+//!
+//! ```text
+//! tan φ (ℓ/√3 + h δn),   R sin φ = greatest distance off a corner's normal + ℓ + R δn
+//! ```
+//!
+//! of which [`DeviationMap::coarse_bound_mm`] is the greatest over those triangles. It says nothing of triangles with a corner where the ball does not come.
+//!
 //! **Limits**: only the ball cuts; corners of one triangle on the edge of another (where one side was halved and the other not) leave hairline
 //! gaps in the drawing, none in the heights.
 
@@ -41,26 +55,52 @@ pub fn deviation(blade: &Blade, path: &Toolpath, tolerance_mm: f64) -> Result<De
         return Err(Error::usage(Stage::Verify, what));
     }
     let part = Allowed::new(&blade.part, path.stock_mm);
-    Ok(measure(&part, &Sweep::new(path), path.scallop_mm, tolerance_mm))
+    Ok(measure(&part, &[Cut::new(Sweep::new(path), path.scallop_mm)], tolerance_mm))
 }
 
-/// See [`deviation`].
-pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, tolerance_mm: f64) -> DeviationMap {
-    let stepover_mm = (8.0 * sweep.radius_mm * scallop_mm).sqrt();
-    let reach_mm = (REACH_STEPOVERS * stepover_mm).max(LEAST_REACH_MM);
-    let mut map = Growing { part, sweep, stepover_mm, reach_mm, tolerance_mm, map: DeviationMap::default() };
+/// What one tool has cut.
+pub(super) struct Cut {
+    sweep: Sweep,
+    /// Stepover on a plane, mm.
+    stepover_mm: f64,
+    /// How far from a pass a place counts as machined, mm.
+    reach_mm: f64,
+}
+
+impl Cut {
+    /// A swept ball whose passes leave ridges of about `scallop_mm`.
+    pub(super) fn new(sweep: Sweep, scallop_mm: f64) -> Self {
+        let stepover_mm = (8.0 * sweep.radius_mm * scallop_mm).sqrt();
+        Cut { sweep, stepover_mm, reach_mm: (REACH_STEPOVERS * stepover_mm).max(LEAST_REACH_MM) }
+    }
+}
+
+/// See [`deviation`]; of several tools what all of them together leave.
+pub(super) fn measure(part: &Allowed, cuts: &[Cut], tolerance_mm: f64) -> DeviationMap {
+    measure_within(part, cuts, tolerance_mm, MOST)
+}
+
+fn measure_within(part: &Allowed, cuts: &[Cut], tolerance_mm: f64, most: usize) -> DeviationMap {
+    let stepover_mm = cuts.iter().map(|c| c.stepover_mm).fold(f64::INFINITY, f64::min);
+    let map = DeviationMap::default();
+    let mut map = Growing { part, cuts, stepover_mm, tolerance_mm, most, map, coarse: Vec::new() };
     map.grow();
+    map.map.coarse_bound_mm = map.coarse_bound();
+    map.map.coarse = map.coarse.len();
+    map.keep_used();
     map.map.tolerance_mm = tolerance_mm;
     map.map
 }
 
 struct Growing<'a> {
     part: &'a Allowed<'a>,
-    sweep: &'a Sweep,
+    cuts: &'a [Cut],
     stepover_mm: f64,
-    reach_mm: f64,
     tolerance_mm: f64,
+    most: usize,
     map: DeviationMap,
+    /// Triangles of the map that are not fine enough.
+    coarse: Vec<usize>,
 }
 
 /// A corner: point, normal, height.
@@ -87,7 +127,52 @@ impl Growing<'_> {
         while !open.is_empty() {
             open = self.halved(open);
         }
-        self.keep_used();
+    }
+
+    /// The lowest surface that any tool leaves over a place.
+    fn height(&self, q: &Point, n: &Vector) -> f64 {
+        let over = self.cuts.iter().filter_map(|c| c.sweep.entry(q, n, c.reach_mm));
+        over.reduce(f64::min).unwrap_or(f64::NAN)
+    }
+
+    /// See the module's page.
+    fn coarse_bound(&self) -> f64 {
+        let bound = |t: &usize| self.triangle_bound(self.map.triangles.get(*t)?);
+        // The greatest is the same in any order.
+        self.coarse.par_iter().filter_map(bound).reduce(|| 0.0, f64::max)
+    }
+
+    /// How far the height in a triangle may be off the linear one; `None`: the ball does not come to all corners.
+    fn triangle_bound(&self, t: &[u32; 3]) -> Option<f64> {
+        let (_, length) = self.longest(t);
+        let normals = t.map(|v| self.map.normals[v as usize]);
+        let turn = (0..3).map(|k| (normals[(k + 1) % 3] - normals[k]).norm()).fold(0.0, f64::max);
+        let heights = t.map(|v| self.map.heights_mm[v as usize]);
+        if heights.iter().any(|h| h.is_nan()) {
+            return None;
+        }
+        let height = heights.iter().fold(0.0, |m: f64, h| m.max(h.abs()));
+        let slope = |offset_mm: f64, radius_mm: f64| {
+            let sine = (offset_mm + length) / radius_mm + turn;
+            if sine < 1.0 { sine / (1.0 - sine * sine).sqrt() } else { f64::INFINITY }
+        };
+        let way = length + height * turn;
+        // No ball that counts anywhere in the triangle is steeper than this.
+        let steepest = self.cuts.iter().map(|c| slope(c.reach_mm, c.sweep.radius_mm)).fold(0.0, f64::max);
+        // Seen from any corner; the best of them.
+        let from = |k: usize| {
+            let (p, n) = (&self.map.points[t[k] as usize], &self.map.normals[t[k] as usize]);
+            let lowest = heights[k] + 2.0 * steepest * way;
+            let one = |c: &Cut| {
+                let radius = c.sweep.radius_mm;
+                let met = c.sweep.met(p, n, c.reach_mm + length + radius * turn);
+                let offsets = met.into_iter().filter(|m| m.0 <= lowest).map(|m| m.1);
+                offsets.reduce(f64::max).map_or(0.0, |offset| slope(offset.min(c.reach_mm), radius))
+            };
+            self.cuts.iter().map(one).fold(0.0, f64::max)
+        };
+        let best = (0..3).map(from).fold(f64::INFINITY, f64::min);
+        Some(best * (length / 3f64.sqrt() + height * turn))
     }
 
     /// A place of the mesh put onto the surface, with its height.
@@ -102,7 +187,7 @@ impl Growing<'_> {
             _ => (*p, *normal),
         };
         let q = q + n * self.part.stock_mm;
-        (q, n, self.sweep.entry(&q, &n, self.reach_mm).unwrap_or(f64::NAN))
+        (q, n, self.height(&q, &n))
     }
 
     fn push(&mut self, corners: Vec<Corner>) {
@@ -116,7 +201,7 @@ impl Growing<'_> {
     /// Halves what needs it; what does not goes into the map. Gives the halves.
     fn halved(&mut self, open: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
         let near: Vec<[u32; 3]> = open.into_par_iter().filter(|t| self.near(t)).collect();
-        let full = self.map.triangles.len() + 2 * near.len() > MOST;
+        let full = self.map.triangles.len() + 2 * near.len() > self.most;
         // Triangles whose longest edge is to be looked at, by that edge.
         let mut middles: BTreeMap<(u32, u32), u32> = BTreeMap::new();
         let mut looked = Vec::new();
@@ -124,7 +209,7 @@ impl Growing<'_> {
             let (k, length) = self.longest(&t);
             let edge = (t[k].min(t[(k + 1) % 3]), t[k].max(t[(k + 1) % 3]));
             if full || length <= SHORTEST_MM {
-                self.map.coarse += 1;
+                self.coarse.push(self.map.triangles.len());
                 self.map.triangles.push(t);
             } else {
                 middles.entry(edge).or_insert(0);
@@ -167,12 +252,14 @@ impl Growing<'_> {
         let corners = t.map(|v| self.map.points[v as usize]);
         let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
         let size = corners.iter().map(|c| (c - middle).norm()).fold(0.0, f64::max);
-        let radius = self.sweep.radius_mm;
         // Normals within a triangle may differ from that of its first corner.
         let normals = t.map(|v| self.map.normals[v as usize]);
         let spread = normals.iter().map(|n| (n - normals[0]).norm()).fold(0.0, f64::max);
-        let reach = self.reach_mm + size + radius * spread;
-        self.sweep.nearest(&(middle + normals[0] * radius), reach, |_| true).is_some()
+        self.cuts.iter().any(|c| {
+            let radius = c.sweep.radius_mm;
+            let reach = c.reach_mm + size + radius * spread;
+            c.sweep.nearest(&(middle + normals[0] * radius), reach, |_| true).is_some()
+        })
     }
 
     /// The longest edge: its first corner and its length.
@@ -198,5 +285,71 @@ impl Growing<'_> {
             *v = number[old];
         }
         (map.points, map.normals, map.heights_mm) = (points, normals, heights);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::sample;
+
+    /// A map that may not grow: heights anywhere in its triangles against the linear ones.
+    #[test]
+    fn the_bound_holds_in_triangles_that_may_not_be_halved() {
+        let (blade, plan) = (sample::blade(), sample::plan(4, 90));
+        let part = Allowed::new(&blade.part, 0.0);
+        let path = &plan.toolpath;
+        let cut = || Cut::new(Sweep::new(path), path.scallop_mm);
+        let mut before = f64::INFINITY;
+        for most in [20_000, 80_000] {
+            let cuts = [cut()];
+            let map = measure_within(&part, &cuts, 1e-5, most);
+            assert!(map.coarse > 100 && map.coarse_bound_mm.is_finite(), "{} {}", map.coarse, map.coarse_bound_mm);
+            let mut worst = 0.0f64;
+            for (k, t) in map.triangles.iter().enumerate() {
+                let h = t.map(|v| map.heights_mm[v as usize]);
+                if h.iter().any(|h| h.is_nan()) {
+                    continue;
+                }
+                // A place that differs from triangle to triangle.
+                let (a, b) = (((k * 7) % 11) as f64 / 11.0, ((k * 5) % 13) as f64 / 13.0);
+                let w = if a + b > 1.0 { [1.0 - a, 1.0 - b, a + b - 1.0] } else { [a, b, 1.0 - a - b] };
+                let mix = |of: &dyn Fn(usize) -> Vector| (0..3).map(|i| of(i) * w[i]).sum::<Vector>();
+                let p = Point::from(mix(&|i| map.points[t[i] as usize].coords));
+                let n = mix(&|i| map.normals[t[i] as usize]).normalize();
+                let linear: f64 = (0..3).map(|i| h[i] * w[i]).sum();
+                let Some(at) = blade.part.closest(&p, 1.0) else { continue };
+                let there = cuts[0].sweep.entry(&at.point, &n, cuts[0].reach_mm).unwrap_or(linear);
+                worst = worst.max((there - linear).abs());
+            }
+            assert!(worst <= map.coarse_bound_mm, "{worst} {}", map.coarse_bound_mm);
+            assert!(
+                map.coarse_bound_mm < before && map.coarse_bound_mm < 100.0 * worst,
+                "{worst} {}",
+                map.coarse_bound_mm
+            );
+            before = map.coarse_bound_mm;
+        }
+    }
+
+    /// Two tools together leave what the lower of both leaves.
+    #[test]
+    fn several_tools_leave_the_lower_surface() {
+        let blade = sample::blade();
+        let part = Allowed::new(&blade.part, 0.0);
+        let [a, b] = [sample::plan(4, 60), sample::plan(2, 60)].map(|p| p.toolpath);
+        let cut = |p: &Toolpath| Cut::new(Sweep::new(p), p.scallop_mm);
+        let map = measure_within(&part, &[cut(&a), cut(&b)], 0.001, 20_000);
+        let each = [cut(&a), cut(&b)];
+        let mut both = 0;
+        for ((p, n), h) in map.points.iter().zip(&map.normals).zip(&map.heights_mm) {
+            let over: Vec<f64> = each.iter().filter_map(|c| c.sweep.entry(p, n, c.reach_mm)).collect();
+            let least = over.iter().copied().reduce(f64::min);
+            assert_eq!(least.is_none(), h.is_nan());
+            assert!(least.is_none_or(|l| l == *h));
+            both += usize::from(over.len() == 2);
+        }
+        assert!(both > 100, "{both}");
     }
 }

@@ -99,3 +99,49 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let why = said(&sample::blade(), &machine, &[clamp]).unwrap();
     assert!(why.contains("the clamp"), "{why}");
 }
+
+#[test]
+fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
+    use crate::verify::{Verdict, Verified, restart};
+    let whole = sample::with_leads(sample::plan(3, 360));
+    let mut report = sample::report();
+    report.checks.retain(|c| c.passed);
+    let kept = report.checks[0].name.clone();
+    report.checks.push(bare("lead-gouge", "of the whole", 9.0, 0.0, "mm", true, String::new()));
+    let verified = Verified::for_tests(whole.clone(), report, false);
+    let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
+    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let room = Room {
+        blade: &blade,
+        stock_mm: 0.0,
+        obstacles: &[],
+        tool: &tool,
+        machine: &machine,
+        b_rad: whole.channel.b_rad,
+        options: &options,
+    };
+    let left = sample::with_leads(whole.from_turn(1).unwrap());
+    assert!(left.leads[0].is_arc());
+    let found = restart(&verified, left.clone(), &room).unwrap();
+    let named = |name: &str| found.report().checks.iter().filter(|c| c.name == name).collect::<Vec<_>>();
+    assert_eq!(named(&kept).len(), 1);
+    assert!(
+        named("lead-gouge").len() == 1 && named("lead-gouge")[0].worst < 0.004 && named("lead-gouge")[0].row == Some(0)
+    );
+    assert!(named("axes-centre").len() == 1 && named("axes-centre")[0].passed);
+    // A lead that goes through the part is found.
+    let mut deep = left.clone();
+    let inwards = deep.toolpath.locations[0].normal * 1.0;
+    deep.leads[0].centres.iter_mut().for_each(|c| *c -= inwards);
+    let Verdict::Failed(bad) = restart(&verified, deep, &room).unwrap() else { panic!("no finding") };
+    assert!(bad.report().checks.iter().any(|c| c.name == "lead-gouge" && !c.passed && c.worst > 0.5));
+    // Evidence is for the plan that was checked, to the bit.
+    let mut moved = left.clone();
+    moved.toolpath.locations[7].centre.x += 1e-12;
+    let mut turned = left;
+    turned.schedule.theta[7] += 1e-12;
+    for other in [moved, turned] {
+        let e = restart(&verified, other, &room).unwrap_err();
+        assert!(e.message.contains("not the end of the plan"), "{}", e.message);
+    }
+}

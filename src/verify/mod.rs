@@ -33,6 +33,7 @@ mod limit;
 mod limits;
 mod options;
 pub mod program;
+mod restart;
 mod ridge;
 mod samples;
 mod scallop;
@@ -48,6 +49,7 @@ mod verdict;
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;
+pub use restart::restart;
 pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Obstacle, Plan};

@@ -160,6 +160,19 @@ impl Sweep {
         best
     }
 
+    /// All moves within `reach_mm` of `p + R n` that the line `p + t n` meets: where it enters the ball, and how far that ball's centre is off the line.
+    pub fn met(&self, p: &Point, n: &Vector, reach_mm: f64) -> Vec<(f64, f64)> {
+        let near = self.all_near(&(p + n * self.radius_mm), reach_mm);
+        let one = |(i, _): (usize, Point)| {
+            let (a, b) = (self.centres[i], self.centres[i + 1]);
+            let t = capsule_entry(&a, &b, self.radius_mm, p, n)?;
+            let at = p + n * t;
+            let v = a + (b - a) * share_of_segment(&a, &b, &at) - p;
+            Some((t, (v - n * v.dot(n)).norm()))
+        };
+        near.into_iter().filter_map(one).collect()
+    }
+
     /// How deep the point comes to lie in the ball moving from `a` to `b`; `None`: not at all.
     fn depth(&self, a: &Point, b: &Point, p: &Point) -> Option<f64> {
         let near = a + (b - a) * share_of_segment(a, b, p);

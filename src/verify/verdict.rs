@@ -24,6 +24,11 @@ impl<T> Verified<T> {
     pub fn forced(&self) -> bool {
         self.forced
     }
+    /// The same, marked as forced: evidence that rests on such.
+    #[must_use]
+    pub fn as_forced(self) -> Self {
+        Verified { forced: true, ..self }
+    }
     /// For unit tests of the writers only: evidence without checks. Not compiled into the library.
     #[cfg(test)]
     pub(crate) fn for_tests(value: T, report: CheckReport, forced: bool) -> Self {

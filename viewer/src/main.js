@@ -66,7 +66,7 @@ function play(on) {
 }
 
 const LAYERS = [
-  ['blade', 'blade', true], ['path', 'path', true], ['tool', 'tool', true], ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
+  ['blade', 'blade', true], ['path', 'path', true], ['leads', 'lead-in and lead-out', true], ['tool', 'tool', true], ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
   ['channel', 'channel limits', false], ['base vectors', 'base vectors', false], ['altered points', 'altered points', false],
   ['scallop', 'scallop map', false], ['machine', 'machine parts', false],
 ];

@@ -102,7 +102,7 @@ export function drawAxes() {
     return made && { mark: s => made.mark(times[before(places, s)]) };
   });
   const other = A.turns[ts[0]].baseline;
-  $('axes-note').textContent = whole ? 'A counts from the start of the first turn shown.' : other ? 'Each schedule has its own time.' : '';
+  $('axes-note').textContent = whole ? `${A.names[3]} counts from the start of the first turn shown.` : other ? 'Each schedule has its own time.' : '';
 }
 
 export function start() {
@@ -110,7 +110,7 @@ export function start() {
   $('turn').value = Math.floor(turns.length / 2);
   const A = data.axes;
   if (A) {
-    $('axis').innerHTML = A.names.map((n, i) => `<option value="${i}"${n === 'A' ? ' selected' : ''}>${n}</option>`).join('');
+    $('axis').innerHTML = A.names.map((n, i) => `<option value="${i}"${i === 3 ? ' selected' : ''}>${n}</option>`).join('');
   }
   const both = () => { drawChannel(); drawAxes(); };
   $('turn').addEventListener('input', both);

@@ -54,7 +54,7 @@ try {
     assert.deepEqual(bad, [], `${file}: ${bad.length} errors and warnings`);
     const { page, bad: wrong } = await open(browser, pathToFileURL(html).href);
     const found = await page.evaluate(text => probe(text), bytes.toString('base64'));
-    for (const name of ['workpiece', 'blade', 'path', 'cutter contacts', 'channel', 'base vectors', 'table', 'tool', 'ball', 'shank', 'head']) {
+    for (const name of ['workpiece', 'blade', 'path', 'leads', 'cutter contacts', 'channel', 'base vectors', 'table', 'tool', 'ball', 'shank', 'head']) {
       assert.ok(found.names.includes(name), `${file}: no node ${name}`);
     }
     assert.equal(found.variants.length, 5, `${file}: variants`);

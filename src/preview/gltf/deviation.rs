@@ -93,6 +93,7 @@ mod tests {
             triangles: vec![[0, 1, 2]],
             tolerance_mm: 0.002,
             coarse: 0,
+            coarse_bound_mm: 0.0,
         };
         let bytes = deviation("x", &map, &Rigid::identity(), 0.01).unwrap();
         let document = ::gltf::Gltf::from_slice(&bytes).unwrap();

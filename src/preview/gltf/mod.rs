@@ -8,6 +8,7 @@
 //!   * `path`: ball centres, one `LINE_STRIP` a turn; its material is chosen by `KHR_materials_variants`: coloured by turn, scallop,
 //!     width of the channel, feed or axis acceleration, dark for the least value and bright for the greatest (the values stand in the
 //!     node's `extras`);
+//!   * `leads`: ball centres of lead-in and lead-out, and the beginning of the straight way along the tool axis;
 //!   * `cutter contacts`: where the ball touches the part;
 //!   * `uncut`, where there is any: what no ball of this radius can reach, red;
 //!   * `channel`: the angles that the whole tool may take, as fans, at the narrowest place of turns and, orange, of all;
@@ -146,6 +147,7 @@ fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
         if scene.options.path_and_motion {
             on_table.extend(path::node(&mut glb, plan, scene, detail)?);
         }
+        on_table.extend(path::leads(&mut glb, plan, scene)?);
         on_table.extend(path::contacts(&mut glb, plan, scene, detail)?);
         on_table.extend(marks::fans(&mut glb, plan, scene)?);
         on_table.extend(marks::base_vectors(&mut glb, plan, scene)?);

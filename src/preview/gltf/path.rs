@@ -16,7 +16,10 @@ use crate::artifact::Plan;
 use crate::error::{Error, Result, Stage};
 use crate::preview::colour;
 use crate::preview::values::{self, Values};
+use crate::tool;
 
+/// So many ball radii of the straight way along the tool axis are drawn.
+const SHOWN_RADII: f64 = 2.0;
 /// Pixels of the texture: the first for places without a value.
 const PIXELS: u32 = 256;
 
@@ -106,6 +109,36 @@ pub(super) fn png_of(colours: &[[u8; 3]], upright: bool) -> Result<Vec<u8>> {
     written
         .map_err(|e| Error::io(Stage::Preview, format!("the scale of colours cannot be encoded: {e}")).caused_by(e))?;
     Ok(out)
+}
+
+/// The ways of the ball onto the path and off it: the arc of each lead, and the beginning of the straight line along the tool axis; `None` without locations.
+pub(super) fn leads(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
+    let (locations, theta) = (&plan.toolpath.locations, &plan.schedule.theta);
+    let ends = [locations.first().zip(theta.first()), locations.last().zip(theta.last())];
+    let material = glb.material("leads", [0.85, 0.1, 0.55], false);
+    let mut primitives = Vec::new();
+    for (k, (lead, end)) in plan.leads.iter().zip(ends).enumerate() {
+        let Some((at, theta)) = end else { continue };
+        // From the path outwards.
+        let mut rows: Vec<_> = lead.centres.iter().copied().zip(lead.theta.iter().copied()).collect();
+        if k == 0 {
+            rows.reverse();
+        }
+        rows.insert(0, (at.centre, *theta));
+        let outer = rows.last().copied().unwrap_or((at.centre, *theta));
+        let axis = tool::axis(plan.channel.b_rad, outer.1);
+        rows.push((outer.0 + axis * (SHOWN_RADII * plan.toolpath.radius_mm), outer.1));
+        let placed = rows.iter().map(|(c, _)| triple(&(scene.blade.model_from_blade * c).coords));
+        let points = placed.collect::<Result<Vec<_>>>()?;
+        let attributes = [(Semantic::Positions, glb.positions(&points))];
+        primitives.push(Glb::primitive(attributes, None, material, Mode::LineStrip));
+    }
+    if primitives.is_empty() {
+        return Ok(None);
+    }
+    let arcs: Vec<bool> = plan.leads.iter().map(|l| l.is_arc()).collect();
+    let note = json!({ "what": "ball centres onto the path and off it: lead-in, lead-out", "arcs": arcs });
+    Ok(Some(mesh_node(glb, "leads", primitives, note)))
 }
 
 /// Where the ball touches the part, one strip a turn; `None` without locations.

@@ -49,7 +49,8 @@ fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
     let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
     let root = doc.default_scene().unwrap().nodes().next().unwrap();
     assert_eq!(names(root.children()), ["workpiece", "tool"]);
-    let parts = ["blade", "uncut", "altered points", "path", "cutter contacts", "channel", "base vectors", "table"];
+    let parts =
+        ["blade", "uncut", "altered points", "path", "leads", "cutter contacts", "channel", "base vectors", "table"];
     assert_eq!(names(root.children().next().unwrap().children()), parts);
     let tool = root.children().nth(1).unwrap();
     assert_eq!(names(tool.children()), ["ball", "taper", "shank", "holder 1", "holder 2", "head"]);
@@ -68,6 +69,24 @@ fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
             let want = sample::blade().model_from_blade * plan.toolpath.locations[60 * t + i].centre;
             assert!((at - want).norm() < 1e-4);
         }
+    }
+}
+
+#[test]
+fn leads_are_drawn_from_the_path_outwards() {
+    let plan = sample::with_leads(sample::plan(2, 60));
+    let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
+    let leads = doc.meshes().find(|m| m.name() == Some("leads")).unwrap();
+    assert_eq!(leads.primitives().count(), 2);
+    let ends = [plan.toolpath.locations[0].centre, plan.toolpath.locations[120].centre];
+    for ((p, lead), end) in leads.primitives().zip(&plan.leads).zip(ends) {
+        let points: Vec<_> = p.reader(|_| Some(&blob)).read_positions().unwrap().map(point).collect();
+        assert_eq!(points.len(), lead.centres.len() + 2);
+        assert!((points[0] - sample::blade().model_from_blade * end).norm() < 1e-4);
+        let (outer, up) = (points[points.len() - 2], points[points.len() - 1]);
+        assert!(((up - outer).norm() - 2.0 * plan.toolpath.radius_mm).abs() < 1e-3);
+        // An arc of 4 mm leaves the path by so much at least.
+        assert!((outer - points[0]).norm() > 2.0);
     }
 }
 

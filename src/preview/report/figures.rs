@@ -142,14 +142,15 @@ fn schedules(input: &ReportInput) -> String {
     let names: Vec<String> = (0..n).map(|k| if k == 0 { format!("{} (in use)", kind(k)) } else { kind(k) }).collect();
     let mut head = vec![("Schedule", false)];
     head.extend(names.iter().map(|n| (n.as_str(), true)));
+    let turns = input.machine.axis_names()[3];
     let figures = [
         ("machining time, s", "machining_time_s"),
         ("reversals of θ", "reversals"),
         ("locations outside the channel", "outside_channel"),
         ("greatest |dθ/ds|, °/mm", "theta_rate_peak_deg_per_mm"),
         ("greatest |d²θ/ds²|, °/mm²", "theta_acceleration_peak_deg_per_mm2"),
-        ("A at full feed, °/s", "a_velocity_at_constant_feed_deg_s"),
-        ("A at full feed, °/s²", "a_acceleration_at_constant_feed_deg_s2"),
+        (&format!("{turns} at full feed, °/s"), "a_velocity_at_constant_feed_deg_s"),
+        (&format!("{turns} at full feed, °/s²"), "a_acceleration_at_constant_feed_deg_s2"),
     ];
     let body: String = figures
         .iter()

@@ -32,10 +32,11 @@ pub use report::{Audit, LineCheck, Span};
 
 use rayon::prelude::*;
 
-use super::deviation;
+use super::deviation::{self, Cut};
 use super::program::{self, Bench};
 use super::sweep::Sweep;
 use crate::artifact::Blade;
+use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
@@ -107,11 +108,18 @@ pub fn audit(
 ) -> Result<Audit> {
     bench.tool.validate()?;
     let moves = program::follow(&program::read(text, bench.language)?, bench)?;
-    audit_moves(text, &moves, blade, bench, options, observer)
+    let (audit, cut) = audit_moves(text, &moves, blade, bench, options, observer)?;
+    Ok(Audit { map: map(blade, options, &[cut]), ..audit })
+}
+
+/// What all cuts together leave.
+fn map(blade: &Blade, options: &AuditOptions, cuts: &[Cut]) -> Option<DeviationMap> {
+    let part = Allowed::new(&blade.part, options.stock_mm);
+    options.map_mm.map(|tolerance| deviation::measure(&part, cuts, tolerance))
 }
 
 /// Judges a program of several operations, with a tool for each tool call in their order: an audit of each. The moves from one operation to the next
-/// belong to the first, up to the tool call. What one leaves between its passes is judged by itself.
+/// belong to the first, up to the tool call. What one leaves between its passes is judged by itself; the map, of what all of them together leave, is the last one's.
 ///
 /// # Errors
 /// As [`audit`] of each, and where the program does not call as many tools.
@@ -131,7 +139,12 @@ pub fn audit_each(
     let moves = program::follow_each(&program::read(text, first.language)?, benches)?;
     let one =
         |(bench, moves): (&Bench, &Vec<program::Moved>)| audit_moves(text, moves, blade, bench, options, observer);
-    benches.iter().zip(&moves).map(one).collect()
+    let (mut audits, cuts): (Vec<Audit>, Vec<Cut>) =
+        benches.iter().zip(&moves).map(one).collect::<Result<Vec<_>>>()?.into_iter().unzip();
+    if let Some(last) = audits.last_mut() {
+        last.map = map(blade, options, &cuts);
+    }
+    Ok(audits)
 }
 
 fn audit_moves(
@@ -141,7 +154,7 @@ fn audit_moves(
     bench: &Bench,
     options: &AuditOptions,
     observer: &dyn Observer,
-) -> Result<Audit> {
+) -> Result<(Audit, Cut)> {
     let step = |done: usize| {
         observer.progress(Stage::Verify, done, 5);
         observer.check(Stage::Verify)
@@ -175,8 +188,7 @@ fn audit_moves(
     }
     step(5)?;
     let widest = scallop::widest_mm(&scene);
-    let map = options.map_mm.map(|tolerance| deviation::measure(&scene.part, &cutting, widest, tolerance));
-    Ok(report::report(&scene, checks, &heights, map))
+    Ok((report::report(&scene, checks, &heights), Cut::new(cutting, widest)))
 }
 
 /// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is known from its beginning.

@@ -154,7 +154,7 @@ impl Scene<'_> {
 }
 
 /// The audit with its figures.
-pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights, map: Option<DeviationMap>) -> Audit {
+pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -> Audit {
     let legs = scene.legs;
     let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
     let feeds = || (0..legs.legs.len()).filter(cut);
@@ -174,6 +174,6 @@ pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights, m
         scallop_p99_mm: heights.percentile(0.99),
         scallop_p50_mm: heights.percentile(0.5),
         checks,
-        map,
+        map: None,
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! At samples of the surface, the height at which the normal meets the swept ball, as in [`super::super::scallop`]. Nothing is known of
 //! how the passes lie, so a sample counts where it lies *between* passes: the places of the swept centres nearest to its ball centre are
-//! on both sides of it. The strip beyond the outermost passes has one on one side only.
+//! on both sides of it. The strip beyond the outermost passes has one on one side only. Places beside the beginning or the end of a pass do not count either: there the
+//! ball comes down or goes up, and beyond is nothing to be cut.
 //!
 //! One turn that is too wide may be a small share of the part, so the height is judged turn by turn too.
 
 use rayon::prelude::*;
 
 use super::Scene;
+use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
 use crate::geometry::Point;
 use crate::verify::samples::{self, Sample};
@@ -65,9 +67,10 @@ pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
     let radius = sweep.radius_mm;
     let widest = widest_mm(scene);
     let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
+    let ends = near_ends(sweep, reach + (2.0 * radius * NEAR_MM).sqrt());
     let height = |s: &Sample| {
         let q = s.point + s.normal * radius;
-        let (leg, gap_mm) = between(sweep, &q, reach)?;
+        let (leg, gap_mm) = between(sweep, &q, reach, &ends)?;
         let raw = sweep.entry(&s.point, &s.normal, reach)?;
         // What no ball of this radius could reach is no fault of the passes.
         let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
@@ -79,16 +82,35 @@ pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
     Heights { sorted }
 }
 
-/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its two sides are apart.
-fn between(sweep: &Sweep, q: &Point, reach_mm: f64) -> Option<(usize, f64)> {
+/// Legs within so much way of the beginning or the end of a pass: there the ball comes down or goes up on a lead, and beyond it nothing is to be cut.
+fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
+    let n = sweep.centres.len().saturating_sub(1);
+    let mut out = vec![false; n];
+    let mut mark = |rows: &mut dyn Iterator<Item = usize>| {
+        let mut way = 0.0;
+        for i in rows {
+            // Between passes the way begins anew.
+            way = if sweep.counts(i) { way + (sweep.centres[i + 1] - sweep.centres[i]).norm() } else { 0.0 };
+            out[i] |= way - (sweep.centres[i + 1] - sweep.centres[i]).norm() < way_mm;
+        }
+    };
+    mark(&mut (0..n));
+    mark(&mut (0..n).rev());
+    out
+}
+
+/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its two sides are apart; `None` where one of them is near
+/// the end of a pass.
+fn between(sweep: &Sweep, q: &Point, reach_mm: f64, ends: &[bool]) -> Option<(usize, f64)> {
     let mut near: Vec<(f64, usize, Point)> =
         sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let (d, leg, c) = *near.first()?;
     let side = c - q;
     let across = |(e, _, other): &&(f64, usize, Point)| (other - q).dot(&side) <= OPPOSITE * d * e;
-    let (e, ..) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
-    Some((leg, d + e))
+    let (e, other, _) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
+    let inside = |leg: usize| ends.get(leg) == Some(&false);
+    (inside(leg) && inside(*other)).then_some((leg, d + e))
 }
 
 /// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
@@ -157,4 +179,29 @@ fn median_gap(heights: &[Height]) -> f64 {
 fn passes(h: &Height, usual_mm: f64) -> String {
     let missing = if h.gap_mm > MISSING * usual_mm { ": a turn or a pass is missing between them" } else { "" };
     format!("; the passes beside it are {:.3} mm apart, usually {usual_mm:.3} mm{missing}", h.gap_mm)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn legs_beside_the_ends_of_passes_are_known() {
+        let centres: Vec<Point> = (0..=10).map(|i| Point::new(f64::from(i), 0.0, 0.0)).collect();
+        let wanted = (0..10).map(|i| i != 5).collect();
+        let sweep = Sweep::of(centres.clone(), centres, vec![0; 11], 1.0, Some(wanted));
+        let near = near_ends(&sweep, 2.0);
+        let far: Vec<usize> = (0..10).filter(|i| !near[*i]).collect();
+        assert_eq!(far, [2]);
+        assert!(near_ends(&sweep, 100.0).iter().all(|n| *n));
+        // Midway between two passes, and beside the end of one.
+        let mut rows: Vec<Point> = (0..=40).map(|i| Point::new(f64::from(i), 0.0, 0.0)).collect();
+        rows.extend((0..=40).map(|i| Point::new(f64::from(i), 1.0, 0.0)));
+        let wanted = (0..81).map(|i| i != 40).collect();
+        let sweep = Sweep::of(rows.clone(), rows, vec![0; 82], 1.0, Some(wanted));
+        let ends = near_ends(&sweep, 3.0);
+        let q = |x: f64| between(&sweep, &Point::new(x, 0.4, 0.0), 2.0, &ends);
+        assert!(q(20.5).is_some_and(|(_, gap)| (gap - 1.0).abs() < 1e-9));
+        assert_eq!((q(1.5), q(39.2)), (None, None));
+    }
 }
