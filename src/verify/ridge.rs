@@ -4,9 +4,6 @@
 //! middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to the part; its distance from the
 //! part is the cusp's height. Each ridge counts by the area between the two passes that it stands for: the length of the
 //! contacts' way there times `d`.
-//!
-//! What other moves take off there is no ridge: where a ball runs round a thin edge, moves before and after cut through the meeting of the two. The height
-//! is where the part's normal under the ridge enters the swept ball, which is the ridge itself unless another move is lower.
 
 use rayon::prelude::*;
 
@@ -17,9 +14,6 @@ use crate::geometry::{Point, Vector};
 
 /// Ridges are measured at most at so many places.
 const MOST_RIDGES: usize = 6000;
-
-/// Moves within so many times the distance of the two passes may cut a ridge down.
-const REACH_STEPOVERS: f64 = 2.5;
 
 /// First and last turn, which have a neighbour on one side only.
 pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
@@ -70,11 +64,10 @@ pub(super) fn between(
     let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
     let (height_mm, point) = lowest(part, point, radius)?;
     let under = part.closest(&point, radius)?;
-    let left = sweep.entry(&under.point, &under.normal, REACH_STEPOVERS * d).map_or(height_mm, |t| t.min(height_mm));
     // A ridge over a corner that no ball can reach is not one of the stepover's.
     let up = lift(part, &under.point, &under.normal, radius, slack_mm);
     let weight = d * stretch_mm(sweep, row, every);
-    (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
+    (up == 0.0).then_some(Height { height_mm, point, row, weight })
 }
 
 /// Half the way of the contacts from `every` moves before the row to as many after it, mm.
@@ -98,34 +91,4 @@ fn lowest(part: &Allowed, point: impl Fn(f64) -> Point, radius: f64) -> Option<(
 
 fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
     if from_foot.dot(normal) < 0.0 { -distance } else { distance }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-    use super::*;
-    use crate::sample;
-
-    #[test]
-    fn what_another_move_takes_off_is_no_ridge() {
-        let (blade, path) = (sample::blade(), sample::plan(4, 180).toolpath);
-        let part = Allowed::new(&blade.part, 0.0);
-        let between_1_and_2 = |sweep: &Sweep| -> Vec<f64> {
-            let rows = (0..path.locations.len()).filter(|r| sweep.turns[*r] == 1).step_by(10);
-            rows.filter_map(|row| between(&part, sweep, row, 2, 1, 0.0002)).map(|h| h.height_mm).collect()
-        };
-        let before = between_1_and_2(&Sweep::new(&path));
-        assert!(before.len() > 10 && before.iter().all(|h| *h > 0.004), "{before:?}");
-        // A pass midway between the two, with a number that is no neighbour's.
-        let mut centres: Vec<_> = path.locations.iter().map(|l| l.centre).collect();
-        let mut turns: Vec<u32> = path.locations.iter().map(|l| l.turn).collect();
-        let rows = |turn: u32| path.locations.iter().filter(move |l| l.turn == turn).map(|l| l.centre);
-        let middle: Vec<_> = rows(1).zip(rows(2)).map(|(a, b)| nalgebra::center(&a, &b)).collect();
-        let wanted = [vec![true; centres.len() - 1], vec![false], vec![true; middle.len() - 1]].concat();
-        turns.extend(middle.iter().map(|_| 50));
-        centres.extend(middle);
-        let after = between_1_and_2(&Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(wanted)));
-        assert_eq!(after.len(), before.len());
-        assert!(after.iter().all(|h| *h < 0.0025), "{after:?}");
-    }
 }
