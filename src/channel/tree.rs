@@ -33,15 +33,17 @@ pub(super) struct SphereTree {
     parents: Vec<u32>,
 }
 
-/// Large triangles are cut into no more than about this many pieces in all.
-const MOST_PIECES: f64 = 200_000.0;
+/// Cutting large triangles makes no more than this many pieces besides one a triangle.
+const MOST_PIECES: usize = 200_000;
+/// Pieces are allowed to be longer by this factor until they are few enough.
+const COARSER: f64 = 1.4;
 
 impl SphereTree {
     /// Halves the pieces at the median along the longest side of their centres' box; deterministic. Triangles are cut until
     /// their sides are no longer than `side_mm`: one that reaches far round the tool is hard to bound, and would be cut
     /// anew for every location.
     pub fn new(mesh: &Mesh, side_mm: f64) -> Self {
-        let side_mm = side_mm.max((4.0 * mesh.area_mm2() / MOST_PIECES).sqrt());
+        let side_mm = side_for(mesh, side_mm);
         let (mut pieces, mut parents) = (Vec::with_capacity(mesh.triangles.len()), Vec::new());
         let mut open = Vec::new();
         for t in 0..mesh.triangles.len() {
@@ -94,6 +96,32 @@ impl SphereTree {
         let link = self.nodes[index as usize].link;
         if link >= LEAF { Below::Leaf(link - LEAF) } else { Below::Nodes(index + 1, link) }
     }
+}
+
+/// The length of sides to which triangles can be cut without ending in too many pieces; counted, since needles, of next to no area,
+/// make as many as their length asks for.
+fn side_for(mesh: &Mesh, side_mm: f64) -> f64 {
+    let most = MOST_PIECES + mesh.triangles.len();
+    let mut side = side_mm.max((mesh.area_mm2() / MOST_PIECES as f64).sqrt());
+    while side.is_finite() && side > 0.0 {
+        let (mut count, mut open) = (0, Vec::new());
+        for t in 0..mesh.triangles.len() {
+            open.push(mesh.corners(t));
+            while let Some(corners) = open.pop() {
+                let [a, b, c] = corners;
+                if count <= most && [b - a, c - b, a - c].iter().any(|s| s.norm() > side) {
+                    open.extend(halves(&corners));
+                } else {
+                    count += 1;
+                }
+            }
+        }
+        if count <= most {
+            break;
+        }
+        side *= COARSER;
+    }
+    side
 }
 
 /// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.

@@ -20,6 +20,8 @@ const SMALLEST: f64 = 1e-5;
 /// query cuts them further where it needs to.
 const SMALLEST_WILD: f64 = 1e-3;
 const DEEPEST: usize = 24;
+/// A face of more pieces than this is cut no further: queries cut the rest where they need to.
+const MOST_PIECES: usize = 100_000;
 
 /// The pieces of one face, with boxes along the axes.
 #[derive(Default)]
@@ -83,8 +85,12 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
             };
             let (points, row) = hull(&shape, &rect);
             let leaf = Leaf::new(&shape, rect, &points);
+            // Sides that matter from afar stay many however small the piece is.
+            let crowded = leaf.slab.radius() > 2.0 * region.limit_mm()
+                && borders.as_ref().is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
             if depth < DEEPEST
-                && let Some(along) = to_cut(&leaf, &points, row, borders.as_deref(), diagonal_mm)
+                && out.leaves.len() + open.len() < MOST_PIECES
+                && let Some(along) = to_cut(&leaf, &points, row, crowded, diagonal_mm)
             {
                 let [a, b] = rect.halves(along);
                 for half in [b, a] {
@@ -103,11 +109,10 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
 }
 
 /// The direction in which a piece is to be halved, if it is.
-fn to_cut(leaf: &Leaf, points: &[Point], row: usize, borders: Option<&[Border]>, diagonal_mm: f64) -> Option<usize> {
+fn to_cut(leaf: &Leaf, points: &[Point], row: usize, crowded: bool, diagonal_mm: f64) -> Option<usize> {
     if leaf.slab.radius() < SMALLEST * diagonal_mm {
         return None;
     }
-    let crowded = borders.is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
     if leaf.wild && !crowded && leaf.slab.radius() < SMALLEST_WILD * diagonal_mm {
         return None;
     }

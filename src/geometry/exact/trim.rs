@@ -102,7 +102,7 @@ impl Region {
     }
 
     /// Feet nearer than this to a side are decided by the exact edge, mm.
-    fn limit_mm(&self) -> f64 {
+    pub fn limit_mm(&self) -> f64 {
         2.0 * self.trim.blur_mm + BEYOND_EDGE_MM
     }
 
