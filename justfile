@@ -28,6 +28,11 @@ occ points="10000" *models="models/steam_root.step models/compressor_twist.step 
     cargo build --release --examples --bins
     "${PYTHON:-python3}" tests/occ/compare.py target/release {{points}} {{models}}
 
+# The same where its search over all faces takes too long: its local search from many starts
+occ-dense points="10000" *models="models/steam_root.step":
+    cargo build --release --examples --bins
+    "${PYTHON:-python3}" tests/occ/dense.py target/release {{points}} {{models}}
+
 # Loading time beside OpenCASCADE
 occ-load *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples

@@ -227,3 +227,31 @@ pub(super) fn halves(corners: &[Point; 3]) -> [[Point; 3]; 2] {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A metre of needles a hundredth thick: cut by their length alone they would make millions of pieces.
+    #[test]
+    fn needles_make_no_more_pieces_than_other_triangles() {
+        let (n, length) = (3000, 1000.0);
+        let mut mesh = Mesh::default();
+        for k in 0..n {
+            let y = 0.01 * f64::from(k);
+            mesh.points.extend([
+                Point::new(0.0, y, 0.0),
+                Point::new(length, y + 0.005, 0.0),
+                Point::new(length, y + 0.01, 0.0),
+            ]);
+            mesh.triangles.push([3 * k as u32, 3 * k as u32 + 1, 3 * k as u32 + 2]);
+        }
+        let tree = SphereTree::new(&mesh, 1.0);
+        assert!(tree.pieces.len() <= MOST_PIECES + mesh.triangles.len(), "{}", tree.pieces.len());
+        assert!(tree.pieces.len() > 10 * mesh.triangles.len(), "{}", tree.pieces.len());
+        // A few large triangles are cut as finely as asked.
+        mesh.triangles.truncate(2);
+        let tree = SphereTree::new(&mesh, 1.0);
+        assert!(tree.pieces.len() > 2000 && tree.spheres.iter().all(|s| s.1 < 1.0), "{}", tree.pieces.len());
+    }
+}

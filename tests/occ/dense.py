@@ -1,0 +1,128 @@
+"""Closest points against OpenCASCADE from many starts, for parts on which its own search over all faces takes too long.
+
+    python dense.py PROGRAM_FOLDER POINTS MODEL...
+
+As compare.py, but theirs is the least of: the nearest vertices and middles of triangles of OpenCASCADE's own fine mesh of the part, and
+OpenCASCADE's local search (`Extrema_GenLocateExtPS`) on the exact surface from each of the nearest of them, where it ends inside the face. All are
+points of the part (middles within the mesh's deflection, taken off), so ours is wrong if it is more than 1 µm farther. Ours is wrong too
+if its foot lies more than 1 µm off every face about it. Exit code 1 if anything is wrong.
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+from OCP.BRep import BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepClass import BRepClass_FaceClassifier
+from OCP.BRepMesh import BRepMesh_IncrementalMesh
+from OCP.Extrema import Extrema_GenLocateExtPS
+from OCP.gp import gp_Pnt, gp_Pnt2d
+from OCP.TopAbs import TopAbs_IN, TopAbs_ON
+from OCP.TopLoc import TopLoc_Location
+from scipy.spatial import cKDTree
+
+from compare import MICRON, as_face, corners, distance, faces_of, read
+
+DEFLECTION = 0.01
+STARTS = 12
+
+
+def samples(shape):
+    """Points of all faces: place, face, parameters, how far off the exact face."""
+    BRepMesh_IncrementalMesh(shape, DEFLECTION, False, 0.1, True)
+    places, owner, uvs, off = [], [], [], []
+    faces = [as_face(f) for f in faces_of(shape)]
+    for k, face in enumerate(faces):
+        where = TopLoc_Location()
+        mesh = BRep_Tool.Triangulation_s(face, where)
+        if mesh is None:
+            continue
+        move = where.Transformation()
+        nodes = [mesh.Node(i + 1).Transformed(move) for i in range(mesh.NbNodes())]
+        nodes = np.array([[p.X(), p.Y(), p.Z()] for p in nodes])
+        flat = np.array([[mesh.UVNode(i + 1).X(), mesh.UVNode(i + 1).Y()] for i in range(mesh.NbNodes())])
+        tri = np.array([mesh.Triangle(i + 1).Get() for i in range(mesh.NbTriangles())]) - 1
+        for p, uv, slack in ((nodes, flat, 0.0), (nodes[tri].mean(axis=1), flat[tri].mean(axis=1), 2 * DEFLECTION)):
+            places.append(p)
+            uvs.append(uv)
+            owner.append(np.full(len(p), k))
+            off.append(np.full(len(p), slack))
+    return faces, np.concatenate(places), np.concatenate(owner), np.concatenate(uvs), np.concatenate(off)
+
+
+class Local:
+    """The local search on each face."""
+
+    def __init__(self, faces):
+        self.faces = faces
+        self.surfaces = [BRepAdaptor_Surface(f) for f in faces]
+        self.search = [Extrema_GenLocateExtPS(s, 1e-10, 1e-10) for s in self.surfaces]
+
+    def foot(self, face, point, uv):
+        """Distance, and the parameters, or None."""
+        search = self.search[face]
+        try:
+            search.Perform(gp_Pnt(*map(float, point)), float(uv[0]), float(uv[1]), True)
+            if not search.IsDone():
+                return None
+            u, v = search.Point().Parameter()
+            return float(np.sqrt(search.SquareDistance())), (u, v)
+        except Exception:
+            return None
+
+    def inside(self, face, uv):
+        return BRepClass_FaceClassifier(self.faces[face], gp_Pnt2d(*uv), 1e-9).State() in (TopAbs_IN, TopAbs_ON)
+
+
+def compare(folder, count, path):
+    shape = read(path)
+    low, high = corners(shape)
+    spread = np.random.default_rng(7).random((count, 3)) - 0.5
+    points = (low + high) / 2 + 1.2 * (high - low) * spread
+    listing = "\n".join(" ".join(repr(float(x)) for x in p) for p in points)
+    ask = [str(folder / "examples" / "closest_points"), str(path)]
+    answer = subprocess.run(ask, input=listing, text=True, capture_output=True)
+    if answer.returncode:
+        print(f"{path.name}: {answer.stderr.strip()}")
+        return True
+    ours = np.array([[float(w) for w in line.split()] for line in answer.stdout.splitlines()])
+    faces, places, owner, uvs, off = samples(shape)
+    local, tree = Local(faces), cKDTree(places)
+    gaps, near = tree.query(points, k=STARTS)
+    theirs = (gaps + off[near]).min(axis=1)
+    farther, stray, worst = 0, 0, 0.0
+    _, beside = tree.query(ours[:, 1:4], k=STARTS)
+    exact = 0
+    for i, q in enumerate(points):
+        tried = [(k, local.foot(owner[k], q, uvs[k])) for k in near[i]]
+        inside = [f[0] for k, f in tried if f and f[0] < theirs[i] and local.inside(owner[k], f[1])]
+        exact += bool(inside)
+        theirs[i] = min([theirs[i], *inside])
+        if ours[i, 0] > theirs[i] + MICRON:
+            farther += 1
+            if farther <= 5:
+                print(f"  at {q.tolist()}: ours {ours[i, 0]!r}, theirs {theirs[i]!r}")
+        foot = ours[i, 1:4]
+        on = [f[0] for f in (local.foot(owner[k], foot, uvs[k]) for k in beside[i]) if f]
+        off_all = min(on, default=np.inf)
+        if off_all > MICRON:
+            # On an edge, or a start too far off for the local search.
+            off_all = min(distance(foot, faces[k]) for k in sorted(set(owner[beside[i]])))
+        worst = max(worst, off_all)
+        stray += off_all > MICRON
+    print(f"{path.name}: {count} points, {farther} farther than theirs by more than 1 µm; the local search ended in a face for {exact}; ", end="")
+    print(f"{stray} feet off all faces by more than 1 µm (at most {worst:.1e} mm)", flush=True)
+    return farther == 0 and stray == 0
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    good = [compare(Path(sys.argv[1]), int(sys.argv[2]), Path(p)) for p in sys.argv[3:]]
+    sys.exit(0 if all(good) else 1)
+
+
+if __name__ == "__main__":
+    main()
