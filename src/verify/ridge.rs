@@ -4,6 +4,10 @@
 //! middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to the part; its distance from the
 //! part is the cusp's height. Each ridge counts by the area between the two passes that it stands for: the length of the
 //! contacts' way there times `d`.
+//!
+//! What other moves take off there is no ridge: where a ball runs round a thin edge, moves before and after cut through the meeting of the two. The height
+//! is where the line up to the ridge enters the swept ball, which is the ridge itself unless another move is lower by more
+//! than chords sag.
 
 use rayon::prelude::*;
 
@@ -14,6 +18,11 @@ use crate::geometry::{Point, Vector};
 
 /// Ridges are measured at most at so many places.
 const MOST_RIDGES: usize = 6000;
+
+/// A ridge that other moves lower by this share of what two passes leave on a plane is cut by them.
+const CUT: f64 = 0.25;
+/// Moves within so many times the distance of the two passes may cut a ridge down.
+const REACH_STEPOVERS: f64 = 2.5;
 
 /// First and last turn, which have a neighbour on one side only.
 pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
@@ -64,10 +73,16 @@ pub(super) fn between(
     let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
     let (height_mm, point) = lowest(part, point, radius)?;
     let under = part.closest(&point, radius)?;
+    // Up to the ridge itself: the normal of a facet may point past it.
+    let up_to = (point - under.point).try_normalize(1e-6).filter(|_| height_mm > 0.0);
+    let entry = up_to.and_then(|n| sweep.entry(&under.point, &n, REACH_STEPOVERS * d));
+    // By less than this it is the chords of the same two passes.
+    let sag = CUT * (radius - circle);
+    let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
     // A ridge over a corner that no ball can reach is not one of the stepover's.
     let up = lift(part, &under.point, &under.normal, radius, slack_mm);
     let weight = d * stretch_mm(sweep, row, every);
-    (up == 0.0).then_some(Height { height_mm, point, row, weight })
+    (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
 }
 
 /// Half the way of the contacts from `every` moves before the row to as many after it, mm.
@@ -91,4 +106,36 @@ fn lowest(part: &Allowed, point: impl Fn(f64) -> Point, radius: f64) -> Option<(
 
 fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
     if from_foot.dot(normal) < 0.0 { -distance } else { distance }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn what_another_move_takes_off_is_no_ridge() {
+        let (blade, path) = (sample::blade(), sample::plan(4, 180).toolpath);
+        let part = Allowed::new(&blade.part, 0.0);
+        let between_1_and_2 = |sweep: &Sweep| -> Vec<f64> {
+            let rows = (0..path.locations.len()).filter(|r| sweep.turns[*r] == 1).step_by(10);
+            rows.filter_map(|row| between(&part, sweep, row, 2, 1, 0.0002)).map(|h| h.height_mm).collect()
+        };
+        let before = between_1_and_2(&Sweep::new(&path));
+        assert!(before.len() > 10);
+        // A pass midway between the two, with a number that is no neighbour's.
+        let mut centres: Vec<_> = path.locations.iter().map(|l| l.centre).collect();
+        let mut turns: Vec<u32> = path.locations.iter().map(|l| l.turn).collect();
+        let rows = |turn: u32| path.locations.iter().filter(move |l| l.turn == turn).map(|l| l.centre);
+        let middle: Vec<_> = rows(1).zip(rows(2)).map(|(a, b)| nalgebra::center(&a, &b)).collect();
+        let wanted = [vec![true; centres.len() - 1], vec![false], vec![true; middle.len() - 1]].concat();
+        turns.extend(middle.iter().map(|_| 50));
+        centres.extend(middle);
+        let after = between_1_and_2(&Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(wanted)));
+        assert_eq!(after.len(), before.len());
+        // The ball of 5 mm leaves ridges of 6 µm between passes 0.5 mm apart; facets are farther off the round part than that.
+        let lower: Vec<f64> = before.iter().zip(&after).filter(|(b, _)| **b > 0.01).map(|(b, a)| b - a).collect();
+        assert!(lower.len() > 10 && lower.iter().all(|l| (0.005..0.0075).contains(l)), "{lower:?}");
+    }
 }

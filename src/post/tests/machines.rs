@@ -92,7 +92,7 @@ fn every_dialect_reads_back_on_every_chain() {
             match control {
                 Control::SiemensVector | Control::HeidenhainVector | Control::FanucVector | Control::Apt => {}
                 Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => {
-                    assert!(has(first) && has(second) == !second.is_empty(), "{control:?} {line}")
+                    assert!(has(first) && has(second) != second.is_empty(), "{control:?} {line}")
                 }
                 // Under tool-centre-point control what stands still is told once.
                 _ => assert!(has(first) && has(second) == (k == 4), "{control:?} {line}"),
