@@ -93,10 +93,11 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
 pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64) -> Result<()> {
     if map.coarse > 0 {
         let (coarse, all) = (map.coarse, map.triangles.len());
-        let bound = map.coarse_bound_mm;
-        sayln!(
-            "map        {coarse} of {all} triangles could not be made finer: in those heights are within {bound:.4} mm of the linear ones"
-        );
+        let within = match map.coarse_bound_mm {
+            bound if bound.is_finite() => format!("in those heights are within {bound:.4} mm of the linear ones"),
+            _ => "in the worst of those, on edges, no bound can be given for what is between corners".to_owned(),
+        };
+        sayln!("map        {coarse} of {all} triangles could not be made finer: {within}");
     }
     if file.extension().is_some_and(|e| e == "csv") {
         return output::write_file(file, tables::deviation(blade, map).as_bytes());
