@@ -20,6 +20,7 @@
 mod build;
 mod leaf;
 pub mod measure;
+mod newton;
 mod patch;
 mod search;
 mod sign;
