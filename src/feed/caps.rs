@@ -64,6 +64,9 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
 /// the line, which is little where q' changes little.
 pub(super) fn of_velocity(q1: [f64; 3], v: f64, most: f64) -> [f64; 2] {
     let greatest = q1.iter().fold(0.0f64, |m, q| m.max(q.abs()));
+    if greatest * greatest * most <= v * v {
+        return [most; 2];
+    }
     let level = (v / greatest).powi(2).min(most);
     let ends = [q1[0], q1[2]].map(|q| (v / q).powi(2).min(most));
     let [a, b, c] = q1;

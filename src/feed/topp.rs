@@ -117,6 +117,8 @@ pub(super) fn fastest(
     let mut lines = Vec::with_capacity(32);
     // Backwards: the greatest x from which the end can be reached at rest.
     let mut reach: Vec<f64> = vec![0.0; n];
+    // Caps at the ends of the intervals, kept for the way forwards.
+    let mut caps = vec![0.0; n - 1];
     for i in (0..n - 1).rev() {
         if i % 8192 == 0 {
             observer.check(Stage::Feed)?;
@@ -127,13 +129,14 @@ pub(super) fn fastest(
         lines.push(Half { a: 2.0 * h, b: 1.0, c: reach[i + 1].min(there) });
         lines.push(Half { a: -2.0 * h, b: -1.0, c: 0.0 });
         reach[i] = greatest(&lines, here);
+        caps[i] = there;
     }
     // Forwards: as fast as that allows.
     let (mut x, mut u) = (vec![0.0; n], vec![0.0; n - 1]);
     for i in 0..n - 1 {
         let h = s[i + 1] - s[i];
         halves(curve, i, limits, &mut lines);
-        let most = reach[i + 1].min(cap(curve, i, limits, most)[1]);
+        let most = reach[i + 1].min(caps[i]);
         x[i + 1] = (x[i] + 2.0 * h * range(&lines, x[i]).high).clamp(0.0, most);
         u[i] = (x[i + 1] - x[i]) / (2.0 * h);
         if x[i].max(x[i + 1]) <= 0.0 {
