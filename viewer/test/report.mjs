@@ -128,7 +128,9 @@ async function desktop(browser, folder, url) {
   await page.mouse.move(over.x + over.width * 0.7, over.y + over.height * 0.5);
   const readout = await page.textContent('#chart-channel .readout');
   assert.match(readout, /S, mm .*true channel .*tangent channel .*schedule/);
-  assert.notEqual(await page.textContent('#along-out'), place, 'hovering the plot moves the tool');
+  // The view follows with the next picture that it draws.
+  await page.waitForFunction(before => document.querySelector('#along-out').textContent !== before, place, { timeout: 5000 })
+    .catch(() => assert.fail(`hovering the plot moves the tool, which stays at ${place}`));
   const turn = await page.textContent('#turn-out');
   await page.click('#turn-up');
   assert.notEqual(await page.textContent('#turn-out'), turn, 'another turn is shown');
