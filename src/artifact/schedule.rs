@@ -85,7 +85,7 @@ pub enum Scope {
 )]
 #[serde(rename_all = "kebab-case")]
 pub enum BaseAngle {
-    /// Of several between the channel's limits, the one with the least rotary acceleration, the same share of the width at all turns.
+    /// Of several between the channel's limits, the one that the weakest rotary axis can follow; the same share of the width at all turns.
     #[default]
     Best,
     /// The forward limit, as published.
