@@ -43,21 +43,13 @@ impl SphereTree {
     /// their sides are no longer than `side_mm`: one that reaches far round the tool is hard to bound, and would be cut
     /// anew for every location.
     pub fn new(mesh: &Mesh, side_mm: f64) -> Self {
-        let side_mm = side_for(mesh, side_mm);
-        let (mut pieces, mut parents) = (Vec::with_capacity(mesh.triangles.len()), Vec::new());
-        let mut open = Vec::new();
-        for t in 0..mesh.triangles.len() {
-            open.push(mesh.corners(t));
-            while let Some(corners) = open.pop() {
-                let [a, b, c] = corners;
-                if [b - a, c - b, a - c].iter().any(|s| s.norm() > side_mm) {
-                    open.extend(halves(&corners));
-                } else {
-                    pieces.push(corners);
-                    parents.push(t as u32);
-                }
+        let mut side_mm = side_mm.max((mesh.area_mm2() / MOST_PIECES as f64).sqrt());
+        let (pieces, parents) = loop {
+            match cut(mesh, side_mm) {
+                Some(found) => break found,
+                None => side_mm *= COARSER,
             }
-        }
+        };
         let centres: Vec<Point> =
             pieces.iter().map(|[a, b, c]| Point::from((a.coords + b.coords + c.coords) / 3.0)).collect();
         let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
@@ -98,30 +90,26 @@ impl SphereTree {
     }
 }
 
-/// The length of sides to which triangles can be cut without ending in too many pieces; counted, since needles, of next to no area,
-/// make as many as their length asks for.
-fn side_for(mesh: &Mesh, side_mm: f64) -> f64 {
-    let most = MOST_PIECES + mesh.triangles.len();
-    let mut side = side_mm.max((mesh.area_mm2() / MOST_PIECES as f64).sqrt());
-    while side.is_finite() && side > 0.0 {
-        let (mut count, mut open) = (0, Vec::new());
-        for t in 0..mesh.triangles.len() {
-            open.push(mesh.corners(t));
-            while let Some(corners) = open.pop() {
-                let [a, b, c] = corners;
-                if count <= most && [b - a, c - b, a - c].iter().any(|s| s.norm() > side) {
-                    open.extend(halves(&corners));
-                } else {
-                    count += 1;
-                }
+/// The triangles cut until no side is longer than `side_mm`, and of which triangle each piece is; `None` where they would be too many.
+/// They are counted, since needles, of next to no area, make as many as their length asks for.
+fn cut(mesh: &Mesh, side_mm: f64) -> Option<(Vec<[Point; 3]>, Vec<u32>)> {
+    let count = mesh.triangles.len();
+    let (mut pieces, mut parents, mut open) = (Vec::with_capacity(count), Vec::with_capacity(count), Vec::new());
+    for t in 0..count {
+        open.push(mesh.corners(t));
+        while let Some(corners) = open.pop() {
+            let [a, b, c] = corners;
+            if [b - a, c - b, a - c].iter().any(|s| s.norm() > side_mm) {
+                open.extend(halves(&corners));
+            } else if pieces.len() < MOST_PIECES + count {
+                pieces.push(corners);
+                parents.push(t as u32);
+            } else {
+                return None;
             }
         }
-        if count <= most {
-            break;
-        }
-        side *= COARSER;
     }
-    side
+    Some((pieces, parents))
 }
 
 /// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.
