@@ -25,7 +25,7 @@ use bladewright::path::{self, PathOptions};
 use bladewright::schedule::{self, Pace, ScheduleOptions};
 use bladewright::tool::{HolderStage, Tool};
 
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 21;
 const LOCATIONS: f64 = 100_000.0;
 
 /// 20 turns about an ellipse of half axes 22 and 5 mm, and the azimuth of the normal.

@@ -71,12 +71,13 @@ pub(super) fn of_velocity(q1: [f64; 3], v: f64, most: f64) -> [f64; 2] {
     let ends = [q1[0], q1[2]].map(|q| (v / q).powi(2).min(most));
     let [a, b, c] = q1;
     let square = [a * a, a * b, (2.0 * b * b + a * c) / 3.0, b * c, c * c];
-    let over = (0..6).fold(1.0f64, |m, k| {
+    let product: [f64; 6] = std::array::from_fn(|k| {
         let share = k as f64 / 5.0;
         let before = if k > 0 { share * square[k - 1] * ends[1] } else { 0.0 };
         let after = if k < 5 { (1.0 - share) * square[k] * ends[0] } else { 0.0 };
-        m.max((before + after) / (v * v))
+        before + after
     });
+    let over = product.iter().fold(v * v, |m, p| m.max(*p)) / (v * v);
     let line = ends.map(|x| x / over);
     if line[0] + line[1] > 2.0 * level { line } else { [level; 2] }
 }

@@ -1,7 +1,9 @@
 //! Time-optimal speed along a given curve: reachability analysis on `x = ṡ²`, `u = s̈` (equations on the stage's page).
 //!
-//! In every interval the limits are half planes `a u + b x ≤ c` with `c ≥ 0`, so rest (0, 0) is always allowed and the set
+//! In every interval the limits are strips about rest, `|a u + b x| ≤ c`, so rest (0, 0) is always allowed and the set
 //! of `x` from which the end can be reached is an interval that begins at 0; only its greatest value is needed.
+
+use rayon::prelude::*;
 
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::CubicSpline;
@@ -19,12 +21,25 @@ pub(super) struct Profile {
     pub u: Vec<f64>,
 }
 
-/// `a u + b x ≤ c`.
+/// Bernstein coefficients of the acceleration of all axes over an interval.
+const ROWS: usize = 15;
+
+/// Limits of all axes' accelerations over an interval, each a strip `|a u + b x| ≤ 1`, solved for `u`.
+///
+/// Within the interval `u` is constant, `q'` quadratic, `q''` and `x + 2tu` linear in `t`, so the acceleration
+/// `q' u + q'' (x + 2tu)` is a quadratic: it is bounded by its Bernstein coefficients, each linear in `(x, u)`.
 #[derive(Clone, Copy, Debug)]
-struct Half {
-    a: f64,
-    b: f64,
-    c: f64,
+struct Strips {
+    /// `−b/a`: slope of the strip's middle in `x`.
+    slope: [f64; ROWS],
+    /// `1/|a|`: half its height; without end where `u` does not matter.
+    half: [f64; ROWS],
+    /// Greatest `x` by strips in which `u` does not matter, and by the caps of ṡ² at the start of the interval.
+    most_here: f64,
+    /// Greatest `x` at its end by the caps.
+    most_there: f64,
+    /// Its length, mm.
+    length: f64,
 }
 
 /// The range of `u` at some `x`, with the slopes of its ends in `x`.
@@ -35,73 +50,77 @@ struct Range {
     high_slope: f64,
 }
 
-fn range(halves: &[Half], x: f64) -> Range {
-    let mut r = Range { low: f64::NEG_INFINITY, low_slope: 0.0, high: f64::INFINITY, high_slope: 0.0 };
-    for h in halves {
-        let v = (h.c - h.b * x) / h.a;
-        if h.a > FLAT && v < r.high {
-            (r.high, r.high_slope) = (v, -h.b / h.a);
-        } else if h.a < -FLAT && v > r.low {
-            (r.low, r.low_slope) = (v, -h.b / h.a);
+impl Strips {
+    /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in each interval.
+    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> Strips {
+        let s = curve.abscissae();
+        let h = s[i + 1] - s[i];
+        let own = most.get(i).copied().unwrap_or(f64::INFINITY);
+        let mut out =
+            Strips { slope: [0.0; ROWS], half: [f64::INFINITY; ROWS], most_here: own, most_there: own, length: h };
+        for (k, [velocity, acceleration]) in limits.iter().enumerate() {
+            // q' = b + 2ct + 3dt², q'' = 2c + 6dt, q' + 2t q'' = b + 6ct + 15dt².
+            let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+            let (c, d) = (c * h, d * h * h);
+            let line = super::caps::of_velocity([b, b + c, b + 2.0 * c + 3.0 * d], *velocity, own);
+            out.most_here = out.most_here.min(line[0]);
+            out.most_there = out.most_there.min(line[1]);
+            let of_u = [b, b + 3.0 * c, b + 6.0 * c + 15.0 * d];
+            let of_x = [2.0 * c, 2.0 * c + 3.0 * d, 2.0 * c + 6.0 * d].map(|v| v / h);
+            for (j, (a, b)) in of_u.into_iter().zip(of_x).enumerate() {
+                let (a, b) = (a / acceleration, b / acceleration);
+                if a.abs() > FLAT {
+                    out.slope[3 * k + j] = -b / a;
+                    out.half[3 * k + j] = 1.0 / a.abs();
+                } else if b != 0.0 {
+                    out.most_here = out.most_here.min(1.0 / b.abs());
+                }
+            }
         }
+        out
     }
-    r
-}
 
-/// The greatest `x ≤ cap` for which some `u` satisfies all. The width of the range of `u` is concave in `x` and not
-/// negative at 0, so Newton's method from the right falls onto the boundary in finitely many steps.
-fn greatest(halves: &[Half], cap: f64) -> f64 {
-    let mut x = cap;
-    for h in halves {
-        if h.a.abs() <= FLAT && h.b > 0.0 {
-            x = x.min(h.c / h.b);
+    fn range(&self, x: f64) -> Range {
+        let mut r = Range { low: f64::NEG_INFINITY, low_slope: 0.0, high: f64::INFINITY, high_slope: 0.0 };
+        for (slope, half) in self.slope.iter().zip(&self.half) {
+            let (low, high) = (slope * x - half, slope * x + half);
+            if high < r.high {
+                (r.high, r.high_slope) = (high, *slope);
+            }
+            if low > r.low {
+                (r.low, r.low_slope) = (low, *slope);
+            }
         }
+        r
     }
-    for _ in 0..100 {
-        let r = range(halves, x);
-        let (width, slope) = (r.high - r.low, r.high_slope - r.low_slope);
-        if width >= 0.0 {
-            return x;
-        }
-        let next = x - width / slope;
-        if !(next < x && slope < 0.0) {
-            return x;
-        }
-        x = next.max(0.0);
-    }
-    x
-}
 
-/// Limits of all axes' accelerations over the whole of interval `i`.
-///
-/// Within it `u` is constant, `q'` quadratic, `q''` and `x + 2tu` linear in `t`, so the acceleration is a quadratic: it is
-/// bounded by its Bernstein coefficients `f(0)`, `2 f(h/2) − (f(0) + f(h))/2`, `f(h)`, each linear in `(x, u)`.
-fn halves(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], out: &mut Vec<Half>) {
-    out.clear();
-    let s = curve.abscissae();
-    let h = s[i + 1] - s[i];
-    let [start, middle, end] =
-        [0.0, 0.5 * h, h].map(|t| super::at(curve, i, t).map(|[_, q1, q2]| [q1 + 2.0 * t * q2, q2]));
-    for (k, [_, most]) in limits.iter().enumerate() {
-        let inner = [0, 1].map(|j| 2.0 * middle[k][j] - 0.5 * (start[k][j] + end[k][j]));
-        for [a, b] in [start[k], inner, end[k]] {
-            out.push(Half { a: a / most, b: b / most, c: 1.0 });
-            out.push(Half { a: -a / most, b: -b / most, c: 1.0 });
+    /// The greatest `x` from which some `u` within all limits leads to at most `next` at the interval's end. The width of the range of
+    /// `u` is concave in `x` and not negative at 0, so Newton's method from the right falls onto the boundary in finitely many
+    /// steps.
+    fn greatest(&self, next: f64) -> f64 {
+        let per_length = 0.5 / self.length;
+        let mut x = self.most_here;
+        for _ in 0..100 {
+            let mut r = self.range(x);
+            let (to_next, to_rest) = ((next - x) * per_length, -x * per_length);
+            if to_next < r.high {
+                (r.high, r.high_slope) = (to_next, -per_length);
+            }
+            if to_rest > r.low {
+                (r.low, r.low_slope) = (to_rest, -per_length);
+            }
+            let (width, slope) = (r.high - r.low, r.high_slope - r.low_slope);
+            if width >= 0.0 {
+                return x;
+            }
+            let below = x - width / slope;
+            if !(below < x && slope < 0.0) {
+                return x;
+            }
+            x = below.max(0.0);
         }
+        x
     }
-}
-
-/// Greatest ṡ² at the ends of interval `i`, by its own cap and axis velocities over the whole of it; straight between.
-fn cap(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> [f64; 2] {
-    let s = curve.abscissae();
-    let h = s[i + 1] - s[i];
-    let [start, middle, end] = [0.0, 0.5 * h, h].map(|t| super::at(curve, i, t).map(|q| q[1]));
-    let own = most.get(i).copied().unwrap_or(f64::INFINITY);
-    limits.iter().enumerate().fold([own; 2], |m, (k, [most, _])| {
-        let inner = 2.0 * middle[k] - 0.5 * (start[k] + end[k]);
-        let line = super::caps::of_velocity([start[k], inner, end[k]], *most, own);
-        [m[0].min(line[0]), m[1].min(line[1])]
-    })
 }
 
 /// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`: greatest
@@ -112,33 +131,22 @@ pub(super) fn fastest(
     most: &[f64],
     observer: &dyn Observer,
 ) -> Result<Profile> {
-    let s = curve.abscissae();
-    let n = s.len();
-    let mut lines = Vec::with_capacity(32);
+    let n = curve.abscissae().len();
+    let strips: Vec<Strips> =
+        (0..n - 1).into_par_iter().with_min_len(1024).map(|i| Strips::new(curve, i, limits, most)).collect();
+    observer.check(Stage::Feed)?;
     // Backwards: the greatest x from which the end can be reached at rest.
-    let mut reach: Vec<f64> = vec![0.0; n];
-    // Caps at the ends of the intervals, kept for the way forwards.
-    let mut caps = vec![0.0; n - 1];
-    for i in (0..n - 1).rev() {
-        if i % 8192 == 0 {
-            observer.check(Stage::Feed)?;
-        }
-        let h = s[i + 1] - s[i];
-        halves(curve, i, limits, &mut lines);
-        let [here, there] = cap(curve, i, limits, most);
-        lines.push(Half { a: 2.0 * h, b: 1.0, c: reach[i + 1].min(there) });
-        lines.push(Half { a: -2.0 * h, b: -1.0, c: 0.0 });
-        reach[i] = greatest(&lines, here);
-        caps[i] = there;
+    let mut reach = vec![0.0; n];
+    for (i, strips) in strips.iter().enumerate().rev() {
+        reach[i] = strips.greatest(strips.most_there.min(reach[i + 1]));
     }
+    observer.check(Stage::Feed)?;
     // Forwards: as fast as that allows.
     let (mut x, mut u) = (vec![0.0; n], vec![0.0; n - 1]);
-    for i in 0..n - 1 {
-        let h = s[i + 1] - s[i];
-        halves(curve, i, limits, &mut lines);
-        let most = reach[i + 1].min(caps[i]);
-        x[i + 1] = (x[i] + 2.0 * h * range(&lines, x[i]).high).clamp(0.0, most);
-        u[i] = (x[i + 1] - x[i]) / (2.0 * h);
+    for (i, strips) in strips.iter().enumerate() {
+        let most = strips.most_there.min(reach[i + 1]);
+        x[i + 1] = (x[i] + 2.0 * strips.length * strips.range(x[i]).high).clamp(0.0, most);
+        u[i] = (x[i + 1] - x[i]) / (2.0 * strips.length);
         if x[i].max(x[i + 1]) <= 0.0 {
             return Err(Error::usage(
                 Stage::Feed,

@@ -5,7 +5,7 @@
 //! Practical Guide to Splines*, ch. IV); periodic ends make it cyclic. Guaranteed: C² inside, values met to rounding,
 //! linear time and memory. Not guaranteed: monotonicity.
 
-use super::banded::{BandedMatrix, solve_cyclic_tridiagonal};
+use super::banded::solve_cyclic_tridiagonal;
 
 /// What holds at the ends of a spline.
 #[derive(Clone, Debug, PartialEq)]
@@ -217,39 +217,34 @@ fn slopes(x: &[f64], values: &[f64], f: usize, ends: &Ends) -> Option<Vec<f64>> 
         s.extend(first);
         return Some(s);
     }
-    let mut a = BandedMatrix::new(n, 1, 1);
+    // The diagonal is twice the sum of the others in its row, so elimination needs no row exchanges.
+    let mut above = Vec::with_capacity(n);
     let mut s = vec![0.0; n * f];
-    for i in 1..n - 1 {
-        a.add(i, i - 1, g[i - 1]);
-        a.add(i, i, 2.0 * (g[i - 1] + g[i]));
-        a.add(i, i + 1, g[i]);
+    let given = |at: &[f64], k: usize| at.get(k).copied().unwrap_or_default();
+    for i in 0..n {
+        let (before, after) = (i.checked_sub(1), (i + 1 < n).then_some(i));
+        let [g0, g1] = [before, after].map(|i| i.map_or(0.0, |i| g[i]));
+        let (lower, diagonal, upper) = match ends {
+            Ends::Clamped { .. } if i == 0 || i + 1 == n => (0.0, g0 + g1, 0.0),
+            _ => (g0, 2.0 * (g0 + g1), g1),
+        };
+        let w = 1.0 / (diagonal - lower * above.last().copied().unwrap_or(0.0));
+        above.push(upper * w);
         for k in 0..f {
-            s[i * f + k] = 3.0 * (d(i - 1, k) * g[i - 1] + d(i, k) * g[i]);
+            let right = match ends {
+                Ends::Clamped { start, .. } if i == 0 => given(start, k) * g1,
+                Ends::Clamped { end, .. } if i + 1 == n => given(end, k) * g0,
+                _ => 3.0 * [before, after].into_iter().flatten().map(|i| d(i, k) * g[i]).sum::<f64>(),
+            };
+            let carried = if i > 0 { lower * s[(i - 1) * f + k] } else { 0.0 };
+            s[i * f + k] = (right - carried) * w;
         }
     }
-    // End rows are scaled like the inner ones, so that pivoting compares like with like.
-    let (h0, h1) = (g[0], g[n - 2]);
-    match ends {
-        Ends::Clamped { start, end } => {
-            a.add(0, 0, h0);
-            a.add(n - 1, n - 1, h1);
-            for k in 0..f {
-                s[k] = start[k] * h0;
-                s[(n - 1) * f + k] = end[k] * h1;
-            }
-        }
-        _ => {
-            a.add(0, 0, 2.0 * h0);
-            a.add(0, 1, h0);
-            a.add(n - 1, n - 1, 2.0 * h1);
-            a.add(n - 1, n - 2, h1);
-            for k in 0..f {
-                s[k] = 3.0 * d(0, k) * h0;
-                s[(n - 1) * f + k] = 3.0 * d(n - 2, k) * h1;
-            }
+    for i in (0..n - 1).rev() {
+        for k in 0..f {
+            s[i * f + k] -= above[i] * s[(i + 1) * f + k];
         }
     }
-    a.factor()?.solve(&mut s, f);
     Some(s)
 }
 
