@@ -173,7 +173,7 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let machine = Machine::demo().map_err(|e| e.message)?;
     let feed = FeedOptions::new(2000.0, b_rad, tool.length_mm());
     let (f, a) = (feed.feed_mm_min / 60.0, machine.limits()[3]);
-    let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f) });
+    let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f), standing_mm: 0.0 });
     let _ = writeln!(out, "{}: {} cutter locations, {length:.0} mm", model.display(), path.locations.len());
     let kinds = [
         ("fixed", ScheduleKind::Fixed, Measure::default()),

@@ -235,14 +235,13 @@ fn under(
         .zip(made)
         .map(|(name, (s, _))| run(name, s, &machine, path, feed, bound_s))
         .collect::<Result<Vec<_>>>()?;
-    let own = paced(&machine, feed, path, channel, &setup.schedule_options())?;
-    let mut best = run("time", &own, &machine, path, feed, bound_s)?;
-    for (r, (s, _)) in runs.iter().zip(made) {
-        if machinable(s, channel) && r.time_s < best.time_s {
-            best = Run { name: "time".into(), ..r.clone() };
-        }
-    }
-    runs.push(best);
+    let mut candidates = paced(&machine, feed, path, channel, &setup.schedule_options())?
+        .iter()
+        .map(|own| run("time", own, &machine, path, feed, bound_s))
+        .collect::<Result<Vec<_>>>()?;
+    let others = runs.iter().zip(made).filter(|(_, (s, _))| machinable(s, channel));
+    candidates.extend(others.map(|(r, _)| Run { name: "time".into(), ..r.clone() }));
+    runs.extend(candidates.into_iter().min_by(|a, b| a.time_s.total_cmp(&b.time_s)));
     let fixed = runs.first().map_or(0.0, |r| r.time_s);
     for r in &mut runs {
         r.gain_on_fixed = 1.0 - r.time_s / fixed;

@@ -12,6 +12,10 @@ use crate::schedule::{self, Pace, ScheduleOptions};
 /// The rotary axis' place in [`Machine::axis_names`].
 const A: usize = 3;
 
+/// Lengths over which the rotary axis stands still at either end, as shares of what the ball needs to gain its feed: it is gained more
+/// slowly where several axes share it.
+const STANDING: [f64; 2] = [1.0, 4.0];
+
 /// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis
 /// alone, the optimal ones and the others, with its motion, in which the leads are. Candidates that turn back or leave the channel do not take part.
 pub(super) fn least_time(
@@ -21,9 +25,9 @@ pub(super) fn least_time(
     observer: &dyn Observer,
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
-    let first = paced(&setup.machine, &feed, path, channel, &options)?;
+    let own = paced(&setup.machine, &feed, path, channel, &options)?;
     let mut best: Option<Moved> = None;
-    for schedule in std::iter::once(first).chain(rivals(path, channel, &options)) {
+    for schedule in own.into_iter().chain(rivals(path, channel, &options)) {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
@@ -52,19 +56,37 @@ struct Moved {
 /// What the rotary axis can follow at the programmed feed.
 pub(super) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
     let (limits, f) = (machine.limits()[A], feed_mm_min / 60.0);
-    Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f) }
+    Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f), standing_mm: 0.0 }
 }
 
-/// The schedule for the least time by the rotary axis alone.
+/// Candidates for the least time by the rotary axis alone: turning as it suits all of the path, and standing still while the ball gains
+/// and loses its feed.
+///
+/// # Errors
+/// Those of [`schedule::plan`] for the first.
 pub(super) fn paced(
     machine: &Machine,
     feed: &FeedOptions,
     path: &Toolpath,
     channel: &Channel,
     options: &ScheduleOptions,
-) -> Result<Schedule> {
-    let pace = Some(pace(machine, feed.feed_mm_min));
-    schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
+) -> Result<Vec<Schedule>> {
+    let pace = pace(machine, feed.feed_mm_min);
+    let speed = feed.feed_mm_min / 60.0;
+    // Seconds to full feed of one axis that takes all of it.
+    let to_speed = |k: usize| {
+        let l = machine.limits()[k];
+        speed / l.acceleration
+            + if feed.limit_jerk { l.acceleration.min((speed * l.jerk).sqrt()) / l.jerk } else { 0.0 }
+    };
+    let to_feed_mm = speed * (0..A).map(to_speed).fold(0.0, f64::max);
+    let plan = |standing: f64| {
+        let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
+        schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
+    };
+    let mut out = vec![plan(0.0)?];
+    out.extend(STANDING.iter().filter_map(|s| plan(*s).ok()));
+    Ok(out)
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.

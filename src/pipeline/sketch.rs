@@ -9,7 +9,7 @@ use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Turn;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::observe::Silent;
-use crate::schedule;
+use crate::schedule::{self, ScheduleOptions};
 
 /// Locations that a sketch is planned at, about.
 const PLACES: usize = 1000;
@@ -20,7 +20,10 @@ pub(super) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel
     let (few, narrow) = (thinned(path, &kept)?, of(channel, &kept)?);
     let options = setup.schedule_options();
     let made = match kind {
-        ScheduleKind::Time => schedules::paced(&setup.machine, &setup.feed_options(), &few, &narrow, &options),
+        ScheduleKind::Time => {
+            let pace = Some(schedules::pace(&setup.machine, setup.feed_options().feed_mm_min));
+            schedule::plan(kind, &few, &narrow, &ScheduleOptions { pace, ..options }, &Silent)
+        }
         _ => schedule::plan(kind, &few, &narrow, &options, &Silent),
     };
     let made = made.ok()?;

@@ -12,8 +12,9 @@
 //! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
 //!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
 //!   With `scope = "turns"` it is planned turn by turn, each with the next in view (`by_turn` module).
-//! * `time`: one candidate for the least machining time: the least mean over short blocks of the factor by which the rotary axis
-//!   would have to run slower than at full feed ([`Pace`]). Whoever knows the machine compares it with the others.
+//! * `time`: a candidate for the least machining time: the least mean over short blocks of the factor by which the rotary axis
+//!   would have to run slower than at full feed ([`Pace`]); where [`Pace::standing_mm`] asks for it, the axis stands as good as
+//!   still while the ball gains and loses its feed. Whoever knows the machine compares candidates with each other and with the rest.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
 //!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.

@@ -28,6 +28,8 @@ const SPARE: f64 = 1e-3;
 const ROUND: f64 = 3e-3;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
+/// Share of the slope that full feed allows which counts as standing still.
+const STANDING: f64 = 0.01;
 /// Blocks of a turn with a factor of their own, for the least time.
 const BLOCKS: f64 = 48.0;
 /// Intervals at least, and at most where locations are too far apart.
@@ -159,8 +161,8 @@ pub(super) enum Goal {
     Turns { third: bool, cap: f64, borders: Vec<bool> },
     /// The integral of the square.
     Square { third: bool },
-    /// The mean over blocks of the factor γ ≥ 1 by which θ' and θ'' exceed these (rad/mm, rad/mm²).
-    Pace { pace: [f64; 2], borders: Vec<bool> },
+    /// The mean over blocks of the factor γ ≥ 1 by which θ' and θ'' exceed what the pace allows.
+    Pace { pace: Pace, borders: Vec<bool> },
 }
 
 /// Every so many samples of the walls that about `most` are left, with the first and the last.
@@ -238,8 +240,7 @@ fn solve(
         return by_turn::solve(path, walls, measure, &scale).ok_or_else(stuck);
     }
     let (last, weights) = match measure {
-        _ if pace.is_some() => {
-            let pace = pace.map_or([0.0; 2], |p| [p.rate, p.second]);
+        _ if let Some(pace) = pace => {
             let found = round(walls, &scale, &Goal::Pace { pace, borders: blocks(walls, &scale) }, 1e-4);
             (found.ok_or_else(stuck)?, Vec::new())
         }
@@ -385,8 +386,13 @@ fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> 
     };
     let whole = (walls.s[walls.s.len() - 1] - walls.s[0]) / scale.length;
     if let Goal::Pace { pace, .. } = goal {
-        let [rate, second] = [1.0 / (scale.length * pace[0]), u / (scale.length.powi(2) * pace[1])];
-        out.rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace[0] });
+        let [rate, second] = [1.0 / (scale.length * pace.rate), u / (scale.length.powi(2) * pace.second)];
+        out.rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace.rate });
+        let to_end = (walls.s[i] - walls.s[0]).min(walls.s[walls.s.len() - 1] - walls.s[i]);
+        if to_end < pace.standing_mm {
+            let g = [0.0, rate, 0.0, 0.0, 0.0, 0.0];
+            out.rows.push(Row { g, most: STANDING - scale.base[1] / pace.rate });
+        }
         out.rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
         out.rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
         out.rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 });
