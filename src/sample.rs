@@ -17,6 +17,7 @@ use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::lead::{self, End, LeadOptions};
 use crate::machine::Machine;
+use crate::numerics::spline::{CubicSpline, Ends};
 use crate::tool::{HolderStage, Tool};
 
 /// Radius of the part, mm.
@@ -136,6 +137,28 @@ pub fn with_leads(mut plan: Plan) -> Plan {
     let leads = [first(End::In), first(End::Out)];
     let (path, schedule) = lead::extended(&plan.toolpath, &plan.schedule, &leads);
     (plan.motion, plan.leads) = lead::split(&motion(&path, &schedule.theta), leads);
+    plan
+}
+
+/// The plan with θ on a curve that swings to and fro: cubics in S that are twice differentiable where they meet, of other lengths than the ways
+/// between locations. The angles at the locations are the curve's; the axes follow.
+pub fn with_curve(mut plan: Plan, swing_rad: f64, per_piece: f64) -> Plan {
+    let (s, theta): (Vec<f64>, Vec<f64>) =
+        plan.toolpath.locations.iter().map(|l| l.s_mm).zip(plan.schedule.theta.iter().copied()).unzip();
+    let (length, slope) = (s[s.len() - 1], (theta[theta.len() - 1] - theta[0]) / s[s.len() - 1]);
+    let count = ((s.len() - 1) as f64 / per_piece).ceil() as usize;
+    let knots: Vec<f64> = (0..=count).map(|k| length * k as f64 / count as f64).collect();
+    let at = |x: f64| theta[0] + slope * x + swing_rad * (23.0 * x / length).sin();
+    let values: Vec<f64> = knots.iter().map(|x| at(*x)).collect();
+    let spline = CubicSpline::new(&knots, &values, 1, &Ends::Natural).unwrap();
+    let piece = |(k, w): (usize, &[f64])| {
+        let ([a, b, c, _], h) = (spline.coefficients(k, 0).unwrap(), w[1] - w[0]);
+        let theta = [a, a + b * h / 3.0, a + 2.0 * b * h / 3.0 + c * h * h / 3.0, values[k + 1]];
+        std::array::from_fn(|i| [w[0] + h * i as f64 / 3.0, theta[i]])
+    };
+    plan.schedule.pieces = knots.windows(2).enumerate().map(piece).collect();
+    plan.schedule.theta = s.iter().map(|x| plan.schedule.curve_at(*x).unwrap()).collect();
+    plan.motion = motion(&plan.toolpath, &plan.schedule.theta);
     plan
 }
 

@@ -18,7 +18,12 @@ pub struct DeviationMap {
     pub tolerance_mm: f64,
     /// Triangles that were not divided further because the map had become too large, or their edges too short.
     pub coarse: usize,
-    /// In those the height anywhere is off the linear one between the corners by no more than this, mm, where the ball comes to all three; infinite where
-    /// no bound can be given.
+    /// In those the height anywhere is off the linear one between the corners by no more than this, mm, where the ball comes to all three; but for `sharp`.
     pub coarse_bound_mm: f64,
+    /// Those of them that lie on an edge sharper than they are small: a normal there may miss the ball, so heights have no bound.
+    pub sharp: usize,
+    /// Their area, mm².
+    pub sharp_area_mm2: f64,
+    /// In those the distance of any place to what is left standing is off the linear height by no more than this, mm.
+    pub sharp_bound_mm: f64,
 }

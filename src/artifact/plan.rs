@@ -42,6 +42,24 @@ pub struct Row {
     pub stretch: Stretch,
 }
 
+/// How θ goes from a location to the next.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning<'a> {
+    schedule: &'a Schedule,
+    s_mm: [f64; 2],
+    theta: [f64; 2],
+    on_curve: bool,
+}
+
+impl Turning<'_> {
+    /// θ at a share of the way, rad: on the schedule's curve where that goes through the angles of both locations, else even in θ.
+    pub fn at(&self, share: f64) -> f64 {
+        let [[s, s1], [theta, theta1]] = [self.s_mm, self.theta];
+        let curve = self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten();
+        curve.unwrap_or(theta + (theta1 - theta) * share)
+    }
+}
+
 impl Lead {
     fn rows(&self, stretch: Stretch) -> impl Iterator<Item = Row> + '_ {
         let rows = self.centres.iter().zip(&self.theta).zip(&self.motion.t_s);
@@ -62,6 +80,18 @@ impl Plan {
             stretch: Stretch::Turn(l.turn),
         });
         before.rows(Stretch::LeadIn).chain(path).chain(after.rows(Stretch::LeadOut))
+    }
+
+    /// How θ goes from a location to the next; `None` where there is no next.
+    pub fn turning(&self, location: usize) -> Option<Turning<'_>> {
+        let (schedule, rows) = (&self.schedule, [location, location + 1]);
+        let s_mm = rows.map(|k| self.toolpath.locations.get(k).map_or(f64::NAN, |l| l.s_mm));
+        let theta = rows.map(|k| schedule.theta.get(k).copied().unwrap_or(f64::NAN));
+        if !s_mm.iter().chain(&theta).all(|v| v.is_finite()) {
+            return None;
+        }
+        let on_curve = (0..2).all(|k| schedule.curve_meets(rows[k], s_mm[k]));
+        Some(Turning { schedule, s_mm, theta, on_curve })
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].

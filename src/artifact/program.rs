@@ -20,6 +20,8 @@ pub enum Control {
     Siemens,
     /// Siemens 840D: `TRAORI`, the tool axis as the vector `A3 B3 C3`, `program.vector.mpf`.
     SiemensVector,
+    /// Siemens 840D: `TRAORI`, tool tip and rotary axes as polynomials (`POLY`), `program.poly.mpf`.
+    SiemensPoly,
     /// Heidenhain TNC: `TCPM`, rotary axes as positions, `program.h`.
     Heidenhain,
     /// Heidenhain TNC: `TCPM`, `LN` blocks with the tool axis as a vector, `program.vector.h`.
@@ -40,9 +42,10 @@ pub enum Control {
 
 impl Control {
     /// All of them.
-    pub const ALL: [Control; 10] = [
+    pub const ALL: [Control; 11] = [
         Control::Siemens,
         Control::SiemensVector,
+        Control::SiemensPoly,
         Control::Heidenhain,
         Control::HeidenhainVector,
         Control::Fanuc,

@@ -1,5 +1,7 @@
 //! A schedule θ(S): the tool axis' angle about the blade axis along the path.
 
+use crate::numerics::bezier::{cubic, parameter};
+
 /// How a schedule was made.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema, clap::ValueEnum,
@@ -108,6 +110,9 @@ pub struct Quality {
     pub measure: Option<(Measure, f64, f64)>,
 }
 
+/// A curve that is farther than this from the angle at a location is not the one that the tool follows there, rad.
+const SAME_RAD: f64 = 1e-7;
+
 /// A cubic Bézier piece in the (s, θ) plane; `s` is arc length from the start of the whole path, mm; θ in rad.
 pub type BezierPiece = [[f64; 2]; 4];
 
@@ -131,4 +136,21 @@ pub struct Schedule {
     /// How good it is.
     #[serde(default)]
     pub quality: Quality,
+}
+
+impl Schedule {
+    /// θ of the curve at arc length `s_mm` from the start of the whole path, rad; `None` where it has no piece.
+    pub fn curve_at(&self, s_mm: f64) -> Option<f64> {
+        let k = self.pieces.partition_point(|p| p[3][0] < s_mm);
+        // The end of the path may be rounded beyond that of the last piece.
+        let piece = self.pieces.get(k).or(self.pieces.last())?;
+        let t = parameter(piece.map(|p| p[0]), s_mm);
+        Some(cubic(piece.map(|p| p[1]), t)[0]).filter(|theta| theta.is_finite())
+    }
+
+    /// Whether the curve goes through the angle of location `row`, which is at `s_mm`.
+    pub fn curve_meets(&self, row: usize, s_mm: f64) -> bool {
+        let theta = self.theta.get(row).zip(self.curve_at(s_mm));
+        theta.is_some_and(|(at, curve)| (at - curve).abs() <= SAME_RAD)
+    }
 }

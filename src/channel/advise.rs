@@ -163,7 +163,7 @@ impl<'a> Look<'a> {
         let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         let (turn, turn_s_mm) = at(row);
         let binds = rows.get(row).map_or_else(String::new, |r| {
-            let (low, high) = (report::short(&r.binds_min), report::short(&r.binds_max));
+            let [low, high] = [&r.binds_min, &r.binds_max].map(|b| report::short(b, &self.around.blade.part));
             format!("{low} below, {high} above")
         });
         Ok(Width { b_deg, narrowest_deg, monotone_deg: Some(monotone.to_degrees()), turn, turn_s_mm, binds })

@@ -3,6 +3,7 @@
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Stage};
+use crate::geometry::part::Part;
 
 use super::forbidden::{Body, Free, Scene, Search};
 use super::samples::Sample;
@@ -130,7 +131,7 @@ impl Reporter<'_> {
     fn blame(&self, b: &Binding) -> String {
         match b {
             Binding::Part { tool, face, triangle } => {
-                let name = self.face_name(*face);
+                let name = self.blade.part.face_name(*face);
                 let corners = self.blade.part.mesh.corners(*triangle as usize);
                 let at = (corners[0].coords + corners[1].coords + corners[2].coords) / 3.0;
                 format!("{tool} against {name}, {:.2} mm along the blade axis", at.x)
@@ -140,11 +141,6 @@ impl Reporter<'_> {
             Binding::ContactAngle => "the permitted range of contact angle".into(),
             Binding::Free => "nothing".into(),
         }
-    }
-
-    fn face_name(&self, face: u32) -> String {
-        let named = self.blade.part.brep.as_ref().and_then(|b| b.faces.get(face as usize));
-        named.map_or_else(|| format!("face {face}"), |f| format!("face {face} ({})", f.name))
     }
 
     /// What takes the whole circle at a sample: the limits without which there would be free angles.
@@ -193,9 +189,9 @@ impl Reporter<'_> {
 }
 
 /// A binding in two or three words.
-pub(super) fn short(b: &Binding) -> String {
+pub(super) fn short(b: &Binding, part: &Part) -> String {
     match b {
-        Binding::Part { tool, face, .. } => format!("{tool} against face {face}"),
+        Binding::Part { tool, face, .. } => format!("{tool} against {}", part.face_name(*face)),
         Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
         Binding::AxisLimit => "rotary axis".into(),
         Binding::ContactAngle => "contact angle".into(),

@@ -93,11 +93,16 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
 pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64) -> Result<()> {
     if map.coarse > 0 {
         let (coarse, all) = (map.coarse, map.triangles.len());
-        let within = match map.coarse_bound_mm {
-            bound if bound.is_finite() => format!("in those heights are within {bound:.4} mm of the linear ones"),
-            _ => "in the worst of those, on edges, no bound can be given for what is between corners".to_owned(),
-        };
+        let within = format!("in those heights are within {:.4} mm of the linear ones", map.coarse_bound_mm);
         sayln!("map        {coarse} of {all} triangles could not be made finer: {within}");
+        if map.sharp > 0 {
+            sayln!(
+                "           but for {} on edges sharper than that, {:.4} mm2 together: there the distance to what is left is within {:.4} mm of them",
+                map.sharp,
+                map.sharp_area_mm2,
+                map.sharp_bound_mm
+            );
+        }
     }
     if file.extension().is_some_and(|e| e == "csv") {
         return output::write_file(file, tables::deviation(blade, map).as_bytes());

@@ -10,6 +10,7 @@ use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
 use crate::channel::{self, FreeInterval};
 use crate::error::Result;
+use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::output::{self, RunFolder};
 use crate::path;
@@ -34,7 +35,7 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;
-    folder.add("channel_intervals.csv", table(&toolpath, &intervals))?;
+    folder.add("channel_intervals.csv", table(&toolpath, &intervals, &setup.blade.part))?;
     let planned = channel::plan_among(&around, tool, &toolpath, &options, observer);
     if let Ok(channel) = &planned {
         folder.add("channel.json", output::json_compact(channel)?)?;
@@ -59,7 +60,7 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
 }
 
 /// `channel_intervals.csv`: one row per free interval of a location; angles in degrees.
-fn table(path: &Toolpath, intervals: &[Vec<FreeInterval>]) -> String {
+fn table(path: &Toolpath, intervals: &[Vec<FreeInterval>], part: &Part) -> String {
     let mut out = String::from("location,turn,S,interval,theta_min_deg,theta_max_deg,binds_min,binds_max\n");
     for (i, (l, here)) in path.locations.iter().zip(intervals).enumerate() {
         for (k, f) in here.iter().enumerate() {
@@ -70,8 +71,8 @@ fn table(path: &Toolpath, intervals: &[Vec<FreeInterval>]) -> String {
                 l.turn_s_mm,
                 f.theta_min.to_degrees(),
                 f.theta_max.to_degrees(),
-                name(&f.binds_min),
-                name(&f.binds_max)
+                name(&f.binds_min, part),
+                name(&f.binds_max, part)
             );
         }
     }
@@ -79,12 +80,13 @@ fn table(path: &Toolpath, intervals: &[Vec<FreeInterval>]) -> String {
 }
 
 /// A binding as one cell of a table.
-fn name(b: &Binding) -> String {
+fn name(b: &Binding, part: &Part) -> String {
+    let plain = |text: &str| text.replace([',', '\n', '"'], " ");
     match b {
-        Binding::Part { tool, face, triangle } => format!("{tool} / part / face {face} / triangle {triangle}"),
-        Binding::Fixture { name, tool, triangle } => {
-            format!("{tool} / {} / triangle {triangle}", name.replace([',', '\n'], " "))
+        Binding::Part { tool, face, triangle } => {
+            format!("{tool} / part / {} / triangle {triangle}", plain(&part.face_name(*face)))
         }
+        Binding::Fixture { name, tool, triangle } => format!("{tool} / {} / triangle {triangle}", plain(name)),
         Binding::AxisLimit => "rotary axis".into(),
         Binding::ContactAngle => "contact angle".into(),
         Binding::Free => "nothing".into(),

@@ -73,6 +73,18 @@ pub struct Measured {
 }
 
 impl Part {
+    /// What a face is called in every message: as in its file (`face 12`, `face 12 (D75)`, `face 12 "hub"`), else by its number from 1; on a mesh
+    /// the group of triangles by its number from 1.
+    pub fn face_name(&self, face: u32) -> String {
+        match self.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
+            // A face without a name of its own is called so already.
+            Some(f) if f.name.starts_with("face ") => f.name.clone(),
+            Some(f) if f.name.is_empty() => format!("face {}", face + 1),
+            Some(f) => format!("face {}", f.name),
+            None => format!("group {}", face + 1),
+        }
+    }
+
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);

@@ -1,4 +1,5 @@
 //! Numbers only: splines, banded systems, convex problems along a line of stages. No geometry.
 pub mod banded;
+pub mod bezier;
 pub mod spline;
 pub mod stages;

@@ -1,4 +1,4 @@
-//! A post file: how one control wants its programs, as data. The ten built-in ones are such files too.
+//! A post file: how one control wants its programs, as data. The built-in ones are such files too.
 //!
 //! A program is a list of *sections* in a fixed order, each a list of lines:
 //!
@@ -12,6 +12,8 @@
 //! it, `unwind` the first location again. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
 //! `{key:3}` for one with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the
 //! value before are left out for the keys in `modal`.
+//!
+//! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`: see [`super::polynomial`].
 
 use std::path::Path;
 
@@ -149,6 +151,10 @@ pub struct PostFile {
     pub comment: [String; 2],
     /// Longest line.
     pub longest_line: usize,
+    /// Cuts are polynomials of at most this degree, 3 to 5, instead of straight moves (`PO[X]=({px})`); each as its end and the coefficients of
+    /// `p²`, `p³` … for `p` from 0 to 1. With `rotary = "incremental"` the ends of all words are steps: `text.cutting` then has to say `G91`.
+    #[serde(default)]
+    pub poly_degree: Option<usize>,
     /// At the end of a line that goes on, after a comma; without it a block that is too long is an error.
     #[serde(default)]
     pub continuation: Option<String>,
@@ -211,6 +217,7 @@ impl Control {
         match self {
             Control::Siemens => include_str!("../../models/posts/siemens.toml"),
             Control::SiemensVector => include_str!("../../models/posts/siemens_vector.toml"),
+            Control::SiemensPoly => include_str!("../../models/posts/siemens_poly.toml"),
             Control::Heidenhain => include_str!("../../models/posts/heidenhain.toml"),
             Control::HeidenhainVector => include_str!("../../models/posts/heidenhain_vector.toml"),
             Control::Fanuc => include_str!("../../models/posts/fanuc.toml"),
@@ -340,6 +347,22 @@ impl PostFile {
         if self.text.cut.is_empty() {
             return no("text.cut must have at least one line");
         }
-        Ok(())
+        let cut = self.text.cut.concat();
+        let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));
+        let Some(degree) = self.poly_degree else {
+            return if polynomial.contains(&true) { no("{px}, {py} and {pz} need poly_degree") } else { Ok(()) };
+        };
+        if !(3..=5).contains(&degree) {
+            return no(&format!("poly_degree is {degree}, it must be 3 to 5"));
+        }
+        if polynomial.contains(&false) {
+            return no("with poly_degree text.cut must have {px}, {py} and {pz}");
+        }
+        match self.rotary {
+            Rotary::Accumulate => Ok(()),
+            Rotary::Incremental if self.text.cutting.iter().any(|l| l.split(' ').any(|w| w == "G91")) => Ok(()),
+            Rotary::Incremental => no("poly_degree with rotary = \"incremental\" writes steps: text.cutting must say G91"),
+            Rotary::Modulo | Rotary::Vector => no("poly_degree needs rotary = \"incremental\" or \"accumulate\""),
+        }
     }
 }

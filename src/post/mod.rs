@@ -2,7 +2,7 @@
 //!
 //! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a [`Program`], plain ASCII text.
 //!
-//! A dialect is a *post file* (TOML, [`PostFile`]): ten are built in ([`crate::artifact::program::Control`]), an own one needs no
+//! A dialect is a *post file* (TOML, [`PostFile`]): eleven are built in ([`crate::artifact::program::Control`]), an own one needs no
 //! recompiling. Three kinds of coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with tool-centre-point
 //! control, or positions of the machine's axes. With `B` fixed the tool axis lies on a cone, so rotary axes are written as positions
 //! where there is a choice; vectors are written for controls that turn them into rotary positions line by line.
@@ -29,6 +29,7 @@
 
 mod dialect;
 mod moves;
+mod polynomial;
 mod template;
 #[cfg(test)]
 mod tests;

@@ -14,6 +14,7 @@ use crate::geometry::{Point, Vector};
 use crate::tool;
 
 use super::Run;
+use super::polynomial::{Bend, NONE};
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
@@ -32,6 +33,15 @@ pub(super) struct Move {
     pub(super) t_s: f64,
     /// What it belongs to.
     pub(super) stretch: Stretch,
+    /// How its words bend on the way.
+    pub(super) bend: Bend,
+}
+
+impl Move {
+    /// The end of a straight move to a row.
+    pub(super) fn to(Row { centre, theta, t_s, stretch }: Row) -> Self {
+        Move { centre, theta, t_s, stretch, bend: NONE }
+    }
 }
 
 /// Checks that a plan can be written at all.
@@ -83,8 +93,7 @@ pub(super) fn feed_word(f: f64, range: [f64; 2]) -> String {
 pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     let plan = run.plan;
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
-    for (row, Row { centre, theta, t_s, stretch }) in plan.rows().enumerate() {
-        let next = Move { centre, theta, t_s, stretch };
+    for (row, next) in plan.rows().map(Move::to).enumerate() {
         if let Some(from) = out.last().copied() {
             let parts = parts(run, programmed, &from, &next);
             if parts > MOST_PARTS {
@@ -100,14 +109,19 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                     centre: from.centre + (next.centre - from.centre) * f,
                     theta: from.theta + (next.theta - from.theta) * f,
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
-                    // From the last location on, the ball leaves.
-                    stretch: if next.stretch == Stretch::LeadOut { Stretch::LeadOut } else { from.stretch },
+                    stretch: on_the_way(from.stretch, next.stretch),
+                    bend: NONE,
                 });
             }
         }
         out.push(next);
     }
     Ok(out)
+}
+
+/// What a place between two rows belongs to: from the last location on, the ball leaves.
+pub(super) fn on_the_way(from: Stretch, to: Stretch) -> Stretch {
+    if to == Stretch::LeadOut { to } else { from }
 }
 
 /// In how many equal parts a move has to be written: the deviation falls with the square of their number.

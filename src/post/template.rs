@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 42] = [
+pub const KEYS: [(&str, Class, &str); 48] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -45,6 +45,12 @@ pub const KEYS: [(&str, Class, &str); 42] = [
         Class::Text,
         "what keeps the tool axis on its cone: the letters of rotary axes that stand still or move together",
     ),
+    ("px", Class::Text, "polynomial of x within a cut: its end, and the coefficients of p^2, p^3 ..., p from 0 to 1"),
+    ("py", Class::Text, "the same of y"),
+    ("pz", Class::Text, "the same of z"),
+    ("pa", Class::Text, "the same of a"),
+    ("pb", Class::Text, "the same of b; a word with it is left out on a machine that has no such axis"),
+    ("pb_moving", Class::Text, "as pb; a word with it is left out where that axis stands still while the blade turns"),
     ("i", Class::Direction, "tool axis along blade x"),
     ("j", Class::Direction, "tool axis along blade y"),
     ("k", Class::Direction, "tool axis along blade z"),

@@ -29,6 +29,10 @@ impl Fixed {
     pub(super) fn since(self, earlier: Fixed) -> Fixed {
         Fixed { units: self.units - earlier.units, decimals: self.decimals }
     }
+    /// It is written as 0.
+    pub(super) fn is_zero(self) -> bool {
+        self.units == 0
+    }
     /// The number reduced to `0 … range`, without `range` itself.
     pub(super) fn modulo(self, range: i64) -> Fixed {
         let one = 10i64.pow(u32::try_from(self.decimals).unwrap_or(6));

@@ -2,6 +2,7 @@
 
 use super::dialect::{Dialect, FeedWord, Rotary};
 use super::moves::{self, Move};
+use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header};
 use super::{End, Run};
@@ -67,6 +68,8 @@ struct Writer<'a> {
     dialect: &'a Dialect,
     lines: Lines<'a>,
     values: Vec<Value>,
+    /// X, Y, Z and the rotary axes as last rounded.
+    stands: Option<[Fixed; 5]>,
     /// What each modal word last was.
     modal: Vec<(Word, String)>,
 }
@@ -83,7 +86,8 @@ struct Placed {
 
 impl<'a> Writer<'a> {
     fn new(run: &'a Run, dialect: &'a Dialect, lines: Lines<'a>) -> Self {
-        let mut w = Writer { run, dialect, lines, values: vec![Value::Number(0.0); KEYS.len()], modal: Vec::new() };
+        let values = vec![Value::Number(0.0); KEYS.len()];
+        let mut w = Writer { run, dialect, lines, values, stands: None, modal: Vec::new() };
         w.fixed_values();
         w
     }
@@ -149,7 +153,7 @@ impl<'a> Writer<'a> {
     /// Sets the values of a pose over an end of the path.
     fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
         let placed = self.placed(&(end.centre + end.axis * lift_mm), end.theta);
-        self.take(&placed)
+        self.take(&placed, &polynomial::NONE)
     }
 
     fn placed(&self, centre: &Point, theta: f64) -> Placed {
@@ -180,15 +184,23 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Takes over a pose; the step of `A` is from the pose before.
-    fn take(&mut self, p: &Placed) -> Result<()> {
-        let mut a = Fixed::new(p.a_deg, self.dialect.file.numbers.angle_decimals)?;
+    /// Takes over a pose, reached with words that bend; the step of `A` is from the pose before.
+    fn take(&mut self, p: &Placed, bend: &Bend) -> Result<()> {
+        let numbers = &self.dialect.file.numbers;
+        let length = |v: f64| Fixed::new(v, numbers.length_decimals);
+        let mut a = Fixed::new(p.a_deg, numbers.angle_decimals)?;
         if self.dialect.file.rotary == Rotary::Modulo && self.run.machine.limits()[3].travel.is_none() {
             a = a.modulo(360);
         }
-        if let Some(Value::Rounded(before)) = key("a").and_then(|k| self.values.get(k)) {
-            let step = a.since(*before);
-            self.set("da", Value::Rounded(step));
+        let [x, y, z] = p.point;
+        let b = Fixed::new(p.axes[4].to_degrees(), numbers.angle_decimals)?;
+        let stands = [length(x)?, length(y)?, length(z)?, a, b];
+        let before = self.stands.replace(stands);
+        if let Some(before) = before {
+            self.set("da", Value::Rounded(a.since(before[3])));
+        }
+        if self.dialect.file.poly_degree.is_some() {
+            self.take_polynomials(stands, before, bend)?;
         }
         self.set("a", Value::Rounded(a));
         for name in ["b", "b_moving"] {
@@ -202,23 +214,46 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
+    /// Sets the polynomials that end at a pose: steps or positions as the rotary axes are told.
+    fn take_polynomials(&mut self, ends: [Fixed; 5], before: Option<[Fixed; 5]>, bend: &Bend) -> Result<()> {
+        let numbers = &self.dialect.file.numbers;
+        let steps = before.filter(|_| self.dialect.file.rotary == Rotary::Incremental);
+        for (w, names) in [&["px"][..], &["py"], &["pz"], &["pa"], &["pb", "pb_moving"]].into_iter().enumerate() {
+            let decimals = if w < 3 { numbers.length_decimals } else { numbers.angle_decimals };
+            let end = steps.map_or(ends[w], |before| ends[w].since(before[w]));
+            let rounded: Vec<Fixed> = bend[w].iter().map(|a| Fixed::new(*a, decimals)).collect::<Result<_>>()?;
+            let kept = rounded.iter().rposition(|a| !a.is_zero()).map_or(0, |last| last + 1);
+            let all = std::iter::once(&end).chain(&rounded[..kept]);
+            let text = all.map(|n| n.text(numbers.plus, numbers.trim)).collect::<Vec<_>>().join(",");
+            names.iter().for_each(|name| self.set(name, Value::Text(text.clone())));
+        }
+        Ok(())
+    }
+
     /// All cutting lines. A move whose words would all repeat those before is left out; its time goes to the next, so the
     /// whole time is kept.
     fn cuts(&mut self) -> Result<()> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
-        let moves = moves::all(self.run, dialect.file.programmed)?;
+        let words = |centre: &Point, theta: f64| {
+            let Placed { point: [x, y, z], a_deg, axes, .. } = self.placed(centre, theta);
+            [x, y, z, a_deg, axes[4].to_degrees()]
+        };
+        let moves = match dialect.file.poly_degree {
+            Some(degree) => polynomial::all(self.run, degree, &words)?,
+            None => moves::all(self.run, dialect.file.programmed)?,
+        };
         let mut written = 0usize;
         let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
-        for Move { centre, theta, t_s, stretch: next } in &moves {
+        for Move { centre, theta, t_s, stretch: next, bend } in &moves {
             if *next == Stretch::LeadOut {
                 stretch = *next;
             }
             let placed = self.placed(centre, *theta);
-            self.take(&placed)?;
+            self.take(&placed, bend)?;
             let position = self.position(lines)?;
             match &last {
                 None => last = Some((position, *t_s, placed)),
@@ -268,6 +303,11 @@ impl<'a> Writer<'a> {
             let said = match KEYS.get(*k).map(|(name, ..)| *name) {
                 Some("f") => None,
                 Some("da") => self.rounded(key("a").unwrap_or(*k), *digits)?,
+                Some("px") => self.stands.map(|s| s[0]),
+                Some("py") => self.stands.map(|s| s[1]),
+                Some("pz") => self.stands.map(|s| s[2]),
+                Some("pa") => self.stands.map(|s| s[3]),
+                Some("pb" | "pb_moving") => self.stands.map(|s| s[4]),
                 _ => self.rounded(*k, *digits)?,
             };
             out.extend(said);
@@ -324,7 +364,8 @@ impl<'a> Writer<'a> {
         let machine = self.run.machine;
         let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
         let none = machine.rotary_axes()[1].is_none();
-        none && says("b") || (none || machine.turns_the_blade()) && says("b_moving")
+        let still = none || machine.turns_the_blade();
+        none && (says("b") || says("pb")) || still && (says("b_moving") || says("pb_moving"))
     }
 
     /// A modal word says what it said before; remembers what it says now.

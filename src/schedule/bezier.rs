@@ -2,6 +2,7 @@
 
 use super::corridor::Node;
 use crate::artifact::schedule::BezierPiece;
+use crate::numerics::bezier::{self as numerics, cubic};
 
 /// A straight stretch as a cubic.
 pub(super) fn straight(p: Node, q: Node) -> BezierPiece {
@@ -51,17 +52,6 @@ pub(super) fn corner(p1: Node, p2: Node, p3: Node, reach: &Reach) -> Option<[Bez
     Some([[i0, i1, i1, top], [top, j1, j1, j3]])
 }
 
-/// Value, first and second derivative of one coordinate at `t`.
-fn cubic(c: [f64; 4], t: f64) -> [f64; 3] {
-    let u = 1.0 - t;
-    let d = [c[1] - c[0], c[2] - c[1], c[3] - c[2]];
-    [
-        u * u * u * c[0] + 3.0 * u * t * (u * c[1] + t * c[2]) + t * t * t * c[3],
-        3.0 * (u * u * d[0] + 2.0 * u * t * d[1] + t * t * d[2]),
-        6.0 * (u * (d[1] - d[0]) + t * (d[2] - d[1])),
-    ]
-}
-
 /// θ, dθ/ds and d²θ/ds² of a piece at its parameter `t`.
 pub(super) fn derivatives(piece: &BezierPiece, t: f64) -> [f64; 3] {
     let [_, s1, s2] = cubic(piece.map(|p| p[0]), t);
@@ -69,26 +59,9 @@ pub(super) fn derivatives(piece: &BezierPiece, t: f64) -> [f64; 3] {
     [q, q1 / s1, (q2 * s1 - q1 * s2) / (s1 * s1 * s1)]
 }
 
-/// The parameter at which a piece whose `s` rises reaches `s_mm`: Newton's method kept inside a shrinking bracket.
+/// The parameter at which a piece whose `s` rises reaches `s_mm`.
 pub(super) fn parameter(piece: &BezierPiece, s_mm: f64) -> f64 {
-    let c = piece.map(|p| p[0]);
-    let (mut lo, mut hi) = (0.0, 1.0);
-    let mut t = ((s_mm - c[0]) / (c[3] - c[0])).clamp(0.0, 1.0);
-    for _ in 0..80 {
-        let [v, d, _] = cubic(c, t);
-        if v < s_mm {
-            lo = t;
-        } else {
-            hi = t;
-        }
-        let newton = t - (v - s_mm) / d;
-        let next = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
-        if (next - t).abs() <= 1e-16 || hi - lo <= 1e-16 {
-            return next;
-        }
-        t = next;
-    }
-    t
+    numerics::parameter(piece.map(|p| p[0]), s_mm)
 }
 
 /// Greatest |d²θ/ds²| of a piece, rad/mm².

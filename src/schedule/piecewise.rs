@@ -56,7 +56,8 @@ pub(super) fn place(path: &Toolpath, row: usize) -> String {
 
 fn describe(binding: &Binding) -> String {
     match binding {
-        Binding::Part { tool, face, .. } => format!("the tool's {tool} against face {face}"),
+        // What its faces are called the channel says; here there is no part.
+        Binding::Part { tool, .. } => format!("the tool's {tool} against the part"),
         Binding::Fixture { name, tool, .. } => format!("the tool's {tool} against {name}"),
         Binding::AxisLimit => "a limit of the rotary axis".into(),
         Binding::ContactAngle => "the permitted contact angle on the ball".into(),

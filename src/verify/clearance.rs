@@ -8,7 +8,6 @@
 use parry3d_f64::partitioning::TraversalAction;
 use rayon::prelude::*;
 
-use super::gouge::face_name;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
@@ -300,7 +299,7 @@ fn judge(
     let found = near.triangle != u32::MAX;
     let who = segments.get(near.segment).map(|s| s.name.as_str()).unwrap_or_default();
     let place = if found {
-        format!("{who} to {}", face_name(part, part.mesh.face(near.triangle as usize)))
+        format!("{who} to {}", part.face_name(part.mesh.face(near.triangle as usize)))
     } else {
         format!("nothing within {FAR_MM} mm")
     };

@@ -19,6 +19,16 @@
 //!
 //! of which [`DeviationMap::coarse_bound_mm`] is the greatest over those triangles. It says nothing of triangles with a corner where the ball does not come.
 //!
+//! Where normals turn so fast that `sin φ` has no bound below 1 (an edge sharper than the shortest triangle), a height along the normal has none either: the
+//! line may miss every ball. There the *distance* `g` to the swept ball is bounded instead. It changes by no more than one goes along the part, so in such a triangle
+//!
+//! ```text
+//! |g − linear height| ≤ ℓ/√3 + greatest |g − height| of its corners
+//! ```
+//!
+//! which [`DeviationMap::sharp_bound_mm`] is the greatest of; how many there are, and their area, is told with it. Corners on a sharp edge are kept apart, one for
+//! each side, so that only edges that are rounded more tightly than the triangles are short come to this.
+//!
 //! **Limits**: only the ball cuts; corners of one triangle on the edge of another (where one side was halved and the other not) leave hairline
 //! gaps in the drawing, none in the heights.
 
@@ -42,6 +52,8 @@ const SHORTEST_MM: f64 = 0.02;
 const MOST: usize = 600_000;
 /// Places farther from every pass than so many stepovers are not machined.
 const REACH_STEPOVERS: f64 = 2.5;
+/// Normals of one corner differ by no more than this, as a cosine (20 degrees): else it is one of two sides of an edge.
+const ONE_SIDE: f64 = 0.94;
 /// Least reach, mm.
 const LEAST_REACH_MM: f64 = 0.4;
 
@@ -83,10 +95,9 @@ pub(super) fn measure(part: &Allowed, cuts: &[Cut], tolerance_mm: f64) -> Deviat
 fn measure_within(part: &Allowed, cuts: &[Cut], tolerance_mm: f64, most: usize) -> DeviationMap {
     let stepover_mm = cuts.iter().map(|c| c.stepover_mm).fold(f64::INFINITY, f64::min);
     let map = DeviationMap::default();
-    let mut map = Growing { part, cuts, stepover_mm, tolerance_mm, most, map, coarse: Vec::new() };
+    let mut map = Growing { part, cuts, stepover_mm, tolerance_mm, most, map, faces: Vec::new(), coarse: Vec::new() };
     map.grow();
-    map.map.coarse_bound_mm = map.coarse_bound();
-    map.map.coarse = map.coarse.len();
+    map.bound_coarse();
     map.keep_used();
     map.map.tolerance_mm = tolerance_mm;
     map.map
@@ -99,6 +110,8 @@ struct Growing<'a> {
     tolerance_mm: f64,
     most: usize,
     map: DeviationMap,
+    /// Face of each corner.
+    faces: Vec<u32>,
     /// Triangles of the map that are not fine enough.
     coarse: Vec<usize>,
 }
@@ -106,24 +119,37 @@ struct Growing<'a> {
 /// A corner: point, normal, height.
 type Corner = (Point, Vector, f64);
 
+/// What is known of a triangle that is not fine enough.
+enum Bound {
+    /// Nothing: the ball does not come to all corners.
+    None,
+    /// Heights are off the linear one by no more than this, mm.
+    Height(f64),
+    /// Distances to the swept ball are, mm; and its area, mm².
+    Distance(f64, f64),
+}
+
 impl Growing<'_> {
     fn grow(&mut self) {
         let mesh = &self.part.mesh;
-        let mut number = BTreeMap::new();
-        let (mut places, mut open) = (Vec::new(), Vec::new());
-        // Corners of the mesh are shared within a face only: at an edge there are two normals.
+        let mut seats: BTreeMap<(u32, u32), Vec<u32>> = BTreeMap::new();
+        let (mut places, mut open): (Vec<(Point, Vector, u32)>, _) = (Vec::new(), Vec::new());
+        // Corners of the mesh are shared within a face only, and on one side of a crease: at an edge there are two normals.
         for (t, corners) in mesh.triangles.iter().enumerate() {
-            let face = mesh.face(t);
+            let (face, normal) = (mesh.face(t), mesh.normal(t));
             let triangle = corners.map(|v| {
-                *number.entry((face, v)).or_insert_with(|| {
-                    places.push((mesh.points[v as usize], mesh.normal(t)));
+                let own = seats.entry((face, v)).or_default();
+                let same = own.iter().find(|k| places[**k as usize].1.dot(&normal) > ONE_SIDE);
+                same.copied().unwrap_or_else(|| {
+                    own.push(places.len() as u32);
+                    places.push((mesh.points[v as usize], normal, face));
                     places.len() as u32 - 1
                 })
             });
             open.push(triangle);
         }
-        let corners: Vec<Corner> = places.par_iter().map(|(p, n)| self.corner(p, n)).collect();
-        self.push(corners);
+        let corners: Vec<Corner> = places.par_iter().map(|(p, n, face)| self.corner(p, n, *face)).collect();
+        self.push(corners, places.iter().map(|p| p.2));
         while !open.is_empty() {
             open = self.halved(open);
         }
@@ -135,21 +161,39 @@ impl Growing<'_> {
         over.reduce(f64::min).unwrap_or(f64::NAN)
     }
 
-    /// See the module's page.
-    fn coarse_bound(&self) -> f64 {
-        let bound = |t: &usize| self.triangle_bound(self.map.triangles.get(*t)?);
-        // The greatest is the same in any order.
-        self.coarse.par_iter().filter_map(bound).reduce(|| 0.0, f64::max)
+    /// What is known of the triangles that are not fine enough; see the module's page.
+    fn bound_coarse(&mut self) {
+        let all = self.coarse.par_iter().map(|t| self.triangle_bound(&self.map.triangles[*t]));
+        let bounds: Vec<Bound> = all.collect();
+        let map = &mut self.map;
+        map.coarse = bounds.len();
+        for bound in bounds {
+            match bound {
+                Bound::None => {}
+                Bound::Height(mm) => map.coarse_bound_mm = map.coarse_bound_mm.max(mm),
+                Bound::Distance(mm, area_mm2) => {
+                    map.sharp += 1;
+                    map.sharp_area_mm2 += area_mm2;
+                    map.sharp_bound_mm = map.sharp_bound_mm.max(mm);
+                }
+            }
+        }
     }
 
-    /// How far the height in a triangle may be off the linear one; `None`: the ball does not come to all corners.
-    fn triangle_bound(&self, t: &[u32; 3]) -> Option<f64> {
+    /// Distance of a place to the ball of any tool, negative inside.
+    fn distance(&self, p: &Point) -> f64 {
+        let one = |c: &Cut| c.sweep.nearest(p, f64::INFINITY, |_| true).map(|n| n.distance_mm - c.sweep.radius_mm);
+        self.cuts.iter().filter_map(one).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far the height in a triangle, or the distance to the ball, may be off the linear height.
+    fn triangle_bound(&self, t: &[u32; 3]) -> Bound {
         let (_, length) = self.longest(t);
         let normals = t.map(|v| self.map.normals[v as usize]);
         let turn = (0..3).map(|k| (normals[(k + 1) % 3] - normals[k]).norm()).fold(0.0, f64::max);
         let heights = t.map(|v| self.map.heights_mm[v as usize]);
         if heights.iter().any(|h| h.is_nan()) {
-            return None;
+            return Bound::None;
         }
         let height = heights.iter().fold(0.0, |m: f64, h| m.max(h.abs()));
         let slope = |offset_mm: f64, radius_mm: f64| {
@@ -172,25 +216,34 @@ impl Growing<'_> {
             self.cuts.iter().map(one).fold(0.0, f64::max)
         };
         let best = (0..3).map(from).fold(f64::INFINITY, f64::min);
-        Some(best * (length / 3f64.sqrt() + height * turn))
+        let bound = best * (length / 3f64.sqrt() + height * turn);
+        if bound.is_finite() {
+            return Bound::Height(bound);
+        }
+        let points = t.map(|v| self.map.points[v as usize]);
+        let apart = (0..3).map(|k| (self.distance(&points[k]) - heights[k]).abs()).fold(0.0, f64::max);
+        let area = 0.5 * (points[1] - points[0]).cross(&(points[2] - points[0])).norm();
+        Bound::Distance(length / 3f64.sqrt() + apart, area)
     }
 
-    /// A place of the mesh put onto the surface, with its height.
-    fn corner(&self, p: &Point, normal: &Vector) -> Corner {
+    /// A place of a face of the mesh put onto the surface, with its height.
+    fn corner(&self, p: &Point, normal: &Vector, face: u32) -> Corner {
         let exact = match &self.part.brep {
             Some(_) => Part::closest(self.part, p, 4.0 * self.part.deflection_mm + 1e-6),
             None => None,
         };
-        // At an edge between faces the nearest point may be the other face's: its normal says so.
+        // At an edge between faces the nearest point may be the other face's: the place is good, its normal is not.
         let (q, n) = match exact {
-            Some(c) if c.normal.dot(normal) > 0.5 => (c.point, c.normal),
+            Some(c) if c.normal.dot(normal) > if c.face == face { 0.5 } else { ONE_SIDE } => (c.point, c.normal),
+            Some(c) if c.normal.dot(normal) > 0.0 => (c.point, *normal),
             _ => (*p, *normal),
         };
         let q = q + n * self.part.stock_mm;
         (q, n, self.height(&q, &n))
     }
 
-    fn push(&mut self, corners: Vec<Corner>) {
+    fn push(&mut self, corners: Vec<Corner>, faces: impl Iterator<Item = u32>) {
+        self.faces.extend(faces);
         for (p, n, h) in corners {
             self.map.points.push(p);
             self.map.normals.push(n);
@@ -226,11 +279,12 @@ impl Growing<'_> {
                 let (p, n) = (&self.map.points, &self.map.normals);
                 let normal = (n[a] + n[b]).try_normalize(1e-9).unwrap_or(n[a]);
                 // Corners are on the stock; the part is below.
-                self.corner(&(nalgebra::center(&p[a], &p[b]) - normal * self.part.stock_mm), &normal)
+                self.corner(&(nalgebra::center(&p[a], &p[b]) - normal * self.part.stock_mm), &normal, self.faces[a])
             })
             .collect();
         middles.values_mut().enumerate().for_each(|(i, m)| *m = (first + i) as u32);
-        self.push(corners);
+        let faces: Vec<u32> = middles.keys().map(|(a, _)| self.faces[*a as usize]).collect();
+        self.push(corners, faces.into_iter());
         let mut halves = Vec::new();
         for (t, k, length, edge) in looked {
             let mid = middles.get(&edge).copied().unwrap_or(t[k]);
@@ -331,6 +385,72 @@ mod tests {
             );
             before = map.coarse_bound_mm;
         }
+    }
+
+    /// Places within a triangle of the map, by weights of its corners.
+    fn within(map: &DeviationMap, t: &[u32; 3]) -> Vec<(Point, f64)> {
+        let grid = (0..=12).flat_map(|a| (0..=12 - a).map(move |b| [a, b, 12 - a - b].map(|w| f64::from(w) / 12.0)));
+        let mix = |w: [f64; 3]| {
+            let p = (0..3).map(|k| map.points[t[k] as usize].coords * w[k]).sum::<Vector>();
+            (Point::from(p), (0..3).map(|k| map.heights_mm[t[k] as usize] * w[k]).sum())
+        };
+        grid.map(mix).collect()
+    }
+
+    /// Triangles on edges sharper than they are short: distances to the swept ball anywhere in them, against the linear heights.
+    #[test]
+    fn the_bound_of_distances_holds_where_normals_turn_too_fast() {
+        let (blade, plan) = (sample::blade(), sample::plan(4, 90));
+        let part = Allowed::new(&blade.part, 0.0);
+        let cuts = [Cut { reach_mm: 4.0, ..Cut::new(Sweep::new(&plan.toolpath), plan.toolpath.scallop_mm) }];
+        let mut map = DeviationMap::default();
+        for (k, l) in plan.toolpath.locations.iter().enumerate().skip(95).step_by(7).take(30) {
+            // Across the edge normals lean to both sides, by up to 35 degrees.
+            let (lean, size) = ((20.0 + 1.5 * (k % 11) as f64).to_radians(), 0.01 + 0.002 * (k % 7) as f64);
+            let across = Vector::x();
+            let along = l.normal.cross(&across);
+            for (side, step) in [(1.0, across * size), (-1.0, -across * size), (-1.0, along * size)] {
+                let normal = (l.normal * lean.cos() + across * (side * lean.sin())).normalize();
+                let point = l.contact + across * 0.17 + step;
+                map.triangles.extend((map.points.len() % 3 == 2).then(|| [2, 1, 0].map(|b| map.points.len() as u32 - b)));
+                map.points.push(point);
+                map.normals.push(normal);
+                map.heights_mm.push(cuts[0].sweep.entry(&point, &normal, cuts[0].reach_mm).unwrap_or(f64::NAN));
+            }
+        }
+        let coarse = (0..map.triangles.len()).collect();
+        let mut grown =
+            Growing { part: &part, cuts: &cuts, stepover_mm: 0.6, tolerance_mm: 0.001, most: 10, map, faces: Vec::new(), coarse };
+        grown.bound_coarse();
+        let map = &grown.map;
+        assert!(map.sharp > 10 && map.coarse == 30, "{} {}", map.sharp, map.coarse);
+        assert!(map.coarse_bound_mm.is_finite() && map.sharp_bound_mm < 2.0, "{} {}", map.coarse_bound_mm, map.sharp_bound_mm);
+        let (mut area, mut worst) = (0.0, 0.0f64);
+        for t in &map.triangles {
+            let Bound::Distance(bound, own) = grown.triangle_bound(t) else { continue };
+            area += own;
+            for (p, linear) in within(map, t) {
+                let off = (grown.distance(&p) - linear).abs();
+                assert!(off <= bound, "{off} {bound}");
+                worst = worst.max(off);
+            }
+        }
+        assert!((area - map.sharp_area_mm2).abs() < 1e-12 && worst <= map.sharp_bound_mm);
+    }
+
+    /// A mesh without groups has creases: each side has corners of its own.
+    #[test]
+    fn corners_on_a_crease_are_kept_apart() {
+        let (blade, plan) = (sample::blade(), sample::plan(2, 60));
+        let map = deviation(&blade, &plan.toolpath, 0.001).unwrap();
+        let turn = |t: &[u32; 3]| {
+            let n = t.map(|v| map.normals[v as usize]);
+            (0..3).map(|k| (n[(k + 1) % 3] - n[k]).norm()).fold(0.0, f64::max)
+        };
+        let worst = map.triangles.iter().map(turn).fold(0.0, f64::max);
+        assert!(worst < 0.4 && map.sharp == 0, "{worst}");
+        // The tip's rim is such a crease: there are corners of both its sides, or the map would not reach it.
+        assert!(map.coarse_bound_mm.is_finite());
     }
 
     /// Two tools together leave what the lower of both leaves.

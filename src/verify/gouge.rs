@@ -16,7 +16,7 @@ use crate::artifact::Blade;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
-use crate::geometry::part::Part;
+
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
 const CHUNK: usize = 256;
@@ -150,7 +150,7 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     }
     let at = part.closest(&g.centre, f64::INFINITY);
     let point = at.map(|c| blade.model_from_blade * c.point);
-    let face = at.map(|c| face_name(part, c.face)).unwrap_or_default();
+    let face = at.map(|c| part.face_name(c.face)).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
     let inside = if inside { "the path lies inside the part; " } else { "" };
     let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
@@ -167,16 +167,6 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         note: format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0)),
     };
     (check, g)
-}
-
-/// A face of the part in words.
-pub(super) fn face_name(part: &Part, face: u32) -> String {
-    match part.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
-        // A face without a name of its own is called so already.
-        Some(f) if f.name.starts_with("face ") => f.name.clone(),
-        Some(f) => format!("face {}", f.name),
-        None => format!("group {face}"),
-    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! ([`super::clearance`]), continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence for both.
 
 use super::clearance::{self, Nearest, Track};
-use super::gouge::{self, face_name};
+use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
@@ -138,7 +138,7 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
     let found = way.gouge(room);
     let depth = found.bound_mm.max(found.found_mm);
     if depth > room.options.gouge_mm {
-        let face = part.closest(&found.centre, f64::INFINITY).map(|c| face_name(&part, c.face)).unwrap_or_default();
+        let face = part.closest(&found.centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
         return Some(format!("the ball would cut {depth:.3} mm into {face}"));
     }
     if let Some(outer) = way.centres.iter().rev().nth(1).filter(|_| lead.is_arc()) {
@@ -169,7 +169,7 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
 fn face(part: &Part, near: &Nearest) -> String {
     match near.triangle {
         u32::MAX => "nothing".into(),
-        t => face_name(part, part.mesh.face(t as usize)),
+        t => part.face_name(part.mesh.face(t as usize)),
     }
 }
 

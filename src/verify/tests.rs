@@ -289,7 +289,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     assert!((touch.worst + 0.02).abs() < 0.006, "{touch:?}");
     assert_eq!((touch.row, touch.turn), (Some(row), Some(0)));
     assert!((Point::from(touch.point_mm.unwrap()) - tip).norm() < 0.01);
-    assert!(touch.note.contains("holder 1") && touch.note.contains("group 7"), "{}", touch.note);
+    assert!(touch.note.contains("holder 1") && touch.note.contains("group 8"), "{}", touch.note);
     // At the rows themselves the holder is clear: a check of rows alone would miss it.
     let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.name.starts_with("holder")).collect();
     for i in [row, row + 1] {

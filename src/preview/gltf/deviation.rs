@@ -64,6 +64,10 @@ pub fn deviation(name: &str, map: &DeviationMap, model_from_blade: &Rigid, highe
         "tolerance_mm": map.tolerance_mm,
         "triangles": map.triangles.len(),
         "triangles_coarser_than_the_tolerance": map.coarse,
+        "heights_in_those_within_mm": map.coarse_bound_mm,
+        "of_those_on_sharp_edges": map.sharp,
+        "area_on_sharp_edges_mm2": map.sharp_area_mm2,
+        "distances_on_sharp_edges_within_mm": map.sharp_bound_mm,
     });
     let node = mesh_node(&mut glb, "deviation", vec![shown], note);
     let half = std::f32::consts::FRAC_1_SQRT_2;
@@ -94,6 +98,9 @@ mod tests {
             tolerance_mm: 0.002,
             coarse: 0,
             coarse_bound_mm: 0.0,
+            sharp: 0,
+            sharp_area_mm2: 0.0,
+            sharp_bound_mm: 0.0,
         };
         let bytes = deviation("x", &map, &Rigid::identity(), 0.01).unwrap();
         let document = ::gltf::Gltf::from_slice(&bytes).unwrap();

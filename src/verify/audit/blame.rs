@@ -43,6 +43,7 @@ fn other_b(moves: &[Moved]) -> Vec<Moved> {
     let turned = |m: &Moved| {
         let mut m = *m;
         (m.from[4], m.to[4]) = (-m.from[4], -m.to[4]);
+        m.bend.iter_mut().for_each(|bend| bend[4] = bend[4].map(|a| -a));
         m
     };
     moves.iter().map(turned).collect()

@@ -6,7 +6,7 @@ use super::report::{Limit, LineCheck, Worst};
 use crate::artifact::program::Programmed;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
-use crate::verify::gouge::{self, Gouge, face_name};
+use crate::verify::gouge::{self, Gouge};
 use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
@@ -49,7 +49,7 @@ pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
         passed: bound <= options.gouge_mm,
     };
     let at = scene.part.closest(&found.centre, f64::INFINITY);
-    let face = at.map(|c| face_name(&scene.part, c.face)).unwrap_or_default();
+    let face = at.map(|c| scene.part.face_name(c.face)).unwrap_or_default();
     let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", found.found_mm.max(0.0));
     let mut check = scene.judged(limit, &scene.on_leg(bound, found.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
@@ -100,7 +100,7 @@ fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
     let mesh = &scene.blade.part.mesh;
     match near.triangle {
         u32::MAX => "nothing near".into(),
-        t => format!("{name} to {}", face_name(&scene.part, mesh.face(t as usize))),
+        t => format!("{name} to {}", scene.part.face_name(mesh.face(t as usize))),
     }
 }
 
@@ -144,7 +144,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
         return Some(upper);
     }
     let at = scene.part.closest(&ball.centre, f64::INFINITY);
-    let face = at.map(|c| face_name(&scene.part, c.face)).unwrap_or_default();
+    let face = at.map(|c| scene.part.face_name(c.face)).unwrap_or_default();
     let note = format!("ball to {face}; measured {:.6}, nowhere less than {least:.6}", -ball.found_mm);
     let limit = Limit { passed: least >= 0.0, ..limit() };
     let mut check = scene.judged(limit, &scene.on_leg(least, ball.segment, at.map(|c| c.point)), note);
@@ -197,7 +197,7 @@ fn reached(scene: &Scene) -> Reached {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
     let mut out: Reached = Default::default();
     for (k, m) in scene.moves.iter().enumerate() {
-        if m.words == Programmed::Machine || !m.known() {
+        if m.words == Programmed::Machine && m.even() || !m.known() {
             // Axes go straight from where they were: the end tells.
             for (axis, to) in m.axes(1.0, tool, machine).into_iter().enumerate().filter(|(_, v)| v.is_finite()) {
                 out[axis].push((k, to, to));
@@ -206,7 +206,7 @@ fn reached(scene: &Scene) -> Reached {
     }
     for leg in scene.legs.legs.iter().filter(|l| l.kind != Kind::Gap) {
         let m = &scene.moves[leg.moved];
-        if m.words == Programmed::Machine {
+        if m.words == Programmed::Machine && m.even() {
             continue;
         }
         let [from, to] = leg.share;

@@ -8,7 +8,9 @@ use crate::verify::program::{Bench, Moved};
 
 /// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
 const OFF_MM: f64 = 0.0002;
-/// The same in rapids, mm.
+/// How far the gauge line may be off a leg on which the rotary axes do not turn evenly, mm: below what the checks of clearance resolve.
+const OFF_GAUGE_MM: f64 = 0.001;
+/// The same as the first in rapids, mm.
 const OFF_RAPID_MM: f64 = 0.01;
 /// No leg turns further than this, rad, before the distance above is asked for.
 const COARSE_RAD: f64 = 5.0 * PI / 180.0;
@@ -78,7 +80,7 @@ impl Legs {
                 out.push(m, 0.0, Leg { kind: Kind::Gap, moved, share: [0.0; 2] }, bench);
             }
             // A line that only says a feed or a function again moves nothing.
-            if m.from != m.to {
+            if m.from != m.to || !m.even() {
                 let share = |k: usize| k as f64 / parts as f64;
                 (1..=parts).for_each(|k| {
                     out.push(m, share(k), Leg { kind, moved, share: [share(k - 1), share(k)] }, bench);
@@ -123,28 +125,33 @@ impl Legs {
 
 /// In how many equal legs a move has to be looked at.
 fn parts(m: &Moved, bench: &Bench) -> usize {
-    let turn = (m.to[3] - m.from[3]).abs().max((m.to[4] - m.from[4]).abs());
-    let coarse = (turn / COARSE_RAD).ceil().clamp(1.0, 1e9);
+    let bent = m.bend.unwrap_or_default();
+    let turn = |k: usize| (m.to[k] - m.from[k]).abs() + bent[k].iter().map(|a| a.abs()).sum::<f64>();
+    let least = if m.even() { 1.0 } else { 4.0 };
+    let coarse = (turn(3).max(turn(4)) / COARSE_RAD).ceil().clamp(least, 1e9);
     let (machine, reach) = (bench.machine, bench.tool.length_mm());
     let pose = |f: f64| {
         let [.., a, b] = m.at(f);
         (m.pose(f, bench.tool, machine).centre, [a, b])
     };
+    let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };
     // The deviation of a leg falls with the square of its length; it may differ along the move.
     let off = |k: f64| {
         let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| pose(k / coarse));
         let centre = (mid.0 - nalgebra::center(&a.0, &b.0)).norm();
         // θ and lean change evenly with the rotary axes where one of these turns the blade.
-        if machine.turns_the_blade() && a.1[1] == b.1[1] {
+        if m.even() && machine.turns_the_blade() && a.1[1] == b.1[1] {
             return centre;
         }
         let from = machine.theta_and_lean(a.1, 0.0);
         let [middle, to] = [mid.1, b.1].map(|rotary| machine.theta_and_lean(rotary, from[0]));
         let turned = (middle[0] - 0.5 * (from[0] + to[0])).hypot(middle[1] - 0.5 * (from[1] + to[1]));
-        centre.max(turned * reach)
+        centre.max(turned * reach * allowed / OFF_GAUGE_MM.max(allowed))
     };
-    let worst = [0.0, (0.5 * coarse).floor(), coarse - 1.0].map(off).into_iter().fold(0.0, f64::max);
-    let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };
+    let mut worst = [0.0, (0.5 * coarse).floor(), coarse - 1.0].map(off).into_iter().fold(0.0, f64::max);
+    if !m.even() {
+        worst = (0..coarse as usize).map(|k| off(k as f64)).fold(worst, f64::max);
+    }
     let fine = (worst / allowed).sqrt().ceil().clamp(1.0, 1e9);
     (coarse * fine) as usize
 }

@@ -16,7 +16,7 @@
 //! | `scallop`, `scallop-turn` | height left between neighbouring passes ([`scallop`]): all over, and turn by turn | samples |
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
-//! **Limits**: rapids are taken as straight in whatever the block programs; arcs, steps (G91) and splines are not read; the control's own
+//! **Limits**: rapids are taken as straight in whatever the block programs; arcs and splines are not read, polynomials of G code (`POLY`) are; the control's own
 //! smoothing is not known; velocities are not judged, since the control slows down where it must. Moves before the program has said
 //! where every axis stands are not looked at, and counted. θ need not grow and nothing is asked of the order of passes.
 

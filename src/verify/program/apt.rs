@@ -35,7 +35,9 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
             "GOHOME" => out.push(Block {
                 line,
                 place: Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] },
-                ways: [Way::To; 3],
+                steps: [false; 3],
+                    ways: [Way::To; 3],
+                    bend: None,
                 feed: Feed::Rapid,
                 machine: true,
                 tool_length: false,
@@ -60,7 +62,9 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                 out.push(Block {
                     line,
                     place,
+                    steps: [false; 3],
                     ways: [Way::To; 3],
+                    bend: None,
                     feed,
                     machine: false,
                     tool_length: false,

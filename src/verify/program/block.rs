@@ -35,6 +35,16 @@ pub enum Way {
     Down,
 }
 
+/// How the words of a line bend on their way, under polynomial interpolation: coefficients of `p²` to `p⁵`, `p` going from 0 to 1 over the line. That of
+/// `p` is what brings a word to its end.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bend {
+    /// X, Y, Z, mm.
+    pub point: [[f64; 4]; 3],
+    /// A, B, C, degrees.
+    pub rotary: [[f64; 4]; 3],
+}
+
 /// The feed of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
@@ -53,8 +63,12 @@ pub struct Block {
     pub line: usize,
     /// Where to.
     pub place: Place,
+    /// X, Y, Z are steps from where they are.
+    pub steps: [bool; 3],
     /// How the rotary words are meant.
     pub ways: [Way; 3],
+    /// Polynomials; `None`: every word goes evenly.
+    pub bend: Option<Bend>,
     /// How fast.
     pub feed: Feed,
     /// Linear words are positions of the machine's axes, whatever the program's coordinates are otherwise.

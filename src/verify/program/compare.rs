@@ -16,6 +16,8 @@ use crate::tool::{self, Tool};
 
 /// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may do.
 const CENTRE_MM: f64 = 0.001;
+/// Rounding moves a place of a polynomial line along the path by no more, mm.
+const ROUNDED_MM: f64 = 0.0001;
 /// Greatest angle of the tool axis from the plan's, degrees.
 const DIRECTION_DEG: f64 = 0.001;
 /// Greatest relative difference of the whole time.
@@ -61,6 +63,8 @@ struct Comparison<'a> {
     machine: &'a Machine,
     centre: Worst,
     direction: Worst,
+    /// Within polynomial lines; `None`: the program has none.
+    curve: Option<Worst>,
     chord: Worst,
     missing: Worst,
 }
@@ -81,6 +85,7 @@ pub(super) fn checks(
         machine,
         centre: Worst::default(),
         direction: Worst::default(),
+        curve: moves.iter().any(|m| m.bend.is_some()).then(Worst::default),
         chord: Worst::default(),
         missing: Worst::default(),
     };
@@ -89,6 +94,9 @@ pub(super) fn checks(
     let before = plan.leads[0].centres.len();
     let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
     let chord_mm = plan.toolpath.chord_mm;
+    let curve = c.curve.map(|worst| {
+        ("program-curve", "tool axis within a polynomial line off the schedule's curve", worst, DIRECTION_DEG, "deg")
+    });
     [
         ("program-centre", "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
         ("program-direction", "tool axis off the planned one", c.direction, DIRECTION_DEG, "deg"),
@@ -97,6 +105,7 @@ pub(super) fn checks(
         ("program-time", "relative difference of the whole time", off, TIME, ""),
     ]
     .into_iter()
+    .chain(curve)
     .map(|(name, quantity, worst, limit, unit)| {
         let at = c.rows.get(worst.row);
         let point = at.map(|r| blade.model_from_blade * r.centre);
@@ -158,7 +167,16 @@ impl Comparison<'_> {
         for (k, pose) in poses.iter().enumerate().skip(1) {
             // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
             // angle to the nearest place's would tell of that. At ends only rounding is left.
-            let on = if k == WITHIN {
+            let on = if m.bend.is_some() {
+                let (on, angle_deg) = self.locate_on_curve(pose, here);
+                self.centre.take(on.distance_mm, m.line, on.row);
+                let worst = if k == WITHIN { &mut self.direction } else { self.curve.get_or_insert_default() };
+                worst.take(angle_deg, m.line, on.row);
+                if k < WITHIN {
+                    self.chord.take(on.distance_mm, m.line, on.row);
+                }
+                on
+            } else if k == WITHIN {
                 let on = self.locate_pose(pose, here);
                 self.centre.take(on.distance_mm, m.line, on.row);
                 self.direction.take(angle_deg(&pose.axis, &self.axis(on)), m.line, on.row);
@@ -219,6 +237,41 @@ impl Comparison<'_> {
             }
         }
         best.1
+    }
+
+    /// As [`Comparison::locate_pose`], θ following the schedule's curve; with the angle between the tool axis and the planned one there, degrees.
+    fn locate_on_curve(&self, pose: &Pose, from: usize) -> (OnPath, f64) {
+        let near = self.locate(&pose.centre, from).row;
+        let last = self.rows.len().saturating_sub(2);
+        let around = near.saturating_sub(1).max(from)..=(near + 1).min(last);
+        let places = around.flat_map(|row| self.place_on_curve(pose, row));
+        let apart = |(on, angle): &(OnPath, f64)| (on.distance_mm / ROUNDED_MM).hypot(angle / DIRECTION_DEG);
+        let none = (OnPath { row: near, share: 0.0, distance_mm: f64::INFINITY }, f64::INFINITY);
+        places.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(none)
+    }
+
+    /// Places of a plan move: the one nearest to the centre, and that moved along by what the angle of the tool axis asks for.
+    fn place_on_curve(&self, pose: &Pose, row: usize) -> [(OnPath, f64); 2] {
+        let (a, b) = (&self.rows[row], &self.rows[row + 1]);
+        let location = row.checked_sub(self.plan.leads[0].centres.len());
+        let turning = location.and_then(|k| self.plan.turning(k));
+        let theta = |share: f64| turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
+        let b_rad = self.plan.channel.b_rad;
+        let place = |share: f64| {
+            let distance_mm = (pose.centre - (a.centre + (b.centre - a.centre) * share)).norm();
+            (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &tool::axis(b_rad, theta(share))))
+        };
+        let (share, _) = to_segment(&pose.centre, &a.centre, &b.centre);
+        let turn = pose.axis.z.atan2(pose.axis.y) - theta(share);
+        let turn = turn - TAU * (turn / TAU).round();
+        // Both in units of what is allowed, by the share of the way.
+        let (low, high) = ((share - 0.01).max(0.0), (share + 0.01).min(1.0));
+        let lean = b_rad.cos().to_degrees() / DIRECTION_DEG;
+        let rate = lean * (theta(high) - theta(low)) / (high - low);
+        let way = (b.centre - a.centre).norm() / ROUNDED_MM;
+        let along = lean * turn * rate / (way * way + rate * rate);
+        let moved = if along.is_finite() { (share + along).clamp(0.0, 1.0) } else { share };
+        [place(share), place(moved)]
     }
 
     /// The planned tool axis there.

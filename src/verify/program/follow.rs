@@ -1,7 +1,7 @@
 //! The machine moved through a program's blocks.
 //!
 //! The state is where the machine's axes stand. A block in machine axes moves them straight; a block under tool-centre-point control
-//! moves the programmed point straight over the part and the rotary axes evenly. What the program has not said yet is not known
+//! moves the programmed point straight over the part and the rotary axes evenly; under polynomial interpolation every word goes as its polynomial says. What the program has not said yet is not known
 //! (`NaN`), save for the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
@@ -30,6 +30,9 @@ impl Default for Zero {
     }
 }
 
+/// Chords that the length of a bent move is taken from.
+const CHORDS: usize = 64;
+
 /// What a program runs on.
 #[derive(Clone, Copy, Debug)]
 pub struct Bench<'a> {
@@ -55,6 +58,8 @@ pub struct Moved {
     pub from: [f64; 5],
     /// After it.
     pub to: [f64; 5],
+    /// Coefficients of `p²` to `p⁵` of each, `p` being the share of the move; `None`: every one moves evenly.
+    pub bend: Option<[[f64; 4]; 5]>,
     /// Time it takes, s; `None`: rapid.
     pub seconds: Option<f64>,
 }
@@ -65,7 +70,12 @@ impl Moved {
         self.from.iter().chain(&self.to).all(|v| v.is_finite())
     }
 
-    /// The words at the share `f` of the move: every one moves evenly.
+    /// Whether it is one in which every word moves evenly.
+    pub fn even(&self) -> bool {
+        self.bend.is_none_or(|b| b.as_flattened().iter().all(|a| *a == 0.0))
+    }
+
+    /// The words at the share `f` of the move.
     pub fn at(&self, f: f64) -> [f64; 5] {
         // The end is known where the beginning is not.
         if f == 1.0 {
@@ -74,6 +84,9 @@ impl Moved {
         let mut out = self.from;
         for (o, to) in out.iter_mut().zip(&self.to) {
             *o += (to - *o) * f;
+        }
+        for (o, a) in out.iter_mut().zip(self.bend.iter().flatten()) {
+            *o += a.iter().zip(2..).map(|(a, k)| a * (f.powi(k) - f)).sum::<f64>();
         }
         out
     }
@@ -186,6 +199,10 @@ impl Follower<'_> {
     fn in_axes(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
         let mut to = self.stands;
         for (i, word) in point.into_iter().enumerate() {
+            if let (true, Some(step)) = (block.steps[i], word) {
+                to[i] += step;
+                continue;
+            }
             // G43 adds the length to the tip along Z of the machine, however the head leans.
             let tool = self.bench.tool;
             let length = if block.tool_length && i == 2 { tool.length_mm() + tool.radius_mm } else { 0.0 };
@@ -193,7 +210,8 @@ impl Follower<'_> {
             to[i] = word.map_or(to[i], |w| w + offset);
         }
         (to[3], to[4]) = (a, b);
-        let moved = Moved { line: block.line, words: Programmed::Machine, from: self.stands, to, seconds: None };
+        let bend = self.bend(block, |point| point);
+        let moved = Moved { line: block.line, words: Programmed::Machine, from: self.stands, to, bend, seconds: None };
         (self.stands, self.said) = (to, None);
         moved
     }
@@ -208,16 +226,34 @@ impl Follower<'_> {
             (zero.blade_from_program.inverse() * point).into()
         });
         let mut there = here;
-        for (t, word) in there.iter_mut().zip(point) {
-            *t = word.unwrap_or(*t);
+        for ((t, word), step) in there.iter_mut().zip(point).zip(block.steps) {
+            *t = word.map_or(*t, |w| if step { *t + w } else { w });
         }
         let in_blade = |p: [f64; 3]| zero.blade_from_program * Point::from(p);
         let (from, to) = (in_blade(here), in_blade(there));
         let from = [from.x, from.y, from.z, self.stands[3], self.stands[4]];
         let to = [to.x, to.y, to.z, a, b];
-        let moved = Moved { line: block.line, words, from, to, seconds: None };
+        let bend = self.bend(block, |point| zero.blade_from_program.rotation * point);
+        let moved = Moved { line: block.line, words, from, to, bend, seconds: None };
         (self.stands, self.said) = (axes(words, &to, tool, machine), Some(there));
         moved
+    }
+
+    /// Polynomials in the order of the axes; those of X, Y and Z brought to the frame of the move.
+    fn bend(&self, block: &Block, turned: impl Fn(Vector) -> Vector) -> Option<[[f64; 4]; 5]> {
+        let said = block.bend?;
+        let mut out = [[0.0; 4]; 5];
+        for k in 0..4 {
+            let point = turned(Vector::from(said.point.map(|a| a[k])));
+            (0..3).for_each(|i| out[i][k] = point[i]);
+        }
+        let names = self.bench.machine.rotary_axes();
+        for (name, own) in [AxisName::A, AxisName::B, AxisName::C].into_iter().zip(said.rotary) {
+            if let Some(i) = names.iter().position(|n| *n == Some(name)) {
+                out[3 + i] = own.map(f64::to_radians);
+            }
+        }
+        Some(out)
     }
 
     /// Rotary positions after a line, rad.
@@ -253,9 +289,17 @@ fn seconds(feed: Feed, moved: &Moved) -> Option<f64> {
         Feed::Rapid => None,
         Feed::PerMove(f) => Some(60.0 / f),
         Feed::PerMinute(f) => {
-            let way = (0..3).map(|i| (moved.to[i] - moved.from[i]).powi(2)).sum::<f64>().sqrt();
-            let turn = (3..5).map(|i| (moved.to[i] - moved.from[i]).powi(2)).sum::<f64>().sqrt().to_degrees();
+            let way = length(moved, 0..3);
+            let turn = length(moved, 3..5).to_degrees();
             Some(60.0 * if way > 0.0 { way } else { turn } / f)
         }
     }
+}
+
+/// The way of some words, by chords where they bend.
+fn length(moved: &Moved, words: std::ops::Range<usize>) -> f64 {
+    let parts = if moved.even() { 1 } else { CHORDS };
+    let places: Vec<[f64; 5]> = (0..=parts).map(|k| moved.at(k as f64 / parts as f64)).collect();
+    let chord = |w: &[[f64; 5]]| words.clone().map(|i| (w[1][i] - w[0][i]).powi(2)).sum::<f64>().sqrt();
+    places.windows(2).map(chord).sum()
 }

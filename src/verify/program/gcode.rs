@@ -1,12 +1,14 @@
 //! G code: ISO 6983 as LinuxCNC, Fanuc and Siemens 840D speak it.
 
-use super::block::{Block, Feed, Place, Way};
+use super::block::{Bend, Block, Feed, Place, Way};
 use super::unreadable;
 use crate::error::Result;
 
 /// State that stays from line to line.
 struct Modal {
     rapid: bool,
+    /// `POLY` is on.
+    polynomial: bool,
     inverse: bool,
     steps: bool,
     inch: bool,
@@ -21,7 +23,12 @@ struct Modal {
 struct Said {
     point: [Option<f64>; 3],
     rotary: [Option<f64>; 3],
-    ways: [Way; 3],
+    /// Of X, Y, Z and of A, B, C; `None`: as G90 or G91 says.
+    ways: [[Option<Way>; 3]; 2],
+    /// Coefficients of `p²` and on, of X, Y, Z and of A, B, C.
+    bend: [[[f64; 4]; 3]; 2],
+    /// Length of the interval of `p`.
+    interval: Option<f64>,
     vector: [Option<f64>; 3],
     feed: Option<f64>,
     machine: bool,
@@ -36,6 +43,7 @@ struct Said {
 pub(super) fn read(text: &str) -> Result<Vec<Block>> {
     let mut modal = Modal {
         rapid: true,
+        polynomial: false,
         inverse: false,
         steps: false,
         inch: false,
@@ -71,9 +79,9 @@ fn code(line: &str) -> std::result::Result<String, String> {
             return Ok(out);
         }
         let close = closing(from).ok_or("a ( without its )")?;
-        // A bracket right after a letter or a digit belongs to a word (IC(…), CYCLE832(…)); any other opens a comment.
-        if before.ends_with(|c: char| c.is_ascii_alphanumeric()) {
-            out.push_str(&from[..=close]);
+        // A bracket right after a letter, a digit or = belongs to a word (IC(…), CYCLE832(…), PO[X]=(…)); any other opens a comment.
+        if before.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '=') {
+            out.extend(from[..=close].chars().filter(|c| !c.is_whitespace()));
         }
         rest = &from[close + 1..];
     }
@@ -122,26 +130,14 @@ fn long(token: &str) -> bool {
 }
 
 fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::result::Result<(), String> {
-    let number = |v: &str| {
-        v.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| format!("{address}{v} is not a number"))
-    };
-    let inner =
-        |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
-    let linear = if modal.inch { 25.4 } else { 1.0 };
+    let number = |v: &str| number(address, v);
+    if let Some((rotary, axis)) = axis(address) {
+        return to_axis(address, value, rotary, axis, modal, said);
+    }
     match address {
         "G" => preparatory(value, modal, said)?,
-        "X" | "Y" | "Z" => {
-            let axis = usize::from(address.as_bytes()[0] - b'X');
-            said.point[axis] = Some(linear * number(value)?);
-        }
-        "A" | "B" | "C" => {
-            let axis = usize::from(address.as_bytes()[0] - b'A');
-            let named = [("IC", Way::By), ("AC", Way::To), ("DC", Way::Shorter), ("ACP", Way::Up), ("ACN", Way::Down)];
-            let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, *way)));
-            let (plain, way) = called.unwrap_or((value, Way::To));
-            said.ways[axis] = way;
-            said.rotary[axis] = Some(number(plain)?);
-        }
+        "POLY" => (modal.rapid, modal.polynomial) = (false, true),
+        "PL" => said.interval = Some(number(value)?),
         "I" | "A3" => said.vector[0] = Some(number(value)?),
         "J" | "B3" => said.vector[1] = Some(number(value)?),
         "K" | "C3" => said.vector[2] = Some(number(value)?),
@@ -155,16 +151,67 @@ fn take(address: &str, value: &str, modal: &mut Modal, said: &mut Said) -> std::
         }
         "ORIWKS" | "ORIMKS" | "ORIAXES" | "SOFT" | "BRISK" | "FFWON" | "FFWOF" | "COMPCAD" | "COMPCURV"
         | "COMPSURF" | "COMPOF" | "STOPRE" | "CDOF" | "CDOF2" | "UPATH" | "SPATH" => {}
-        _ if ["CYCLE", "FGROUP(", "MSG("].iter().any(|c| address.starts_with(c)) => said.call = true,
+        _ if ["CYCLE", "FGROUP(", "MSG(", "POLYPATH("].iter().any(|c| address.starts_with(c)) => said.call = true,
         _ => return Err(format!("the word {address}{value} is not known")),
     }
     Ok(())
 }
 
+fn number(address: &str, v: &str) -> std::result::Result<f64, String> {
+    v.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| format!("{address}{v} is not a number"))
+}
+
+/// Whether an address is of a rotary axis, and which: `X`, `PO[X]`; `None` for any other.
+fn axis(address: &str) -> Option<(bool, usize)> {
+    let name = address.strip_prefix("PO[").and_then(|a| a.strip_suffix(']')).unwrap_or(address);
+    let place = |names: [&str; 3]| names.iter().position(|n| *n == name);
+    place(["X", "Y", "Z"]).map(|k| (false, k)).or(place(["A", "B", "C"]).map(|k| (true, k)))
+}
+
+/// A word of an axis: `X1`, `A=IC(1)`, `PO[X]=(1,2,3)`, `X=PO(1,2,3)`.
+fn to_axis(
+    address: &str,
+    value: &str,
+    rotary: bool,
+    axis: usize,
+    modal: &Modal,
+    said: &mut Said,
+) -> std::result::Result<(), String> {
+    let inner =
+        |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
+    let scale = if modal.inch && !rotary { 25.4 } else { 1.0 };
+    let polynomial = if address.starts_with("PO[") { inner("") } else { inner("PO") };
+    if address.starts_with("PO[") && polynomial.is_none() {
+        return Err(format!("{address}={value} is no polynomial"));
+    }
+    let named = [("IC", Way::By), ("AC", Way::To), ("DC", Way::Shorter), ("ACP", Way::Up), ("ACN", Way::Down)];
+    let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, Some(*way))));
+    let (plain, way) = called.unwrap_or((value, None));
+    if !rotary && way.is_some_and(|w| w != Way::By && w != Way::To) {
+        return Err(format!("{address}={value} is for rotary axes"));
+    }
+    let list = match polynomial {
+        Some(list) => list.split(',').map(|v| number(address, v)).collect::<std::result::Result<Vec<f64>, _>>()?,
+        None => vec![number(address, plain)?],
+    };
+    let (end, coefficients) = list.split_first().ok_or_else(|| format!("{address} has no end"))?;
+    if coefficients.len() > 4 {
+        return Err(format!("{address} has a polynomial of more than degree 5"));
+    }
+    let k = usize::from(rotary);
+    said.ways[k][axis] = way;
+    for (to, from) in said.bend[k][axis].iter_mut().zip(coefficients) {
+        *to = scale * from;
+    }
+    let words = if rotary { &mut said.rotary } else { &mut said.point };
+    words[axis] = Some(scale * end);
+    Ok(())
+}
+
 fn preparatory(value: &str, modal: &mut Modal, said: &mut Said) -> std::result::Result<(), String> {
     match value.trim_start_matches('0') {
-        "" => modal.rapid = true,
-        "1" => modal.rapid = false,
+        "" => (modal.rapid, modal.polynomial) = (true, false),
+        "1" => (modal.rapid, modal.polynomial) = (false, false),
         "20" | "70" | "700" => modal.inch = true,
         "21" | "71" | "710" => modal.inch = false,
         "43" => modal.tool_length = true,
@@ -203,9 +250,6 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
     if !moves {
         return Ok(None);
     }
-    if modal.steps {
-        return Err("a move in steps (G91) is not read".into());
-    }
     let feed = match (modal.rapid, modal.inverse, said.feed, modal.feed) {
         (true, ..) => Feed::Rapid,
         (false, true, Some(f), _) => Feed::PerMove(f),
@@ -216,6 +260,12 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
     if matches!(feed, Feed::PerMove(f) | Feed::PerMinute(f) if f <= 0.0) {
         return Err("F must be greater than 0".into());
     }
+    if vector && modal.polynomial {
+        return Err("vectors under POLY are not read".into());
+    }
+    let bend = if modal.polynomial { Some(bend(&said)?) } else { None };
+    let usual = if modal.steps { Way::By } else { Way::To };
+    let [point_ways, ways] = said.ways.map(|of| of.map(|way| way.unwrap_or(usual)));
     // A component that is left out is 0.
     let axis = said.vector.map(|v| v.unwrap_or(0.0));
     let place = if vector {
@@ -226,11 +276,24 @@ fn block(line: usize, modal: &mut Modal, said: Said) -> std::result::Result<Opti
     Ok(Some(Block {
         line,
         place,
-        ways: said.ways,
+        steps: point_ways.map(|way| way == Way::By),
+        ways,
+        bend,
         feed,
         machine: said.machine,
         tool_length: modal.tool_length,
         centre_point: modal.centre_point,
         tool_calls: modal.tool_calls,
     }))
+}
+
+/// The polynomials of a line over `p` from 0 to 1.
+fn bend(said: &Said) -> std::result::Result<Bend, String> {
+    let interval = said.interval.unwrap_or(1.0);
+    if interval <= 0.0 {
+        return Err(format!("PL={interval} must be greater than 0"));
+    }
+    let powers: [f64; 4] = std::array::from_fn(|k| interval.powi(k as i32 + 2));
+    let [point, rotary] = said.bend.map(|of| of.map(|a| std::array::from_fn(|k| a[k] * powers[k])));
+    Ok(Bend { point, rotary })
 }

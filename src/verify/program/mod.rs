@@ -8,12 +8,13 @@
 //! | --- | --- |
 //! | `program-centre` | distance of the ball centre at the end of each cutting line from the plan's path |
 //! | `program-direction` | angle between the tool axis there and the plan's, which is even in θ between locations |
+//! | `program-curve` | angle between the tool axis *within* each polynomial line and the schedule's curve θ(S); ball centres within it count under `program-centre` |
 //! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly |
 //! | `program-missing` | distance of each cutter location from the program's path: a line that is missing shows |
 //! | `program-rapids` | least distance of the whole tool to the part in rapids, those between operations among them |
 //! | `program-time` | whole time of the cutting lines against the plan's |
 //!
-//! **Limits**: axes move evenly from line to line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
+//! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
 //! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
 
 mod apt;
@@ -26,7 +27,7 @@ mod heidenhain;
 #[cfg(test)]
 mod tests;
 
-pub use block::{Block, Feed, Place, Way};
+pub use block::{Bend, Block, Feed, Place, Way};
 pub use follow::{Bench, Moved, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
 

@@ -43,7 +43,14 @@ fn what_is_not_understood_is_named_with_its_line() {
         ("G1 X1", "before any F"),
         ("G93 G1 X1 F2\nX2", "line 2"),
         ("G1 X1.2.3 F1", "not a number"),
-        ("G91 G1 X1 F1", "G91"),
+        ("X0 POLY PO[X]=(1,2,3,4,5,6) F1", "more than degree 5"),
+        ("X0 POLY PO[U]=(1,2) F1", "PO[U]"),
+        ("X0 POLY PO[]=(1,2) F1", "PO[]"),
+        ("POLY PO[X]=7 F1", "no polynomial"),
+        ("POLY PO[X]=(1) PL=0 F1", "PL=0"),
+        ("POLY PO[X]=(1,z) F1", "not a number"),
+        ("POLY X1 A3=0 B3=0 C3=1 F1", "vectors under POLY"),
+        ("G1 X=DC(1) F1", "rotary axes"),
         ("G2 X1 I0 J1", "G2 is not known"),
         ("WIBBLE", "WIBBLE"),
         ("G1 X1 F-3", "greater than 0"),
@@ -83,4 +90,37 @@ fn apt() {
     assert_eq!((b.len(), b[0].line, b[0].feed, b[1].feed), (2, 5, Feed::Rapid, Feed::PerMinute(20.0)));
     assert!(read("GOTO/1,2", language).is_err() && read("FLY/1", language).is_err());
     assert!(read(&format!("GOTO/{}", "1".repeat(80)), language).unwrap_err().message.contains("72"));
+}
+
+#[test]
+fn steps_and_polynomials_of_g_code() {
+    // The example of the manual: end, coefficients of p² and p³, PL the length of the interval; what is left of p brings it to its end.
+    let b = gcode("N10 G1 X0 Y0 Z0 F600\nN11 POLY PO[X]=(1, 2.5, 0.7) PO[Y]=(0.3,1,3.2) PL=1.5\nX2 A=PO(10,4)\nG1 X3").unwrap();
+    assert_eq!((b[0].bend, b[3].bend), (None, None));
+    let bend = b[1].bend.unwrap();
+    assert_eq!(bend.point[0], [2.5 * 1.5 * 1.5, 0.7 * 1.5 * 1.5 * 1.5, 0.0, 0.0]);
+    assert_eq!((bend.point[2], b[2].bend.unwrap().rotary[0]), ([0.0; 4], [4.0, 0.0, 0.0, 0.0]));
+    let (tool, machine) = (crate::sample::tool(), Machine::demo().unwrap());
+    let language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
+    let m = follow(&b, &Bench { language, zero: Zero::default(), tool: &tool, machine: &machine }).unwrap();
+    for p in [0.0, 0.4, 0.9, 1.5f64] {
+        // x(p) = a₀ + a₁ p + 2.5 p² + 0.7 p³ with x(0) = 0 and x(1.5) = 1.
+        let a1 = (1.0 - 2.5 * 2.25 - 0.7 * 3.375) / 1.5;
+        let x = a1 * p + 2.5 * p * p + 0.7 * p.powi(3);
+        assert!((m[1].at(p / 1.5)[0] - x).abs() < 1e-12);
+    }
+    assert!((m[2].at(0.5)[3].to_degrees() - (5.0 + 4.0 * (0.25 - 0.5))).abs() < 1e-12);
+    assert!(m[1].even() != m[0].even());
+    // The time is by the length of the curve, longer than its chord.
+    assert!(m[1].seconds.unwrap() * 10.0 > 1.04f64.hypot(0.3));
+    // Steps: all words under G91, single ones by IC(); AC() says where.
+    let b = gcode("G1 X1 Y2 Z3 A10 F100\nG91 X1 A5\nY=AC(7) X=IC(-1)\nG90 X1 A=IC(5)\n").unwrap();
+    let m = follow(&b, &Bench { language, zero: Zero::default(), tool: &tool, machine: &machine }).unwrap();
+    let at = |k: usize| [m[k].to[0], m[k].to[1], m[k].to[3].to_degrees()];
+    for (k, want) in [(1, [2.0, 2.0, 15.0]), (2, [1.0, 7.0, 15.0]), (3, [1.0, 7.0, 20.0])] {
+        assert!(at(k).iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-12), "{k}: {:?}", at(k));
+    }
+    // POLY that is off again: polynomials are not followed, as the control does not.
+    let b = gcode("G1 PO[X]=(1,2) F1").unwrap();
+    assert_eq!(b[0].bend, None);
 }

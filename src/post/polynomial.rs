@@ -1,0 +1,173 @@
+//! Cuts as polynomials, for controls that interpolate them (`POLY` of the Siemens 840D).
+//!
+//! From a cutter location to the next the plan's ball centre goes straight and evenly with the arc length, and θ follows the schedule's curve
+//! θ(S). Every word of a block, the coordinates of the programmed point and the rotary axes, is a function `w(p)` of the share `p` of that
+//! way. It is written as
+//!
+//! ```text
+//! w(p) = w₀ + (w₁ − w₀ − Σ aₖ) p + Σ aₖ pᵏ,   k = 2 … degree,   p from 0 to 1
+//! ```
+//!
+//! with `w₀` where the block before ended: only the end `w₁` and the `aₖ` are programmed. They are those of the polynomial through `w` at the
+//! extremes of the Chebyshev polynomial of that degree, ends among them. Where `A` turns with θ and the schedule's piece is a cubic in S, the
+//! polynomial of A is that cubic itself; the tip, which the turning tool axis carries about the ball, is met to what [`OFF_MM`] says. Where
+//! a word is farther off, at a break of the curve or on a long turn, the block is parted there. With `p` up to 1, rounding of the `aₖ` counts no
+//! more than that of the ends.
+//!
+//! **Not carried**: corners of the path of ball centres at the locations stay, since the straight moves between them are what was checked; θ on
+//! leads goes evenly from row to row as it was planned.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Run;
+use super::moves::{Move, on_the_way};
+use crate::artifact::plan::Turning;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+
+/// Coefficients of `p²` to `p⁵` of X, Y, Z (mm) and of the rotary axes (degrees).
+pub(super) type Bend = [[f64; 4]; 5];
+/// Straight.
+pub(super) const NONE: Bend = [[0.0; 4]; 5];
+
+/// A polynomial is at most this far off its word, mm.
+const OFF_MM: f64 = 1e-4;
+/// The same of rotary axes, degrees.
+const OFF_DEG: f64 = 1e-4;
+/// Places of a block looked at.
+const LOOKED_AT: usize = 12;
+/// A block is halved at most so often.
+const MOST_HALVINGS: usize = 12;
+
+/// Gives the words (X, Y, Z, first and second rotary axis; mm and degrees) of a ball centre and θ.
+pub(super) type Words<'a> = dyn Fn(&Point, f64) -> [f64; 5] + 'a;
+
+/// Solves for the coefficients of a degree.
+struct Fit {
+    degree: usize,
+    /// Places that the polynomial goes through, without 0 and 1.
+    at: Vec<f64>,
+    /// Of `pᵏ − p` there, inverted.
+    inverse: DMatrix<f64>,
+}
+
+impl Fit {
+    fn new(degree: usize) -> Option<Self> {
+        let at: Vec<f64> =
+            (1..degree).map(|j| 0.5 - 0.5 * (std::f64::consts::PI * j as f64 / degree as f64).cos()).collect();
+        let matrix = DMatrix::from_fn(degree - 1, degree - 1, |r, k| at[r].powi(k as i32 + 2) - at[r]);
+        Some(Fit { degree, inverse: matrix.try_inverse()?, at })
+    }
+
+    /// Coefficients of `p²` and on, from a word's values at `at` less the straight way between its ends.
+    fn solve(&self, off_straight: Vec<f64>) -> [f64; 4] {
+        let solved = &self.inverse * DVector::from_vec(off_straight);
+        std::array::from_fn(|k| if k + 2 <= self.degree { solved[k] } else { 0.0 })
+    }
+}
+
+/// What a polynomial adds to the straight way.
+fn bent(a: &[f64; 4], p: f64) -> f64 {
+    a.iter().zip(2..).map(|(a, k)| a * (p.powi(k) - p)).sum()
+}
+
+/// The way between two rows.
+struct Way<'a> {
+    from: Move,
+    to: Move,
+    turning: Option<Turning<'a>>,
+    words: &'a Words<'a>,
+}
+
+impl Way<'_> {
+    fn at(&self, share: f64) -> (Point, f64) {
+        let (a, b) = (&self.from, &self.to);
+        let theta = self.turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
+        (a.centre + (b.centre - a.centre) * share, theta)
+    }
+
+    fn words(&self, share: f64) -> [f64; 5] {
+        let (centre, theta) = self.at(share);
+        (self.words)(&centre, theta)
+    }
+
+    /// The polynomials of a part of the way; `None`: they are too far off.
+    fn bend(&self, fit: &Fit, [from, to]: [f64; 2]) -> Option<Bend> {
+        let at = |p: f64| self.words(from + (to - from) * p);
+        let (first, last) = (at(0.0), at(1.0));
+        let off_straight = |p: f64| -> [f64; 5] {
+            let here = at(p);
+            std::array::from_fn(|w| here[w] - first[w] - (last[w] - first[w]) * p)
+        };
+        let met: Vec<[f64; 5]> = fit.at.iter().map(|p| off_straight(*p)).collect();
+        let bend: Bend = std::array::from_fn(|w| fit.solve(met.iter().map(|m| m[w]).collect()));
+        let close = (0..LOOKED_AT).all(|k| {
+            let p = (k as f64 + 0.5) / LOOKED_AT as f64;
+            let off = off_straight(p);
+            (0..5).all(|w| (off[w] - bent(&bend[w], p)).abs() <= if w < 3 { OFF_MM } else { OFF_DEG })
+        });
+        close.then_some(bend)
+    }
+
+    /// The polynomials in order, the way halved where it must be.
+    fn write(&self, fit: &Fit, part: [f64; 2], halvings: usize, out: &mut Vec<Move>) -> Result<()> {
+        let [from, to] = part;
+        if let Some(bend) = self.bend(fit, part) {
+            let (a, b) = (&self.from, &self.to);
+            let (centre, theta) = self.at(to);
+            // The row itself, to the bit.
+            let end = if to == 1.0 { *b } else { Move { centre, theta, stretch: on_the_way(a.stretch, b.stretch), ..*b } };
+            out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend, ..end });
+            return Ok(());
+        }
+        if halvings >= MOST_HALVINGS {
+            let what = format!("no polynomial follows the motion after {:.3} s", self.from.t_s);
+            return Err(Error::infeasible(Stage::Post, what).advise("write the program with straight moves"));
+        }
+        let mid = 0.5 * (from + to);
+        self.write(fit, [from, mid], halvings + 1, out)?;
+        self.write(fit, [mid, to], halvings + 1, out)
+    }
+}
+
+/// The first row and all moves after it.
+///
+/// # Errors
+/// `Infeasible` where the motion turns so wildly that no polynomial of a short part follows it.
+pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> {
+    let fit = Fit::new(degree).ok_or_else(|| {
+        Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write"))
+    })?;
+    let plan = run.plan;
+    let before = plan.leads[0].centres.len();
+    let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
+    let mut from: Option<Move> = None;
+    for (row, next) in plan.rows().map(Move::to).enumerate() {
+        match from {
+            None => out.push(next),
+            Some(from) => {
+                let location = row.checked_sub(before + 1);
+                let turning = location.and_then(|k| plan.turning(k));
+                Way { from, to: next, turning, words }.write(&fit, [0.0, 1.0], 0, &mut out)?;
+            }
+        }
+        from = Some(next);
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn polynomials_of_the_degree_are_met_exactly() {
+        for degree in 3..=5 {
+            let fit = Fit::new(degree).unwrap();
+            let a: [f64; 4] = std::array::from_fn(|k| if k + 2 <= degree { 0.3 - k as f64 } else { 0.0 });
+            let got = fit.solve(fit.at.iter().map(|p| bent(&a, *p)).collect());
+            assert!(got.iter().zip(a).all(|(g, a)| (g - a).abs() < 1e-10), "{got:?} {a:?}");
+        }
+    }
+}
