@@ -361,7 +361,9 @@ impl PostFile {
         match self.rotary {
             Rotary::Accumulate => Ok(()),
             Rotary::Incremental if self.text.cutting.iter().any(|l| l.split(' ').any(|w| w == "G91")) => Ok(()),
-            Rotary::Incremental => no("poly_degree with rotary = \"incremental\" writes steps: text.cutting must say G91"),
+            Rotary::Incremental => {
+                no("poly_degree with rotary = \"incremental\" writes steps: text.cutting must say G91")
+            }
             Rotary::Modulo | Rotary::Vector => no("poly_degree needs rotary = \"incremental\" or \"accumulate\""),
         }
     }

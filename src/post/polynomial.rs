@@ -116,7 +116,8 @@ impl Way<'_> {
             let (a, b) = (&self.from, &self.to);
             let (centre, theta) = self.at(to);
             // The row itself, to the bit.
-            let end = if to == 1.0 { *b } else { Move { centre, theta, stretch: on_the_way(a.stretch, b.stretch), ..*b } };
+            let end =
+                if to == 1.0 { *b } else { Move { centre, theta, stretch: on_the_way(a.stretch, b.stretch), ..*b } };
             out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend, ..end });
             return Ok(());
         }
@@ -135,9 +136,8 @@ impl Way<'_> {
 /// # Errors
 /// `Infeasible` where the motion turns so wildly that no polynomial of a short part follows it.
 pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> {
-    let fit = Fit::new(degree).ok_or_else(|| {
-        Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write"))
-    })?;
+    let fit = Fit::new(degree)
+        .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
     let before = plan.leads[0].centres.len();
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());

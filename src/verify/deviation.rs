@@ -412,19 +412,33 @@ mod tests {
             for (side, step) in [(1.0, across * size), (-1.0, -across * size), (-1.0, along * size)] {
                 let normal = (l.normal * lean.cos() + across * (side * lean.sin())).normalize();
                 let point = l.contact + across * 0.17 + step;
-                map.triangles.extend((map.points.len() % 3 == 2).then(|| [2, 1, 0].map(|b| map.points.len() as u32 - b)));
+                map.triangles
+                    .extend((map.points.len() % 3 == 2).then(|| [2, 1, 0].map(|b| map.points.len() as u32 - b)));
                 map.points.push(point);
                 map.normals.push(normal);
                 map.heights_mm.push(cuts[0].sweep.entry(&point, &normal, cuts[0].reach_mm).unwrap_or(f64::NAN));
             }
         }
         let coarse = (0..map.triangles.len()).collect();
-        let mut grown =
-            Growing { part: &part, cuts: &cuts, stepover_mm: 0.6, tolerance_mm: 0.001, most: 10, map, faces: Vec::new(), coarse };
+        let mut grown = Growing {
+            part: &part,
+            cuts: &cuts,
+            stepover_mm: 0.6,
+            tolerance_mm: 0.001,
+            most: 10,
+            map,
+            faces: Vec::new(),
+            coarse,
+        };
         grown.bound_coarse();
         let map = &grown.map;
         assert!(map.sharp > 10 && map.coarse == 30, "{} {}", map.sharp, map.coarse);
-        assert!(map.coarse_bound_mm.is_finite() && map.sharp_bound_mm < 2.0, "{} {}", map.coarse_bound_mm, map.sharp_bound_mm);
+        assert!(
+            map.coarse_bound_mm.is_finite() && map.sharp_bound_mm < 2.0,
+            "{} {}",
+            map.coarse_bound_mm,
+            map.sharp_bound_mm
+        );
         let (mut area, mut worst) = (0.0, 0.0f64);
         for t in &map.triangles {
             let Bound::Distance(bound, own) = grown.triangle_bound(t) else { continue };

@@ -17,7 +17,6 @@ use crate::artifact::report::Check;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 
-
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
 const CHUNK: usize = 256;
 /// Moves are not halved below this length, mm.

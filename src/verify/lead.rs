@@ -184,7 +184,7 @@ fn off_travel(lead: &Lead, room: &Room) -> Option<String> {
     })
 }
 
-/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each fixture, over both ways; and `lead-axes`, `lead-limits` where there are arcs.
+/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
 pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];
@@ -199,7 +199,7 @@ pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
         out.extend((!none).then(|| nearest("lead-obstacle", &ways, &body, &segments, asked_mm, plan, room)));
     }
     if plan.leads.iter().any(Lead::is_arc) {
-        out.extend([placed(plan, room), within_limits(plan, room)]);
+        out.extend([placed(plan, room), within_travel(plan, room), within_limits(plan, room)]);
     }
     out
 }
@@ -284,7 +284,27 @@ fn placed(plan: &Plan, room: &Room) -> Check {
     bare("lead-axes", quantity, worst, 1e-6, "mm", worst <= 1e-6, String::new())
 }
 
-/// Travel, velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
+/// How far an axis leaves its travel on the leads.
+fn within_travel(plan: &Plan, room: &Room) -> Check {
+    let (limits, names) = (room.machine.limits(), room.machine.axis_names());
+    let mut worst = (0.0f64, 0);
+    for q in plan.leads.iter().flat_map(|l| &l.motion.position) {
+        for (axis, limit) in limits.iter().enumerate() {
+            let over = limit.travel.map_or(0.0, |[lo, hi]| (lo - q[axis]).max(q[axis] - hi));
+            if over > worst.0 || over.is_nan() {
+                worst = (if over.is_nan() { f64::MAX } else { over }, axis);
+            }
+        }
+    }
+    let (over, axis) = worst;
+    let (scale, unit) = if axis >= 3 { (1f64.to_degrees(), "deg") } else { (1.0, "mm") };
+    let quantity = "how far an axis leaves its travel on the leads";
+    let note = if over > 0.0 { format!("axis {}", names[axis]) } else { String::new() };
+    // Rounding of positions.
+    bare("lead-travel", quantity, over * scale, 0.0, unit, over <= 1e-9, note)
+}
+
+/// Velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
 fn within_limits(plan: &Plan, room: &Room) -> Check {
     let rows: Vec<(f64, [f64; 5])> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
     let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());
@@ -299,10 +319,6 @@ fn within_limits(plan: &Plan, room: &Room) -> Check {
     };
     for (axis, limit) in room.machine.limits().iter().enumerate() {
         for rows in ends {
-            if let Some([lo, hi]) = limit.travel {
-                let mid = 0.5 * (lo + hi);
-                rows.iter().for_each(|(_, q)| take((q[axis] - mid).abs() / (hi - mid), axis, "travel"));
-            }
             let v: Vec<f64> = rows.windows(2).map(|w| (w[1].1[axis] - w[0].1[axis]) / (w[1].0 - w[0].0)).collect();
             v.iter().for_each(|v| take(v.abs() / limit.velocity, axis, "velocity"));
             for (i, w) in v.windows(2).enumerate() {
@@ -312,7 +328,7 @@ fn within_limits(plan: &Plan, room: &Room) -> Check {
         }
     }
     let limit = 1.0 + room.options.limit_tolerance;
-    let quantity = "greatest share of an axis' travel, velocity or acceleration on the leads";
+    let quantity = "greatest share of an axis' velocity or acceleration on the leads";
     bare("lead-limits", quantity, worst.0, limit, "", worst.0 <= limit, worst.1)
 }
 

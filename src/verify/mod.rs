@@ -12,7 +12,7 @@
 //! | `ridge` | lowest point of the circle in which neighbouring passes meet, over the part | none: samples |
 //! | `clearance`, `holder-clearance` | least distance of the frusta to the part's triangles | Taylor bound over the move |
 //! | `lead-gouge`, `lead-clearance`, `lead-holder-clearance` | the same on the ways onto the path and off it, arc and straight line | likewise |
-//! | `lead-axes`, `lead-limits` | axis positions of the leads' rows, and their difference quotients over the limits | rows |
+//! | `lead-axes`, `lead-travel`, `lead-limits` | axis positions of the leads' rows, and their difference quotients over the limits | rows |
 //! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |

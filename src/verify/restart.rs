@@ -19,6 +19,7 @@ pub fn restart(whole: &Verified<Plan>, left: Plan, room: &Room) -> Result<Verdic
     let same = skip.is_some_and(|k| {
         all.toolpath.locations[k..] == left.toolpath.locations[..]
             && all.schedule.theta[k..] == left.schedule.theta[..]
+            && all.schedule.pieces == left.schedule.pieces
             && all.channel.rows[k..] == left.channel.rows[..]
             && all.channel.b_rad == left.channel.b_rad
             && all.toolpath.stock_mm == left.toolpath.stock_mm

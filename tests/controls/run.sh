@@ -14,13 +14,13 @@ python=${PYTHON:-out/controls-venv/bin/python}
 for job in examples/jobs/*.toml; do
     name=$(basename "$job" .toml)
     "$bladewright" --quiet plan "$job" -o "$out/$name" \
-        --set 'post.control=["siemens","siemens-vector","linuxcnc","linuxcnc-feed"]' > "$out-$name.log" 2>&1 ||
+        --set 'post.control=["siemens","siemens-vector","siemens-poly","linuxcnc","linuxcnc-feed"]' > "$out-$name.log" 2>&1 ||
         { cat "$out-$name.log"; exit 1; }
 done
 # Two operations in one program: the same part, the second with a smaller ball and another tool number.
 "$bladewright" --quiet plan examples/jobs/steam_root.toml -o $out/fillet --set region.start_mm=21 --set tool.radius_mm=4 \
     --set tool.shank_radius_mm=8 --set post.tool_number=2 > $out-fillet.log 2>&1 || { cat $out-fillet.log; exit 1; }
-for control in siemens siemens-vector linuxcnc linuxcnc-feed; do
+for control in siemens siemens-vector siemens-poly linuxcnc linuxcnc-feed; do
     "$bladewright" --quiet post $out/steam_root $out/fillet --control $control -o $out/joined
 done
 python3 tests/controls/rs274.py $out/*/*.ngc

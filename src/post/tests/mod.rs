@@ -224,7 +224,13 @@ fn every_dialect_reads_back_as_the_plan() {
         }
         let longest = Dialect::built_in(control).unwrap().file.longest_line;
         assert!(p.text.is_ascii() && p.text.lines().all(|l| l.len() <= longest), "{control:?}");
-        let blocks = |l: &str| l.starts_with("G1 ") || l.contains(" G1 ") || l.contains(" L") || l.starts_with("GOTO") || l.contains(" PO[X]");
+        let blocks = |l: &str| {
+            l.starts_with("G1 ")
+                || l.contains(" G1 ")
+                || l.contains(" L")
+                || l.starts_with("GOTO")
+                || l.contains(" PO[X]")
+        };
         let lines = p.text.lines().filter(|l| blocks(l)).count();
         assert!(lines >= 90, "{control:?} {lines}");
     }

@@ -92,9 +92,12 @@ fn a_wrong_coefficient_is_found_and_placed() {
     let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
     let good = program(Control::SiemensPoly, plan.clone(), false, &options()).unwrap();
     let line = polynomials(&good, &tool, &machine)[70].line;
-    for (word, k, by, name) in
-        [("A", 1, 0.008, "program-curve"), ("A", 2, -0.008, "program-curve"), ("X", 1, 0.006, "program-centre"), ("X", 3, 0.004, "program-centre")]
-    {
+    for (word, k, by, name) in [
+        ("A", 1, 0.008, "program-curve"),
+        ("A", 2, -0.008, "program-curve"),
+        ("X", 1, 0.006, "program-centre"),
+        ("X", 3, 0.004, "program-centre"),
+    ] {
         let bad = Program { text: planted(&good.text, line, word, k, by), ..good.clone() };
         let checks = read_back(&bad, &plan, &blade, &tool, &machine).unwrap();
         let found = checks.iter().find(|c| !c.passed && c.name == name);
@@ -138,7 +141,13 @@ fn polynomials_are_positions_where_the_axis_counts_on() {
         assert!(c.passed, "{} is {} {} at {}", c.name, c.worst, c.unit, c.note);
     }
     // At most two coefficients and the end.
-    let most = p.text.lines().filter(|l| l.starts_with('N')).flat_map(|l| l.split("PO[").skip(1)).map(|w| w.matches(',').count()).max();
+    let most = p
+        .text
+        .lines()
+        .filter(|l| l.starts_with('N'))
+        .flat_map(|l| l.split("PO[").skip(1))
+        .map(|w| w.matches(',').count())
+        .max();
     assert_eq!(most, Some(2));
 }
 

@@ -208,6 +208,27 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     }))
 }
 
+/// The check `program-travel`: every axis over all moves of a program, rapids, approach and retract among them.
+///
+/// # Errors
+/// As [`audit`] where a move turns too far to be followed.
+pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench) -> Result<Option<Check>> {
+    let legs = Legs::new(moves, bench)?;
+    let part = Allowed::new(&blade.part, 0.0);
+    let (options, turns) = (&AuditOptions::default(), vec![0; legs.centres.len()]);
+    let scene = Scene { blade, part, bench, options, text, moves, legs: &legs, turns };
+    // What fails first, then by how much.
+    let rank = |c: &report::LineCheck| (!c.check.passed, c.check.worst);
+    let worst = checks::travel(&scene).into_iter().reduce(|a, b| if rank(&b) > rank(&a) { b } else { a });
+    Ok(worst.map(|f| {
+        let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
+        let note = if f.check.passed { String::new() } else { format!("{line}{}", f.check.note) };
+        let quantity =
+            if f.check.passed { "how far an axis leaves its travel".into() } else { f.check.quantity.clone() };
+        Check { name: "program-travel".into(), quantity, note, ..f.check }
+    }))
+}
+
 impl Scene<'_> {
     /// The ball swept over the moves of a kind.
     fn sweep(&self, kind: Kind) -> Sweep {

@@ -22,6 +22,10 @@ const ROUNDED_MM: f64 = 0.0001;
 const DIRECTION_DEG: f64 = 0.001;
 /// Greatest relative difference of the whole time.
 const TIME: f64 = 0.001;
+/// Greatest relative difference of the time of a line.
+const FEED: f64 = 0.05;
+/// Times of lines are told apart from here on, s: places are rounded, and with them the times at which the plan is there.
+const MOMENT_S: f64 = 0.01;
 /// A line that comes this near to the first or last location ends there, mm.
 const AT_END_MM: f64 = 0.05;
 /// Places looked at within a move, its end among them.
@@ -67,6 +71,9 @@ struct Comparison<'a> {
     curve: Option<Worst>,
     chord: Worst,
     missing: Worst,
+    feed: Worst,
+    /// When the plan is where the line before ended, s.
+    planned_s: f64,
 }
 
 /// All checks of a program.
@@ -88,6 +95,8 @@ pub(super) fn checks(
         curve: moves.iter().any(|m| m.bend.is_some()).then(Worst::default),
         chord: Worst::default(),
         missing: Worst::default(),
+        feed: Worst::default(),
+        planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
     };
     let time = c.run(moves);
     let planned = c.rows.last().map_or(0.0, |r| r.t_s) - c.rows.first().map_or(0.0, |r| r.t_s);
@@ -102,6 +111,7 @@ pub(super) fn checks(
         ("program-direction", "tool axis off the planned one", c.direction, DIRECTION_DEG, "deg"),
         ("program-chord", "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
         ("program-missing", "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
+        ("program-feed", "relative difference of the time of a line", c.feed, FEED, ""),
         ("program-time", "relative difference of the whole time", off, TIME, ""),
     ]
     .into_iter()
@@ -187,6 +197,9 @@ impl Comparison<'_> {
                 on
             };
             here = on.row;
+            if k == WITHIN {
+                self.time(m, on);
+            }
         }
         for row in at + 1..=here {
             let Some(l) = self.rows.get(row) else { break };
@@ -194,6 +207,16 @@ impl Comparison<'_> {
             self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
         }
         here
+    }
+
+    /// The time of a line against the plan's.
+    fn time(&mut self, m: &Moved, on: OnPath) {
+        let t = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.t_s);
+        let now = t(on.row) + (t(on.row + 1) - t(on.row)) * on.share;
+        let planned = now - self.planned_s;
+        self.planned_s = now;
+        let off = (m.seconds.unwrap_or(0.0) - planned).abs() / (planned.max(0.0) + MOMENT_S);
+        self.feed.take(off, m.line, on.row);
     }
 
     /// The nearest place of the plan's path, from plan move `from` on.

@@ -89,7 +89,16 @@ fn straight(
         (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
         _ => return Err("a straight block before any F".into()),
     };
-    Ok(Some(Block { line, place, steps: [false; 3],
-                    ways: [Way::To; 3],
-                    bend: None, feed, machine, tool_length: false, centre_point, tool_calls: 0 }))
+    Ok(Some(Block {
+        line,
+        place,
+        steps: [false; 3],
+        ways: [Way::To; 3],
+        bend: None,
+        feed,
+        machine,
+        tool_length: false,
+        centre_point,
+        tool_calls: 0,
+    }))
 }

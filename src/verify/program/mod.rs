@@ -12,6 +12,8 @@
 //! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly |
 //! | `program-missing` | distance of each cutter location from the program's path: a line that is missing shows |
 //! | `program-rapids` | least distance of the whole tool to the part in rapids, those between operations among them |
+//! | `program-travel` | how far an axis leaves its travel in any move, rapids, approach and retract among them |
+//! | `program-feed` | time of each cutting line against the plan's between the places where it begins and ends |
 //! | `program-time` | whole time of the cutting lines against the plan's |
 //!
 //! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
@@ -87,6 +89,7 @@ pub fn read_back_each(
     for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
         let mut found = compare::checks(program, moves, o.plan, blade, o.tool, machine);
         found.extend(audit::rapids(&program.text, moves, blade, bench)?);
+        found.extend(audit::travel(&program.text, moves, blade, bench)?);
         if operations.len() > 1 {
             found.iter_mut().for_each(|c| c.note = format!("operation {}; {}", k + 1, c.note));
         }

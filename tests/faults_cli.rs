@@ -1,0 +1,184 @@
+//! Faults planted one by one into the text of a program, through the command: `verify PROGRAM` must find, place and name each, and nothing in the
+//! program as it is.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn bladewright(args: &[&str], dir: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_bladewright")).args(args).current_dir(dir).output().expect("the command starts")
+}
+
+/// A finished run of the prism, and its programs.
+struct Shop {
+    dir: tempfile::TempDir,
+    model: String,
+}
+
+impl Shop {
+    fn new() -> Self {
+        let dir = tempfile::tempdir().expect("temporary folder");
+        let model = root().join("models/prism.step").display().to_string();
+        // An own dialect needs no recompile: three digits, other words for the tool call, its own file name.
+        let own = std::fs::read_to_string(root().join("models/posts/linuxcnc.toml")).expect("a post file");
+        let own = own.replace("name = \"LinuxCNC", "name = \"My mill").replace("program.ngc", "mine.tap");
+        std::fs::write(dir.path().join("mine.toml"), own.replace("length_decimals = 5", "length_decimals = 4"))
+            .expect("writable");
+        let controls = "post.control=[\"siemens\",\"siemens-poly\",\"linuxcnc\"]";
+        let plan = ["--quiet", "plan", &model, "-o", "run", "--set", "region.start_mm=6", "--set", controls];
+        let out = bladewright(&plan, dir.path());
+        assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+        Shop { dir, model }
+    }
+
+    fn text(&self, program: &str) -> String {
+        std::fs::read_to_string(self.dir.path().join("run").join(program)).expect("readable")
+    }
+
+    /// Exit code and what is said of a program's text.
+    fn judged(&self, name: &str, text: &str, more: &[&str]) -> (Option<i32>, String) {
+        std::fs::write(self.dir.path().join(name), text).expect("writable");
+        let args = ["verify", name, "--part", &self.model];
+        let tool: &[&str] = if more.contains(&"--tool") { &[] } else { &["--tool", "run/job.resolved.toml"] };
+        let scallop: &[&str] = if more.contains(&"--scallop") { &[] } else { &["--scallop", "0.01"] };
+        let out = bladewright(&[&args[..], tool, scallop, more].concat(), self.dir.path());
+        (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned())
+    }
+
+    /// The finding that a text must lead to, in the words of the command.
+    fn finding(&self, name: &str, text: &str, more: &[&str], finding: &str) -> String {
+        let (code, said) = self.judged(name, text, more);
+        assert_eq!(code, Some(1), "{finding}: {said}");
+        let start = said.find(&format!("finding: {finding}")).unwrap_or_else(|| panic!("{finding} not in {said}"));
+        said[start..].split("finding: ").nth(1).unwrap_or("").to_owned()
+    }
+}
+
+/// Numbers of the line's X, Y and Z.
+fn point(line: &str) -> Option<[f64; 3]> {
+    let word = |letter: char| line.split(' ').find_map(|w| w.strip_prefix(letter)?.parse().ok());
+    Some([word('X')?, word('Y')?, word('Z')?])
+}
+
+fn with_point(line: &str, p: [f64; 3]) -> String {
+    let word = |w: &str| match w.chars().next().and_then(|c| "XYZ".find(c)) {
+        Some(k) if w.len() > 1 => format!("{}{:.5}", &w[..1], p[k]),
+        _ => w.to_owned(),
+    };
+    line.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The text with line `k` (from 0) replaced.
+fn replaced(text: &str, k: usize, by: &[String]) -> String {
+    let line = |(i, l): (usize, &str)| if i == k { by.join("\n") + "\n" } else { format!("{l}\n") };
+    text.lines().enumerate().map(line).collect()
+}
+
+#[test]
+fn every_planted_fault_is_found_placed_and_named() {
+    let shop = Shop::new();
+    let siemens = shop.text("program.mpf");
+    for program in ["program.mpf", "program.poly.mpf", "program.ngc"] {
+        let (code, said) = shop.judged("clean.nc", &shop.text(program), &[]);
+        assert_eq!(code, Some(0), "{program}: {said}");
+    }
+    let lines: Vec<&str> = siemens.lines().collect();
+    let cutting: Vec<usize> =
+        (0..lines.len()).filter(|k| lines[*k].contains("=IC(") && point(lines[*k]).is_some()).collect();
+    let k = cutting[cutting.len() / 2];
+    let (line, at) = (format!("line {}", k + 1), point(lines[k]).expect("a point"));
+
+    // A gouge of 5 µm: the tip shifted towards the blade axis, square to it; how deep that is the command must tell.
+    let across = (at[1].hypot(at[2])).max(1e-9);
+    let deeper = |mm: f64| [at[0], at[1] * (1.0 - mm / across), at[2] * (1.0 - mm / across)];
+    let said = shop.finding("gouge.mpf", &replaced(&siemens, k, &[with_point(lines[k], deeper(0.008))]), &[], "gouge");
+    assert!(said.contains(&line), "{said}");
+
+    // A holder that touches: the tool sticks out by less than the room that the holder has.
+    let report: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(shop.dir.path().join("run/verify.json")).expect("readable"))
+            .expect("JSON");
+    let checks = report["checks"].as_array().expect("a list");
+    let room =
+        checks.iter().find(|c| c["name"] == "holder-clearance").and_then(|c| c["worst"].as_f64()).expect("a figure");
+    let job = std::fs::read_to_string(shop.dir.path().join("run/job.resolved.toml")).expect("readable");
+    let mut job: toml::Table = job.parse().expect("TOML");
+    let out = job["tool"]["stickout_mm"].as_float().expect("a length");
+    job["tool"]["stickout_mm"] = toml::Value::Float(out - 1.1 * room);
+    std::fs::write(shop.dir.path().join("short.toml"), job.to_string()).expect("writable");
+    let said = shop.finding("holder.mpf", &siemens, &["--tool", "short.toml"], "holder-clearance");
+    assert!(said.contains("holder 1") && said.contains("line "), "{said}");
+
+    // A swapped sign of B.
+    let swapped = siemens.replace("B=5.", "B=-5.");
+    assert_ne!(swapped, siemens);
+    shop.finding("sign.mpf", &swapped, &[], "b-sign");
+
+    // A missing turn.
+    let turn = |n: usize| siemens.find(&format!("; Turn {n} of")).expect("turns are marked");
+    let without = format!("{}{}", &siemens[..turn(3)], &siemens[turn(4)..]);
+    let said = shop.finding("turn.mpf", &without, &[], "scallop-turn");
+    assert!(said.contains("a turn or a pass is missing"), "{said}");
+
+    // A scallop twice as high as asked for.
+    shop.finding("scallop.mpf", &siemens, &["--scallop", "0.005"], "scallop");
+
+    // A travel limit exceeded by 0.01 mm.
+    let said = shop.finding("travel.mpf", &siemens.replacen("Z=630.000", "Z=630.010", 1), &[], "z-travel");
+    assert!(said.contains("0.010000 mm") && said.contains("Z=630.010"), "{said}");
+
+    // A rapid through the part: to the other side and back.
+    let there = with_point(lines[k], [at[0], -at[1], -at[2]]);
+    let rapid = |l: &str| {
+        let words: Vec<&str> = l.split(' ').filter(|w| "XYZ".contains(&w[..1])).collect();
+        format!("G0 {}", words.join(" "))
+    };
+    let by = [lines[k].to_owned(), rapid(&there), rapid(lines[k])];
+    let said = shop.finding("rapid.mpf", &replaced(&siemens, k, &by), &[], "rapid");
+    assert!(said.contains(&format!("line {}", k + 2)) || said.contains(&format!("line {}", k + 3)), "{said}");
+}
+
+/// Faults that only the plan tells of, by `verify RUN`: a feed, a coefficient, a travel in the approach; and an own dialect.
+#[test]
+fn programs_of_a_run_are_compared_with_its_plan() {
+    let shop = Shop::new();
+    let (run, dir) = (shop.dir.path().join("run"), shop.dir.path());
+    let fails = |program: &str, text: &str, finding: &str| {
+        let good = shop.text(program);
+        assert_ne!(good, text, "{finding}");
+        std::fs::write(run.join(program), text).expect("writable");
+        let out = bladewright(&["verify", "run"], dir);
+        let said = String::from_utf8_lossy(&out.stdout).into_owned();
+        assert!(out.status.code() == Some(1) && said.contains(&format!("finding: {finding}")), "{finding}: {said}");
+        std::fs::write(run.join(program), good).expect("writable");
+        said
+    };
+    let text = shop.text("program.mpf");
+    let lines: Vec<&str> = text.lines().collect();
+    let k = (lines.len() / 2..).find(|k| lines[*k].contains("=IC(")).expect("a cut");
+    // One line's feed by a half.
+    let (words, feed) = lines[k].rsplit_once(" F").expect("a feed");
+    let faster = format!("{words} F{:.4}", 1.5 * feed.parse::<f64>().expect("a number"));
+    let said = fails("program.mpf", &replaced(&text, k, &[faster]), "program-feed");
+    assert!(said.contains(&format!("line {}", k + 1)), "{said}");
+    fails("program.mpf", &text.replacen("Z=630.000", "Z=630.010", 1), "program-travel");
+    let poly = shop.text("program.poly.mpf");
+    let lines: Vec<&str> = poly.lines().collect();
+    let k = (lines.len() / 2..).find(|k| lines[*k].contains(" PO[A]=(")).expect("a cut");
+    let start = lines[k].find(" PO[A]=(").expect("A") + 8;
+    let end = start + lines[k][start..].find(')').expect("its end");
+    let first = lines[k][start..end].split(',').next().expect("an end");
+    let bent = format!("{}{first},0.04000{}", &lines[k][..start], &lines[k][end..]);
+    let said = fails("program.poly.mpf", &replaced(&poly, k, &[bent]), "program-curve");
+    assert!(said.contains(&format!("line {}", k + 1)), "{said}");
+    // An own dialect, told by a file.
+    let out = bladewright(&["post", "run", "--post-file", "mine.toml"], dir);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let own = std::fs::read_to_string(run.join("mine.tap")).expect("the own dialect's file");
+    assert!(own.contains("My mill") && own.lines().any(|l| l.starts_with("G1") || l.contains(" G1 ")), "{own}");
+    let (code, said) = shop.judged("theirs.tap", &own, &["--post-file", "mine.toml"]);
+    assert_eq!(code, Some(0), "{said}");
+}
