@@ -18,11 +18,11 @@ use crate::geometry::{Point, Vector};
 pub enum PathKind {
     /// Every turn falls by the same height all the way round, as much as the scallop allows at its worst place (planar
     /// turns).
-    #[default]
     ConstantHeight,
     /// Equal parts, at each place round the blade, of the way along the surface from the start of the region to its end.
     IsoParametric,
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
+    #[default]
     ConstantScallop,
 }
 

@@ -113,11 +113,12 @@ pub struct RegionJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathJob {
-    /// How the turns lie. Default `constant-height`.
+    /// How the turns lie. Default `constant-scallop`: the shortest helix that leaves no higher ridge than is asked for.
     pub kind: PathKind,
     /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
     pub scallop_mm: f64,
-    /// Chord tolerance, mm. Default 0.001: a tenth of the scallop, so that straight moves do not show.
+    /// Chord tolerance, mm. Default for turns of constant scallop 0.04 times the scallop, at most 0.001: ridges stay within 2 %; for the
+    /// other kinds 0.001: a tenth of the usual scallop, so that straight moves do not show.
     pub chord_mm: f64,
     /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel is sampled densely.
     pub max_step_mm: f64,
