@@ -4,6 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use bladewright::artifact::schedule::ScheduleKind;
+use bladewright::artifact::toolpath::PathKind;
 use bladewright::artifact::{Blade, Channel, Plan, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
 use bladewright::feed::{self, FeedOptions};
@@ -37,7 +38,8 @@ fn tool() -> Tool {
 }
 
 fn toolpath(blade: &Blade) -> Toolpath {
-    let options = PathOptions { region_x_mm: REGION.map(Some), ..PathOptions::new(R, SCALLOP) };
+    let options =
+        PathOptions { kind: PathKind::ConstantHeight, region_x_mm: REGION.map(Some), ..PathOptions::new(R, SCALLOP) };
     path::plan(blade, &options, &Silent).expect("a helix")
 }
 

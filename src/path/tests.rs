@@ -76,7 +76,7 @@ pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
 }
 
 fn options() -> PathOptions {
-    PathOptions { region_x_mm: [Some(20.0), None], ..PathOptions::new(4.0, 0.01) }
+    PathOptions { kind: PathKind::ConstantHeight, region_x_mm: [Some(20.0), None], ..PathOptions::new(4.0, 0.01) }
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn a_holder_too_near_the_platform_is_named() {
     t.stickout_mm = 14.0;
     let e = plan(&blade, &t, &path, &ChannelOptions::default(), &Silent).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
-    assert!(e.message.contains("holder 1") && e.message.contains("face"), "{e}");
+    assert!(e.message.contains("holder 1 against group 1"), "{e}");
     assert!(e.advice.unwrap().contains("stick out"));
 }
 
