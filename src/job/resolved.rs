@@ -122,7 +122,8 @@ pub struct PathJob {
     pub chord_mm: f64,
     /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel is sampled densely.
     pub max_step_mm: f64,
-    /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform.
+    /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform. Turns of constant scallop may
+    /// go on to 89.5, through the fillet to where the ball first touches a platform that is square to the blade axis.
     pub max_lean_deg: f64,
     /// Climb or conventional milling. Default `climb`: down towards the platform, usual for finishing.
     pub direction: Direction,
@@ -288,7 +289,7 @@ impl Job {
             ("path.stock_mm", p.stock_mm, 0.0, 100.0),
             ("path.chord_mm", p.chord_mm, 1e-5, 1.0),
             ("path.max_step_mm", p.max_step_mm, 1e-3, 100.0),
-            ("path.max_lean_deg", p.max_lean_deg, 1.0, 85.0),
+            ("path.max_lean_deg", p.max_lean_deg, 1.0, if p.kind == PathKind::ConstantScallop { 89.5 } else { 85.0 }),
             ("channel.clearance_mm", c.clearance_mm, 0.0, 100.0),
             ("channel.holder_clearance_mm", c.holder_clearance_mm, 0.0, 100.0),
             ("channel.contact_angle_min_deg", c.contact_angle_min_deg, 0.0, 90.0),

@@ -156,7 +156,8 @@ keys! {
         chord_mm: f64,
         /// Greatest distance between two cutter locations, mm.
         max_step_mm: f64,
-        /// The helix ends where the wall leans more than this from the blade axis, degrees.
+        /// The helix ends where the wall leans more than this from the blade axis, degrees; from 1 to 85, with turns of constant scallop to
+        /// 89.5: down to where the ball first touches a platform that is square to the axis.
         max_lean_deg: f64,
         /// Climb or conventional milling.
         direction: Direction,

@@ -21,6 +21,8 @@
 //! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn.
 //! * Where the ball loses the surface on the way down or up, the turns are those laid down from the start as far as it went.
 
+use std::f64::consts::FRAC_PI_2;
+
 use rayon::prelude::*;
 
 use super::curve::{self, Curve};
@@ -84,7 +86,7 @@ pub(super) fn plan(
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
         let room = Bounds {
             x_mm: [f64::NEG_INFINITY, start_x + HIGHEST * (start_x - end_x)],
-            max_sin_lean: (options.max_lean_rad + ROOM_RAD).sin(),
+            max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
         };
         let up = march(room, options.scallop_mm, true);
         let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
