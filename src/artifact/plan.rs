@@ -60,6 +60,17 @@ impl Turning<'_> {
     }
 }
 
+impl Turning<'_> {
+    /// The first joint of two pieces of the curve strictly between two shares of the way.
+    pub fn joint_between(&self, from: f64, to: f64) -> Option<f64> {
+        let [s, s1] = self.s_mm;
+        let (low, high) = (s + (s1 - s) * from, s + (s1 - s) * to);
+        let pieces = &self.schedule.pieces;
+        let joint = pieces.get(pieces.partition_point(|p| p[3][0] <= low)).map(|p| p[3][0]);
+        joint.filter(|j| self.on_curve && *j < high).map(|j| (j - s) / (s1 - s))
+    }
+}
+
 impl Lead {
     fn rows(&self, stretch: Stretch) -> impl Iterator<Item = Row> + '_ {
         let rows = self.centres.iter().zip(&self.theta).zip(&self.motion.t_s);

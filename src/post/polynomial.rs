@@ -11,7 +11,7 @@
 //! with `w₀` where the block before ended: only the end `w₁` and the `aₖ` are programmed. They are those of the polynomial through `w` at the
 //! extremes of the Chebyshev polynomial of that degree, ends among them. Where `A` turns with θ and the schedule's piece is a cubic in S, the
 //! polynomial of A is that cubic itself; the tip, which the turning tool axis carries about the ball, is met to what [`OFF_MM`] says. Where
-//! a word is farther off, at a break of the curve or on a long turn, the block is parted there. With `p` up to 1, rounding of the `aₖ` counts no
+//! a word is farther off, the block is parted at a joint of the curve's pieces, or halved on a long turn. With `p` up to 1, rounding of the `aₖ` counts no
 //! more than that of the ends.
 //!
 //! **Not carried**: corners of the path of ball centres at the locations stay, since the straight moves between them are what was checked; θ on
@@ -30,12 +30,14 @@ pub(super) type Bend = [[f64; 4]; 5];
 /// Straight.
 pub(super) const NONE: Bend = [[0.0; 4]; 5];
 
-/// A polynomial is at most this far off its word, mm.
-const OFF_MM: f64 = 1e-4;
+/// A polynomial is at most this far off its word, mm: half of what reading back allows.
+const OFF_MM: f64 = 5e-4;
 /// The same of rotary axes, degrees.
-const OFF_DEG: f64 = 1e-4;
+const OFF_DEG: f64 = 5e-4;
 /// Places of a block looked at.
 const LOOKED_AT: usize = 12;
+/// A block is not parted nearer to its ends than this share.
+const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
 
@@ -109,7 +111,7 @@ impl Way<'_> {
         close.then_some(bend)
     }
 
-    /// The polynomials in order, the way halved where it must be.
+    /// The polynomials in order, the way parted where it must be.
     fn write(&self, fit: &Fit, part: [f64; 2], halvings: usize, out: &mut Vec<Move>) -> Result<()> {
         let [from, to] = part;
         if let Some(bend) = self.bend(fit, part) {
@@ -125,7 +127,9 @@ impl Way<'_> {
             let what = format!("no polynomial follows the motion after {:.3} s", self.from.t_s);
             return Err(Error::infeasible(Stage::Post, what).advise("write the program with straight moves"));
         }
-        let mid = 0.5 * (from + to);
+        let end = END * (to - from);
+        let joint = self.turning.and_then(|t| t.joint_between(from + end, to - end));
+        let mid = joint.unwrap_or(0.5 * (from + to));
         self.write(fit, [from, mid], halvings + 1, out)?;
         self.write(fit, [mid, to], halvings + 1, out)
     }

@@ -23,7 +23,7 @@ const DIRECTION_DEG: f64 = 0.001;
 /// Greatest relative difference of the whole time.
 const TIME: f64 = 0.001;
 /// Greatest relative difference of the time of a line.
-const FEED: f64 = 0.05;
+const FEED: f64 = 0.02;
 /// Times of lines are told apart from here on, s: places are rounded, and with them the times at which the plan is there.
 const MOMENT_S: f64 = 0.01;
 /// A line that comes this near to the first or last location ends there, mm.
