@@ -168,6 +168,7 @@ impl Setup {
             contact_angle_max_rad: c.contact_angle_max_deg.to_radians(),
             tolerance_rad: c.tolerance_deg.to_radians(),
             prove_moves: c.prove_moves,
+            exact_ends: c.exact_ends,
             theta_limits_rad: self.machine.theta_limits(self.job.machine.b_deg.to_radians()),
             ..ChannelOptions::default()
         }

@@ -135,7 +135,13 @@ pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius:
 /// As [`least_margin`], with the tool turned to each point's own azimuth. There the margin depends on the point's `x` and
 /// distance `ρ` from the turning axis alone and is convex in both; over the node `ρ` exceeds its tangent plane at the centre by at
 /// most `radius² / 2(ρ − radius)`.
-fn least_at_own_azimuth(profile: &Profile, b: (f64, f64), v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
+pub(super) fn least_at_own_azimuth(
+    profile: &Profile,
+    b: (f64, f64),
+    v: &Vector,
+    radius: f64,
+    half: &[Vector; 3],
+) -> f64 {
     let rho = (v.y * v.y + v.z * v.z).sqrt();
     if rho <= 2.0 * radius {
         // A point of the turning axis has the same margin at all angles.

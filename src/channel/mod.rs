@@ -20,8 +20,9 @@
 //! holder than the clearance plus the mesh's deflection; with `prove_moves` also at every time of the straight moves between
 //! locations, for every θ between the walls, which are then straight from location to location. Without it walls are taken as
 //! straight between places. Ends are at most `tolerance_rad` inside those of the
-//! exact mesh, or of a tool inflated by an eighth of the tolerance times the distance from the ball centre, where the tool
-//! touches the part along a whole line at once; walls that were moved in for the moves lie farther inside.
+//! exact mesh with its deflection as room, or of a tool inflated by an eighth of the tolerance times the distance from the ball centre, where the tool
+//! touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
+//! at most `tolerance_rad` inside those of the exact faces, but for the few whose proof takes too long (`tighten`).
 //!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.
 //! The contact angle is held at the places, not between.
@@ -46,6 +47,7 @@ mod report;
 mod samples;
 mod stretches;
 mod tangent;
+mod tighten;
 mod track;
 mod tree;
 mod walls;
@@ -70,7 +72,15 @@ pub struct Surroundings<'a> {
     blade: &'a Blade,
     obstacles: &'a [Obstacle],
     trees: Vec<SphereTree>,
+    /// What the part's tree may lie off the part, mm.
+    part_off_mm: f64,
 }
+
+/// Where the part has exact faces, its tree is finer than its mesh by so much that an end bound at a lever of the ball's radius is off by
+/// this, rad.
+const FINE_RAD: f64 = 5e-5;
+/// Triangles of that finer tree, about.
+const FINE_MOST: usize = 250_000;
 
 impl<'a> Surroundings<'a> {
     /// Indexes the part and the obstacles; `radius_mm` is the ball's radius, which only decides how finely large triangles
@@ -91,7 +101,50 @@ impl<'a> Surroundings<'a> {
             }
         }
         let trees = meshes.iter().map(|(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm)).collect();
-        Ok(Surroundings { blade, obstacles, trees })
+        Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
+    }
+
+    /// The same with a finer index of the part, where that has exact faces: for [`ChannelOptions::exact_ends`], which is then
+    /// much faster.
+    #[must_use]
+    pub fn finer(mut self, radius_mm: f64) -> Self {
+        let fine = self.blade.part.fine(FINE_RAD * radius_mm, FINE_MOST);
+        let fine = fine.filter(|f| f.deflection_mm < self.part_off_mm);
+        if let (Some(tree), Some(f)) = (self.trees.first_mut(), fine) {
+            *tree = SphereTree::of(&f.corners, &f.parents, 0.5 * radius_mm);
+            self.part_off_mm = f.deflection_mm;
+        }
+        self
+    }
+
+    /// Share of the tolerance that the search may use up: half of it is left for what the tree lies off exact faces.
+    fn share(&self, options: &ChannelOptions) -> f64 {
+        if options.exact_ends && self.part_off_mm > 0.0 { 0.5 } else { 1.0 }
+    }
+
+    /// What the search keeps to.
+    fn for_search(&self, options: &ChannelOptions) -> ChannelOptions {
+        ChannelOptions { tolerance_rad: options.tolerance_rad * self.share(options), ..options.clone() }
+    }
+
+    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that is asked for, unless moves between places
+    /// are to be proven, which the mesh decides.
+    fn layers(
+        &self,
+        tool: &Tool,
+        scene: &Scene,
+        (samples, path): (&[Sample], &Toolpath),
+        observer: &dyn Observer,
+    ) -> Result<Vec<Vec<Free>>> {
+        let options = scene.options;
+        let mut layers = track::free_everywhere(scene, samples, observer)?;
+        if options.exact_ends && !options.prove_moves {
+            let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
+            let tolerance = options.tolerance_rad / self.share(options);
+            tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
+        }
+        within_axis(options, &mut layers);
+        Ok(layers)
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> Scene<'s> {
@@ -100,7 +153,7 @@ impl<'a> Surroundings<'a> {
         let mut trees = self.trees.iter();
         if let Some(tree) = trees.next() {
             let room = [options.clearance_mm, options.holder_clearance_mm];
-            let profile = Profile::new(tool, room, part.deflection_mm);
+            let profile = Profile::new(tool, room, self.part_off_mm);
             bodies.push(Body { name: "part", mesh: &part.mesh, tree, profile });
         }
         for (o, tree) in self.obstacles.iter().zip(trees) {
@@ -137,9 +190,10 @@ pub fn intervals(
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<FreeInterval>>> {
     check_input(tool, path, options)?;
-    let scene = surroundings.scene(tool, options);
+    let for_search = surroundings.for_search(options);
+    let scene = surroundings.scene(tool, &for_search);
     let samples = samples::along(path, f64::INFINITY);
-    let layers = layers(&scene, &samples, observer)?;
+    let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
     let named = |f: &Free| FreeInterval {
         theta_min: f.lo,
         theta_max: f.hi,
@@ -178,9 +232,10 @@ pub fn plan_among(
 ) -> Result<Channel> {
     check_input(tool, path, options)?;
     ball::check(path, surroundings.obstacles)?;
-    let scene = surroundings.scene(tool, options);
+    let for_search = surroundings.for_search(options);
+    let scene = surroundings.scene(tool, &for_search);
     let samples = samples::along(path, options.max_step_mm);
-    let layers = layers(&scene, &samples, observer)?;
+    let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
@@ -211,21 +266,25 @@ pub fn plan_among(
     Ok(Channel { b_rad: options.b_rad, tolerance_rad: options.tolerance_rad, rows, narrowest_row, chains: chain.count })
 }
 
-/// Free intervals of all places within the rotary axis' limits.
+/// Free intervals of all places within the rotary axis' limits, of the mesh with its deflection as room.
 fn layers(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
-    if let Some([least, greatest]) = scene.options.theta_limits_rad {
-        for f in layers.iter_mut().flatten() {
-            if f.lo < least {
-                (f.lo, f.lo_by) = (least, Witness::Axis);
-            }
-            if f.hi > greatest {
-                (f.hi, f.hi_by) = (greatest, Witness::Axis);
-            }
-        }
-        layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
-    }
+    within_axis(scene.options, &mut layers);
     Ok(layers)
+}
+
+/// Cuts off what the rotary axis does not reach.
+fn within_axis(options: &ChannelOptions, layers: &mut [Vec<Free>]) {
+    let Some([least, greatest]) = options.theta_limits_rad else { return };
+    for f in layers.iter_mut().flatten() {
+        if f.lo < least {
+            (f.lo, f.lo_by) = (least, Witness::Axis);
+        }
+        if f.hi > greatest {
+            (f.hi, f.hi_by) = (greatest, Witness::Axis);
+        }
+    }
+    layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
 }
 
 fn check_input(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result<()> {

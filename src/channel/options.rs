@@ -25,6 +25,9 @@ pub struct ChannelOptions {
     /// Prove that the walls hold at every time of the moves between places, and move them inwards where they do not. Takes
     /// milliseconds a move; otherwise walls are taken as straight between places.
     pub prove_moves: bool,
+    /// Move the ends that the part binds out to where exact faces bind them, instead of keeping the deflection of their mesh as room;
+    /// nothing changes where the part is a mesh, or with `prove_moves`. Takes a tenth of a millisecond a location.
+    pub exact_ends: bool,
     /// Greatest distance between ball centres that are looked at, mm: longer moves get locations between their ends.
     pub max_step_mm: f64,
 }
@@ -40,6 +43,7 @@ impl Default for ChannelOptions {
             theta_limits_rad: None,
             tolerance_rad: 0.01f64.to_radians(),
             prove_moves: false,
+            exact_ends: false,
             max_step_mm: 1.5,
         }
     }

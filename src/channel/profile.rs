@@ -76,6 +76,13 @@ impl Frustum {
         }
     }
 
+    /// The least of `normal · p` over the frustum with its clearance; `normal` of unit length or zero.
+    pub fn lowest(&self, axis: &Vector, normal: &Vector) -> f64 {
+        let up = normal.dot(axis);
+        let off = (normal - axis * up).norm();
+        (up * self.z0 - off * self.r0).min(up * self.z1 - off * self.r1) - self.clearance
+    }
+
     /// Heights that are inside, for points at distance `d` from the ball centre, the frustum inflated by its clearance
     /// and `extra`; `None` where there are none.
     pub fn inside(&self, d: f64, extra: f64) -> Option<(f64, f64)> {

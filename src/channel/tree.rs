@@ -1,6 +1,7 @@
 //! A tree of bounding spheres and boxes over the triangles of the part.
 
 use crate::geometry::mesh::Mesh;
+use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
 
 /// A node: the sphere and the box around all its triangles, about the same centre; its first child follows it in the list.
@@ -43,9 +44,17 @@ impl SphereTree {
     /// their sides are no longer than `side_mm`: one that reaches far round the tool is hard to bound, and would be cut
     /// anew for every location.
     pub fn new(mesh: &Mesh, side_mm: f64) -> Self {
-        let mut side_mm = side_mm.max((mesh.area_mm2() / MOST_PIECES as f64).sqrt());
+        let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).collect();
+        let parents: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        Self::of(&corners, &parents, side_mm)
+    }
+
+    /// As [`Self::new`] for triangles that each belong to one of a mesh, in rising order.
+    pub fn of(corners: &[[Point; 3]], parents: &[u32], side_mm: f64) -> Self {
+        let area_mm2: f64 = corners.iter().map(area_mm2).sum();
+        let mut side_mm = side_mm.max((area_mm2 / MOST_PIECES as f64).sqrt());
         let (pieces, parents) = loop {
-            match cut(mesh, side_mm) {
+            match cut(corners, parents, side_mm) {
                 Some(found) => break found,
                 None => side_mm *= COARSER,
             }
@@ -76,6 +85,12 @@ impl SphereTree {
         self.parents[piece as usize]
     }
 
+    /// The first piece of a triangle.
+    pub fn leaf_of(&self, triangle: u32) -> Option<u32> {
+        let first = self.parents.partition_point(|t| *t < triangle);
+        (self.parents.get(first) == Some(&triangle)).then_some(first as u32)
+    }
+
     pub fn root(&self) -> Option<u32> {
         (!self.nodes.is_empty()).then_some(0)
     }
@@ -92,18 +107,18 @@ impl SphereTree {
 
 /// The triangles cut until no side is longer than `side_mm`, and of which triangle each piece is; `None` where they would be too many.
 /// They are counted, since needles, of next to no area, make as many as their length asks for.
-fn cut(mesh: &Mesh, side_mm: f64) -> Option<(Vec<[Point; 3]>, Vec<u32>)> {
-    let count = mesh.triangles.len();
+fn cut(whole: &[[Point; 3]], of: &[u32], side_mm: f64) -> Option<(Vec<[Point; 3]>, Vec<u32>)> {
+    let count = whole.len();
     let (mut pieces, mut parents, mut open) = (Vec::with_capacity(count), Vec::with_capacity(count), Vec::new());
-    for t in 0..count {
-        open.push(mesh.corners(t));
+    for (corners, &parent) in whole.iter().zip(of) {
+        open.push(*corners);
         while let Some(corners) = open.pop() {
             let [a, b, c] = corners;
             if [b - a, c - b, a - c].iter().any(|s| s.norm() > side_mm) {
                 open.extend(halves(&corners));
             } else if pieces.len() < MOST_PIECES + count {
                 pieces.push(corners);
-                parents.push(t as u32);
+                parents.push(parent);
             } else {
                 return None;
             }

@@ -3,6 +3,7 @@
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::exact::Exact;
+use super::exact::fine::Fine;
 use super::exact::measure::Loops;
 use super::mesh::Mesh;
 use super::nurbs::Principal;
@@ -122,6 +123,24 @@ impl Part {
             (Some(brep), Tie::Exact(exact)) => exact.closest(brep, q, cap_mm),
             _ => self.closest_on_mesh(q, cap_mm),
         }
+    }
+
+    /// The exact faces and the index of their pieces, where the part has them.
+    pub fn exact(&self) -> Option<(&Brep, &Exact)> {
+        match (&self.brep, &self.tie) {
+            (Some(brep), Tie::Exact(exact)) => Some((brep, exact)),
+            _ => None,
+        }
+    }
+
+    /// Triangles within `limit_mm` of the exact faces, where the part has them, no more than about `most`; nearer to the part than its own
+    /// mesh, for bounds alone.
+    pub fn fine(&self, limit_mm: f64, most: usize) -> Option<Fine> {
+        let (brep, exact) = self.exact()?;
+        let mut fine = exact.fine(brep, &self.mesh, limit_mm, most);
+        let nearest = |p: &Point| self.closest_on_mesh(p, f64::INFINITY).and_then(|c| c.triangle);
+        fine.finish(|p| nearest(p).unwrap_or(0));
+        Some(fine)
     }
 
     /// Principal curvatures of the part at a point of it, signed towards its outward normal (negative where convex, as on

@@ -146,6 +146,7 @@ impl Draft {
                 contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(90.0),
                 tolerance_deg: channel.tolerance_deg.unwrap_or(0.01),
                 prove_moves: channel.prove_moves.unwrap_or(false),
+                exact_ends: channel.exact_ends.unwrap_or(false),
                 sweep_b: channel.sweep_b.unwrap_or(false),
             },
             machine: MachineJob {

@@ -154,6 +154,10 @@ pub struct ChannelJob {
     /// check covers the motion that is used.
     #[serde(default)]
     pub prove_moves: bool,
+    /// Ends of the channel from exact faces, to the tolerance. Default false: it takes a tenth of a millisecond a location and seconds for
+    /// a finer index; without it the deflection of the mesh is kept as room, which is safe and timid by some tenths of a degree.
+    #[serde(default)]
+    pub exact_ends: bool,
     /// Show the channel's width at other angles B in the report. Default false: it takes some seconds and changes no plan; `channel --sweep-b`
     /// writes it as a table too.
     #[serde(default)]

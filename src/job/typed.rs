@@ -184,6 +184,8 @@ keys! {
         tolerance_deg: f64,
         /// Prove the walls for the moves between locations too, and move them inwards where they do not hold; slow.
         prove_moves: bool,
+        /// Ends of the channel from exact faces, to the tolerance; otherwise the deflection of their mesh is kept as room.
+        exact_ends: bool,
         /// Show the channel's width at other angles B in the report; takes some seconds.
         sweep_b: bool,
     }

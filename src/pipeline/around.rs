@@ -28,7 +28,9 @@ impl Setup {
     /// # Errors
     /// Kind `Usage`: an empty or damaged mesh.
     pub fn surroundings(&self) -> Result<Surroundings<'_>> {
-        Surroundings::new(&self.blade, &self.obstacles, self.job.tool.radius_mm)
+        let radius_mm = self.job.tool.radius_mm;
+        let around = Surroundings::new(&self.blade, &self.obstacles, radius_mm)?;
+        Ok(if self.job.channel.exact_ends { around.finer(radius_mm) } else { around })
     }
 }
 

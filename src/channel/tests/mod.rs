@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod brute;
+mod exact;
 mod location;
 mod whole;
 pub mod world;

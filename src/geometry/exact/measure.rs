@@ -128,13 +128,13 @@ impl Loops {
 }
 
 /// The direction in which a pole's parameter is free: 0 for u, 1 for v.
-fn free_direction(at: &SurfaceDerivatives, space: &ParameterSpace) -> usize {
+pub(super) fn free_direction(at: &SurfaceDerivatives, space: &ParameterSpace) -> usize {
     usize::from(at.dv.norm() * space.period(1) < at.du.norm() * space.period(0))
 }
 
 /// The triangle itself, or where one corner is a pole the strip from the opposite side to the pole's, as two triangles. `pole`
 /// tells which parameter is free at a corner that is one.
-fn strips(uv: [[f64; 2]; 3], pole: impl Fn([f64; 2]) -> Option<usize>) -> Vec<[[f64; 2]; 3]> {
+pub(super) fn strips(uv: [[f64; 2]; 3], pole: impl Fn([f64; 2]) -> Option<usize>) -> Vec<[[f64; 2]; 3]> {
     let found = (0..3).find_map(|k| pole(uv[k]).map(|free| (k, free)));
     let Some((k, free)) = found else { return vec![uv] };
     let (a, b) = (uv[(k + 1) % 3], uv[(k + 2) % 3]);

@@ -18,10 +18,12 @@
 //! slower.
 
 mod build;
+pub mod fine;
 mod leaf;
 pub mod measure;
 mod newton;
 mod patch;
+pub mod pieces;
 mod search;
 mod sign;
 mod tree;

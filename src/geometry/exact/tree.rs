@@ -121,6 +121,19 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// Hands all children of a node to `visit`, with the middles and half sides of their boxes.
+    pub fn children(&self, node: u32, mut visit: impl FnMut(Child, &Point, &Vector)) {
+        let node = &self.nodes[node as usize];
+        for (k, child) in node.child.iter().enumerate().filter(|(_, c)| **c != NONE) {
+            let low = Vector::from([0, 1, 2].map(|a| f64::from(node.low[a][k])));
+            let high = Vector::from([0, 1, 2].map(|a| f64::from(node.high[a][k])));
+            let what = if child & NODE != 0 { Child::Node(child & !NODE) } else { Child::Item(*child) };
+            visit(what, &(self.middle + (low + high) * 0.5), &((high - low) * 0.5));
+        }
+    }
+}
+
 impl Node {
     /// Squared distances to all boxes.
     #[inline]

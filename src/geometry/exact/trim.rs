@@ -214,6 +214,35 @@ impl Region {
         })
     }
 
+    /// For a middle that is not held: whether no edge comes as near to it as `radius_mm`, so that all within that lies beyond the loops.
+    pub fn is_beyond(
+        &self,
+        brep: &Brep,
+        chords: &[Chord],
+        borders: &[Border],
+        uv: [f64; 2],
+        at: &SurfaceDerivatives,
+        radius_mm: f64,
+    ) -> bool {
+        let metric = [at.du.norm_squared(), at.du.dot(&at.dv), at.dv.norm_squared()];
+        // Lengths along the surface to first order, and sides that are off their edges.
+        let reach = 1.5 * radius_mm + self.limit_mm();
+        borders.iter().all(|border| {
+            let uv = [0, 1].map(|a| uv[a] + border.shift[a]);
+            border.sides.iter().filter(|s| self.bounds_face(**s)).all(|side| {
+                let [a, b] = self.ends(*side);
+                if side_distance2(a, b, uv, metric) > reach * reach {
+                    return true;
+                }
+                let node = &self.trim.rings[side[0] as usize].nodes[side[1] as usize];
+                let Some(chord) = chords.get(node.chord as usize) else { return false };
+                let edge = &brep.edges[chord.edge as usize];
+                let on = edge.curve.foot(&at.p, 0.5 * (chord.t[0] + chord.t[1]), edge.t);
+                (on.point - at.p).norm() > radius_mm + BEYOND_EDGE_MM
+            })
+        })
+    }
+
     /// Decides by the exact edge curve on which side of it the foot lies.
     fn beside_edge(&self, brep: &Brep, chords: &[Chord], side: Side, at: &SurfaceDerivatives, inside: bool) -> bool {
         let node = &self.trim.rings[side[0] as usize].nodes[side[1] as usize];

@@ -1,0 +1,387 @@
+//! Ends of free intervals from the exact faces.
+//!
+//! The search ([`super::track`]) keeps the mesh's deflection `δ` as room: what it says is free is free, but an end may be timid, by
+//! `δ/s` where the tool touches at a lever `s`, and by `√(2δ/R)` where shaft and ball touch side by side. Here each end that the part
+//! binds is moved outwards to where an exact point of the part forbids it, less the tolerance, and all faces are shown to be clear
+//! there.
+//!
+//! A point that the tool can reach at all is inside it for one arc of θ about its own azimuth ([`super::track`]). So what is clear at
+//! the end `θ₁`, with its azimuth not between `θ₁` and the end `θ₀` that was safe already, forbids nothing in between. The faces are
+//! looked at piece by piece ([`pieces`](crate::geometry::exact::pieces)), with the tool at `θ₁`: a piece is clear if
+//!
+//! - a tangent plane of the convex distance from each part of the tool is positive on all points in whose hull the piece lies, or
+//! - a plane across the normal of the contact, or of the piece, has the part of the tool on its one side and the hull on its other.
+//!
+//! The second decides beside the contact, where part and tool both hug one plane: at a tolerance `τ` the room there is `R τ²/2`,
+//! some 10⁻⁷ mm, and only a few pieces small enough for that are needed. The middle of a piece that is not clear forbids arcs in
+//! closed form; where they reach beyond `θ₁` it moves inwards. At the end some point of the part forbids `θ₁` moved out by the tolerance.
+//!
+//! **Limits**: only for tools that widen upwards ([`Profile::widens`]); no end moves by more than [`FARTHEST`]; an end whose proof
+//! takes more than [`MOST_CUTS`] halvings stays where it was, and so do all ends where moves are proven (`prove_moves`).
+
+use rayon::prelude::*;
+
+use crate::artifact::{Blade, Toolpath};
+use crate::error::{Result, Stage};
+use crate::geometry::exact::pieces::{Piece, Visitor, Walker};
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+use crate::observe::Observer;
+
+use super::arcs::{Arc, Witness, push_arcs};
+use super::bound::{self, Sweep};
+use super::clear;
+use super::forbidden::{Body, Free, Scene};
+use super::profile::{HeightRange, Profile};
+use super::samples::Sample;
+use super::track;
+
+/// The first step of an end of which no point is known that stops it, rad.
+const FIRST_STEP: f64 = 0.005;
+/// The part is not farther than this from the triangles that stand for it, mm.
+const NEAR_MM: f64 = 0.1;
+/// No end moves by more than this, rad.
+const FARTHEST: f64 = 0.5;
+/// Halvings of pieces for one end, at most.
+const MOST_CUTS: usize = 2000;
+/// Room that is none, mm.
+const NONE_MM: f64 = 1e-11;
+/// An end lies within this share of the tolerance of an angle that is forbidden.
+const SHARE: f64 = 0.9;
+/// Points of the places before that are looked at first.
+const SEEDS: usize = 4;
+/// Places that one thread works on in a row; fixed, so that the result does not depend on the number of threads.
+const BATCH: usize = 128;
+
+/// The exact part and the tool with its clearances alone.
+struct Exact<'a> {
+    part: &'a Part,
+    profile: Profile,
+    b: (f64, f64),
+    tolerance: f64,
+}
+
+/// Moves the ends that the part binds; nothing happens where it has no exact faces.
+///
+/// # Errors
+/// `Cancelled`.
+pub(super) fn tighten(
+    blade: &Blade,
+    profile: Profile,
+    scene: &Scene,
+    (samples, path): (&[Sample], &Toolpath),
+    tolerance: f64,
+    layers: &mut [Vec<Free>],
+    observer: &dyn Observer,
+) -> Result<()> {
+    if blade.part.exact().is_none() || !profile.widens {
+        return Ok(());
+    }
+    let others = Scene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
+    let limits = track::free_everywhere(&others, samples, observer)?;
+    let options = scene.options;
+    let exact = Exact { part: &blade.part, profile, b: options.b_rad.sin_cos(), tolerance };
+    let Some(body) = scene.bodies.first() else { return Ok(()) };
+    let places = layers.par_chunks_mut(BATCH).zip(samples.par_chunks(BATCH)).zip(limits.par_chunks(BATCH));
+    let all: Vec<Result<()>> = places
+        .map(|((layers, samples), limits)| {
+            observer.check(Stage::Channel)?;
+            let Some((brep, faces)) = exact.part.exact() else { return Ok(()) };
+            let (mut seeds, mut walker) = (Vec::new(), Walker::new(faces, brep));
+            for ((layer, sample), limits) in layers.iter_mut().zip(samples).zip(limits) {
+                // Under an allowance of stock contacts are no points of the part.
+                let contact = path.locations.get(sample.row).filter(|_| sample.fraction == 0.0 && path.stock_mm == 0.0);
+                exact.place(body, sample, contact.map(|l| l.contact), limits, layer, (&mut walker, &mut seeds));
+            }
+            Ok(())
+        })
+        .collect();
+    all.into_iter().collect()
+}
+
+impl Exact<'_> {
+    /// All ends at one place.
+    fn place(
+        &self,
+        body: &Body,
+        sample: &Sample,
+        contact: Option<Point>,
+        limits: &[Free],
+        layer: &mut Vec<Free>,
+        (walker, seeds): (&mut Walker, &mut Vec<Point>),
+    ) {
+        let before = std::mem::take(seeds);
+        for k in 0..layer.len() {
+            for sense in [-1.0, 1.0] {
+                let (at, by) = if sense < 0.0 { (layer[k].lo, layer[k].lo_by) } else { (layer[k].hi, layer[k].hi_by) };
+                if !matches!(by, Witness::Tool { body: 0, .. }) {
+                    continue;
+                }
+                let (room, stop) = farthest(layer, k, sense, limits);
+                if room < 0.1 * self.tolerance {
+                    continue;
+                }
+                let mut look = Look::new(self, sample, at, sense, room);
+                let touch = self.touch(body, sample, at, by);
+                if !contact.iter().chain(&before).chain(&touch).all(|p| look.takes(p)) {
+                    continue;
+                }
+                // A point of the part that forbids what is farther out: the end is as true as it need be.
+                let is_true = look.taken.is_some() && look.end <= (1.0 - SHARE) * self.tolerance;
+                if is_true || !self.prove(walker, &mut look) {
+                    continue;
+                }
+                let moved = at + sense * look.end;
+                let by = match look.taken {
+                    Some((point, segment)) => {
+                        if !seeds.contains(&point) && seeds.len() < SEEDS && contact != Some(point) {
+                            seeds.push(point);
+                        }
+                        self.witness(body, &point, segment).unwrap_or(by)
+                    }
+                    None => stop,
+                };
+                let f = &mut layer[k];
+                if sense < 0.0 {
+                    (f.lo, f.lo_by) = (moved, by);
+                } else {
+                    (f.hi, f.hi_by) = (moved, by);
+                }
+            }
+        }
+        join(layer);
+    }
+
+    /// The point of the part nearest to where the tool at an end comes nearest to the triangle that binds it.
+    fn touch(&self, body: &Body, sample: &Sample, at: f64, by: Witness) -> Option<Point> {
+        let Witness::Tool { segment, leaf, .. } = by else { return None };
+        let f = self.profile.frusta.get(usize::from(segment))?;
+        let axis = bound::axis(self.b, at);
+        let corners = body.tree.corners(leaf).map(|c| c - sample.centre);
+        let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let nearest = match clear::nearest(f, &axis, &corners, &middle) {
+            clear::Near::Clear(t) => t.at,
+            clear::Near::Taken(p) => p,
+            clear::Near::Open => middle,
+        };
+        Some(self.part.closest(&(sample.centre + nearest), NEAR_MM)?.point)
+    }
+
+    /// Finds the end and shows that it is clear; where that takes too long, half way there.
+    fn prove(&self, walker: &mut Walker, look: &mut Look) -> bool {
+        self.prove_by_steps(walker, look) || {
+            look.set(0.5 * look.end);
+            look.end > 0.0 && walker.visit(look, MOST_CUTS)
+        }
+    }
+
+    /// First for small steps: most ends do not move far.
+    fn prove_by_steps(&self, walker: &mut Walker, look: &mut Look) -> bool {
+        let room = look.end;
+        let mut step = FIRST_STEP;
+        loop {
+            let stop = look.taken.is_some() || step >= room;
+            if !stop {
+                look.set(step);
+            }
+            if !walker.visit(look, MOST_CUTS) {
+                return false;
+            }
+            if stop || look.taken.is_some() {
+                return true;
+            }
+            look.set(room);
+            step *= 4.0;
+        }
+    }
+
+    /// The triangle nearest to a point of the part, as what binds an end.
+    fn witness(&self, body: &Body, point: &Point, segment: u16) -> Option<Witness> {
+        let triangle = self.part.closest_on_mesh(point, f64::INFINITY)?.triangle?;
+        Some(Witness::Tool { segment, body: 0, leaf: body.tree.leaf_of(triangle)? })
+    }
+}
+
+/// How far an end may move for what is beside the part, and what stops it there.
+fn farthest(layer: &[Free], k: usize, sense: f64, limits: &[Free]) -> (f64, Witness) {
+    use std::f64::consts::TAU;
+    let f = &layer[k];
+    let n = layer.len();
+    let (mut room, mut stop) = (FARTHEST, if sense < 0.0 { f.lo_by } else { f.hi_by });
+    let next = if sense < 0.0 { &layer[(k + n - 1) % n] } else { &layer[(k + 1) % n] };
+    let gap = if sense < 0.0 { f.lo - next.hi } else { next.lo - f.hi };
+    room = room.min(if gap < 0.0 || n == 1 { gap + TAU } else { gap });
+    let middle = 0.5 * (f.lo + f.hi);
+    let around = limits.iter().find_map(|o| {
+        let turn = ((middle - 0.5 * (o.lo + o.hi)) / TAU).round() * TAU;
+        (o.lo + turn <= middle && middle <= o.hi + turn).then_some((o, turn))
+    });
+    let Some((o, turn)) = around else { return (0.0, stop) };
+    let (end, by) = if sense < 0.0 { (f.lo - o.lo - turn, o.lo_by) } else { (o.hi + turn - f.hi, o.hi_by) };
+    if end < room && by != Witness::Cut {
+        room = end.max(0.0);
+        stop = match by {
+            Witness::Tool { segment, body, leaf } => Witness::Tool { segment, body: body + 1, leaf },
+            other => other,
+        };
+    }
+    (room, stop)
+}
+
+/// Makes neighbours that have met one.
+fn join(layer: &mut Vec<Free>) {
+    let mut out: Vec<Free> = Vec::with_capacity(layer.len());
+    for f in layer.drain(..) {
+        match out.last_mut() {
+            Some(last) if f.lo <= last.hi => (last.hi, last.hi_by) = (f.hi, f.hi_by),
+            _ => out.push(f),
+        }
+    }
+    *layer = out;
+}
+
+/// One end on its way outwards.
+struct Look<'a> {
+    exact: &'a Exact<'a>,
+    centre: Point,
+    /// Of the contact.
+    normal: Vector,
+    /// The end that is safe, its azimuth and axis; outwards is `sense`.
+    start: f64,
+    sense: f64,
+    /// How far out the end is that is not disproved, rad, and its axis.
+    end: f64,
+    axis: Vector,
+    sweep: Sweep,
+    /// The point that forbids what is beyond it, and the part of the tool.
+    taken: Option<(Point, u16)>,
+    heights: Vec<HeightRange>,
+    arcs: Vec<Arc>,
+}
+
+impl<'a> Look<'a> {
+    fn new(exact: &'a Exact, sample: &Sample, start: f64, sense: f64, room: f64) -> Self {
+        let mut look = Look {
+            exact,
+            centre: sample.centre,
+            normal: sample.normal,
+            start,
+            sense,
+            end: 0.0,
+            axis: Vector::zeros(),
+            sweep: Sweep::new(start, start, exact.b),
+            taken: None,
+            heights: Vec::new(),
+            arcs: Vec::new(),
+        };
+        look.set(room);
+        look
+    }
+
+    fn set(&mut self, end: f64) {
+        let (at, b) = (self.start + self.sense * end, self.exact.b);
+        self.end = end;
+        self.axis = bound::axis(b, at);
+        self.sweep = Sweep::new(at.min(self.start), at.max(self.start), b);
+    }
+
+    /// Lower bound of the margin within `radius` of `v` from a tool whose points have one arc each, at the end; `None`: all of it
+    /// is clear from the end to the start. `least` bounds it at one axis.
+    fn room(&self, v: &Vector, radius: f64, least: impl Fn(&Profile) -> f64) -> Option<f64> {
+        let profile = &self.exact.profile;
+        let far = v.norm() + radius;
+        if far - 2.0 * radius > profile.farthest {
+            return None;
+        }
+        let tall = profile.tall.as_deref().filter(|t| far <= t.length);
+        let Some(one_arc) = (if far <= profile.length { Some(profile) } else { tall }) else { return Some(-radius) };
+        let mm = if self.sweep.is_beside(v, radius) {
+            least(one_arc)
+        } else {
+            let half = [Vector::x(), Vector::y(), Vector::z()].map(|e| e * radius);
+            bound::least_at_own_azimuth(one_arc, self.exact.b, v, radius, &half)
+        };
+        (mm <= NONE_MM).then_some(mm)
+    }
+}
+
+impl Visitor for Look<'_> {
+    fn enters(&mut self, middle: &Point, half: &Vector) -> bool {
+        let v = middle - self.centre;
+        let (radius, sides) = (half.norm(), [Vector::x() * half.x, Vector::y() * half.y, Vector::z() * half.z]);
+        self.room(&v, radius, |p| bound::least_margin(p, &self.axis, &v, radius, &sides)).is_some()
+    }
+
+    fn presses(&mut self, piece: &Piece) -> Option<f64> {
+        let v = piece.middle - self.centre;
+        let radius = piece.radius;
+        self.room(&v, radius, |p| {
+            let lower = |f| off_hull(f, &self.axis, &v, radius, (piece, &self.centre), &self.normal);
+            p.frusta.iter().map(lower).fold(f64::INFINITY, f64::min)
+        })
+    }
+
+    fn takes(&mut self, point: &Point) -> bool {
+        let (sin_b, cos_b) = self.exact.b;
+        let v = point - self.centre;
+        let (off, m) = (v.x * sin_b, v.y.hypot(v.z) * cos_b);
+        self.exact.profile.inside(v.norm(), 0.0, (off - m, off + m), &mut self.heights);
+        if self.heights.is_empty() {
+            return true;
+        }
+        // Relative to the start.
+        let (sin, cos) = self.start.sin_cos();
+        let psi = (v.z * cos - v.y * sin).atan2(v.y * cos + v.z * sin);
+        self.arcs.clear();
+        for h in &self.heights {
+            let by = |segment| Witness::Tool { segment, body: 0, leaf: 0 };
+            push_arcs(off, m, psi, (h.low, h.high), (by(h.low_by), by(h.high_by)), &mut self.arcs);
+        }
+        let mut end = self.end;
+        for a in &self.arcs {
+            let (near, far, by) = if self.sense < 0.0 { (-a.hi, -a.lo, a.hi_by) } else { (a.lo, a.hi, a.lo_by) };
+            if far > 0.0 && near - SHARE * self.exact.tolerance < end {
+                end = near - SHARE * self.exact.tolerance;
+                let segment = if let Witness::Tool { segment, .. } = by { segment } else { 0 };
+                self.taken = Some((*point, segment));
+            }
+        }
+        if end <= 0.0 {
+            return false;
+        }
+        if end < self.end {
+            self.set(end);
+        }
+        true
+    }
+}
+
+/// Lower bound of a frustum's margin over a piece, by a tangent plane or a plane across a normal, mm.
+fn off_hull(
+    f: &super::profile::Frustum,
+    axis: &Vector,
+    v: &Vector,
+    radius: f64,
+    (piece, centre): (&Piece, &Point),
+    normal: &Vector,
+) -> f64 {
+    let (margin, slope) = clear::margin(f, axis, v);
+    if margin > radius {
+        return margin - radius;
+    }
+    let over = |n: &Vector, pick: fn(f64, f64) -> f64| {
+        piece.hull.iter().map(|h| n.dot(&(h - centre))).reduce(pick).unwrap_or(0.0)
+    };
+    let tangent = margin + over(&slope, f64::min) - slope.dot(v);
+    if tangent > NONE_MM {
+        return tangent;
+    }
+    let across = |n: &Vector| f.lowest(axis, n) - over(n, f64::max);
+    let contact = across(normal);
+    if contact > NONE_MM {
+        return contact;
+    }
+    // The side of the piece on which the ball is.
+    let own = if piece.normal.dot(v) > 0.0 { -piece.normal } else { piece.normal };
+    tangent.max(contact).max(across(&own))
+}
