@@ -28,9 +28,19 @@ impl Setup {
     /// # Errors
     /// Kind `Usage`: an empty or damaged mesh.
     pub fn surroundings(&self) -> Result<Surroundings<'_>> {
+        if self.job.channel.exact_ends {
+            return self.finer_surroundings();
+        }
+        Surroundings::new(&self.blade, &self.obstacles, self.job.tool.radius_mm)
+    }
+
+    /// The same with a finer index of exact faces, for ends of the channel that are theirs.
+    ///
+    /// # Errors
+    /// Kind `Usage`: an empty or damaged mesh.
+    pub fn finer_surroundings(&self) -> Result<Surroundings<'_>> {
         let radius_mm = self.job.tool.radius_mm;
-        let around = Surroundings::new(&self.blade, &self.obstacles, radius_mm)?;
-        Ok(if self.job.channel.exact_ends { around.finer(radius_mm) } else { around })
+        Ok(Surroundings::new(&self.blade, &self.obstacles, radius_mm)?.finer(radius_mm))
     }
 }
 

@@ -5,7 +5,7 @@ use super::{Baseline, Course, Setup, leads, schedules};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Plan, Toolpath};
 use crate::channel;
-use crate::error::{Result, Stage};
+use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
 use crate::observe::{Observer, Warning};
 use crate::output::RunFolder;
@@ -121,7 +121,7 @@ pub(super) fn channel_as_far_as_it_goes(
             Err(e) => e,
         };
         let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
-            return Err(blocked);
+            return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
         };
         let mut shorter = setup.path_options();
         // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
@@ -138,4 +138,32 @@ pub(super) fn channel_as_far_as_it_goes(
         ));
     }
     clock.time(Stage::Channel, || plan(toolpath))
+}
+
+/// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is kept as room. `None` where there are none, where
+/// they have been asked already, or where the channel closes by them too.
+fn by_exact_faces(
+    setup: &Setup,
+    toolpath: &Toolpath,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Option<Result<Channel>> {
+    let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
+    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends || options.prove_moves {
+        return None;
+    }
+    let planned = clock.time(Stage::Channel, || {
+        let around = setup.finer_surroundings()?;
+        channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
+    });
+    if planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible) {
+        return None;
+    }
+    if planned.is_err() {
+        return Some(planned);
+    }
+    let message = "the channel is so narrow that the mesh's deflection would close it: its ends are those of the exact faces \
+                   (channel.exact_ends)";
+    observer.warn(Warning { stage: Stage::Channel, message: message.into() });
+    Some(planned)
 }
