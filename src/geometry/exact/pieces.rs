@@ -4,7 +4,7 @@
 //! left; anything else is halved, the piece that it finds most pressing first. Since the hulls close in on the surface with the
 //! square of their size, a question about a convex function on the part is answered as finely as it needs to be, and
 //! nowhere more finely. Of a piece that loops cross the parts beyond them are left out; beside a loop the exact edge decides, to
-//! [`BEYOND_EDGE_MM`](super::trim::BEYOND_EDGE_MM).
+//! [`BEYOND_EDGE_MM`].
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
