@@ -58,9 +58,7 @@ impl Turning<'_> {
         let curve = self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten();
         curve.unwrap_or(theta + (theta1 - theta) * share)
     }
-}
 
-impl Turning<'_> {
     /// The first joint of two pieces of the curve strictly between two shares of the way.
     pub fn joint_between(&self, from: f64, to: f64) -> Option<f64> {
         let [s, s1] = self.s_mm;

@@ -22,7 +22,7 @@
 //! straight between places. Ends are at most `tolerance_rad` inside those of the
 //! exact mesh with its deflection as room, or of a tool inflated by an eighth of the tolerance times the distance from the ball centre, where the tool
 //! touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
-//! at most `tolerance_rad` inside those of the exact faces, but for the few whose proof takes too long (`tighten`).
+//! at most `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long (`tighten`), which stay as safe.
 //!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.
 //! The contact angle is held at the places, not between.

@@ -17,7 +17,7 @@
 //! closed form; where they reach beyond `θ₁` it moves inwards. At the end some point of the part forbids `θ₁` moved out by the tolerance.
 //!
 //! **Limits**: only for tools that widen upwards ([`Profile::widens`]); no end moves by more than [`FARTHEST`]; an end whose proof
-//! takes more than [`MOST_CUTS`] halvings stays where it was, and so do all ends where moves are proven (`prove_moves`).
+//! takes more than [`MOST_CUTS`] halvings is tried half way and else stays where it was (a seventh of them on one blade), and so do all ends where moves are proven (`prove_moves`).
 
 use rayon::prelude::*;
 

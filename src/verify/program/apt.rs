@@ -1,6 +1,6 @@
 //! APT cutter-location files.
 
-use super::block::{Block, Feed, Place, Way};
+use super::block::{Block, Feed, Place};
 use super::unreadable;
 use crate::error::Result;
 
@@ -32,18 +32,10 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
             "RAPID" => rapid = true,
             "LOADTL" => tool_calls += 1,
             // Where home is, is the machine's: from then on nothing is known.
-            "GOHOME" => out.push(Block {
-                line,
-                place: Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] },
-                steps: [false; 3],
-                ways: [Way::To; 3],
-                bend: None,
-                feed: Feed::Rapid,
-                machine: true,
-                tool_length: false,
-                centre_point: true,
-                tool_calls,
-            }),
+            "GOHOME" => {
+                let unknown = Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] };
+                out.push(Block { machine: true, tool_calls, ..Block::straight(line, unknown, Feed::Rapid) });
+            }
             "FEDRAT" => {
                 let f = minor.split(',').next().and_then(|v| v.parse::<f64>().ok()).filter(|f| *f > 0.0);
                 feed = Some(f.ok_or_else(|| unreadable(line, "FEDRAT needs a number greater than 0"))?);
@@ -59,18 +51,7 @@ pub(super) fn read(text: &str) -> Result<Vec<Block>> {
                     (false, Some(f)) => Feed::PerMinute(f),
                     (false, None) => return Err(unreadable(line, "GOTO before any FEDRAT")),
                 };
-                out.push(Block {
-                    line,
-                    place,
-                    steps: [false; 3],
-                    ways: [Way::To; 3],
-                    bend: None,
-                    feed,
-                    machine: false,
-                    tool_length: false,
-                    centre_point: true,
-                    tool_calls,
-                });
+                out.push(Block { tool_calls, ..Block::straight(line, place, feed) });
             }
             "" | "PARTNO" | "PPRINT" | "UNITS" | "MULTAX" | "CUTTER" | "SPINDL" | "COOLNT" | "END" | "FINI" => {}
             _ => return Err(unreadable(line, &format!("\"{major}\" is not known"))),

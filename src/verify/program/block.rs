@@ -80,3 +80,21 @@ pub struct Block {
     /// Tool calls before it.
     pub tool_calls: usize,
 }
+
+impl Block {
+    /// A straight move to a place in the program's coordinates, its words as they stand, under tool-centre-point control, before any tool call.
+    pub(super) fn straight(line: usize, place: Place, feed: Feed) -> Self {
+        Block {
+            line,
+            place,
+            steps: [false; 3],
+            ways: [Way::To; 3],
+            bend: None,
+            feed,
+            machine: false,
+            tool_length: false,
+            centre_point: true,
+            tool_calls: 0,
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Heidenhain Klartext: `L` and `LN` blocks, `TCPM`, machine coordinates by `M91`.
 
-use super::block::{Block, Feed, Place, Way};
+use super::block::{Block, Feed, Place};
 use super::unreadable;
 use crate::error::Result;
 
@@ -89,16 +89,5 @@ fn straight(
         (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
         _ => return Err("a straight block before any F".into()),
     };
-    Ok(Some(Block {
-        line,
-        place,
-        steps: [false; 3],
-        ways: [Way::To; 3],
-        bend: None,
-        feed,
-        machine,
-        tool_length: false,
-        centre_point,
-        tool_calls: 0,
-    }))
+    Ok(Some(Block { machine, centre_point, ..Block::straight(line, place, feed) }))
 }
