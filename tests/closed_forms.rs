@@ -243,49 +243,62 @@ fn leaning(to: Matrix4<f64>) -> Blade {
     blade(surface, [-4.0, 24.0])
 }
 
-fn leaning_figures(to: Matrix4<f64>, flip: bool) -> LimitFigures {
+fn leaning_figures(kind: PathKind, to: Matrix4<f64>, flip: bool, start_near: Option<[f64; 3]>) -> LimitFigures {
     let mut blade = leaning(to);
     if flip {
         let mut brep = blade.part.brep.take().expect("has faces");
         brep.faces[0].reversed = true;
         blade.part = Part::from_brep(brep, 0.01, &Silent).expect("a face can be meshed");
     }
-    let path = path::plan(&blade, &options(PathKind::ConstantHeight, [14.0, 8.0]), &Silent).expect("a path");
+    let path = path::plan(&blade, &PathOptions { start_near, ..options(kind, [14.0, 8.0]) }, &Silent).expect("a path");
     verify::limit(&blade, &path, SCALLOP, SAMPLES).expect("figures")
 }
 
 #[test]
-fn rotated_and_mirrored_parts_have_the_same_figures() {
-    let straight = leaning_figures(Matrix4::identity(), false);
+fn rotated_and_mirrored_parts_and_other_starts_have_the_same_figures() {
     let (s, c) = 1.1f64.sin_cos();
     let mut turned = Matrix4::identity();
     (turned[(1, 1)], turned[(1, 2)], turned[(2, 1)], turned[(2, 2)]) = (c, -s, s, c);
     let mut mirror = Matrix4::identity();
     mirror[(2, 2)] = -1.0;
-    for (name, f) in [("turned", leaning_figures(turned, false)), ("mirrored", leaning_figures(mirror, true))] {
-        for (what, a, b) in [
-            ("ratio", straight.ratio, f.ratio),
-            ("area", straight.area_mm2, f.area_mm2),
-            ("ridges", straight.ridge_p50_mm, f.ridge_p50_mm),
+    for kind in [PathKind::ConstantHeight, PathKind::ConstantScallop] {
+        let straight = leaning_figures(kind, Matrix4::identity(), false, None);
+        for (name, f) in [
+            ("turned", leaning_figures(kind, turned, false, None)),
+            ("mirrored", leaning_figures(kind, mirror, true, None)),
+            ("started in front", leaning_figures(kind, Matrix4::identity(), false, Some([14.0, 2.0, 20.0]))),
+            ("started behind", leaning_figures(kind, Matrix4::identity(), false, Some([14.0, 20.0, -2.0]))),
         ] {
-            // Turns begin elsewhere, so one more or less may fit.
-            assert!((a / b - 1.0).abs() < 0.03, "{name}, {what}: {a} {b}");
+            for (what, a, b) in [
+                ("ratio", straight.ratio, f.ratio),
+                ("area", straight.area_mm2, f.area_mm2),
+                ("ridges", straight.ridge_p50_mm, f.ridge_p50_mm),
+            ] {
+                // Turns begin elsewhere, so one more or less may fit.
+                assert!((a / b - 1.0).abs() < 0.03, "{kind:?}, {name}, {what}: {a} {b}");
+            }
+            assert!(
+                (straight.ridge_p95_mm / f.ridge_p95_mm - 1.0).abs() < 0.005,
+                "{kind:?}, {name}: {straight:?} {f:?}"
+            );
         }
     }
+}
+
+/// Greatest distance of a straight move from the surface of ball centres, mm.
+fn departure(form: &Form, a: &Point, b: &Point) -> f64 {
+    let inside = (1..8).map(|k| a + (b - a) * (f64::from(k) / 8.0));
+    inside
+        .filter_map(|q| form.blade.part.closest(&q, 2.0 * RADIUS))
+        .map(|c| (c.distance_mm - RADIUS).abs())
+        .fold(0.0, f64::max)
 }
 
 /// Greatest distance of the straight moves from the surface of ball centres, and the error of the whole length, mm.
 fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
     let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, [14.0, 6.0]) };
     let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
-    let off = |a: &Point, b: &Point| {
-        let inside = (1..8).map(|k| a + (b - a) * (f64::from(k) / 8.0));
-        inside
-            .filter_map(|q| form.blade.part.closest(&q, 2.0 * RADIUS))
-            .map(|c| (c.distance_mm - RADIUS).abs())
-            .fold(0.0, f64::max)
-    };
-    let worst = path.locations.windows(2).map(|w| off(&w[0].centre, &w[1].centre)).fold(0.0, f64::max);
+    let worst = path.locations.windows(2).map(|w| departure(form, &w[0].centre, &w[1].centre)).fold(0.0, f64::max);
     let length = path.locations.last().map_or(0.0, |l| l.s_mm);
     (worst, (length / path.turns.len() as f64 - exact_mm).abs())
 }
@@ -304,6 +317,27 @@ fn halving_the_chord_tolerance_halves_the_errors_or_better() {
     // Moves are halved, so an error falls by four or not at all: over four halvings by sixteen, less one step.
     let (first, last) = (found[0], found[4]);
     assert!(last.0 <= first.0 / 8.0 && last.1 <= first.1 / 8.0 + 2e-3, "{found:?}");
+}
+
+#[test]
+fn halving_the_chord_tolerance_brings_turns_of_constant_scallop_nearer() {
+    for form in forms().into_iter().skip(2) {
+        let chords = [0.004, 0.002, 0.001, 0.0005];
+        let found = chords.map(|chord_mm| {
+            let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantScallop, form.region) };
+            let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
+            let figures = verify::limit(&form.blade, &path, SCALLOP, SAMPLES).expect(form.name);
+            let worst =
+                path.locations.windows(2).map(|w| departure(&form, &w[0].centre, &w[1].centre)).fold(0.0, f64::max);
+            assert!(worst <= chord_mm + 1e-6, "{}: {worst} at a chord tolerance of {chord_mm}", form.name);
+            let ridges = [figures.ridge_p05_mm, figures.ridge_p50_mm, figures.ridge_p95_mm];
+            [worst, ridges.map(|r| (r - SCALLOP).abs()).into_iter().fold(0.0, f64::max)]
+        });
+        // Three halvings; ridges are laid to within a two-thousandth.
+        for (k, floor) in [0.0, 1e-3 * SCALLOP].into_iter().enumerate() {
+            assert!(found[3][k] <= found[0][k] / 8.0 * 1.2 + floor, "{}, error {k}: {found:?}", form.name);
+        }
+    }
 }
 
 #[test]

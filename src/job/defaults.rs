@@ -115,7 +115,7 @@ impl Draft {
         let feed = t.feed.unwrap_or_default();
         let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
         let radius = tool.radius_mm;
-        let (kind, scallop_mm) = (path.kind.unwrap_or_default(), path.scallop_mm.unwrap_or(0.01));
+        let (kind, scallop_mm) = (path.kind.unwrap_or_else(|| default_kind(blade)), path.scallop_mm.unwrap_or(0.01));
         let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
         let room = [channel.clearance_mm.unwrap_or(0.1), channel.holder_clearance_mm.unwrap_or(1.0)];
         let fixtures = t.fixture.unwrap_or_default();
@@ -287,6 +287,12 @@ fn default_radius(blade: &Blade) -> Result<f64> {
         )
         .advise("give tool.radius_mm, or check the unit of the model (model.unit)")
     })
+}
+
+/// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take up what its facets do to each, and on a scan the
+/// shorter path takes longer.
+fn default_kind(blade: &Blade) -> PathKind {
+    if blade.part.brep.is_some() { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
 }
 
 /// A chord lets the ridge beside it rise by up to half its own height over the curve (on a hollow wall) or sink by as much: with turns of

@@ -113,7 +113,8 @@ pub struct RegionJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathJob {
-    /// How the turns lie. Default `constant-scallop`: the shortest helix that leaves no higher ridge than is asked for.
+    /// How the turns lie. Default `constant-scallop`: the shortest helix that leaves no higher ridge than is asked for; on a mesh, whose facets make such
+    /// turns rough, `constant-height`.
     pub kind: PathKind,
     /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
     pub scallop_mm: f64,

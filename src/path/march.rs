@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::curve;
 use super::level::Touch;
 use super::neighbour::{Across, Next, Place, Stop};
-use super::nodes::arc_lengths;
+use super::nodes::{arc_lengths, is_ring};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -170,6 +170,13 @@ impl March<'_> {
 
     /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`: where the ball cannot go on.
     fn next_turn(&self, before: Option<&Vec<Node>>, turn: &mut Vec<Node>) -> std::result::Result<Vec<Node>, Point> {
+        // The end of a closed turn comes before its own beginning.
+        let tail = self.tail(before.unwrap_or(turn)).to_vec();
+        // Beside a ring the ramp brings a turn as near to it as it likes: to bring it back would be to go beyond the end.
+        if let Some(before) = before.filter(|b| !is_ring(b)) {
+            let head = self.head(before, turn);
+            self.even_front(&tail, turn, &head);
+        }
         let n = turn.len() - 1;
         let centre = |k: usize| turn[k].touch.centre;
         let back = before.map_or(centre(n - 1), |b| b[b.len() - 2].touch.centre);
@@ -192,8 +199,32 @@ impl March<'_> {
         if self.passes_burrs {
             self.leave_out_burrs(&mut next);
         }
-        let kept = self.without_folds(turn, &along, &next)?;
+        let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
         Ok(self.tidy(kept))
+    }
+
+    /// The end of a turn, as long as the evening of a front looks.
+    fn tail<'n>(&self, turn: &'n [Node]) -> &'n [Node] {
+        let s_mm = arc_lengths(turn);
+        let whole = s_mm.last().copied().unwrap_or(0.0);
+        &turn[s_mm.partition_point(|s| *s < whole - self.look_mm())..]
+    }
+
+    /// The beginning of the turn after `turn`, as long as the evening of a front looks; its first touch, the last of `turn`, left out.
+    fn head(&self, before: &[Node], turn: &[Node]) -> Vec<Node> {
+        let count = arc_lengths(turn).partition_point(|s| *s <= self.look_mm());
+        let touches: Vec<Touch> = turn[..turn.len().min(count + 1)].iter().map(|n| n.touch).collect();
+        let along = curve::tangents(Some(&before[before.len() - 2].touch.centre), &touches, None);
+        let mut head: Vec<Node> = Vec::with_capacity(count);
+        let last = &turn[turn.len() - 1];
+        for i in 1..count {
+            let Some(next) = self.next_node(&turn[i], along[i], 1.0) else { continue };
+            let step = next.touch.centre - head.last().unwrap_or(last).touch.centre;
+            if step.dot(&along[i]) > 0.0 {
+                head.push(next);
+            }
+        }
+        head
     }
 
     /// The neighbour of one node, at the share `share` of the stepover.

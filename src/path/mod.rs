@@ -41,6 +41,7 @@ mod constant_scallop;
 mod constant_scallop_tests;
 mod curve;
 mod direction;
+mod front;
 mod helix;
 mod iso_parametric;
 mod level;

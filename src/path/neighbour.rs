@@ -116,6 +116,13 @@ pub struct Place {
     pub along: Vector,
 }
 
+impl Place {
+    /// The same place of the path run the other way: across lies to the other side.
+    pub fn back(&self) -> Place {
+        Place { along: -self.along, ..*self }
+    }
+}
+
 /// Seeks neighbours on one level set.
 #[derive(Clone, Copy)]
 pub struct Across<'a> {
@@ -213,7 +220,7 @@ impl Across<'_> {
     }
 
     /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of the step, with the way along it.
-    fn step(&self, from: &Place, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
+    pub fn step(&self, from: &Place, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
         let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
         let guess = from.touch.centre + side * way_mm;
         let touch = self.level.touch_across(&guess, &from.along, reach * way_mm)?;

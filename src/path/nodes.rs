@@ -6,6 +6,7 @@ use super::curve::{self, Curve};
 use super::level::Touch;
 use super::march::{LEAST_SHARE, March, Node};
 use super::neighbour::{Place, Stop};
+use super::stepover::ridge_height;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
@@ -21,29 +22,38 @@ const CAUTION: f64 = 2.0;
 const FREE: f64 = 4e-3;
 /// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing.
 const OVERRUN: f64 = 0.8;
+/// Distance of touches in a corner between two sides, as a share of the usual step.
+const BRIDGE: f64 = 0.4;
+/// Tries to bring one of them back.
+const BRIDGE_TRIES: usize = 3;
 /// Rounds of adding touches.
 const MOST_ROUNDS: usize = 6;
 
 /// A turn whose stretches may run into one another: where it lags behind in a narrow tongue, the neighbours of the tongue's two sides
 /// cross, and what lies beyond the crossing is left out, as with the offset of any curve.
-struct Overrun<'a> {
-    turn: &'a [Node],
+struct Overrun {
+    turn: Vec<Node>,
+    /// Where the turn begins in the chain of nodes looked at.
+    first: usize,
     /// Arc length at the nodes, mm.
     s_mm: Vec<f64>,
     /// Longest distance between two nodes, mm.
     longest_mm: f64,
 }
 
-impl<'a> Overrun<'a> {
-    fn of(turn: &'a [Node]) -> Self {
-        let s_mm = arc_lengths(turn);
+impl Overrun {
+    /// Of a turn with what comes before its first node and after its last.
+    fn of(before: &[Node], turn: &[Node], after: impl Iterator<Item = Node>) -> Self {
+        let chain: Vec<Node> = before.iter().chain(turn).copied().chain(after).collect();
+        let s_mm = arc_lengths(&chain);
         let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
-        Overrun { turn, s_mm, longest_mm }
+        Overrun { turn: chain, first: before.len(), s_mm, longest_mm }
     }
 
-    /// Whether the turn comes nearer to `q`, which is a neighbour of node `of`, than `least_mm`. A curve is never longer than its arc:
+    /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than `least_mm`. A curve is never longer than its arc:
     /// nodes that the arc cannot reach from the last distance are passed over.
     fn is_nearer(&self, q: &Point, of: usize, least_mm: f64) -> bool {
+        let of = self.first + of;
         let distance = |k: usize| (self.turn[k].touch.centre - q).norm();
         let mut k = of;
         while k + 1 < self.turn.len() {
@@ -65,13 +75,24 @@ impl<'a> Overrun<'a> {
         }
         false
     }
+
+    /// The nearest place to `q` between two nodes of the turn, and as far as `look_mm` beyond them.
+    fn nearest(&self, [from, to]: [usize; 2], look_mm: f64, q: &Point) -> Option<Point> {
+        let lo = self.s_mm.partition_point(|s| *s < self.s_mm[self.first + from] - look_mm);
+        let hi = self.s_mm.partition_point(|s| *s <= self.s_mm[self.first + to] + look_mm);
+        let places =
+            self.turn[lo..hi].windows(2).map(|w| closest_on_segment(&w[0].touch.centre, &w[1].touch.centre, q));
+        places.min_by(|a, b| (a - q).norm_squared().total_cmp(&(b - q).norm_squared()))
+    }
 }
 
 impl March<'_> {
-    /// The nodes after those of `turn` without those that were not found and with folds cut away from both sides. A fold over the place
-    /// where one turn becomes the next takes nodes from the end of `turn`, too. `Err`: where the ball could not go on for a stretch.
+    /// The nodes after those of `turn` without those that were not found and with folds cut away from both sides; `before` is what lies before
+    /// the first node of `turn`. A fold over the place where one turn becomes the next takes nodes from the end of `turn`, too.
+    /// `Err`: where the ball could not go on for a stretch.
     pub(super) fn without_folds(
         &self,
+        before: &[Node],
         turn: &mut Vec<Node>,
         along: &[Vector],
         next: &[Option<Node>],
@@ -82,42 +103,98 @@ impl March<'_> {
             let onward = along[a.0] + along[b.0];
             step.dot(&onward) <= 0.1 * step.norm() * onward.norm()
         };
+        let overruns = |chain: &Overrun, i: usize, node: &Node| {
+            let way = (node.touch.centre - turn[i].touch.centre).norm();
+            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, OVERRUN * way)
+        };
         let mut end = turn.len() - 1;
         let mut kept: Vec<(usize, Node)> = Vec::new();
-        let overrun = Overrun::of(turn);
+        let mut chain = Overrun::of(before, turn, std::iter::empty());
+        let late_mm = chain.s_mm.last().copied().unwrap_or(0.0) - self.look_mm();
+        let mut is_late = false;
         for i in 1..next.len() {
-            if i >= end {
+            if i > end {
                 break;
             }
-            let Some(node) = &next[i] else { continue };
-            let way = (node.touch.centre - turn[i].touch.centre).norm();
-            if node.stop.is_none() && overrun.is_nearer(&node.touch.centre, i, OVERRUN * way) {
-                continue;
+            if !is_late && chain.s_mm[chain.first + i] > late_mm {
+                // The turn goes on with the first of the new nodes.
+                is_late = true;
+                chain = Overrun::of(before, turn, kept.iter().map(|k| k.1));
             }
-            if !behind(kept.last().map_or((end, &turn[end]), |k| (k.0, &k.1)), (i, node)) {
-                kept.push((i, *node));
+            let Some(node) = next[i].filter(|node| !overruns(&chain, i, node)) else { continue };
+            if !behind(kept.last().map_or((end, &turn[end]), |k| (k.0, &k.1)), (i, &node)) {
+                kept.push((i, node));
+            } else if i == end {
+                while kept.last().is_some_and(|(k, last)| behind((*k, last), (end, &node))) {
+                    kept.pop();
+                }
+                kept.push((end, node));
             } else if kept.pop().is_none() && 2 * end > turn.len() {
                 end -= 1;
             }
         }
-        let Some(last) = next[end] else { return Err(turn[end].touch.centre) };
-        while kept.last().is_some_and(|(i, k)| behind((*i, k), (end, &last))) {
-            kept.pop();
-        }
-        kept.push((end, last));
         let widest = self.widest_mm();
         let mut from = 0;
-        for (to, _) in &kept {
-            let lost = (from + 1..*to).find(|i| next[*i].is_none());
+        for to in kept.iter().map(|k| k.0).chain([end]) {
+            let lost = (from + 1..=to).find(|i| next[*i].is_none());
             if let Some(i) = lost
-                && (turn[*to].touch.centre - turn[from].touch.centre).norm() > widest
+                && (turn[to].touch.centre - turn[from].touch.centre).norm() > widest
             {
                 return Err(turn[i].touch.centre);
             }
+            from = to;
+        }
+        if kept.is_empty() {
+            return Err(turn[end].touch.centre);
+        }
+        let is_ring = is_ring(turn);
+        turn.truncate(end + 1);
+        if is_ring {
+            // It is left so slowly that nothing beside it is far.
+            return Ok(turn.last().copied().into_iter().chain(kept.into_iter().map(|k| k.1)).collect());
+        }
+        Ok(self.bridged(&chain, turn[end], &kept))
+    }
+
+    /// The nodes kept after `first`, with more of them where others were left out: sides that run towards one another meet in a corner, and a
+    /// straight way between the last nodes of the two would pass it by at more than a stepover.
+    fn bridged(&self, chain: &Overrun, first: Node, kept: &[(usize, Node)]) -> Vec<Node> {
+        let mut nodes = vec![first];
+        let mut from = 0;
+        for (to, node) in kept {
+            let last = nodes[nodes.len() - 1];
+            let way = node.touch.centre - last.touch.centre;
+            let count = (way.norm() / (BRIDGE * self.step_mm)).ceil() as usize;
+            // The place where one turn becomes the next may lie in such a corner, too.
+            let is_gap = *to > from + 1 || way.norm() > FAR * self.step_mm;
+            if is_gap && last.stop.is_none() && node.stop.is_none() {
+                nodes.extend((1..count).filter_map(|k| {
+                    let guess = last.touch.centre + way * (k as f64 / count as f64);
+                    let touch = self.not_too_far(chain, [from, *to], self.across.level.touch(&guess, way.norm())?)?;
+                    Some(Node { touch, ..*node })
+                }));
+            }
+            nodes.push(*node);
             from = *to;
         }
-        turn.truncate(end + 1);
-        Ok(turn.last().copied().into_iter().chain(kept.into_iter().map(|k| k.1)).collect())
+        nodes
+    }
+
+    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the turn around two.
+    fn not_too_far(&self, chain: &Overrun, [from, to]: [usize; 2], touch: Touch) -> Option<Touch> {
+        let level = self.across.level;
+        let mut touch = touch;
+        for _ in 0..BRIDGE_TRIES {
+            let near = chain.nearest([from, to], self.look_mm(), &touch.centre)?;
+            let near = level.touch(&near, self.flat_mm)?.centre;
+            let ridge = ridge_height(level, &near, &touch.centre)?;
+            if ridge <= self.scallop_mm {
+                break;
+            }
+            let guess = near + (touch.centre - near) * (self.scallop_mm / ridge).sqrt();
+            touch = level.touch(&guess, self.flat_mm)?;
+        }
+        Some(touch)
     }
 
     /// So wide a stretch without a neighbour is passed over, mm.
@@ -251,6 +328,11 @@ impl March<'_> {
             })
             .collect()
     }
+}
+
+/// Whether a turn is closed: a ring, from which the first turn is laid.
+pub(super) fn is_ring(turn: &[Node]) -> bool {
+    turn.first().zip(turn.last()).is_some_and(|(a, b)| a.touch.centre == b.touch.centre)
 }
 
 /// Arc lengths of a turn at its nodes, mm.

@@ -127,6 +127,10 @@ pub(super) fn channel_as_far_as_it_goes(
         // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
         let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
         let end_mm = ended_mm.map_or(end_mm, |before: f64| end_mm.max(before + stepover_mm));
+        if end_mm >= setup.job.region.start_mm {
+            // Not even the first turn has room.
+            return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
+        }
         ended_mm = Some(end_mm);
         shorter.region_x_mm[1] = Some(end_mm);
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;

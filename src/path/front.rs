@@ -1,0 +1,77 @@
+//! A turn kept even before the next is laid from it.
+//!
+//! Laid touch by touch, a turn keeps every corner of the one before: where two of its sides run towards one another, they meet in an edge, and over facets
+//! the ways scatter. So a place that runs ahead of the smooth curve through its neighbours is brought back onto it. None is brought forward: no ridge
+//! becomes higher than asked for, and what a place loses, the next turn makes good.
+
+use nalgebra::{Matrix3, Vector3};
+use rayon::prelude::*;
+
+use super::curve;
+use super::level::Touch;
+use super::march::{March, Node};
+use super::neighbour::Place;
+use super::nodes::arc_lengths;
+
+/// Width of the bell over which a turn is evened, in stepovers on flat ground or steps between touches, whichever is longer, on exact faces and
+/// over facets.
+const WIDTH: [f64; 2] = [1.0, 2.0];
+/// Widths of the bell that a fit reaches.
+const REACH: f64 = 2.5;
+/// Fewest touches of a fit.
+const FEWEST: usize = 5;
+/// So far ahead a touch may stay, as a share of the stepover on flat ground, on exact faces and over facets.
+const LEAST: [f64; 2] = [1e-3, 5e-3];
+/// A touch goes back by no more than this share of the stepover at once.
+const MOST: f64 = 0.4;
+
+impl March<'_> {
+    /// Width of the bell over which a turn is evened, mm.
+    fn even_mm(&self) -> f64 {
+        WIDTH[usize::from(self.facets)] * self.flat_mm.max(self.step_mm)
+    }
+
+    /// How far along the turns before and after the evening of one looks, mm.
+    pub(super) fn look_mm(&self) -> f64 {
+        REACH * self.even_mm()
+    }
+
+    /// The turn with its touches that run ahead brought back; `before` ends with the touch that the turn begins with, which stays, and `after`
+    /// goes on from its last.
+    pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
+        let width_mm = self.even_mm();
+        let lead = before.len().saturating_sub(1);
+        let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
+        let s_mm = arc_lengths(&chain);
+        let touches: Vec<Touch> = chain.iter().map(|n| n.touch).collect();
+        let along = curve::tangents(None, &touches, None);
+        let even = |k: usize| -> Option<Touch> {
+            let from = Place { touch: touches[k], along: along[k] };
+            let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
+            let lo = s_mm.partition_point(|s| *s < s_mm[k] - REACH * width_mm);
+            let hi = s_mm.partition_point(|s| *s <= s_mm[k] + REACH * width_mm);
+            if hi - lo < FEWEST || lo == k || hi == k + 1 {
+                return None;
+            }
+            let (mut a, mut b) = (Matrix3::zeros(), Vector3::zeros());
+            for j in lo..hi {
+                let t = (s_mm[j] - s_mm[k]) / width_mm;
+                let (row, weight) = (Vector3::new(1.0, t, t * t), (-t * t).exp());
+                a += row * row.transpose() * weight;
+                b += row * (weight * (touches[j].centre - from.touch.centre).dot(&side));
+            }
+            let ahead_mm = -(a.try_inverse()? * b).x - LEAST[usize::from(self.facets)] * self.flat_mm;
+            if ahead_mm <= 0.0 {
+                return None;
+            }
+            self.across.step(&from.back(), ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
+        };
+        let evened: Vec<Option<Touch>> = (1..turn.len())
+            .into_par_iter()
+            .map(|i| if turn[i].stop.is_some() { None } else { even(lead + i) })
+            .collect();
+        for (node, touch) in turn[1..].iter_mut().zip(evened) {
+            node.touch = touch.unwrap_or(node.touch);
+        }
+    }
+}
