@@ -86,6 +86,8 @@ pub struct Setup {
     pub machine: Machine,
     /// Where turns are to begin, blade frame, mm; `None`: where the path stage thinks best.
     pub start_near: Option<[f64; 3]>,
+    /// One flag for each face at which the helix ends; empty where the job names none.
+    pub end_faces: Vec<bool>,
     /// Own post files of the job.
     pub post_files: Vec<Dialect>,
     /// Fixtures and stock.
@@ -133,7 +135,8 @@ impl Setup {
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
         let obstacles = around::obstacles(&job, &blade, &mut inputs, observer)?;
-        Ok(Setup { job, blade, machine, start_near, post_files, obstacles, inputs })
+        let end_faces = model::recognise::named::faces_of(&job.region.end_faces, &blade.part)?;
+        Ok(Setup { job, blade, machine, start_near, end_faces, post_files, obstacles, inputs })
     }
 
     fn section_options(&self) -> SectionOptions {
@@ -153,6 +156,7 @@ impl Setup {
             chord_mm: p.chord_mm,
             max_step_mm: p.max_step_mm,
             region_x_mm: [Some(r.start_mm), r.end_mm],
+            end_faces: self.end_faces.clone(),
             max_lean_rad: p.max_lean_deg.to_radians(),
         }
     }

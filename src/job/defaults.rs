@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::resolved::{
-    ChannelJob, FeedJob, FixtureJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob,
-    TINY, VerifyJob, check_ranges,
+    ChannelJob, FeedJob, FixtureJob, Job, MOST_LEAN_DEG, MachineJob, ModelJob, PathJob, PostJob, RegionJob,
+    ScheduleJob, SectionJob, TINY, VerifyJob, check_ranges,
 };
 use super::typed::{FixtureKeys, JobFile, RegionReference, ToolKeys};
 use crate::artifact::Blade;
@@ -115,7 +115,10 @@ impl Draft {
         let feed = t.feed.unwrap_or_default();
         let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
         let radius = tool.radius_mm;
-        let (kind, scallop_mm) = (path.kind.unwrap_or_else(|| default_kind(blade)), path.scallop_mm.unwrap_or(0.01));
+        let region = complete_region(&t.region.unwrap_or_default(), blade, radius)?;
+        let max_lean_deg = if region.end_faces.is_empty() { 60.0 } else { MOST_LEAN_DEG };
+        let (kind, scallop_mm) =
+            (path.kind.unwrap_or_else(|| default_kind(blade, &region)), path.scallop_mm.unwrap_or(0.01));
         let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
         let room = [channel.clearance_mm.unwrap_or(0.1), channel.holder_clearance_mm.unwrap_or(1.0)];
         let fixtures = t.fixture.unwrap_or_default();
@@ -127,13 +130,13 @@ impl Draft {
                 unit: Some(blade.unit),
                 ..self.model.clone()
             },
-            region: complete_region(&t.region.unwrap_or_default(), blade, radius)?,
+            region,
             path: PathJob {
                 kind,
                 scallop_mm,
                 chord_mm,
                 max_step_mm: path.max_step_mm.unwrap_or((0.25 * radius).min(1.0)),
-                max_lean_deg: path.max_lean_deg.unwrap_or(60.0),
+                max_lean_deg: path.max_lean_deg.unwrap_or(max_lean_deg),
                 direction: path.direction.unwrap_or_default(),
                 start: path.start.unwrap_or_default(),
                 stock_mm: path.stock_mm.unwrap_or(0.0),
@@ -258,7 +261,8 @@ fn complete_region(keys: &super::typed::RegionKeys, blade: &Blade, radius_mm: f6
     };
     let start = typed("region.start_mm", keys.start_mm)?;
     let end_mm = typed("region.end_mm", keys.end_mm)?;
-    Ok(RegionJob { start_mm: start.unwrap_or_else(|| default_start(blade, radius_mm)), end_mm })
+    let end_faces = keys.end_faces.clone().unwrap_or_default();
+    Ok(RegionJob { start_mm: start.unwrap_or_else(|| default_start(blade, radius_mm)), end_mm, end_faces })
 }
 
 fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
@@ -290,9 +294,10 @@ fn default_radius(blade: &Blade) -> Result<f64> {
 }
 
 /// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take up what its facets do to each, and on a scan the
-/// shorter path takes longer.
-fn default_kind(blade: &Blade) -> PathKind {
-    if blade.part.brep.is_some() { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
+/// shorter path takes longer. Only turns of constant scallop run along the edge of a face.
+fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
+    let free = blade.part.brep.is_some() || !region.end_faces.is_empty();
+    if free { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
 }
 
 /// A chord lets the ridge beside it rise by up to half its own height over the curve (on a hollow wall) or sink by as much: with turns of

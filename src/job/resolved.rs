@@ -96,6 +96,9 @@ pub struct ModelJob {
     pub platform_faces: Vec<String>,
 }
 
+/// Greatest lean of a wall that turns of constant scallop may go down, degrees: a platform square to the blade axis.
+pub(super) const MOST_LEAN_DEG: f64 = 89.5;
+
 /// `[region]`, heights of ball centres in the blade frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -107,6 +110,9 @@ pub struct RegionJob {
     /// ball touches the airfoil's side.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end_mm: Option<f64>,
+    /// Faces or groups, by number or name, at which the helix ends: where the ball comes to one of them. Default: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub end_faces: Vec<String>,
 }
 
 /// `[path]`
@@ -295,7 +301,12 @@ impl Job {
             ("path.stock_mm", p.stock_mm, 0.0, 100.0),
             ("path.chord_mm", p.chord_mm, 1e-5, 1.0),
             ("path.max_step_mm", p.max_step_mm, 1e-3, 100.0),
-            ("path.max_lean_deg", p.max_lean_deg, 1.0, if p.kind == PathKind::ConstantScallop { 89.5 } else { 85.0 }),
+            (
+                "path.max_lean_deg",
+                p.max_lean_deg,
+                1.0,
+                if p.kind == PathKind::ConstantScallop { MOST_LEAN_DEG } else { 85.0 },
+            ),
             ("channel.clearance_mm", c.clearance_mm, 0.0, 100.0),
             ("channel.holder_clearance_mm", c.holder_clearance_mm, 0.0, 100.0),
             ("channel.contact_angle_min_deg", c.contact_angle_min_deg, 0.0, 90.0),

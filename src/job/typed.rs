@@ -111,7 +111,9 @@ keys! {
         start_mm: f64,
         /// Height of the last ball centre, mm; less than `start_mm`.
         end_mm: f64,
-        /// What both are measured from.
+        /// Faces or groups, by number or name: the helix ends where the ball comes to one of them. For turns of constant scallop.
+        end_faces: Vec<String>,
+        /// What both heights are measured from.
         reference: RegionReference,
     }
 }

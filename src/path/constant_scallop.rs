@@ -5,7 +5,7 @@
 //! straight across, as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is off by does not add
 //! up: the next is measured against where the last one is.
 //!
-//! * **End**: a height, a wall that leans over too much, a sharp edge over which the ball would only roll, a corner in which it touches two
+//! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp edge over which the ball would only roll, a corner in which it touches two
 //!   walls, or one of them here and another there. Turns are laid down from the ring at the start height, coarsely, to find it: a place that has
 //!   come to the end stays there until all have. The closed curve of those places is the last turn.
 //! * **Turns** are laid up from that curve, and run through in the reverse order. So they all run alongside the end, platform or
@@ -58,6 +58,7 @@ pub(super) fn plan(
     let bounds = Bounds {
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
         max_sin_lean: options.max_lean_rad.sin(),
+        end_faces: &options.end_faces,
     };
     let march = |bounds, scallop_mm, passes_burrs| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
@@ -87,6 +88,7 @@ pub(super) fn plan(
         let room = Bounds {
             x_mm: [f64::NEG_INFINITY, start_x + HIGHEST * (start_x - end_x)],
             max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
+            end_faces: &[],
         };
         let up = march(room, options.scallop_mm, true);
         let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
@@ -122,6 +124,9 @@ fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> String {
             place(blade, &p)
         ),
         Some(Stop::Edge(p)) => format!("the ball comes to an edge of the part at {}", place(blade, &p)),
+        Some(Stop::Face(p, face)) => {
+            format!("the ball comes to face {}, which ends the region, at {}", face + 1, place(blade, &p))
+        }
         Some(Stop::Corner(p)) => format!(
             "in the corner the ball meets a wall that leans over more than {:.0}° at {}",
             options.max_lean_rad.to_degrees(),

@@ -145,6 +145,38 @@ fn sharp_corner_is_closed_onto() {
 }
 
 #[test]
+fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
+    // A round bar on a cone that leans by 40° from square: less than what ends a path by itself.
+    let (sin, cos) = 40f64.to_radians().sin_cos();
+    let n = 1500;
+    let ring = |x: f64, r: f64| {
+        let at = |i: usize| (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+        (0..n).map(at).map(|(s, c)| Point::new(x, r * c, r * s)).collect::<Vec<_>>()
+    };
+    let foot = -20.0 * sin / cos;
+    let mut rings = vec![ring(foot - 5.0, 30.0), ring(foot, 30.0), ring(0.0, 10.0)];
+    rings.extend((1..=30).map(|k| ring(2.0 * f64::from(k), 10.0)));
+    let mut blade = lofted(&rings);
+    let mut mesh = blade.part.mesh.clone();
+    mesh.face_of = (0..mesh.triangles.len()).map(|t| u32::from(mesh.corners(t).iter().all(|p| p.x < 1e-9))).collect();
+    blade.part = crate::geometry::part::Part::from_mesh(mesh);
+    let ended = PathOptions { end_faces: vec![false, true], max_lean_rad: 1.5, ..options(14.0, None) };
+    let path = plan(&blade, &ended, &Silent).unwrap();
+    assert!(path.end_reason.contains("comes to face 2"), "{}", path.end_reason);
+    // The ball touches wall and cone at once.
+    let corner = R * (1.0 - sin) / cos;
+    for l in last_round(&path) {
+        assert!((l.centre.x - corner).abs() < 1e-3, "{} instead of {corner}", l.centre);
+    }
+    for l in &path.locations {
+        assert!((l.contact.y.hypot(l.contact.z) - 10.0).abs() < 1e-3, "{} at {}", l.contact, l.centre);
+    }
+    assert!(path.planned_scallop_mm < 1.005 * H, "{}", path.planned_scallop_mm);
+    let error = plan(&blade, &PathOptions { kind: PathKind::ConstantHeight, ..ended }, &Silent).unwrap_err();
+    assert!(error.message.contains("region.end_faces"), "{}", error.message);
+}
+
+#[test]
 fn sharp_edge_is_run_along() {
     // A round bar that ends in a sharp edge, hardly askew.
     let foot = |c: f64| 6.0 + 0.002 * 10.0 * c;

@@ -36,6 +36,8 @@ fn turned_round(path: Toolpath) -> Toolpath {
         .iter()
         .rev()
         .map(|l| Touch {
+            // No one asks any more.
+            face: 0,
             centre: Point::new(l.centre.x, l.centre.y, -l.centre.z),
             contact: Point::new(l.contact.x, l.contact.y, -l.contact.z),
             normal: Vector::new(l.normal.x, l.normal.y, -l.normal.z),

@@ -12,6 +12,8 @@ pub struct Touch {
     pub contact: Point,
     /// Unit vector from contact to centre.
     pub normal: Vector,
+    /// Face or group that is touched.
+    pub face: u32,
 }
 
 impl Touch {
@@ -74,7 +76,7 @@ impl LevelSet<'_> {
             let normal = if c.distance_mm > 1e-9 * self.radius_mm { away / c.distance_mm } else { c.normal };
             let residual = self.radius_mm - c.distance_mm;
             if residual.abs() <= ON_LEVEL_MM {
-                return Some(Touch { centre: q, contact: c.point, normal });
+                return Some(Touch { centre: q, contact: c.point, normal, face: c.face });
             }
             let gradient = normal - without * normal.dot(without);
             let slope = gradient.norm();

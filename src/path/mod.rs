@@ -137,6 +137,13 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
     if !(o.stock_mm >= 0.0 && o.stock_mm.is_finite()) {
         return Err(Error::usage(Stage::Path, format!("path.stock_mm is {}, it must be at least 0", o.stock_mm)));
     }
+    if o.end_faces.contains(&true) && o.kind != PathKind::ConstantScallop {
+        return Err(Error::usage(
+            Stage::Path,
+            "region.end_faces ends turns of constant scallop only: other turns do not run along the edge of a face",
+        )
+        .advise("set path.kind to constant-scallop, or give region.end_mm"));
+    }
     let [lo, hi] = blade.regions.part_x_mm;
     for (key, x) in [("region.start_mm", o.region_x_mm[0]), ("region.end_mm", o.region_x_mm[1])] {
         if let Some(x) = x.filter(|x| !(lo..=hi).contains(x)) {

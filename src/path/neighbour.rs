@@ -49,31 +49,45 @@ pub enum Stop {
     Lean(Point),
     /// A sharp edge of the part: farther on the ball would only roll over it, at this contact.
     Edge(Point),
+    /// A face that ends the region, with the contact on it.
+    Face(Point, u32),
     /// Two walls at once, of which the farther one leans over too much: its contact.
     Corner(Point),
 }
 
 /// Where a path may go.
 #[derive(Clone, Copy, Debug)]
-pub struct Bounds {
+pub struct Bounds<'a> {
     /// Least and greatest height of the ball centre, mm.
     pub x_mm: [f64; 2],
     /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge, away from it.
     pub max_sin_lean: f64,
+    /// One flag for each face or group that may not be touched; what is missing may be.
+    pub end_faces: &'a [bool],
 }
 
-impl Bounds {
+impl Bounds<'_> {
     /// No bounds.
-    const NONE: Bounds = Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY };
+    const NONE: Bounds<'static> =
+        Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, end_faces: &[] };
+
+    /// Whether a touch is on a face that may not be touched.
+    fn is_on_end_face(&self, t: &Touch) -> bool {
+        self.end_faces.get(t.face as usize).copied().unwrap_or(false)
+    }
 
     /// Whether a touch is within.
     pub fn hold(&self, t: &Touch) -> bool {
-        (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x) && t.normal.x.abs() <= self.max_sin_lean
+        (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x)
+            && t.normal.x.abs() <= self.max_sin_lean
+            && !self.is_on_end_face(t)
     }
 
     /// Why the path stops between two touches, the second of which is out of bounds.
     fn why(&self, inside: &Touch, outside: &Touch) -> Stop {
-        if outside.normal.x.abs() <= self.max_sin_lean {
+        if self.is_on_end_face(outside) {
+            Stop::Face(outside.contact, outside.face)
+        } else if outside.normal.x.abs() <= self.max_sin_lean {
             Stop::Height
         } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {
             Stop::Corner(outside.contact)
@@ -129,7 +143,7 @@ pub struct Across<'a> {
     /// The level set.
     pub level: &'a LevelSet<'a>,
     /// Where to stay.
-    pub bounds: Bounds,
+    pub bounds: Bounds<'a>,
     /// Least step of a walk, mm: turns sharper than this are corners.
     pub min_step_mm: f64,
 }
@@ -356,6 +370,7 @@ impl Across<'_> {
         // A corner turns the normal back against the way; anything else is a place where the curve cannot be followed.
         let turns = normal.dot(side) < here.touch.normal.dot(side) - 0.05;
         let way = (there.centre - here.touch.centre).norm();
-        (touches && turns).then_some((Touch { centre: there.centre, contact: second.point, normal }, way))
+        (touches && turns)
+            .then_some((Touch { centre: there.centre, contact: second.point, normal, face: second.face }, way))
     }
 }

@@ -25,6 +25,9 @@ pub struct PathOptions {
     /// Height of the ball centre at the start and at the end of the path along the blade axis (blade frame), mm;
     /// `None`: found from the part, see [`super::plan`].
     pub region_x_mm: [Option<f64>; 2],
+    /// One flag for each face or group: the path ends where the ball comes to one that is marked; what is missing is not. With
+    /// [`PathKind::ConstantScallop`] only.
+    pub end_faces: Vec<bool>,
     /// Greatest angle between the surface normal at the contact and the section plane, rad: where a wall leans
     /// more (deep in a fillet, on a platform) turns at constant height make no sense and the helix ends.
     pub max_lean_rad: f64,
@@ -44,6 +47,7 @@ impl PathOptions {
             chord_mm: 0.001,
             max_step_mm: (0.25 * radius_mm).min(1.0),
             region_x_mm: [None, None],
+            end_faces: Vec::new(),
             max_lean_rad: 60f64.to_radians(),
         }
     }

@@ -195,7 +195,7 @@ fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Opt
 fn turn_corner(level: &LevelSet, here: &Touch, there: &Touch, into_wall: &Point) -> Option<Touch> {
     let second = level.part.closest(into_wall, 2.0 * level.radius_mm)?;
     let normal = (there.centre - second.point).try_normalize(1e-9)?;
-    let touch = Touch { centre: there.centre, contact: second.point, normal };
+    let touch = Touch { centre: there.centre, contact: second.point, normal, face: second.face };
     // A corner turns the normal back; anything else is a place where the curve cannot be followed.
     let turn = wrap(touch.azimuth() - here.azimuth());
     let touches = (second.point - there.centre).norm() <= level.radius_mm * (1.0 + 1e-3);

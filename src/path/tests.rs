@@ -174,6 +174,7 @@ fn concave_entry_is_found_on_a_kidney() {
         .iter()
         .enumerate()
         .map(|(i, a): (usize, &f64)| Touch {
+            face: 0,
             centre: Point::new(0.0, i as f64, 0.0),
             contact: Point::origin(),
             normal: Vector::new(0.0, a.cos(), a.sin()),

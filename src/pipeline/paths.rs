@@ -23,6 +23,9 @@ pub(super) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -
     }))
 }
 
+/// Greatest `path.max_lean_deg` of turns that are not of constant scallop.
+const MOST_LEAN_DEG: f64 = 85.0;
+
 /// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop.
 pub(super) fn others(
     setup: &Setup,
@@ -37,7 +40,10 @@ pub(super) fn others(
             let own = setup.path_options();
             let [a, b] = path.region_x_mm;
             let region_x_mm = [own.region_x_mm[0], Some(a.min(b))];
-            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm: worst_mm, ..own };
+            // Turns of other kinds cannot go down to a platform: the height of the region ends them.
+            let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
+            let (scallop_mm, end_faces) = (worst_mm, Vec::new());
+            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
             let other = path::plan(&setup.blade, &options, observer)?;
             let samples = setup.job.verify.surface_samples as usize;
             let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;

@@ -4,6 +4,7 @@ use super::super::ModelOptions;
 use crate::artifact::blade::Regions;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
 
 /// One flag for each face that the user named; `None` where none was named. A number counts from 1; a name is that of a face or
 /// group, in any case.
@@ -34,6 +35,18 @@ pub fn faces(wanted: &[String], names: &[String]) -> Result<Option<Vec<bool>>> {
         }
     }
     Ok(Some(flags))
+}
+
+/// The same of a part that was read: the groups of a mesh go by their numbers.
+///
+/// # Errors
+/// As [`faces`].
+pub fn faces_of(wanted: &[String], part: &Part) -> Result<Vec<bool>> {
+    let names: Vec<String> = match &part.brep {
+        Some(brep) => brep.faces.iter().map(|f| f.name.clone()).collect(),
+        None => vec![String::new(); part.mesh.face_of.iter().max().map_or(1, |most| *most as usize + 1)],
+    };
+    Ok(faces(wanted, &names)?.unwrap_or_default())
 }
 
 /// Puts what the user gave in the place of what was found.
