@@ -168,7 +168,7 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
     for l in last_round(&path) {
         assert!((l.centre.x - corner).abs() < 1e-3, "{} instead of {corner}", l.centre);
     }
-    for l in &path.locations {
+    for l in path.locations.iter().filter(|l| l.centre.x > corner + 1e-3) {
         assert!((l.contact.y.hypot(l.contact.z) - 10.0).abs() < 1e-3, "{} at {}", l.contact, l.centre);
     }
     assert!(path.planned_scallop_mm < 1.005 * H, "{}", path.planned_scallop_mm);
