@@ -306,10 +306,10 @@ impl<'a> Look<'a> {
 }
 
 impl Visitor for Look<'_> {
-    fn enters(&mut self, middle: &Point, half: &Vector) -> bool {
+    fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool {
         let v = middle - self.centre;
-        let (radius, sides) = (half.norm(), [Vector::x() * half.x, Vector::y() * half.y, Vector::z() * half.z]);
-        self.room(&v, radius, |p| bound::least_margin(p, &self.axis, &v, radius, &sides)).is_some()
+        let radius = sides.iter().map(Vector::norm_squared).sum::<f64>().sqrt();
+        self.room(&v, radius, |p| bound::least_margin(p, &self.axis, &v, radius, sides)).is_some()
     }
 
     fn presses(&mut self, piece: &Piece) -> Option<f64> {

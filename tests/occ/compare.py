@@ -17,76 +17,19 @@ import time
 from pathlib import Path
 
 import numpy as np
-from OCP.Bnd import Bnd_Box
-from OCP.BRep import BRep_Builder, BRep_Tool
-from OCP.BRepBndLib import BRepBndLib
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_MakeVertex, BRepBuilderAPI_Sewing
+from OCP.BRep import BRep_Tool
 from OCP.BRepClass3d import BRepClass3d_SolidClassifier
-from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.BRepGProp import BRepGProp
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.gp import gp_Pnt
 from OCP.GProp import GProp_GProps
-from OCP.IGESControl import IGESControl_Reader
-from OCP.BRepLib import BRepLib
-from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_FACE, TopAbs_IN, TopAbs_REVERSED, TopAbs_SHELL
-from OCP.TopExp import TopExp_Explorer
+from OCP.TopAbs import TopAbs_IN, TopAbs_REVERSED
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS, TopoDS_Compound
 
-MICRON = 1e-3
+from parts import MICRON, as_face, ask, compound, distance, faces_of, read
+
+# Areas and volumes are alike within this share.
 SHARE = 1e-3
-# Between these tolerances loose faces are sewn, the first that closes them, mm.
-SEW = (1e-3, 1e-2, 0.05)
-
-
-def read(path):
-    iges = path.suffix.lower() in (".igs", ".iges")
-    reader = IGESControl_Reader() if iges else STEPControl_Reader()
-    if reader.ReadFile(str(path)) != 1:
-        sys.exit(f"{path}: OpenCASCADE does not read it")
-    reader.TransferRoots()
-    shape = reader.OneShape()
-    return sewn(shape) if iges else shape
-
-
-def sewn(shape):
-    """Loose faces as one solid, wound outwards; as they are where they do not close."""
-    for tolerance in SEW:
-        sewing = BRepBuilderAPI_Sewing(tolerance)
-        sewing.Add(shape)
-        sewing.Perform()
-        shells = TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL)
-        if sewing.NbFreeEdges() == 0 and shells.More():
-            solid = BRepBuilderAPI_MakeSolid(as_shell(shells.Current())).Solid()
-            BRepLib.OrientClosedSolid_s(solid)
-            return solid
-    return shape
-
-
-# The names of the casts differ between versions of the bindings.
-as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
-as_shell = getattr(TopoDS, "Shell_s", None) or TopoDS.Shell
-
-
-def faces_of(shape):
-    found = TopExp_Explorer(shape, TopAbs_FACE)
-    while found.More():
-        yield found.Current()
-        found.Next()
-
-
-def corners(shape):
-    box = Bnd_Box()
-    BRepBndLib.AddOptimal_s(shape, box)
-    return [np.array([p.X(), p.Y(), p.Z()]) for p in (box.CornerMin(), box.CornerMax())]
-
-
-def distance(point, faces):
-    vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*map(float, point))).Vertex()
-    extrema = BRepExtrema_DistShapeShape(vertex, faces)
-    return extrema.Value() if extrema.IsDone() else np.nan
 
 
 def triangles(shape):
@@ -144,21 +87,10 @@ def measures(shape, report):
 
 def compare(folder, count, path):
     shape = read(path)
-    low, high = corners(shape)
-    spread = np.random.default_rng(7).random((count, 3)) - 0.5
-    points = (low + high) / 2 + 1.2 * (high - low) * spread
-    listing = "\n".join(" ".join(repr(float(x)) for x in p) for p in points)
-    ask = [str(folder / "examples" / "closest_points"), str(path)]
-    answer = subprocess.run(ask, input=listing, text=True, capture_output=True)
-    if answer.returncode:
-        print(f"{path.name}: {answer.stderr.strip()}")
+    points, ours = ask(folder, count, path, shape)
+    if ours is None:
         return True
-    ours = np.array([[float(w) for w in line.split()] for line in answer.stdout.splitlines()])
-    # Faces alone: to a solid every point inside would be at no distance.
-    faces, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(faces)
-    for face in faces_of(shape):
-        builder.Add(faces, face)
+    faces = compound(shape)
     begin = time.time()
     theirs = np.array([distance(p, faces) for p in points])
     rate = count / (time.time() - begin)

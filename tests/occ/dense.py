@@ -8,12 +8,11 @@ points of the part (middles within the mesh's deflection, taken off), so ours is
 if its foot lies more than 1 µm off all faces. Exit code 1 if anything is wrong.
 """
 
-import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
-from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.BRepClass import BRepClass_FaceClassifier
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
@@ -21,10 +20,9 @@ from OCP.Extrema import Extrema_GenLocateExtPS
 from OCP.gp import gp_Pnt, gp_Pnt2d
 from OCP.TopAbs import TopAbs_IN, TopAbs_ON
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS_Compound
 from scipy.spatial import cKDTree
 
-from compare import MICRON, as_face, corners, distance, faces_of, read
+from parts import MICRON, as_face, ask, compound, distance, faces_of, read
 
 DEFLECTION = 0.01
 STARTS = 12
@@ -79,22 +77,12 @@ class Local:
 
 def compare(folder, count, path):
     shape = read(path)
-    low, high = corners(shape)
-    spread = np.random.default_rng(7).random((count, 3)) - 0.5
-    points = (low + high) / 2 + 1.2 * (high - low) * spread
-    listing = "\n".join(" ".join(repr(float(x)) for x in p) for p in points)
-    ask = [str(folder / "examples" / "closest_points"), str(path)]
-    answer = subprocess.run(ask, input=listing, text=True, capture_output=True)
-    if answer.returncode:
-        print(f"{path.name}: {answer.stderr.strip()}")
+    points, ours = ask(folder, count, path, shape)
+    if ours is None:
         return True
-    ours = np.array([[float(w) for w in line.split()] for line in answer.stdout.splitlines()])
     faces, places, owner, uvs, off = samples(shape)
     local, tree = Local(faces), cKDTree(places)
-    whole, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(whole)
-    for face in faces:
-        builder.Add(whole, face)
+    whole = compound(shape)
     gaps, near = tree.query(points, k=STARTS)
     theirs = (gaps + off[near]).min(axis=1)
     farther, stray, worst = 0, 0, 0.0

@@ -17,11 +17,9 @@ import sys
 import time
 from pathlib import Path
 
-from OCP.BRep import BRep_Builder
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
-from OCP.TopoDS import TopoDS_Compound
 
-from compare import distance, faces_of, read
+from parts import compound, distance, read
 
 # Rounds of ours and of their reading; their queries take seconds and are run once.
 ROUNDS = 3
@@ -39,11 +37,7 @@ def timed(work, rounds):
 def queries(path):
     shape = read(path)
     BRepMesh_IncrementalMesh(shape, DEFLECTION_MM, False, ANGLE_RAD, False)
-    faces, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(faces)
-    for face in faces_of(shape):
-        builder.Add(faces, face)
-    distance([1.0, 2.0, 3.0], faces)
+    distance([1.0, 2.0, 3.0], compound(shape))
 
 
 def main():

@@ -4,30 +4,31 @@ use rayon::prelude::*;
 
 use super::leaf::{Arc, Leaf, NO_BORDER, Rect, Shape, bends, extents, hull};
 use super::patch::{CurveTable, SurfaceTable};
+use super::tree::Hull;
 use super::trim::{Border, Kind, Region};
 use crate::geometry::brep::Brep;
-use crate::geometry::{Aabb, Point};
+use crate::geometry::{Point, Vector};
 
 /// Pieces are cut until they turn by no more than this to either side, sine.
 const TURN: f64 = 0.2;
 /// Pieces are cut until they are no thicker than this share of the part's diagonal.
-const THICKNESS: f64 = 2e-4;
+const THICKNESS: f64 = 5e-5;
 /// Pieces with more sides of loops than this are cut.
 const SIDES: usize = 6;
 /// No piece is cut that is smaller than this share of the part's diagonal, nor more often than [`DEEPEST`].
 const SMALLEST: f64 = 1e-5;
-/// As [`SMALLEST`], for pieces of whose curvature nothing is known: along a line of poles or a cusp there is no end to cutting, and a
-/// query cuts them further where it needs to.
+/// A piece of whose curvature nothing is known and that is smaller than this share is cut [`WILD_CUTS`] times more: along a line
+/// of poles or a cusp there is no end to cutting, and a query cuts on where it needs to.
 const SMALLEST_WILD: f64 = 1e-3;
+const WILD_CUTS: usize = 6;
 const DEEPEST: usize = 24;
 /// A face of more pieces than this is cut no further: queries cut the rest where they need to.
 const MOST_PIECES: usize = 100_000;
 
-/// The pieces of one face, with boxes along the axes.
+/// The pieces of one face.
 #[derive(Default)]
 pub(super) struct Pieces {
     pub leaves: Vec<Leaf>,
-    pub boxes: Vec<Aabb>,
     pub borders: Vec<Vec<Border>>,
 }
 
@@ -40,7 +41,6 @@ pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Reg
         let base = all.borders.len() as u32;
         one.leaves.iter_mut().filter(|l| l.border != NO_BORDER).for_each(|l| l.border += base);
         all.leaves.append(&mut one.leaves);
-        all.boxes.append(&mut one.boxes);
         all.borders.append(&mut one.borders);
     }
     all
@@ -76,20 +76,27 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
     let region = &regions[f];
     let mut out = Pieces::default();
     for first in rects(&shape, region, f as u32) {
-        let mut open = vec![(first, region.kind(&shape, &first, None), 0)];
-        while let Some((rect, kind, depth)) = open.pop() {
+        let mut open = vec![(first, region.kind(&shape, &first, None), 0, 0)];
+        while let Some((rect, kind, depth, wild_cuts)) = open.pop() {
             let borders = match kind {
                 Kind::Outside => continue,
                 Kind::Inside => None,
                 Kind::Crossed(borders) => Some(borders),
             };
             let (points, row) = hull(&shape, &rect);
-            let leaf = Leaf::new(&shape, rect, &points);
+            let mut leaf = Leaf::boxed(&shape, rect, &points);
+            let may_be_cut = depth < DEEPEST && out.leaves.len() + open.len() < MOST_PIECES;
+            let small = leaf.slab.radius() < SMALLEST_WILD * diagonal_mm;
+            // Large thick pieces are cut, whatever their curvature.
+            if small || !may_be_cut || leaf.slab.half[2] <= THICKNESS * diagonal_mm {
+                leaf.measure_bend(&shape);
+            }
             // Sides that matter from afar stay many however small the piece is.
             let crowded = leaf.slab.radius() > 2.0 * region.limit_mm()
                 && borders.as_ref().is_some_and(|b| b.iter().map(Border::count).sum::<usize>() > SIDES);
-            if depth < DEEPEST
-                && out.leaves.len() + open.len() < MOST_PIECES
+            let wild = leaf.wild && small;
+            if may_be_cut
+                && (!wild || crowded || wild_cuts < WILD_CUTS)
                 && let Some(along) = to_cut(&leaf, &points, row, crowded, diagonal_mm)
             {
                 let [a, b] = rect.halves(along);
@@ -98,11 +105,11 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
                         Some(list) => region.kind(&shape, &half, Some(list)),
                         None => Kind::Inside,
                     };
-                    open.push((half, kind, depth + 1));
+                    open.push((half, kind, depth + 1, wild_cuts + usize::from(wild)));
                 }
                 continue;
             }
-            out.add(leaf, &points, borders);
+            out.add(leaf, borders);
         }
     }
     out
@@ -111,9 +118,6 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
 /// The direction in which a piece is to be halved, if it is.
 fn to_cut(leaf: &Leaf, points: &[Point], row: usize, crowded: bool, diagonal_mm: f64) -> Option<usize> {
     if leaf.slab.radius() < SMALLEST * diagonal_mm {
-        return None;
-    }
-    if leaf.wild && !crowded && leaf.slab.radius() < SMALLEST_WILD * diagonal_mm {
         return None;
     }
     let bend = bends(points, row);
@@ -128,15 +132,12 @@ fn to_cut(leaf: &Leaf, points: &[Point], row: usize, crowded: bool, diagonal_mm:
 }
 
 impl Pieces {
-    fn add(&mut self, mut leaf: Leaf, points: &[Point], borders: Option<Vec<Border>>) {
+    fn add(&mut self, mut leaf: Leaf, borders: Option<Vec<Border>>) {
         if let Some(borders) = borders {
             leaf.border = self.borders.len() as u32;
             self.borders.push(borders);
         }
         self.leaves.push(leaf);
-        // The slab's own box may be the smaller one for flat pieces, but the hull's is never wrong.
-        let around = Aabb::around(points).unwrap_or(Aabb { min: leaf.slab.middle, max: leaf.slab.middle });
-        self.boxes.push(around);
     }
 }
 
@@ -168,8 +169,19 @@ pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64)
     out
 }
 
-/// Box of an arc along the axes.
-pub(super) fn arc_box(arc: &Arc) -> Aabb {
-    let r = crate::geometry::Vector::repeat(arc.radius);
-    Aabb { min: arc.ends[0].inf(&arc.ends[1]) - r, max: arc.ends[0].sup(&arc.ends[1]) + r }
+/// What an arc lies in.
+pub(super) fn arc_hull(arc: &Arc) -> Hull {
+    let half = 0.5 * (arc.ends[1] - arc.ends[0]);
+    let sides = [half, Vector::zeros(), Vector::zeros()];
+    Hull { middle: nalgebra::center(&arc.ends[0], &arc.ends[1]), sides, round: arc.radius, normals: None }
+}
+
+/// What a piece of a face lies in.
+pub(super) fn leaf_hull(leaf: &Leaf) -> Hull {
+    let [a, b, n] = leaf.slab.axes;
+    let sides = [0, 1, 2].map(|k| leaf.slab.axes[k] * leaf.slab.half[k]);
+    let [s, t] = leaf.slope;
+    let normals = [n + a * s + b * t, n + a * s - b * t, n - a * s + b * t, n - a * s - b * t];
+    let normals = (!leaf.wild && !leaf.sharp).then_some(normals);
+    Hull { middle: leaf.slab.middle, sides, round: 0.0, normals }
 }

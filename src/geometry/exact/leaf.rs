@@ -132,7 +132,7 @@ impl Slab {
     }
     /// Half of its greatest extent within the tangent plane, mm.
     pub fn radius(&self) -> f64 {
-        self.half[0].hypot(self.half[1])
+        (self.half[0] * self.half[0] + self.half[1] * self.half[1]).sqrt()
     }
 }
 
@@ -262,6 +262,13 @@ pub(super) fn extents(points: &[Point], row: usize) -> [f64; 2] {
 impl Leaf {
     /// All bounds of a piece from its hull.
     pub fn new(shape: &Shape, rect: Rect, points: &[Point]) -> Self {
+        let mut leaf = Leaf::boxed(shape, rect, points);
+        leaf.measure_bend(shape);
+        leaf
+    }
+
+    /// The piece's box alone: nothing of its curvature.
+    pub fn boxed(shape: &Shape, rect: Rect, points: &[Point]) -> Self {
         let m = rect.middle();
         let centre = shape.local(rect.span, m);
         let [hs, ht] = rect.range.map(|[a, b]| 0.5 * (b - a));
@@ -282,7 +289,7 @@ impl Leaf {
         };
         let offset = slab.middle - centre.p;
         let start = [m[0] + inverse[0].dot(&offset), m[1] + inverse[1].dot(&offset)];
-        let mut leaf = Leaf {
+        Leaf {
             slab,
             rect,
             centre: centre.p,
@@ -295,12 +302,11 @@ impl Leaf {
             sharp: shape.sharp(&rect),
             wild: normal.is_none(),
             border: NO_BORDER,
-        };
-        leaf.measure_bend(shape);
-        leaf
+        }
     }
 
-    fn measure_bend(&mut self, shape: &Shape) {
+    /// Measures curvature and normals.
+    pub fn measure_bend(&mut self, shape: &Shape) {
         if shape.surface.degree_u == 1 && shape.surface.degree_v == 1 && self.slab.half[2] < 1e-9 && !self.wild {
             // Flat: nothing to measure. (The curvature of a plane's parametrisation is rounding only.)
             (self.greater, self.lesser) = ([0.0; 2], [0.0; 2]);

@@ -43,7 +43,7 @@ use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
 use search::{Found, On};
 use sign::Corners;
-use tree::Tree;
+use tree::{Hull, Tree};
 use trim::Border;
 
 /// Everything that queries to exact faces need besides the faces.
@@ -85,9 +85,9 @@ impl Exact {
                 arcs.extend(build::arcs(&curves[e], e as u32, edge.t, diagonal_mm));
             }
         }
-        let mut boxes = pieces.boxes;
-        boxes.extend(arcs.iter().map(build::arc_box));
-        let tree = Tree::new(&boxes);
+        let hulls: Vec<Hull> =
+            pieces.leaves.iter().map(build::leaf_hull).chain(arcs.iter().map(build::arc_hull)).collect();
+        let tree = Tree::new(&hulls);
         Exact { loops, tables, curves, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
     }
 

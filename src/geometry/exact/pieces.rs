@@ -38,8 +38,8 @@ pub struct Piece<'a> {
 
 /// Who looks at the pieces.
 pub trait Visitor {
-    /// Whether what lies in a box along the axes, of these half sides, is to be looked at.
-    fn enters(&mut self, middle: &Point, half: &Vector) -> bool;
+    /// Whether what lies in a box of these half sides, at right angles to each other, is to be looked at.
+    fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool;
     /// How pressing it is to look closer at a piece (the least first); `None`: it is done with.
     fn presses(&mut self, piece: &Piece) -> Option<f64>;
     /// Takes a point of the part, of a piece that is not done with; false: nothing more need be looked at.
@@ -155,8 +155,8 @@ impl<'a> Walker<'a> {
         }
         let (mut nodes, mut wants) = (vec![0], true);
         while let Some(node) = nodes.pop().filter(|_| wants) {
-            exact.tree.children(node, |child, middle, half| {
-                if wants && visitor.enters(middle, half) {
+            exact.tree.children(node, |child, middle, sides| {
+                if wants && visitor.enters(middle, sides) {
                     match child {
                         Child::Node(n) => nodes.push(n),
                         Child::Item(i) => wants = self.offer_leaf(i, visitor),
@@ -295,8 +295,9 @@ mod tests {
     }
 
     impl Visitor for Above {
-        fn enters(&mut self, middle: &Point, half: &Vector) -> bool {
-            self.normal.dot(&middle.coords) + self.normal.abs().dot(half) > self.least + self.enough
+        fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool {
+            let across: f64 = sides.iter().map(|s| self.normal.dot(s).abs()).sum();
+            self.normal.dot(&middle.coords) + across > self.least + self.enough
         }
         fn presses(&mut self, piece: &Piece) -> Option<f64> {
             self.looked += 1;

@@ -123,23 +123,36 @@ pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Op
     (search.best, search.cuts)
 }
 
+/// Takes the nearest of the heap and of one entry beside it.
+fn next(beside: Option<Entry>, heap: &mut BinaryHeap<Entry>) -> Option<Entry> {
+    let Some(entry) = beside else { return heap.pop() };
+    Some(match heap.peek_mut() {
+        Some(mut top) if *top > entry => std::mem::replace(&mut *top, entry),
+        _ => entry,
+    })
+}
+
 impl Search<'_> {
     fn run(&mut self, heap: &mut BinaryHeap<Entry>) {
         let seen = self.exact.tree.see(&self.q);
-        self.open(0, &seen, heap);
-        while let Some(Reverse((k, id))) = heap.pop() {
+        let mut nearest = self.open(0, &seen, heap);
+        while let Some(Reverse((k, id))) = next(nearest.take(), heap) {
             if f64::from_bits(k & !3) >= self.reach2 {
                 break;
             }
             match k & 3 {
                 LEAF => {
-                    let leaves = self.exact.leaves.len() as u32;
+                    let (exact, leaves) = (self.exact, self.exact.leaves.len() as u32);
                     if id < leaves {
-                        let exact = self.exact;
-                        self.face_piece(&exact.leaves[id as usize], 0, heap);
+                        let leaf = &exact.leaves[id as usize];
+                        if self.may_be_nearer(leaf) {
+                            self.face_piece(leaf, 0, heap);
+                        }
                     } else {
-                        let exact = self.exact;
-                        self.edge_piece(&exact.arcs[(id - leaves) as usize], 0, heap);
+                        let arc = &exact.arcs[(id - leaves) as usize];
+                        if arc.distance2(&self.q) < self.reach2 {
+                            self.edge_piece(arc, 0, heap);
+                        }
                     }
                 }
                 PART_OF_LEAF => {
@@ -150,39 +163,35 @@ impl Search<'_> {
                     let (arc, depth) = self.arcs[id as usize];
                     self.edge_piece(&arc, depth, heap);
                 }
-                _ => self.open(id, &seen, heap),
+                _ => nearest = self.open(id, &seen, heap),
             }
         }
     }
 
-    fn open(&mut self, node: u32, seen: &Seen, heap: &mut BinaryHeap<Entry>) {
-        let (exact, q, eager) = (self.exact, self.q, self.eager);
-        let reach2 = Cell::new(self.reach2);
-        let leaves = exact.leaves.len() as u32;
-        exact.tree.open(
-            node,
-            seen,
-            || reach2.get(),
-            |child, d2| match child {
-                Child::Node(n) => heap.push(Reverse((key(d2, 0), n))),
-                Child::Item(i) => {
-                    let own = match exact.leaves.get(i as usize) {
-                        Some(leaf) => {
-                            let known2 = (leaf.centre - q).norm_squared() * (1.0 + 1e-12);
-                            if eager && leaf.border == NO_BORDER && known2 < reach2.get() {
-                                reach2.set(known2);
-                            }
-                            if eager && !leaf.may_hold_foot(&q) { f64::INFINITY } else { leaf.slab.distance2(&q) }
-                        }
-                        None => exact.arcs[(i - leaves) as usize].distance2(&q),
-                    };
-                    if own < reach2.get() {
-                        heap.push(Reverse((key(own, LEAF), i)));
-                    }
-                }
-            },
-        );
-        self.reach2 = reach2.get();
+    /// Puts what a node holds on the heap, but for the nearest, which is returned.
+    fn open(&mut self, node: u32, seen: &Seen, heap: &mut BinaryHeap<Entry>) -> Option<Entry> {
+        let mut nearest: Option<Entry> = None;
+        self.exact.tree.open(node, seen, self.eager, self.reach2, |child, d2| {
+            let entry = match child {
+                Child::Node(n) => Reverse((key(d2, 0), n)),
+                Child::Item(i) => Reverse((key(d2, LEAF), i)),
+            };
+            match &mut nearest {
+                Some(n) if entry > *n => heap.push(std::mem::replace(n, entry)),
+                Some(_) => heap.push(entry),
+                None => nearest = Some(entry),
+            }
+        });
+        nearest
+    }
+
+    /// Whether a piece may hold a point nearer than those known; lowers `reach2` to one of its points.
+    fn may_be_nearer(&mut self, leaf: &Leaf) -> bool {
+        let known2 = (leaf.centre - self.q).norm_squared() * (1.0 + 1e-12);
+        if self.eager && leaf.border == NO_BORDER && known2 < self.reach2 {
+            self.reach2 = known2;
+        }
+        (!self.eager || leaf.may_hold_foot(&self.q)) && leaf.slab.distance2(&self.q) < self.reach2
     }
 
     fn keep(&mut self, d2: f64, point: Point, on: On) {

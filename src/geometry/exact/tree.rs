@@ -1,8 +1,14 @@
-//! A bounding-volume tree of eight children a node, over boxes along the axes.
+//! A bounding-volume tree of eight children a node, over boxes turned along what they hold.
+//!
+//! Every node has a frame of its own, along the surface in it, in which the boxes of its children lie. Strips of an airfoil are thin and
+//! aslant: boxes along the axes would overlap one another, boxes along the surface do not. The same frame tells what normals a child's
+//! surface has: a child on which no normal passes the query point holds no foot of it.
 //!
 //! Boxes are kept in single precision about the middle of everything, rounded outwards, component by component, so that one
 //! node is tested by a few vector instructions. Built by the surface-area heuristic in bins (Wald, *On fast construction of SAH-based
 //! bounding volume hierarchies*, 2007); deterministic.
+
+use nalgebra::{Matrix3, Rotation3};
 
 use crate::geometry::{Aabb, Point, Vector};
 
@@ -13,12 +19,54 @@ const NONE: u32 = u32::MAX;
 /// Set in a child that is a node.
 const NODE: u32 = 1 << 31;
 const BINS: usize = 12;
+/// A normal farther from a node's third axis than this, cosine, is not bounded in its frame.
+const STEEP: f64 = 0.1;
+/// What feet may be off by, mm: Newton's accuracy.
+const FOOT_MM: f32 = 1e-6;
 
-/// One node: boxes by component, and what they hold.
+/// What an item of the tree lies in.
+pub(super) struct Hull {
+    /// Middle of a box.
+    pub middle: Point,
+    /// Its half sides, at right angles to each other; the first two along the surface.
+    pub sides: [Vector; 3],
+    /// The item reaches beyond the box by no more than this, mm.
+    pub round: f64,
+    /// Every normal of the item, either way, lies in the cone of these; `None`: not known, or its nearest point may be no foot.
+    pub normals: Option<[Vector; 4]>,
+}
+
+impl Hull {
+    fn along(&self, axis: &Vector) -> f64 {
+        self.sides.iter().map(|s| s.dot(axis).abs()).sum::<f64>() + self.round
+    }
+
+    /// Greatest tangents of the angles between the normals and the third axis, seen along the first and the second.
+    fn slopes(&self, [a, b, c]: &[Vector; 3]) -> [f64; 2] {
+        const UNKNOWN: [f64; 2] = [f64::INFINITY; 2];
+        let Some(normals) = &self.normals else { return UNKNOWN };
+        let side = normals[0].dot(c).signum();
+        let mut out = [0.0f64; 2];
+        for n in normals {
+            let height = n.dot(c) * side;
+            if !(height > STEEP * n.norm()) {
+                return UNKNOWN;
+            }
+            // Over a cone these quotients are greatest at its corners.
+            out = [out[0].max(n.dot(a).abs() / height), out[1].max(n.dot(b).abs() / height)];
+        }
+        out
+    }
+}
+
+/// One node: boxes in its frame by component, and what they hold.
 #[derive(Clone, Debug)]
 struct Node {
+    axes: [Vector; 3],
     low: [[f32; WIDTH]; 3],
     high: [[f32; WIDTH]; 3],
+    /// As [`Hull::slopes`], of all that the child holds.
+    slope: [[f32; WIDTH]; 2],
     child: [u32; WIDTH],
 }
 
@@ -41,56 +89,55 @@ pub(super) struct Tree {
 
 /// A query point, in the tree's own frame.
 pub(super) struct Seen {
-    single: [f32; 3],
-    double: Vector,
+    from_middle: Vector,
     far: bool,
 }
 
 impl Tree {
-    /// Over boxes; the item's index is that of its box.
-    pub fn new(boxes: &[Aabb]) -> Self {
-        let all = boxes.iter().fold(None, |a: Option<Aabb>, b| {
-            Some(a.map_or(*b, |a| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }))
+    /// Over hulls; the item's index is that of its hull.
+    pub fn new(hulls: &[Hull]) -> Self {
+        let world = [Vector::x(), Vector::y(), Vector::z()];
+        let about = |h: &Hull| boxed(h, &world, &Point::origin());
+        let all = hulls.iter().fold(None, |a: Option<Aabb>, h| {
+            let b = about(h);
+            Some(a.map_or(b, |a| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }))
         });
         let middle = all.map_or_else(Point::origin, |a| nalgebra::center(&a.min, &a.max));
         let size = all.map_or(0.0, |a| a.diagonal_mm());
         let mut tree = Tree { nodes: Vec::new(), middle, reach_mm: 4.0 * size };
-        let mut items: Vec<u32> = (0..boxes.len() as u32).collect();
+        let mut items: Vec<u32> = (0..hulls.len() as u32).collect();
+        let mut boxes = vec![Aabb { min: middle, max: middle }; hulls.len()];
         if !items.is_empty() {
-            tree.add(boxes, &mut items, 1e-6 * size);
+            tree.add(hulls, &mut boxes, &mut items, 1e-6 * size);
         }
         tree
     }
 
-    /// A node for these items; its number.
-    fn add(&mut self, boxes: &[Aabb], items: &mut [u32], slack: f64) -> u32 {
+    /// A node for these items; its number. `boxes` is storage.
+    fn add(&mut self, hulls: &[Hull], boxes: &mut [Aabb], items: &mut [u32], slack: f64) -> u32 {
         let number = self.nodes.len();
-        let empty = [[f32::INFINITY; WIDTH]; 3];
-        self.nodes.push(Node { low: empty, high: empty.map(|x| x.map(|y| -y)), child: [NONE; WIDTH] });
-        let group = |items: &[u32], from: usize, to: usize| {
-            (from, to, if to - from < 2 { -1.0 } else { area(&around(boxes, &items[from..to])) })
-        };
-        let mut groups = vec![group(items, 0, items.len())];
-        while groups.len() < WIDTH {
-            // The group with the greatest surface is cut next.
-            let most = (0..groups.len()).max_by(|a, b| groups[*a].2.total_cmp(&groups[*b].2).then(b.cmp(a)));
-            let Some((k, &(from, to, _))) = most.and_then(|k| Some((k, groups.get(k)?))) else { break };
-            if to - from < 2 {
-                break;
-            }
-            let cut = from + split(boxes, &mut items[from..to]);
-            groups[k] = group(items, from, cut);
-            groups.push(group(items, cut, to));
-        }
-        for (k, (from, to, _)) in groups.into_iter().enumerate() {
-            let b = around(boxes, &items[from..to]);
-            let child = if to - from == 1 { items[from] } else { NODE | self.add(boxes, &mut items[from..to], slack) };
-            let node = &mut self.nodes[number];
+        let axes = frame(hulls, items);
+        items.iter().for_each(|i| boxes[*i as usize] = boxed(&hulls[*i as usize], &axes, &self.middle));
+        let groups = groups(boxes, items);
+        let mut node = Node::empty(axes);
+        for (k, (from, to)) in groups.iter().enumerate() {
+            let b = around(boxes, &items[*from..*to]);
             for a in 0..3 {
-                node.low[a][k] = (b.min[a] - self.middle[a] - slack) as f32;
-                node.high[a][k] = (b.max[a] - self.middle[a] + slack) as f32;
+                node.low[a][k] = (b.min[a] - slack) as f32;
+                node.high[a][k] = (b.max[a] + slack) as f32;
             }
-            node.child[k] = child;
+            let mut steepest = [0.0f64; 2];
+            for i in &items[*from..*to] {
+                let s = hulls[*i as usize].slopes(&axes);
+                steepest = [steepest[0].max(s[0]), steepest[1].max(s[1])];
+            }
+            (0..2).for_each(|a| node.slope[a][k] = (steepest[a] * (1.0 + 1e-5) + 1e-6) as f32);
+        }
+        self.nodes.push(node);
+        for (k, (from, to)) in groups.into_iter().enumerate() {
+            let child =
+                if to - from == 1 { items[from] } else { NODE | self.add(hulls, boxes, &mut items[from..to], slack) };
+            self.nodes[number].child[k] = child;
         }
         number as u32
     }
@@ -102,57 +149,77 @@ impl Tree {
 
     /// Prepares a query point.
     pub fn see(&self, q: &Point) -> Seen {
-        let r = q - self.middle;
-        Seen { single: [r.x as f32, r.y as f32, r.z as f32], double: r, far: !(r.norm() < self.reach_mm) }
+        let from_middle = q - self.middle;
+        Seen { from_middle, far: !(from_middle.norm() < self.reach_mm) }
     }
 
-    /// Hands the children of a node nearer than `limit2` (squared, mm²) to `visit`, with the squared distance to their boxes.
+    /// Hands the children of a node nearer than `limit2` (squared, mm²) to `visit`, with the squared distance to their boxes; with
+    /// `feet` only those that may hold a foot.
     #[inline]
-    pub fn open(&self, node: u32, q: &Seen, limit2: impl Fn() -> f64, mut visit: impl FnMut(Child, f64)) {
+    pub fn open(&self, node: u32, q: &Seen, feet: bool, limit2: f64, mut visit: impl FnMut(Child, f64)) {
         let node = &self.nodes[node as usize];
-        let d2 = if q.far { node.far_distances2(&q.double) } else { node.distances2(&q.single) };
+        let (r, [a, b, c]) = (&q.from_middle, &node.axes);
+        let local = [a.dot(r), b.dot(r), c.dot(r)];
+        let single = [local[0] as f32, local[1] as f32, local[2] as f32];
+        let d2 = if q.far { node.far_distances2(&local) } else { node.distances2(&single, feet) };
         for k in 0..WIDTH {
             let child = node.child[k];
             let d2 = f64::from(d2[k]);
-            if child != NONE && d2 < limit2() {
+            if child != NONE && d2 < limit2 {
                 visit(if child & NODE != 0 { Child::Node(child & !NODE) } else { Child::Item(child) }, d2);
             }
         }
     }
-}
 
-impl Tree {
     /// Hands all children of a node to `visit`, with the middles and half sides of their boxes.
-    pub fn children(&self, node: u32, mut visit: impl FnMut(Child, &Point, &Vector)) {
+    pub fn children(&self, node: u32, mut visit: impl FnMut(Child, &Point, &[Vector; 3])) {
         let node = &self.nodes[node as usize];
         for (k, child) in node.child.iter().enumerate().filter(|(_, c)| **c != NONE) {
-            let low = Vector::from([0, 1, 2].map(|a| f64::from(node.low[a][k])));
-            let high = Vector::from([0, 1, 2].map(|a| f64::from(node.high[a][k])));
+            let ends = |a: usize| [node.low[a][k], node.high[a][k]].map(f64::from);
+            let middle: Vector = (0..3).map(|a| node.axes[a] * (0.5 * (ends(a)[0] + ends(a)[1]))).sum();
+            let sides = [0, 1, 2].map(|a| node.axes[a] * (0.5 * (ends(a)[1] - ends(a)[0])));
             let what = if child & NODE != 0 { Child::Node(child & !NODE) } else { Child::Item(*child) };
-            visit(what, &(self.middle + (low + high) * 0.5), &((high - low) * 0.5));
+            visit(what, &(self.middle + middle), &sides);
         }
     }
 }
 
 impl Node {
-    /// Squared distances to all boxes.
+    fn empty(axes: [Vector; 3]) -> Self {
+        let low = [[f32::INFINITY; WIDTH]; 3];
+        Node { axes, low, high: low.map(|x| x.map(|y| -y)), slope: [[0.0; WIDTH]; 2], child: [NONE; WIDTH] }
+    }
+
+    /// Squared distances to all boxes; infinite, with `feet`, where there is no foot.
     #[inline]
-    fn distances2(&self, q: &[f32; 3]) -> [f32; WIDTH] {
+    fn distances2(&self, q: &[f32; 3], feet: bool) -> [f32; WIDTH] {
         let mut sum = [0.0f32; WIDTH];
+        let mut over = [[0.0f32; WIDTH]; 3];
         for a in 0..3 {
             for k in 0..WIDTH {
                 let (below, above) = (self.low[a][k] - q[a], q[a] - self.high[a][k]);
-                let over = if below > above { below } else { above };
-                let over = if over > 0.0 { over } else { 0.0 };
-                sum[k] += over * over;
+                let most = if below > above { below } else { above };
+                over[a][k] = if most > 0.0 { most } else { 0.0 };
+                sum[k] += over[a][k] * over[a][k];
             }
         }
         // What the sums may have gained by rounding.
-        sum.map(|x| x * (1.0 - 1e-6))
+        sum.iter_mut().for_each(|x| *x *= 1.0 - 1e-6);
+        if feet {
+            for k in 0..WIDTH {
+                // The greatest height of q above a point of the box.
+                let (to_high, to_low) = (self.high[2][k] - q[2], q[2] - self.low[2][k]);
+                let height = if to_high > to_low { to_high } else { to_low };
+                let first = over[0][k] > self.slope[0][k] * height + FOOT_MM;
+                let second = over[1][k] > self.slope[1][k] * height + FOOT_MM;
+                sum[k] = if first | second { f32::INFINITY } else { sum[k] };
+            }
+        }
+        sum
     }
 
-    /// The same for points so far away that single precision would not do.
-    fn far_distances2(&self, q: &Vector) -> [f32; WIDTH] {
+    /// The same for points so far away that single precision would not do; wherever feet may be.
+    fn far_distances2(&self, q: &[f64; 3]) -> [f32; WIDTH] {
         let mut out = [0.0f32; WIDTH];
         for k in 0..WIDTH {
             let over = |a: usize| (f64::from(self.low[a][k]) - q[a]).max(q[a] - f64::from(self.high[a][k])).max(0.0);
@@ -160,6 +227,77 @@ impl Node {
         }
         out
     }
+}
+
+/// Axes along the surface of these items: the first where it is longest, the third its mean normal.
+fn frame(hulls: &[Hull], items: &[u32]) -> [Vector; 3] {
+    let (mut normals, mut weight, mut mean) = (Matrix3::zeros(), 0.0, Vector::zeros());
+    let of = |i: &u32| &hulls[*i as usize];
+    let faces = |h: &Hull| h.sides[0].cross(&h.sides[1]);
+    // Edges have a length, no area: a little weight, so that they count where there is nothing else.
+    let weigh = |h: &Hull| faces(h).norm() + 1e-6 * h.sides[0].norm_squared();
+    for h in items.iter().map(of) {
+        let n = faces(h);
+        normals += n * n.transpose() / n.norm().max(f64::MIN_POSITIVE);
+        mean += h.middle.coords * weigh(h);
+        weight += weigh(h);
+    }
+    mean /= weight.max(f64::MIN_POSITIVE);
+    let mut spread = Matrix3::zeros();
+    for h in items.iter().map(of) {
+        let r = h.middle.coords - mean;
+        let own: Matrix3<f64> = h.sides.iter().map(|s| s * s.transpose()).sum();
+        spread += (r * r.transpose() + own / 3.0) * weigh(h);
+    }
+    let greatest = |m: Matrix3<f64>| {
+        let scale = m.amax();
+        if !(scale > 0.0 && scale.is_finite()) {
+            return None;
+        }
+        let e = (m / scale).symmetric_eigen();
+        e.eigenvectors.column(e.eigenvalues.imax()).into_owned().try_normalize(0.5)
+    };
+    let third =
+        greatest(normals).or_else(|| greatest(spread).map(|d| Rotation3::face_towards(&d, &across(&d)) * Vector::x()));
+    let c = third.unwrap_or_else(Vector::z);
+    let flat = Matrix3::identity() - c * c.transpose();
+    let a = greatest(flat * spread * flat).map(|a| a - c * a.dot(&c)).and_then(|a| a.try_normalize(0.5));
+    let a = a.unwrap_or_else(|| across(&c));
+    [a, c.cross(&a), c]
+}
+
+/// A unit vector at right angles to another.
+fn across(n: &Vector) -> Vector {
+    let other = if n.x.abs() < 0.5 { Vector::x() } else { Vector::y() };
+    n.cross(&other).normalize()
+}
+
+/// The box of an item along axes, about an origin.
+fn boxed(h: &Hull, axes: &[Vector; 3], origin: &Point) -> Aabb {
+    let r = h.middle - origin;
+    let middle = Vector::from([0, 1, 2].map(|a| axes[a].dot(&r)));
+    let half = Vector::from([0, 1, 2].map(|a| h.along(&axes[a])));
+    Aabb { min: Point::from(middle - half), max: Point::from(middle + half) }
+}
+
+/// Orders the items into at most [`WIDTH`] groups; where each begins and ends.
+fn groups(boxes: &[Aabb], items: &mut [u32]) -> Vec<(usize, usize)> {
+    let group = |items: &[u32], from: usize, to: usize| {
+        (from, to, if to - from < 2 { -1.0 } else { area(&around(boxes, &items[from..to])) })
+    };
+    let mut groups = vec![group(items, 0, items.len())];
+    while groups.len() < WIDTH {
+        // The group with the greatest surface is cut next.
+        let most = (0..groups.len()).max_by(|a, b| groups[*a].2.total_cmp(&groups[*b].2).then(b.cmp(a)));
+        let Some((k, &(from, to, _))) = most.and_then(|k| Some((k, groups.get(k)?))) else { break };
+        if to - from < 2 {
+            break;
+        }
+        let cut = from + split(boxes, &mut items[from..to]);
+        groups[k] = group(items, from, cut);
+        groups.push(group(items, cut, to));
+    }
+    groups.into_iter().map(|(from, to, _)| (from, to)).collect()
 }
 
 fn around(boxes: &[Aabb], items: &[u32]) -> Aabb {
@@ -193,9 +331,15 @@ fn split(boxes: &[Aabb], items: &mut [u32]) -> usize {
             let b = boxes[i as usize];
             bins[bin(i)] = merge(bins[bin(i)], Some((1, b)));
         }
+        // Sums from below and from above meet at every cut.
+        let mut below = [None; BINS];
         for cut in 1..BINS {
-            let side = |r: std::ops::Range<usize>| bins[r].iter().fold(None, |a, b| merge(a, *b));
-            let (Some(l), Some(r)) = (side(0..cut), side(cut..BINS)) else { continue };
+            below[cut] = merge(below[cut - 1], bins[cut - 1]);
+        }
+        let mut above = None;
+        for cut in (1..BINS).rev() {
+            above = merge(above, bins[cut]);
+            let (Some(l), Some(r)) = (below[cut], above) else { continue };
             let cost = l.0 as f64 * area(&l.1) + r.0 as f64 * area(&r.1);
             if best.is_none_or(|b| cost < b.0) {
                 best = Some((cost, axis, low + (high - low) * cut as f64 / BINS as f64));
@@ -217,5 +361,94 @@ fn merge(a: Option<(usize, Aabb)>, b: Option<(usize, Aabb)>) -> Option<(usize, A
         (Some((n, x)), Some((m, y))) => Some((n + m, Aabb { min: x.min.inf(&y.min), max: x.max.sup(&y.max) })),
         (x, None) => x,
         (None, y) => y,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    /// Numbers in -1..1 in a fixed order (SplitMix64).
+    struct Spread(u64);
+
+    impl Spread {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = self.0;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            2.0 * (((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64) - 1.0
+        }
+        fn vector(&mut self) -> Vector {
+            Vector::new(self.next(), self.next(), self.next())
+        }
+    }
+
+    /// The item of which `p` is a point is reached from `q`, where `q - p` is a normal of it.
+    fn reached(tree: &Tree, q: &Point, p: &Point, item: u32) -> bool {
+        let (seen, limit2) = (tree.see(q), (q - p).norm_squared() * (1.0 + 1e-9) + 1e-12);
+        let (mut open, mut found) = (vec![0], false);
+        while let Some(node) = open.pop() {
+            tree.open(node, &seen, true, limit2, |child, _| match child {
+                Child::Node(n) => open.push(n),
+                Child::Item(i) => found |= i == item,
+            });
+        }
+        found
+    }
+
+    /// Thin boxes askew, some rounded, some of unknown normals; points on normals of theirs, near and so far that single precision
+    /// would not do.
+    #[test]
+    fn no_foot_is_lost() {
+        let mut s = Spread(1);
+        let hull = |k: usize, s: &mut Spread| {
+            let n = s.vector().normalize();
+            let a = across(&n);
+            let (sides, slope) = ([a * (2.0 + s.next()), n.cross(&a) * (0.5 + 0.4 * s.next()), n * 0.02], 0.1);
+            let b = n.cross(&a);
+            let cone = [n + (a + b) * slope, n + (a - b) * slope, n - (a - b) * slope, n - (a + b) * slope];
+            let normals = (k % 5 != 0).then_some(cone);
+            Hull { middle: Point::from(s.vector() * 50.0), sides, round: if k % 7 == 0 { 0.3 } else { 0.0 }, normals }
+        };
+        let hulls: Vec<Hull> = (0..700).map(|k| hull(k, &mut s)).collect();
+        let tree = Tree::new(&hulls);
+        for k in 0..20_000 {
+            let item = k % hulls.len();
+            let h = &hulls[item];
+            let p =
+                h.middle + h.sides.iter().map(|side| side * s.next()).sum::<Vector>() + s.vector() * (h.round / 2.0);
+            let n = match &h.normals {
+                Some(c) => c.iter().map(|v| v * (1.0 + s.next())).sum::<Vector>().try_normalize(1e-9).unwrap_or(c[0]),
+                None => s.vector().normalize(),
+            };
+            let far = [1.0, 30.0, 3e5][k % 3];
+            let q = p + n * (s.next() * far);
+            assert!(reached(&tree, &q, &p, item as u32), "{k}: item {item}");
+        }
+    }
+
+    /// What is left out is worth it: of a strip of pieces few are looked at.
+    #[test]
+    fn strips_aslant_are_told_apart() {
+        let n = Vector::new(1.0, 1.0, 1.0).normalize();
+        let a = across(&n);
+        let hull = |k: usize| {
+            let sides = [a * 5.0, n.cross(&a) * 0.5, n * 0.001];
+            let cone = [n; 4];
+            Hull { middle: Point::origin() + n.cross(&a) * k as f64, sides, round: 0.0, normals: Some(cone) }
+        };
+        let hulls: Vec<Hull> = (0..1000).map(hull).collect();
+        let tree = Tree::new(&hulls);
+        let q = hulls[500].middle + n * 40.0;
+        let (seen, mut open, mut items) = (tree.see(&q), vec![0], 0);
+        while let Some(node) = open.pop() {
+            tree.open(node, &seen, true, f64::INFINITY, |child, _| match child {
+                Child::Node(n) => open.push(n),
+                Child::Item(_) => items += 1,
+            });
+        }
+        assert!(items <= 2, "{items}");
     }
 }
