@@ -3,9 +3,11 @@
     python dense.py PROGRAM_FOLDER POINTS MODEL...
 
 As compare.py, but theirs is the least of: the nearest vertices and middles of triangles of OpenCASCADE's own fine mesh of the part, and
-OpenCASCADE's local search (`Extrema_GenLocateExtPS`) on the exact surface from each of the nearest of them, where it ends inside the face. All are
-points of the part (middles within the mesh's deflection, taken off), so ours is wrong if it is more than 1 µm farther. Ours is wrong too
-if its foot lies more than 1 µm off all faces. Exit code 1 if anything is wrong.
+OpenCASCADE's local search (`Extrema_GenLocateExtPS`) on the exact surface from each of the nearest of them, where it ends inside the face. All should
+be points of the part (middles within the mesh's deflection, taken off). Where edges lie off their faces, within the tolerance that
+the file gives them, they are not: nodes of the mesh may lie on neither face, and the search may end beyond the edge. So wherever one of them is nearer
+than ours by more than 1 µm, OpenCASCADE's exact search says how far it is from the trimmed faces, which is added; ours is wrong if it is
+then more than 1 µm farther. Ours is wrong too if its foot lies more than 1 µm off all faces. Exit code 1 if anything is wrong.
 """
 
 import sys
@@ -71,6 +73,10 @@ class Local:
         except Exception:
             return None
 
+    def point(self, face, uv):
+        p = self.surfaces[face].Value(*uv)
+        return np.array([p.X(), p.Y(), p.Z()])
+
     def inside(self, face, uv):
         return BRepClass_FaceClassifier(self.faces[face], gp_Pnt2d(*uv), 1e-9).State() in (TopAbs_IN, TopAbs_ON)
 
@@ -85,14 +91,19 @@ def compare(folder, count, path):
     whole = compound(shape)
     gaps, near = tree.query(points, k=STARTS)
     theirs = (gaps + off[near]).min(axis=1)
-    farther, stray, worst = 0, 0, 0.0
+    farther, doubts, stray, worst = 0, 0, 0, 0.0
     _, beside = tree.query(ours[:, 1:4], k=STARTS)
     exact = 0
     for i, q in enumerate(points):
-        tried = [(k, local.foot(owner[k], q, uvs[k])) for k in near[i]]
-        inside = [f[0] for k, f in tried if f and f[0] < theirs[i] and local.inside(owner[k], f[1])]
-        exact += bool(inside)
-        theirs[i] = min([theirs[i], *inside])
+        feet = [(k, local.foot(owner[k], q, uvs[k])) for k in near[i]]
+        feet = [(f[0], owner[k], f[1]) for k, f in feet if f and f[0] < theirs[i] and local.inside(owner[k], f[1])]
+        exact += bool(feet)
+        theirs[i] = min([theirs[i], *(f[0] for f in feet)])
+        if ours[i, 0] > theirs[i] + MICRON:
+            doubts += 1
+            candidates = [places[k] for k in near[i]] + [local.point(face, uv) for _, face, uv in feet]
+            nearer = [p for p in candidates if np.linalg.norm(p - q) < ours[i, 0]]
+            theirs[i] = min((np.linalg.norm(p - q) + distance(p, whole) for p in nearer), default=np.inf)
         if ours[i, 0] > theirs[i] + MICRON:
             farther += 1
             if farther <= 5:
@@ -105,7 +116,7 @@ def compare(folder, count, path):
             off_all = distance(foot, whole)
         worst = max(worst, off_all)
         stray += off_all > MICRON
-    print(f"{path.name}: {count} points, {farther} farther than theirs by more than 1 µm; the local search ended in a face for {exact}; ", end="")
+    print(f"{path.name}: {count} points, {farther} farther than theirs by more than 1 µm ({doubts - farther} of theirs lie off the trimmed faces); the local search ended in a face for {exact}; ", end="")
     print(f"{stray} feet off all faces by more than 1 µm (at most {worst:.1e} mm)", flush=True)
     return farther == 0 and stray == 0
 
