@@ -131,6 +131,11 @@ impl Chain {
         })
     }
 
+    /// Distance of a point of the part from the rotary axis nearest to it, mm.
+    pub(super) fn off_axis_mm(&self, p: &Point) -> f64 {
+        (self.mount * p - self.first.point).cross(&self.first.direction).norm()
+    }
+
     /// All rotary axes at these positions, the linear ones at 0.
     fn turned(&self, [q1, q2]: [f64; 2]) -> Rigid {
         let first = self.first.motion(q1);

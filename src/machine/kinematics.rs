@@ -28,7 +28,7 @@ impl Pose {
 
 /// A rotary table about X and a pivoting head, in the words of the module's page.
 #[derive(Clone, Copy, Debug)]
-struct TableHead {
+pub(super) struct TableHead {
     /// `σ`: the right-hand angle by which the workpiece turns per unit of `A`.
     sense: f64,
     /// Y and Z of the table's axis, mm.
@@ -43,7 +43,7 @@ struct TableHead {
 
 impl TableHead {
     /// Of a machine without a chain. A file that lacks the table or the head is refused when it is read; one that is made otherwise has both at 0.
-    fn of(machine: &Machine) -> Self {
+    pub(super) fn of(machine: &Machine) -> Self {
         let (table, head) = (machine.table.as_ref(), machine.head.as_ref());
         TableHead {
             sense: match table.map(|t| t.positive_a_turns) {
@@ -60,6 +60,12 @@ impl TableHead {
             mount_mm: machine.mount.offset_mm,
             clamping: machine.mount.clamping_deg.to_radians(),
         }
+    }
+
+    /// Distance of a point of the part from the table's axis, mm.
+    pub(super) fn off_axis_mm(&self, p: &Point) -> f64 {
+        let at = self.machine_from_part(0.0) * p;
+        (at.y - self.axis[0]).hypot(at.z - self.axis[1])
     }
 
     /// The part's place on the machine at table position `a_rad`.

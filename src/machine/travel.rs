@@ -1,7 +1,11 @@
 //! Travel and swing against the machine's limits.
 
 use super::Machine;
+use super::chain::Chain;
+use super::kinematics::TableHead;
 use crate::artifact::AxisMotion;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
 
 /// The worst position of one axis outside its travel.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -55,9 +59,35 @@ impl Machine {
         out
     }
 
-    /// Whether a part whose farthest point from the table's axis is `radius_mm` away turns freely.
-    pub fn swings(&self, radius_mm: f64) -> bool {
-        2.0 * radius_mm <= self.swing_diameter_mm
+    /// How far a point of the blade, in the blade frame, is from the axis of the table that turns it, mm; `None` on a machine on which
+    /// the blade stands still (its first axis, from the workpiece, is a linear one).
+    pub fn off_table_axis_mm(&self, p: &Point) -> Option<f64> {
+        match Chain::of(self) {
+            None => Some(TableHead::of(self).off_axis_mm(p)),
+            Some(chain) => self.chain.first().is_some_and(|a| a.linear().is_none()).then(|| chain.off_axis_mm(p)),
+        }
+    }
+
+    /// Whether a part of these points (blade frame, mm) turns freely.
+    ///
+    /// # Errors
+    /// Kind `Infeasible`: a point is farther from the table's axis than half of `swing_diameter_mm`.
+    pub fn check_swing(&self, part: &[Point]) -> Result<()> {
+        let radius_mm = part.iter().filter_map(|p| self.off_table_axis_mm(p)).fold(0.0, f64::max);
+        if 2.0 * radius_mm <= self.swing_diameter_mm {
+            return Ok(());
+        }
+        Err(Error::infeasible(
+            Stage::Machine,
+            format!(
+                "the part does not turn freely on the machine {}: it reaches {radius_mm:.1} mm from the table's axis, and \
+                 swing_diameter_mm = {} leaves {}",
+                self.name,
+                self.swing_diameter_mm,
+                0.5 * self.swing_diameter_mm
+            ),
+        )
+        .advise("name a machine that takes it with --set machine.file=…, or the unit with --unit if the part is not that large; --until channel plans without the machine's room"))
     }
 }
 
@@ -88,6 +118,27 @@ mod tests {
         assert_eq!((found[0].axis.as_str(), found[0].row, found[0].excess), ("Y", 2, 10.0));
         assert_eq!((found[1].axis.as_str(), found[1].row), ("B", 3));
         assert!(found[0].to_string().contains("Y is at -340.000 mm at location 2, 10.000 mm past"));
-        assert!(m.swings(325.0) && !m.swings(325.1));
+    }
+
+    #[test]
+    fn a_part_turns_freely_within_the_swing_of_the_table() {
+        let m = Machine::demo().unwrap();
+        assert!(m.check_swing(&[Point::new(5000.0, 300.0, 100.0)]).is_ok());
+        let e = m.check_swing(&[Point::origin(), Point::new(0.0, 300.0, -200.0)]).unwrap_err();
+        assert_eq!(e.kind, crate::error::ErrorKind::Infeasible);
+        assert!(e.message.contains("reaches 360.6 mm") && e.message.contains("650"), "{}", e.message);
+        // Mounted off the axis, and clamped turned, a part needs more room.
+        let mut off = m.clone();
+        off.mount.offset_mm = [0.0, 20.0, 0.0];
+        off.mount.clamping_deg = 90.0;
+        assert!((off.off_table_axis_mm(&Point::new(3.0, 0.0, 300.0)).unwrap() - 280.0).abs() < 1e-9);
+        let file = |name: &str| {
+            Machine::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name)).unwrap()
+        };
+        // A chain: about the axis nearest to the workpiece; two heads let the blade stand still.
+        let p = Point::new(10.0, 900.0, 0.0);
+        assert!(file("trunnion_ac.toml").check_swing(&[p]).is_err());
+        let heads = file("fork_head_ca.toml");
+        assert!(heads.off_table_axis_mm(&p).is_none() && heads.check_swing(&[p * 10.0]).is_ok());
     }
 }

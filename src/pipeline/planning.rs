@@ -26,6 +26,10 @@ pub(super) fn plan(
     observer: &dyn Observer,
 ) -> Result<Option<(Plan, Baseline)>> {
     let job = &setup.job;
+    // Path and channel are those of any machine of the kind; a motion is not.
+    if !matches!(course.until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
+        setup.machine.check_swing(&setup.blade.part.mesh.points)?;
+    }
     let mut toolpath = match known.toolpath {
         Some(t) => t,
         None => clock.time(Stage::Path, || path_as_asked(setup, observer))?,

@@ -409,8 +409,13 @@ mod tests {
             let (sides, slope) = ([a * (2.0 + s.next()), n.cross(&a) * (0.5 + 0.4 * s.next()), n * 0.02], 0.1);
             let b = n.cross(&a);
             let cone = [n + (a + b) * slope, n + (a - b) * slope, n - (a - b) * slope, n - (a + b) * slope];
-            let normals = (k % 5 != 0).then_some(cone);
-            Hull { middle: Point::from(s.vector() * 50.0), sides, round: if k % 7 == 0 { 0.3 } else { 0.0 }, normals }
+            let normals = (!k.is_multiple_of(5)).then_some(cone);
+            Hull {
+                middle: Point::from(s.vector() * 50.0),
+                sides,
+                round: if k.is_multiple_of(7) { 0.3 } else { 0.0 },
+                normals,
+            }
         };
         let hulls: Vec<Hull> = (0..700).map(|k| hull(k, &mut s)).collect();
         let tree = Tree::new(&hulls);
