@@ -76,7 +76,7 @@ keys! {
         unit: Unit,
         /// Direction of the blade axis, root to tip, in the model frame; default: found.
         axis: AxisChoice,
-        /// Greatest distance between a NURBS part and its triangles, mm.
+        /// Greatest distance between a NURBS part and its triangles, mm; at least two millionths of its size.
         deflection_mm: f64,
         /// Vertices of a mesh this near to one another are the same, mm; default: found where the mesh has faults.
         weld_mm: f64,

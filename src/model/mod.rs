@@ -66,7 +66,7 @@ pub struct ModelOptions {
     pub unit: Option<Unit>,
     /// Blade axis from root to tip, any length, model frame; `None`: found.
     pub axis: Option<[f64; 3]>,
-    /// Greatest distance between exact faces and the mesh made of them, mm.
+    /// Greatest distance between exact faces and the mesh made of them, mm; more for parts of some metres.
     pub deflection_mm: f64,
     /// Vertices of a mesh this near to one another are the same, mm; `None`: found.
     pub weld_mm: Option<f64>,

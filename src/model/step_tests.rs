@@ -345,3 +345,19 @@ fn bad_step_files_are_refused_with_a_sentence() {
     // Coordinates out of all bounds.
     refused(&good.replace("60.0", "1.0E400"), &[]);
 }
+
+/// A blade of many metres: its mesh would fill the memory.
+#[test]
+fn faces_are_meshed_no_finer_than_their_size_asks() {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/prism.step");
+    let coarse = |survey: &Survey| survey.diagnosis.notes.iter().any(|n| n.starts_with("faces are meshed within"));
+    let large = survey(
+        &file,
+        &ModelOptions { unit: Some(crate::artifact::blade::Unit::M), ..ModelOptions::default() },
+        &Silent,
+    )
+    .unwrap();
+    assert!(coarse(&large) && large.deflection_mm > 0.05, "{:?}", large.diagnosis.notes);
+    let small = survey(&file, &ModelOptions::default(), &Silent).unwrap();
+    assert!(!coarse(&small) && small.deflection_mm == 0.01);
+}

@@ -27,6 +27,9 @@ use crate::observe::Observer;
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
 const NO_VOLUME: f64 = 1e-9;
 
+/// Faces are meshed no finer than this share of the part's diagonal: the triangles of a blade of a hundred metres would fill the memory.
+const FINEST: f64 = 2e-6;
+
 /// What is in a model file.
 pub struct Survey {
     /// The file's stem.
@@ -107,7 +110,8 @@ pub fn from_faces(
     };
     let (unit, mut obstacle) = guess.take(shape.unit, &mut diagnosis);
     observer.check(Stage::Model)?;
-    let (mut part, rescued) = rescue::part(shape.brep, options.deflection_mm, &SEW_MM, observer)?;
+    let deflection_mm = finest(&shape.brep, options.deflection_mm, &mut diagnosis.notes);
+    let (mut part, rescued) = rescue::part(shape.brep, deflection_mm, &SEW_MM, observer)?;
     diagnosis.notes.extend(rescued.sewn.notes());
     diagnosis.notes.extend(rescued.notes);
     obstacle = obstacle.or(rescued.obstacle);
@@ -127,6 +131,17 @@ pub fn from_faces(
         );
     }
     Ok(survey)
+}
+
+/// The deflection that was asked for, or the finest for a part of this size, which is noted.
+fn finest(brep: &Brep, asked_mm: f64, notes: &mut Vec<String>) -> f64 {
+    let least_mm = FINEST * edge_box(brep).map_or(0.0, |b| b.diagonal_mm());
+    if asked_mm < least_mm {
+        notes.push(format!(
+            "faces are meshed within {least_mm:.3} mm, {FINEST:e} of the part's size, not within {asked_mm} mm: the mesh would be too large"
+        ));
+    }
+    asked_mm.max(least_mm)
 }
 
 /// Scales exact faces about the origin.
