@@ -363,6 +363,7 @@ fn any_across(n: &Vector) -> Vector {
 /// A piece of an edge with its bounds: all of it within `radius` of the segment `ends`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
+    /// Of an edge, or, from their number on, of a trace.
     pub edge: u32,
     pub span: u32,
     pub range: [f64; 2],

@@ -7,11 +7,12 @@
 //! convex hull of its control points, and with bounds of its curvature ([`leaf`]). Pieces beyond the loops are left out, those that
 //! loops cross know the sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all of them ([`tree`]) is
 //! searched best first ([`search`]): the result is the least of all local minima on pieces that could hold a nearer point, and of all
-//! edges.
+//! edges and of their traces on faces that they lie off ([`trace`]).
 //!
 //! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most [`trim::BEYOND_EDGE_MM`]
 //! beyond, so that smooth joints have no crack) or on an edge. No point of the part is nearer by more than 10⁻⁷ mm (10⁻⁴ mm about
-//! points from which a whole stretch of a face or edge is equally far, where more would take time without end), as far as the
+//! points from which a whole stretch of a face or edge is equally far, where more would take time without end; 10⁻³ mm beside edges that lie
+//! off their faces), as far as the
 //! curvature of a piece lies within the bounds measured on it. The answer depends on nothing but part and point.
 //!
 //! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples instead of control points, and are
@@ -26,6 +27,7 @@ mod patch;
 pub mod pieces;
 mod search;
 mod sign;
+mod trace;
 mod tree;
 mod trim;
 
@@ -43,6 +45,7 @@ use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
 use search::{Found, On};
 use sign::Corners;
+use trace::Trace;
 use tree::{Hull, Tree};
 use trim::Border;
 
@@ -51,7 +54,9 @@ use trim::Border;
 pub struct Exact {
     pub(super) loops: Loops,
     tables: Vec<Option<SurfaceTable>>,
+    /// Of all edges, then of all traces.
     curves: Vec<CurveTable>,
+    traces: Vec<Trace>,
     leaves: Vec<Leaf>,
     borders: Vec<Vec<Border>>,
     arcs: Vec<Arc>,
@@ -76,7 +81,9 @@ impl Exact {
     fn cut(brep: &Brep, loops: Loops, corners: Corners) -> Self {
         use rayon::prelude::*;
         let tables: Vec<Option<SurfaceTable>> = brep.faces.par_iter().map(|f| SurfaceTable::new(&f.surface)).collect();
-        let curves: Vec<CurveTable> = brep.edges.iter().map(|e| CurveTable::new(&e.curve)).collect();
+        let traces = trace::traces(brep, &loops);
+        let all = brep.edges.iter().map(|e| &e.curve).chain(traces.iter().map(|t| &t.curve));
+        let curves: Vec<CurveTable> = all.map(CurveTable::new).collect();
         let diagonal_mm = size(brep);
         let pieces = build::faces(brep, &tables, &loops.regions, diagonal_mm);
         let mut arcs = Vec::new();
@@ -85,10 +92,14 @@ impl Exact {
                 arcs.extend(build::arcs(&curves[e], e as u32, edge.t, diagonal_mm));
             }
         }
+        for (k, trace) in traces.iter().enumerate() {
+            let own = brep.edges.len() + k;
+            arcs.extend(build::arcs(&curves[own], own as u32, trace.curve.domain(), diagonal_mm));
+        }
         let hulls: Vec<Hull> =
             pieces.leaves.iter().map(build::leaf_hull).chain(arcs.iter().map(build::arc_hull)).collect();
         let tree = Tree::new(&hulls);
-        Exact { loops, tables, curves, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
+        Exact { loops, tables, curves, traces, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
     }
 
     fn shape<'a>(&'a self, brep: &'a Brep, face: u32) -> Shape<'a> {
@@ -108,7 +119,7 @@ impl Exact {
                 let unit = outward.try_normalize(0.0).or_else(|| self.normal_near(brep, face, uv));
                 (face, uv, unit)
             }
-            On::Edge { edge, t } => self.beside(brep, q, &found.point, edge, t),
+            On::Edge { edge, t, of } => self.beside(brep, q, &found.point, (edge, t), of),
         };
         let toward = || (q - found.point).try_normalize(0.0).unwrap_or_else(Vector::z);
         Closest {
@@ -121,11 +132,12 @@ impl Exact {
         }
     }
 
-    /// Of the faces that meet in an edge the one that faces `q` most: number, parameters, outward normal.
-    fn beside(&self, brep: &Brep, q: &Point, at: &Point, edge: u32, t: f64) -> Facing {
+    /// Of the faces that meet in an edge at a parameter the one that faces `q` most, or the one whose trace was met: number, parameters,
+    /// outward normal.
+    fn beside(&self, brep: &Brep, q: &Point, at: &Point, (edge, t): (u32, f64), of: Option<u32>) -> Facing {
         let toward = q - at;
         let mut best: Option<(f64, Facing)> = None;
-        for (face, guess) in self.corners.faces_at(edge, t) {
+        for (face, guess) in self.corners.faces_at(edge, t).filter(|(f, _)| of.is_none_or(|of| of == *f)) {
             let (uv, normal) = self.normal_on(brep, face, guess, at);
             let facing = normal.map_or(f64::NEG_INFINITY, |n| n.dot(&toward));
             if best.is_none_or(|b| facing > b.0) {

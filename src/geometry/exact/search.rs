@@ -47,8 +47,8 @@ pub(super) struct Found {
 pub(super) enum On {
     /// A face, at these of its parameters, with this normal `S_u × S_v` (not of unit length; zero at a pole).
     Face { face: u32, uv: [f64; 2], normal: Vector },
-    /// An edge, at this parameter.
-    Edge { edge: u32, t: f64 },
+    /// An edge, at this parameter, or its trace on the face `of`.
+    Edge { edge: u32, t: f64, of: Option<u32> },
 }
 
 /// Something to look at: a node, a piece of a face, of an edge, or a piece of a piece.
@@ -317,7 +317,9 @@ impl Search<'_> {
         let foot = foot_on_arc(table, arc, &self.q);
         if foot.d2 < self.limit2 {
             let [middle, half] = table.spans.frame(arc.span as usize);
-            self.keep(foot.d2, foot.point, On::Edge { edge: arc.edge, t: middle + half * foot.s });
+            let trace = (arc.edge as usize).checked_sub(self.brep.edges.len()).map(|k| &self.exact.traces[k]);
+            let (edge, of) = trace.map_or((arc.edge, None), |trace| (trace.edge, Some(trace.face)));
+            self.keep(foot.d2, foot.point, On::Edge { edge, t: middle + half * foot.s, of });
         }
         let mut beyond = arc.beyond(&self.q);
         if beyond > 0.0 && beyond.is_finite() {

@@ -162,7 +162,7 @@ impl Exact {
         let direction = q - found.point;
         let normal = match found.on {
             On::Face { .. } => self.finish(brep, q, &found).normal,
-            On::Edge { edge, t } => {
+            On::Edge { edge, t, .. } => {
                 let ends = brep.edges[edge as usize].t;
                 let curve = &brep.edges[edge as usize].curve;
                 let met = (0..2).find(|k| (curve.point(ends[*k]) - found.point).norm() <= AT_VERTEX_MM);

@@ -431,3 +431,51 @@ fn points_on_the_axis_of_a_round_face_are_soon_done() {
         }
     }
 }
+
+/// A square whose edges lie above its plane: it ends below them, and what is nearer to the plane than to its edges finds that end.
+#[test]
+fn faces_end_below_edges_that_lie_off_them() {
+    let off = 0.02;
+    let (x, y) = (Vector::x() * 30.0, Vector::y() * 30.0);
+    let corner = |k: usize| Point::new([0.0, 10.0, 10.0, 0.0][k % 4], [0.0, 0.0, 10.0, 10.0][k % 4], off);
+    let edge = |k: usize| {
+        let points = [corner(k), corner(k + 1)].map(|p| Vector4::new(p.x, p.y, p.z, 1.0));
+        let curve = NurbsCurve { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], points: points.to_vec() };
+        Edge { curve, t: [0.0, 1.0] }
+    };
+    let ring = (0..4).map(|k| used(k, false)).collect();
+    let brep = Brep {
+        faces: vec![face(plane(Point::new(-10.0, -10.0, 0.0), x, y), false, vec![ring])],
+        edges: (0..4).map(edge).collect(),
+    };
+    let part = Part::from_brep(brep, 0.05, &Silent).unwrap();
+    for q in points(25.0, 2000) {
+        let beyond = [q.x, q.y].map(|c| (-c).max(c - 10.0).max(0.0));
+        let aside = beyond[0].hypot(beyond[1]);
+        // The face, and the edges themselves, which are of the part too.
+        let exact = aside.hypot(q.z).min(if aside > 0.0 { aside.hypot(q.z - off) } else { f64::INFINITY });
+        let c = part.closest(&q, f64::INFINITY).unwrap();
+        assert!(
+            (c.distance_mm - exact).abs() < 1e-6 || (aside == 0.0 && c.distance_mm < exact),
+            "{q}: {} {exact}",
+            c.distance_mm
+        );
+        assert!(c.face == 0 && (c.normal - Vector::z()).norm() < 1e-9, "{q}: {}", c.normal);
+    }
+}
+
+/// A point on the seam of a closed surface belongs to it, wherever along the seam.
+#[test]
+fn seams_are_no_borders() {
+    let turn = crate::geometry::Rigid::rotation(Vector::new(0.3, 1.1, 0.2));
+    let surface = cylinder(5.0, 60.0);
+    let brep = Brep { faces: vec![face(surface.clone(), false, vec![])], edges: vec![] };
+    let part = Part::from_brep(brep.moved(&turn), 0.02, &Silent).unwrap();
+    for k in 1..2000 {
+        let q = turn * surface.point(0.0, f64::from(k) / 2000.0);
+        for cap in [f64::INFINITY, 0.2] {
+            let c = part.closest(&q, cap);
+            assert!(c.is_some_and(|c| c.distance_mm < 1e-9), "{k}: {:?}", c.map(|c| c.distance_mm));
+        }
+    }
+}

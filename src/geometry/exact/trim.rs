@@ -14,6 +14,9 @@ use crate::geometry::tessellate::{Chord, NO_CHORD, Trim};
 /// Feet this far beyond an edge still count, mm: smooth joints then have no crack.
 pub(super) const BEYOND_EDGE_MM: f64 = 1e-4;
 
+/// A place this near to a seam, as a share of the period, is on it.
+const ON_SEAM: f64 = 1e-9;
+
 /// A side of a ring: (ring, node at which it begins).
 pub(super) type Side = [u32; 2];
 
@@ -209,8 +212,21 @@ impl Region {
                     nearest = Some((d2, *side));
                 }
             }
-            let inside = self.by_way(border, uv);
+            let inside = self.by_way(border, uv) || self.on_seam(border, uv);
             nearest.map_or(inside, |(_, side)| self.beside_edge(brep, chords, side, at, inside))
+        })
+    }
+
+    /// Whether places next to one along a closed direction are inside. Sides on a seam bound nothing, but of a place on them parity says
+    /// what rounding makes of it.
+    fn on_seam(&self, border: &Border, uv: [f64; 2]) -> bool {
+        (0..2).filter(|a| self.trim.space.closed[*a]).any(|a| {
+            let by = ON_SEAM * self.trim.space.period(a);
+            [-by, by].into_iter().any(|d| {
+                let mut beside = uv;
+                beside[a] += d;
+                self.by_way(border, beside)
+            })
         })
     }
 
