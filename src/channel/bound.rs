@@ -69,7 +69,23 @@ impl Sweep {
         let across = |(cos, sin): (f64, f64)| cos * v.z - sin * v.y;
         let (before, after) = (across(self.ends[0]) < -radius, across(self.ends[1]) > radius);
         let width = self.hi - self.lo;
-        if width <= PI { before || after } else { width < TAU && before && after }
+        if width > PI {
+            return width < TAU && before && after;
+        }
+        // An angle of the interval is within a quarter turn of one of its ends.
+        before || after || self.ends.iter().all(|(cos, sin)| cos * v.y + sin * v.z < -radius)
+    }
+
+    /// As [`Self::is_beside`] for an interval of at most half a turn and points in the convex hull of others, `all` of which lie on one side of a
+    /// plane or not.
+    pub fn have_beside(&self, all: impl Fn(&dyn Fn(&Vector) -> bool) -> bool) -> bool {
+        let [lo, hi] = self.ends;
+        let across = |(cos, sin): (f64, f64), v: &Vector| cos * v.z - sin * v.y;
+        let along = |(cos, sin): (f64, f64), v: &Vector| cos * v.y + sin * v.z;
+        self.hi - self.lo <= PI
+            && (all(&|v| across(lo, v) < 0.0)
+                || all(&|v| across(hi, v) > 0.0)
+                || all(&|v| along(lo, v) < 0.0 && along(hi, v) < 0.0))
     }
 }
 
@@ -318,4 +334,35 @@ pub(super) fn by_steps(
     let half = [corners[1] - corners[0], corners[2] - corners[0], Vector::zeros()];
     let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
     walked(profile, sweeps, b, v, radius, &half, rho).map_or(Between::Nothing, |r| Between::Room(r.mm))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is said to be beside an interval has no azimuth in it; points well away from it all round are, also behind a narrow one.
+    #[test]
+    fn beside_is_beside() {
+        for (lo, width) in [(0.3, 1e-3), (-2.0, 0.5), (5.0, 3.0), (1.0, 5.0)] {
+            let sweep = Sweep::new(lo, lo + width, (0.1, 0.99));
+            for k in 0..360 {
+                let psi = f64::from(k).to_radians();
+                let from = (psi - lo).rem_euclid(TAU);
+                let inside = from <= width;
+                let v = Vector::new(3.0, 10.0 * psi.cos(), 10.0 * psi.sin());
+                let away = (from - width).min(TAU - from);
+                for radius in [0.0, 1.0] {
+                    let spread: f64 = f64::asin(radius / 10.0);
+                    let beside = sweep.is_beside(&v, radius);
+                    assert!(!beside || !inside && away >= spread - 1e-9, "{lo} {width} {psi}");
+                    assert!(beside || inside || away <= 1.5 * spread + 1e-9, "{lo} {width} {psi} {radius}");
+                }
+                if sweep.have_beside(|side| side(&v)) {
+                    assert!(!inside, "{lo} {width} {psi}");
+                } else {
+                    assert!(inside || width > PI || away < 1e-9, "{lo} {width} {psi}");
+                }
+            }
+        }
+    }
 }

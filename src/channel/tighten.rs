@@ -32,7 +32,7 @@ use super::arcs::{Arc, Witness, push_arcs};
 use super::bound::{self, Sweep};
 use super::clear;
 use super::forbidden::{Body, Free, Scene};
-use super::profile::{HeightRange, Profile};
+use super::profile::{Frustum, HeightRange, Profile};
 use super::samples::Sample;
 use super::track;
 
@@ -244,8 +244,6 @@ fn join(layer: &mut Vec<Free>) {
 struct Look<'a> {
     exact: &'a Exact<'a>,
     centre: Point,
-    /// Of the contact.
-    normal: Vector,
     /// The end that is safe, its azimuth and axis; outwards is `sense`.
     start: f64,
     sense: f64,
@@ -253,6 +251,13 @@ struct Look<'a> {
     end: f64,
     axis: Vector,
     sweep: Sweep,
+    /// How often it moved inwards.
+    moves: u32,
+    /// Directions in which the tool is likely to lie beyond the part: the contact's normal, and the normal where the tool touches the point
+    /// that forbids what is beyond.
+    normals: [Vector; 2],
+    /// How low each part of the tool reaches along them, mm.
+    lowest: Vec<[f64; 2]>,
     /// The point that forbids what is beyond it, and the part of the tool.
     taken: Option<(Point, u16)>,
     heights: Vec<HeightRange>,
@@ -264,12 +269,14 @@ impl<'a> Look<'a> {
         let mut look = Look {
             exact,
             centre: sample.centre,
-            normal: sample.normal,
             start,
             sense,
             end: 0.0,
             axis: Vector::zeros(),
             sweep: Sweep::new(start, start, exact.b),
+            moves: 0,
+            normals: [sample.normal; 2],
+            lowest: Vec::new(),
             taken: None,
             heights: Vec::new(),
             arcs: Vec::new(),
@@ -283,20 +290,40 @@ impl<'a> Look<'a> {
         self.end = end;
         self.axis = bound::axis(b, at);
         self.sweep = Sweep::new(at.min(self.start), at.max(self.start), b);
+        self.moves += 1;
+        let frusta = &self.exact.profile.frusta;
+        let touch = self.taken.and_then(|(p, segment)| {
+            let (_, slope) = clear::margin(frusta.get(usize::from(segment))?, &self.axis, &(p - self.centre));
+            slope.try_normalize(0.5).map(|s| -s)
+        });
+        self.normals[1] = touch.unwrap_or(self.normals[0]);
+        self.lowest.clear();
+        self.lowest.extend(frusta.iter().map(|f| self.normals.map(|n| f.lowest(&self.axis, &n))));
     }
 
     /// Lower bound of the margin within `radius` of `v` from a tool whose points have one arc each, at the end; `None`: all of it
-    /// is clear from the end to the start. `least` bounds it at one axis.
-    fn room(&self, v: &Vector, radius: f64, least: impl Fn(&Profile) -> f64) -> Option<f64> {
+    /// is clear from the end to the start. `least` bounds it at one axis, with how low the tool reaches along the normals.
+    fn room(
+        &self,
+        v: &Vector,
+        radius: f64,
+        hull: &[Point],
+        least: impl Fn(&Profile, &[[f64; 2]]) -> f64,
+    ) -> Option<f64> {
         let profile = &self.exact.profile;
         let far = v.norm() + radius;
         if far - 2.0 * radius > profile.farthest {
             return None;
         }
         let tall = profile.tall.as_deref().filter(|t| far <= t.length);
-        let Some(one_arc) = (if far <= profile.length { Some(profile) } else { tall }) else { return Some(-radius) };
-        let mm = if self.sweep.is_beside(v, radius) {
-            least(one_arc)
+        let (one_arc, lowest) = match tall {
+            _ if far <= profile.length => (profile, self.lowest.as_slice()),
+            Some(tall) => (tall, Default::default()),
+            None => return Some(-radius),
+        };
+        let all = |side: &dyn Fn(&Vector) -> bool| !hull.is_empty() && hull.iter().all(|h| side(&(h - self.centre)));
+        let mm = if self.sweep.is_beside(v, radius) || self.sweep.have_beside(all) {
+            least(one_arc, lowest)
         } else {
             let half = [Vector::x(), Vector::y(), Vector::z()].map(|e| e * radius);
             bound::least_at_own_azimuth(one_arc, self.exact.b, v, radius, &half)
@@ -309,16 +336,22 @@ impl Visitor for Look<'_> {
     fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool {
         let v = middle - self.centre;
         let radius = sides.iter().map(Vector::norm_squared).sum::<f64>().sqrt();
-        self.room(&v, radius, |p| bound::least_margin(p, &self.axis, &v, radius, sides)).is_some()
+        let least = |p: &Profile, lowest: &[[f64; 2]]| {
+            let lower = |(k, f)| off_box(f, &self.axis, (&v, radius, sides), (&self.normals, lowest.get(k)));
+            p.frusta.iter().enumerate().map(lower).fold(f64::INFINITY, f64::min)
+        };
+        self.room(&v, radius, &[], least).is_some()
     }
 
     fn presses(&mut self, piece: &Piece) -> Option<f64> {
         let v = piece.middle - self.centre;
         let radius = piece.radius;
-        self.room(&v, radius, |p| {
-            let lower = |f| off_hull(f, &self.axis, &v, radius, (piece, &self.centre), &self.normal);
-            p.frusta.iter().map(lower).fold(f64::INFINITY, f64::min)
-        })
+        let least = |p: &Profile, lowest: &[[f64; 2]]| {
+            let at = (&v, radius, piece, &self.centre);
+            let lower = |(k, f)| off_hull(f, &self.axis, at, (&self.normals, lowest.get(k)));
+            p.frusta.iter().enumerate().map(lower).fold(f64::INFINITY, f64::min)
+        };
+        self.room(&v, radius, piece.hull, least)
     }
 
     fn takes(&mut self, point: &Point) -> bool {
@@ -354,34 +387,69 @@ impl Visitor for Look<'_> {
         }
         true
     }
+
+    fn state(&self) -> u32 {
+        self.moves
+    }
 }
 
-/// Lower bound of a frustum's margin over a piece, by a tangent plane or a plane across a normal, mm.
-fn off_hull(
-    f: &super::profile::Frustum,
+/// Normals and how low a frustum reaches along them, mm, where that is known.
+type Below<'a> = (&'a [Vector; 2], Option<&'a [f64; 2]>);
+
+/// Lower bound of a frustum's margin over a box by its middle, radius and half edges, mm.
+fn off_box(
+    f: &Frustum,
     axis: &Vector,
-    v: &Vector,
-    radius: f64,
-    (piece, centre): (&Piece, &Point),
-    normal: &Vector,
+    (v, radius, sides): (&Vector, f64, &[Vector; 3]),
+    (normals, lowest): Below,
+) -> f64 {
+    let (margin, slope) = clear::margin(f, axis, v);
+    let reach = |n: &Vector| sides.iter().map(|s| n.dot(s).abs()).sum::<f64>();
+    let least = margin - reach(&slope).min(radius);
+    if least > NONE_MM {
+        return least;
+    }
+    let below = |(n, low): (&Vector, &f64)| low - n.dot(v) - reach(n);
+    lowest.map_or(least, |lowest| normals.iter().zip(lowest).map(below).fold(least, f64::max))
+}
+
+/// Lower bound of a frustum's margin over a piece by planes between them, mm: across the normals, the piece's own normal, and tangent
+/// to the margin at the piece's middle or at the nearest point of its corners' triangles.
+fn off_hull(
+    f: &Frustum,
+    axis: &Vector,
+    (v, radius, piece, centre): (&Vector, f64, &Piece, &Point),
+    (normals, lowest): Below,
 ) -> f64 {
     let (margin, slope) = clear::margin(f, axis, v);
     if margin > radius {
         return margin - radius;
     }
-    let over = |n: &Vector, pick: fn(f64, f64) -> f64| {
-        piece.hull.iter().map(|h| n.dot(&(h - centre))).reduce(pick).unwrap_or(0.0)
-    };
-    let tangent = margin + over(&slope, f64::min) - slope.dot(v);
+    // Over the hull, from its middle.
+    let least = |n: &Vector| piece.hull.iter().map(|h| n.dot(&(h - piece.middle))).fold(0.0, f64::min);
+    let below = |n: &Vector, lowest: f64| lowest - n.dot(v) + least(&-n);
+    for (n, low) in normals.iter().zip(lowest.into_iter().flatten()) {
+        let room = below(n, *low);
+        if room > NONE_MM {
+            return room;
+        }
+    }
+    let tangent = margin + least(&slope);
     if tangent > NONE_MM {
         return tangent;
     }
-    let across = |n: &Vector| f.lowest(axis, n) - over(n, f64::max);
-    let contact = across(normal);
-    if contact > NONE_MM {
-        return contact;
-    }
     // The side of the piece on which the ball is.
     let own = if piece.normal.dot(v) > 0.0 { -piece.normal } else { piece.normal };
-    tangent.max(contact).max(across(&own))
+    let best = tangent.max(below(&own, f.lowest(axis, &own)));
+    let Some(corners) = piece.corners.filter(|_| best <= NONE_MM && margin > 0.0) else { return best };
+    let [a, b, c, d] = corners.map(|p| p - centre);
+    let mut nearest: Option<clear::Tangent> = None;
+    for flat in [[a, b, c], [a, c, d]] {
+        match clear::nearest(f, axis, &flat, &flat[0]) {
+            clear::Near::Clear(t) if nearest.is_none_or(|n| t.margin < n.margin) => nearest = Some(t),
+            clear::Near::Clear(_) => {}
+            _ => return best,
+        }
+    }
+    nearest.map_or(best, |t| best.max(t.margin + t.slope.dot(&(v - t.at)) + least(&t.slope)))
 }

@@ -34,6 +34,8 @@ pub struct Piece<'a> {
     pub radius: f64,
     /// The surface's unit normal there; zero where there is none.
     pub normal: Vector,
+    /// Its corners, round it, where it is a piece of a face.
+    pub corners: Option<[Point; 4]>,
 }
 
 /// Who looks at the pieces.
@@ -44,6 +46,8 @@ pub trait Visitor {
     fn presses(&mut self, piece: &Piece) -> Option<f64>;
     /// Takes a point of the part, of a piece that is not done with; false: nothing more need be looked at.
     fn takes(&mut self, point: &Point) -> bool;
+    /// Pieces that were pressing may be done with since this was another number.
+    fn state(&self) -> u32;
 }
 
 /// A piece, kept for later questions.
@@ -78,7 +82,9 @@ enum Held {
 
 impl Kept {
     fn piece(&self) -> Piece<'_> {
-        Piece { hull: &self.hull, middle: self.middle, radius: self.radius, normal: self.normal }
+        let (n, row) = (self.hull.len(), self.row);
+        let corners = Some([0, row - 1, n - 1, n - row].map(|k| self.hull[k]));
+        Piece { hull: &self.hull, middle: self.middle, radius: self.radius, normal: self.normal, corners }
     }
 }
 
@@ -97,8 +103,8 @@ pub struct Walker<'a> {
     kept: Vec<Kept>,
     /// Borders of parts of pieces, numbered on from those of all faces.
     borders: Vec<Vec<Border>>,
-    /// What is open: key, order, piece.
-    open: BinaryHeap<Reverse<(i64, u32, u32)>>,
+    /// What is open: key, order, piece, state of the visitor that saw it.
+    open: BinaryHeap<Reverse<(i64, u32, u32, u32)>>,
     count: u32,
 }
 
@@ -118,12 +124,10 @@ impl<'a> Walker<'a> {
         }
         self.open.clear();
         self.count = 0;
-        if !self.enter(visitor) {
-            return false;
-        }
+        self.enter(visitor);
         let mut cuts = 0;
-        while let Some(Reverse((_, _, k))) = self.open.pop() {
-            if visitor.presses(&self.kept[k as usize].piece()).is_none() {
+        while let Some(Reverse((_, _, k, state))) = self.open.pop() {
+            if state != visitor.state() && visitor.presses(&self.kept[k as usize].piece()).is_none() {
                 continue;
             }
             let held = self.held(k);
@@ -147,55 +151,46 @@ impl<'a> Walker<'a> {
         true
     }
 
-    /// Goes down the tree; false: the visitor wants no more.
-    fn enter(&mut self, visitor: &mut impl Visitor) -> bool {
+    /// Goes down the tree.
+    fn enter(&mut self, visitor: &mut impl Visitor) {
         let exact = self.exact;
-        if exact.tree.is_empty() {
-            return true;
-        }
-        let (mut nodes, mut wants) = (vec![0], true);
-        while let Some(node) = nodes.pop().filter(|_| wants) {
+        let mut nodes = if exact.tree.is_empty() { Vec::new() } else { vec![0] };
+        while let Some(node) = nodes.pop() {
             exact.tree.children(node, |child, middle, sides| {
-                if wants && visitor.enters(middle, sides) {
+                if visitor.enters(middle, sides) {
                     match child {
                         Child::Node(n) => nodes.push(n),
-                        Child::Item(i) => wants = self.offer_leaf(i, visitor),
+                        Child::Item(i) => self.offer_leaf(i, visitor),
                     }
                 }
             });
         }
-        wants
     }
 
     fn shape(&self, face: u32) -> Shape<'a> {
         self.exact.shape(self.brep, face)
     }
 
-    /// False: the visitor wants no more.
-    fn offer_leaf(&mut self, item: u32, visitor: &mut impl Visitor) -> bool {
-        let exact = self.exact;
+    fn offer_leaf(&mut self, item: u32, visitor: &mut impl Visitor) {
         // Edges bound faces, and lie on them.
-        let Some(leaf) = exact.leaves.get(item as usize) else { return true };
-        let s = &leaf.slab;
-        let sides = [0, 1, 2].map(|k| s.axes[k] * s.half[k]);
-        let corner = |k: usize| {
-            let sign = |bit: usize| if (k >> bit) & 1 == 0 { 1.0 } else { -1.0 };
-            s.middle + sides[0] * sign(0) + sides[1] * sign(1) + sides[2] * sign(2)
-        };
-        let corners: [Point; 8] = std::array::from_fn(corner);
-        let normal = if leaf.wild { Vector::zeros() } else { s.axes[2] };
-        let middle = leaf.centre;
-        if visitor.presses(&Piece { hull: &corners, middle, radius: radius(&corners, &middle), normal }).is_none() {
-            return true;
-        }
-        if leaf.border == NO_BORDER && !visitor.takes(&middle) {
-            return false;
-        }
+        let Some(leaf) = self.exact.leaves.get(item as usize) else { return };
         if self.first[item as usize] == NONE {
+            let s = &leaf.slab;
+            let sides = [0, 1, 2].map(|k| s.axes[k] * s.half[k]);
+            let corner = |k: usize| {
+                let sign = |bit: usize| if (k >> bit) & 1 == 0 { 1.0 } else { -1.0 };
+                s.middle + sides[0] * sign(0) + sides[1] * sign(1) + sides[2] * sign(2)
+            };
+            let hull: [Point; 8] = std::array::from_fn(corner);
+            let normal = if leaf.wild { Vector::zeros() } else { s.axes[2] };
+            let (middle, radius) = (leaf.centre, radius(&hull, &leaf.centre));
+            // What is known of the box holds for the piece in it: the answer is the same without it.
+            if visitor.presses(&Piece { hull: &hull, middle, radius, normal, corners: None }).is_none() {
+                return;
+            }
             self.first[item as usize] = self.keep(leaf.rect, 0, leaf.border);
         }
         self.offer(self.first[item as usize], visitor);
-        true
     }
 
     fn keep(&mut self, rect: Rect, depth: u32, border: u32) -> u32 {
@@ -210,7 +205,7 @@ impl<'a> Walker<'a> {
 
     fn offer(&mut self, k: u32, visitor: &mut impl Visitor) {
         if let Some(key) = visitor.presses(&self.kept[k as usize].piece()) {
-            self.open.push(Reverse((sortable(key), self.count, k)));
+            self.open.push(Reverse((sortable(key), self.count, k, visitor.state())));
             self.count += 1;
         }
     }
@@ -308,6 +303,9 @@ mod tests {
         fn takes(&mut self, point: &Point) -> bool {
             self.least = self.least.max(self.normal.dot(&point.coords));
             true
+        }
+        fn state(&self) -> u32 {
+            0
         }
     }
 
