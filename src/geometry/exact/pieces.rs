@@ -286,6 +286,8 @@ mod tests {
         least: f64,
         /// Points nearer than the least so far by no more than this are not looked for.
         enough: f64,
+        /// How often the least has changed.
+        moved: u32,
         looked: usize,
     }
 
@@ -301,11 +303,14 @@ mod tests {
             (high > self.least + self.enough).then_some(-high)
         }
         fn takes(&mut self, point: &Point) -> bool {
-            self.least = self.least.max(self.normal.dot(&point.coords));
+            let height = self.normal.dot(&point.coords);
+            if height > self.least {
+                (self.least, self.moved) = (height, self.moved + 1);
+            }
             true
         }
         fn state(&self) -> u32 {
-            0
+            self.moved
         }
     }
 
@@ -319,12 +324,12 @@ mod tests {
             let (s, c) = (0.1 * f64::from(k)).sin_cos();
             let (s2, c2) = (0.037 * f64::from(k) + 0.02).sin_cos();
             let normal = Vector::new(c * c2, s * c2, s2);
-            let mut look = Above { normal, least: f64::NEG_INFINITY, enough: 1e-3, looked: 0 };
+            let mut look = Above { normal, least: f64::NEG_INFINITY, enough: 1e-3, moved: 0, looked: 0 };
             assert!(walker.visit(&mut look, 3000), "{k}: {} looked at", look.looked);
             let expected = 5.0 * c2.abs() + if s2 > 0.0 { 3.0 * s2 } else { 0.0 };
             assert!((look.least - expected).abs() < 1.2e-3, "{k}: {} {expected}", look.least);
             // Nothing kept from before changes an answer.
-            let mut anew = Above { looked: 0, least: f64::NEG_INFINITY, ..look };
+            let mut anew = Above { looked: 0, moved: 0, least: f64::NEG_INFINITY, ..look };
             let before = look.least;
             assert!(Walker::new(exact, brep).visit(&mut anew, 3000));
             assert_eq!(anew.least, before);
