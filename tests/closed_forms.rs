@@ -17,7 +17,7 @@ use nalgebra::{Matrix4, Vector4};
 const RADIUS: f64 = 3.0;
 const SCALLOP: f64 = 0.01;
 /// Samples of the surface: enough for a tenth of a per cent of area.
-const SAMPLES: usize = 20_000;
+const SAMPLES: usize = 80_000;
 
 /// The profile `(x, r, weight)` turned about x, degree and knots given; normals outwards.
 fn revolved(profile: &[(f64, f64, f64)], degree: usize, knots: Vec<f64>) -> NurbsSurface {
