@@ -324,8 +324,10 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at the middle of a piece of a triangle and puts the rest off likewise, unless it is clear. Pieces smaller than
-    /// an eighth of the tolerance seen from the ball centre are taken as they are, inflated by their size.
+    /// Looks at the middle of a piece of a triangle and puts the rest off likewise, unless it is clear. Smallest pieces are taken as they are,
+    /// inflated by their size `e`: an arc of half-width `w` about a point at the distance `ρ` grows to about `√(w² + 2e/ρ)`, so by less than
+    /// half the tolerance `τ`, however small it is, where `e ≤ τ²ρ/8`. Over a move `τρ/8` is enough: ends there only say how far walls must be
+    /// moved in.
     fn offer_piece(&mut self, piece: Piece) {
         let Piece { body, leaf, corners, .. } = piece;
         let (centre, radius) = around_triangle(&corners.map(Point::from));
@@ -335,7 +337,9 @@ impl<'a> Search<'a> {
         if self.excess().is_none() {
             return;
         }
-        if region.reach <= 0.125 * self.tolerance() * region.centre.norm() + 1e-9 {
+        let tolerance = self.tolerance();
+        let smallest = 0.125 * if self.still { tolerance * tolerance } else { tolerance };
+        if region.reach <= smallest * region.centre.norm() + 1e-9 {
             self.commit();
             return;
         }
