@@ -15,6 +15,10 @@ ci:
 corpus:
     cargo nextest run --release --run-ignored only corpus
 
+# Tools on the channel's walls touch nothing, a fifth of a degree outside what the channel names; with BLADEWRIGHT_BLADES real blades too
+walls:
+    cargo nextest run --release --run-ignored only --no-capture --test walls
+
 # What `inspect` and `plan` make of each of them, as a table
 corpus-table:
     cargo nextest run --release --run-ignored only --no-capture --test corpus_table

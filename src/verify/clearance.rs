@@ -211,6 +211,46 @@ pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], res
     (near, bound)
 }
 
+/// Where a tool that stands still comes nearest to a part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Distance between a segment and a point of the part, mm; negative: that point lies so deep in it. No point is nearer than this less
+    /// `resolution_mm`, or a fiftieth of large distances, a tenth of depths.
+    pub distance_mm: f64,
+    /// Which of the segments.
+    pub segment: usize,
+    /// Triangle of the part.
+    pub triangle: u32,
+    /// Its point.
+    pub point: Point,
+}
+
+/// How near `segments` of a tool that stands at a ball centre with its axis at `b_rad` and `theta` come to a part's triangles; `None`: they
+/// are more than a metre away.
+pub fn standing(
+    part: &Part,
+    segments: &[Segment],
+    centre: &Point,
+    (b_rad, theta): (f64, f64),
+    resolution_mm: f64,
+) -> Option<Standing> {
+    let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
+    let motion = Motion { part, track, segments, resolution: resolution_mm };
+    let place = motion.place(0, 0.5, 0.5);
+    let mut best = Nearest::far(FAR_MM);
+    loop {
+        let may_miss = motion.may_miss(best.found_mm);
+        let cap = best.found_mm - 0.5 * may_miss;
+        let (lower, seen) = motion.least(&place, cap, best.triangle, 0);
+        best = best.nearer(seen);
+        if seen.triangle == u32::MAX || lower >= best.found_mm - motion.may_miss(best.found_mm) {
+            break;
+        }
+    }
+    let Nearest { found_mm, segment, triangle, point, .. } = best;
+    (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
+}
+
 /// The moves of a motion in the middle of which some triangle is nearer than `limit_mm`.
 pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f64) -> Vec<usize> {
     let motion = Motion { part, track, segments, resolution: 0.0 };

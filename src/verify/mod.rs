@@ -46,6 +46,7 @@ mod tests;
 mod uncut;
 mod verdict;
 
+pub use clearance::{Standing, standing};
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;

@@ -382,3 +382,34 @@ fn figures_do_not_depend_on_the_number_of_threads() {
     };
     assert_eq!(serde_json::to_string(&on(1)).unwrap(), serde_json::to_string(&on(3)).unwrap());
 }
+
+#[test]
+fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
+    let segments = tool::Tool {
+        radius_mm: BALL,
+        taper_deg: 0.0,
+        shank_radius_mm: BALL,
+        stickout_mm: 60.0,
+        holder: vec![HolderStage { radius_mm: 20.0, length_mm: 30.0 }],
+    }
+    .segments();
+    // A wall at x = 0, the tool parallel to it or leaning towards it.
+    let mut wall = Mesh::default();
+    wall.points.extend([[-300.0, -300.0], [300.0, -300.0], [0.0, 400.0]].map(|[y, z]| Point::new(0.0, y, z)));
+    wall.triangles.push([0, 1, 2]);
+    let part = Part::from_mesh(wall);
+    for (x, b_deg) in [(30.0, 0.0), (21.5, 0.0), (19.0, 0.0), (60.0, -20.0), (40.0, -20.0)] {
+        let b = f64::to_radians(b_deg);
+        let lowest =
+            |s: &tool::Segment| [(s.z0, s.r0), (s.z1, s.r1)].map(|(z, r)| x + z * b.sin() - r * b.cos()).into_iter();
+        let exact = segments.iter().flat_map(lowest).fold(f64::INFINITY, f64::min);
+        for theta in [0.0, 1.0, -2.5] {
+            let found = standing(&part, &segments, &Point::new(x, 0.0, 0.0), (b, theta), 1e-4).unwrap();
+            // What is told of depths is not the way out along the wall: the nearest side may be another.
+            let (least, most) = if exact > 0.0 { (exact, exact * 1.02 + 1e-4) } else { (exact, 0.0) };
+            assert!(found.distance_mm >= least - 1e-9 && found.distance_mm <= most, "{x} {b_deg}: {found:?}, {exact}");
+            assert!(segments[found.segment].name.starts_with("holder") && found.triangle == 0);
+        }
+    }
+    assert_eq!(standing(&part, &segments, &Point::new(2000.0, 0.0, 0.0), (0.0, 0.0), 1e-4), None);
+}
