@@ -9,10 +9,9 @@
 use rayon::prelude::*;
 
 use super::Exact;
-use super::measure::{free_direction, strips};
+use super::measure::{OnFace, free_direction, strips};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::tessellate::NO_CHORD;
 use crate::geometry::{Point, Vector};
 
@@ -37,19 +36,7 @@ pub struct Fine {
 /// Triangle of the parameter plane with its corners on the surface.
 type Flat = ([[f64; 2]; 3], [Point; 3]);
 
-/// How one face is evaluated.
-struct Face<'a> {
-    brep: &'a Brep,
-    face: usize,
-    space: &'a ParameterSpace,
-}
-
-impl Face<'_> {
-    fn at(&self, uv: [f64; 2]) -> Point {
-        let n = self.space.normal_form(uv);
-        self.brep.faces[self.face].surface.point(n[0], n[1])
-    }
-
+impl OnFace<'_> {
     /// Triangles within `limit_mm` of what lies over one in the parameter plane; how far they may be off.
     fn halved(&self, uv: [[f64; 2]; 3], limit_mm: f64, out: &mut Vec<[Point; 3]>) -> f64 {
         let mut most = 0.0f64;
@@ -92,18 +79,14 @@ impl Exact {
         }
     }
 
-    fn face<'a>(&'a self, brep: &'a Brep, face: usize) -> Face<'a> {
-        Face { brep, face, space: &self.loops.regions[face].trim.space }
-    }
-
     fn fine_within(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64) -> Fine {
         let of_triangle = |t: usize| {
             let mut out = Vec::new();
             let Some(uv) = mesh.corner_uv.get(t) else { return (out, f64::INFINITY) };
-            let face = self.face(brep, mesh.face(t) as usize);
+            let face = self.loops.face(brep, mesh.face(t) as usize);
             let pole = |x: [f64; 2]| {
                 let n = face.space.normal_form(x);
-                let d = brep.faces[face.face].surface.derivatives(n[0], n[1]);
+                let d = face.surface.derivatives(n[0], n[1]);
                 super::is_pole(&d, face.space).then(|| free_direction(&d, face.space))
             };
             let off = strips(*uv, pole).into_iter().map(|uv| face.halved(uv, limit_mm, &mut out));
@@ -125,7 +108,7 @@ impl Exact {
 
     /// Between the sides of a face's loops and its edges.
     fn lay_strips(&self, brep: &Brep, face: usize, limit_mm: f64, fine: &mut Fine) {
-        let on = self.face(brep, face);
+        let on = self.loops.face(brep, face);
         for ring in &self.loops.regions[face].trim.rings {
             for (k, node) in ring.nodes.iter().enumerate().filter(|(_, n)| n.chord != NO_CHORD && !n.seam) {
                 let Some(chord) = self.loops.chords.get(node.chord as usize) else { continue };

@@ -13,8 +13,8 @@ use super::is_pole;
 use super::trim::Region;
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::nurbs::foot::ParameterSpace;
+use crate::geometry::nurbs::{NurbsSurface, SurfaceDerivatives};
 use crate::geometry::part::Measured;
 use crate::geometry::tessellate::{Chord, NO_CHORD, Tessellation};
 use crate::geometry::{Point, Vector};
@@ -45,7 +45,26 @@ pub struct Loops {
     pub(super) chords: Vec<Chord>,
 }
 
+/// A face as its loops see it: parameters may lie a period or more away.
+pub(super) struct OnFace<'a> {
+    pub surface: &'a NurbsSurface,
+    pub space: &'a ParameterSpace,
+}
+
+impl OnFace<'_> {
+    /// The point of the face at these parameters.
+    pub fn at(&self, uv: [f64; 2]) -> Point {
+        let n = self.space.normal_form(uv);
+        self.surface.point(n[0], n[1])
+    }
+}
+
 impl Loops {
+    /// A face of the part that these loops are of.
+    pub(super) fn face<'a>(&'a self, brep: &'a Brep, face: usize) -> OnFace<'a> {
+        OnFace { surface: &brep.faces[face].surface, space: &self.regions[face].trim.space }
+    }
+
     /// Those of a tessellation.
     pub fn new(t: &Tessellation) -> Self {
         Loops { regions: t.trims.iter().map(|trim| Region::new(trim.clone())).collect(), chords: t.chords.clone() }

@@ -6,11 +6,10 @@
 
 use nalgebra::Vector4;
 
-use super::measure::Loops;
+use super::measure::{Loops, OnFace};
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Edge};
 use crate::geometry::nurbs::NurbsCurve;
-use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::tessellate::loops::Node;
 
 /// An edge nearer than this to a face bounds it by itself, mm.
@@ -35,7 +34,7 @@ type Place = (f64, [f64; 2], Point);
 pub(super) fn traces(brep: &Brep, loops: &Loops) -> Vec<Trace> {
     let mut out = Vec::new();
     for (f, region) in loops.regions.iter().enumerate().filter(|(_, r)| r.trim.blur_mm > APART_MM) {
-        let on = Side { brep, loops, face: f, space: &region.trim.space };
+        let on = Side { loops, on: loops.face(brep, f) };
         for ring in &region.trim.rings {
             let next = |k: usize| &ring.nodes[(k + 1) % ring.nodes.len()];
             let chords: Vec<[Place; 2]> =
@@ -59,33 +58,26 @@ pub(super) fn traces(brep: &Brep, loops: &Loops) -> Vec<Trace> {
 
 /// A face beside its edges.
 struct Side<'a> {
-    brep: &'a Brep,
     loops: &'a Loops,
-    face: usize,
-    space: &'a ParameterSpace,
+    on: OnFace<'a>,
 }
 
 impl Side<'_> {
-    fn at(&self, uv: [f64; 2]) -> Point {
-        let n = self.space.normal_form(uv);
-        self.brep.faces[self.face].surface.point(n[0], n[1])
-    }
-
     /// Both ends of a side of a ring, in the sense of its edge; `None` where it stands for no edge that bounds the face.
     fn chord(&self, from: &Node, to: &Node) -> Option<[Place; 2]> {
         let chord = self.loops.chords.get(from.chord as usize).filter(|_| !from.seam)?;
-        let place = |t: f64, n: &Node| (t, n.uv, self.at(n.uv));
+        let place = |t: f64, n: &Node| (t, n.uv, self.on.at(n.uv));
         let [a, b] = if from.against { [to, from] } else { [from, to] };
         Some([place(chord.t[0], a), place(chord.t[1], b)])
     }
 
     /// The trace between two places: halved until it is straight.
     fn trace(&self, edge: &Edge, [from, to]: [Place; 2]) -> Option<NurbsCurve> {
-        let surface = &self.brep.faces[self.face].surface;
         let (mut kept, mut open) = (vec![from], vec![(to, 0)]);
         while let (Some(&a), Some((b, depth))) = (kept.last(), open.pop()) {
             let t = 0.5 * (a.0 + b.0);
-            let foot = surface.foot(&edge.curve.point(t), [0, 1].map(|k| 0.5 * (a.1[k] + b.1[k])), self.space);
+            let foot =
+                self.on.surface.foot(&edge.curve.point(t), [0, 1].map(|k| 0.5 * (a.1[k] + b.1[k])), self.on.space);
             let off = (foot.at.p - nalgebra::center(&a.2, &b.2)).norm();
             if depth >= DEEPEST || (depth > 0 && off <= STRAIGHT_MM) {
                 kept.push(b);

@@ -223,7 +223,9 @@ impl Node {
         let mut out = [0.0f32; WIDTH];
         for k in 0..WIDTH {
             let over = |a: usize| (f64::from(self.low[a][k]) - q[a]).max(q[a] - f64::from(self.high[a][k])).max(0.0);
-            out[k] = ((over(0).powi(2) + over(1).powi(2) + over(2).powi(2)) * (1.0 - 1e-6)) as f32;
+            let d2 = (over(0).powi(2) + over(1).powi(2) + over(2).powi(2)) * (1.0 - 1e-6);
+            // Beyond single precision a box is very far, not nowhere: an infinite distance would shut it for good.
+            out[k] = d2.min(f64::from(f32::MAX)) as f32;
         }
         out
     }
@@ -428,7 +430,7 @@ mod tests {
                 Some(c) => c.iter().map(|v| v * (1.0 + s.next())).sum::<Vector>().try_normalize(1e-9).unwrap_or(c[0]),
                 None => s.vector().normalize(),
             };
-            let far = [1.0, 30.0, 3e5][k % 3];
+            let far = [1.0, 30.0, 3e5, 1e22][k % 4];
             let q = p + n * (s.next() * far);
             assert!(reached(&tree, &q, &p, item as u32), "{k}: item {item}");
         }
