@@ -70,6 +70,67 @@ fn obj() -> Vec<u8> {
     text.into_bytes()
 }
 
+/// The same as glTF with its buffer in a data URI, base64 written out here; and as GLB, where the buffer follows the text.
+fn gltf(binary: bool) -> Vec<u8> {
+    let buffer: Vec<u8> = corners().iter().flatten().flatten().flat_map(|x| (*x as f32 * 1e-3).to_le_bytes()).collect();
+    let uri = if binary {
+        String::new()
+    } else {
+        format!(",\"uri\":\"data:application/octet-stream;base64,{}\"", base64(&buffer))
+    };
+    let n = 3 * corners().len();
+    let mut text = format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\n\"scene\":0,\n\"scenes\":[{{\"nodes\":[0]}}],\n\"nodes\":[{{\"mesh\":0,\"translation\":[0.01,0,0]}}],\n\
+         \"meshes\":[{{\"primitives\":[{{\"attributes\":{{\"POSITION\":0}},\"mode\":4}}]}}],\n\
+         \"accessors\":[{{\"bufferView\":0,\"componentType\":5126,\"count\":{n},\"type\":\"VEC3\",\"min\":[-0.02,-0.01,0],\"max\":[0.02,0.01,0.06]}}],\n\
+         \"bufferViews\":[{{\"buffer\":0,\"byteOffset\":0,\"byteLength\":{0}}}],\n\"buffers\":[{{\"byteLength\":{0}{uri}}}]}}\n",
+        buffer.len()
+    );
+    if !binary {
+        return text.into_bytes();
+    }
+    while text.len() % 4 != 0 {
+        text.push(' ');
+    }
+    let total = 12 + 8 + text.len() + 8 + buffer.len();
+    let word = |n: usize| (n as u32).to_le_bytes();
+    let head = [*b"glTF", word(2), word(total), word(text.len()), *b"JSON"].concat();
+    [head, text.into_bytes(), word(buffer.len()).to_vec(), b"BIN\0".to_vec(), buffer].concat()
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let group = |c: &[u8]| {
+        let n = c.iter().chain(&[0, 0]).take(3).fold(0usize, |n, b| n << 8 | usize::from(*b));
+        let letter = |k: usize| if k <= c.len() { char::from(LETTERS[n >> (18 - 6 * k) & 63]) } else { '=' };
+        (0..4).map(letter).collect::<String>()
+    };
+    bytes.chunks(3).map(group).collect()
+}
+
+/// A table of sections with a header: a blade of seven sections, leaning, cylindrical coordinates as compressors are published in.
+fn table() -> Vec<u8> {
+    let mut text = String::from(
+        "+++\n[sections]\nunit = \"cm\"\ncolumns = [\"skip\", \"z\", \"r\", \"theta1\", \"theta2\"]\n+++\n Blade Geometry\n",
+    );
+    for section in 0..7 {
+        let r = 17.0 + f64::from(section);
+        text += &format!("\n SURFACE NUMBER {}\n    J      Z           R         THETA 1     THETA 2\n", section + 1);
+        for j in 0..25 {
+            let x = 0.5 * (1.0 - (std::f64::consts::PI * f64::from(j) / 24.0).cos());
+            let (camber, half) = (0.9 * x * (1.0 - x) + 1.6 * x, 0.25 * (x * (1.0 - x)).max(0.0).sqrt());
+            text += &format!(
+                "{:5} {:11.7} {r:11.7} {:11.7} {:11.7}\n",
+                j + 1,
+                3.0 * x,
+                (camber + half) / r,
+                (camber - half) / r
+            );
+        }
+    }
+    text.into_bytes()
+}
+
 /// Mutations of one seed; how many of them could still be read.
 fn survives(name: &str, bytes: &[u8], runs: usize) -> usize {
     let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };
@@ -90,8 +151,14 @@ fn peak_mb() -> u64 {
 
 #[test]
 fn damaged_meshes_never_panic() {
-    let seeds: [(&str, Vec<u8>); 4] =
-        [("a.stl", ascii_stl()), ("b.stl", binary_stl()), ("c.obj", obj()), ("d.ply", ply())];
+    let seeds = [
+        ("a.stl", ascii_stl()),
+        ("b.stl", binary_stl()),
+        ("c.obj", obj()),
+        ("d.ply", ply()),
+        ("e.gltf", gltf(false)),
+        ("f.glb", gltf(true)),
+    ];
     for (name, bytes) in seeds {
         let good = survives(name, &bytes, RUNS);
         // Damage that no reader notices and damage that it refuses both occur: the mutations are neither too weak nor too strong.
@@ -105,4 +172,10 @@ fn damaged_step_never_panics() {
     let bytes = std::fs::read(file).expect("readable");
     let good = survives("prism.step", &bytes, RUNS);
     assert!(good < RUNS, "{good} of {RUNS} were read");
+}
+
+#[test]
+fn damaged_tables_never_panic_and_end() {
+    let good = survives("r.dat", &table(), RUNS);
+    assert!(good > 0 && good < RUNS, "{good} of {RUNS} were read");
 }
