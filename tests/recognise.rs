@@ -342,3 +342,90 @@ fn colours_of_the_regions_are_on_the_right_triangles() {
         assert_eq!(*area, want, "triangle {t} at {p}");
     }
 }
+
+/// A blade as its corners: `at(share of the span, place once round)` gives points; both ends are closed.
+fn lofted(at: impl Fn(f64, [f64; 2]) -> Point3<f64>) -> Mesh {
+    let section = Airfoil { foot: 0.0, span: 1.0, chord: 1.0, lean_deg: 0.0, twist_deg: 0.0, ..PLAIN };
+    let (mut points, triangles) = section.mesh();
+    for p in &mut points {
+        // The plain section without its taper, which is a fifth over the span.
+        let own = 1.0 - 0.2 * p.z;
+        *p = at(p.z, [p.x / own, p.y / own]);
+    }
+    (points, triangles)
+}
+
+/// Unit vector from the middle of the first section to that of the last, by area of the ends' triangles.
+fn end_to_end((points, triangles): &Mesh) -> Vector3<f64> {
+    let (walls, each) = (4 * SIDE * (HEIGHTS - 1), (triangles.len() - 4 * SIDE * (HEIGHTS - 1)) / 2);
+    let middle = |ts: &[[usize; 3]]| {
+        let (mut sum, mut area) = (Vector3::zeros(), 0.0);
+        for [a, b, c] in ts.iter().map(|t| t.map(|v| points[v].coords)) {
+            let w = (b - a).cross(&(c - a)).norm();
+            sum += w * (a + b + c) / 3.0;
+            area += w;
+        }
+        sum / area
+    };
+    (middle(&triangles[walls + each..]) - middle(&triangles[walls..walls + each])).normalize()
+}
+
+/// In three positions: along the line from end to end, either sense, and said to be uncertain for this reason.
+fn runs_from_end_to_end(mesh: &Mesh, because: &str) {
+    for seed in 0..3 {
+        let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
+        let (found, doubts) = axis(&survey(&obj(&turned(mesh, &by))));
+        let off_deg = found.angle(&(by * end_to_end(mesh))).to_degrees();
+        assert!(off_deg.min(180.0 - off_deg) < 0.1, "turned by {seed}: {off_deg}° off, {doubts:?}");
+        assert!(doubts.iter().any(|d| d.contains("not certain") && d.contains(because)), "{doubts:?}");
+    }
+}
+
+/// A fan blade: its sections lie on cylinders round z through the origin and slide round them from root to tip, so that the way from end
+/// to end is far from a radius, to which the ends are square.
+#[test]
+fn a_swept_fan_blade_runs_from_end_to_end_and_is_said_to_lean() {
+    let mesh = lofted(|share, [x, y]| {
+        let r = 40.0 + 30.0 * share;
+        // Round the shaft by chord and sweep, along it by thickness and stagger.
+        let round = (30.0 * x + 40.0 * share) / r;
+        Point3::new(r * round.cos(), r * round.sin(), 30.0 * y + 8.0 * share + 12.0 * x)
+    });
+    runs_from_end_to_end(&mesh, "the blade leans");
+}
+
+/// A blade of a centrifugal impeller: from hub to shroud is outwards where the air comes in and along the shaft where it leaves.
+#[test]
+fn a_blade_that_turns_from_axial_to_radial_runs_from_hub_to_shroud() {
+    let mesh = lofted(|share, [x, y]| {
+        let along = x + 0.45;
+        let (s, c) = (1.4 * along).sin_cos();
+        let (hub, height) = ([80.0 * s, 30.0 + 90.0 * (1.0 - c)], share * (32.0 - 20.0 * along));
+        let (z, r) = (hub[0] - height * s, hub[1] + height * c);
+        // Wrapped against the rotation, and thinner towards the shroud.
+        let round = -0.9 * along + (60.0 - 25.0 * share) * y / r;
+        Point3::new(r * round.cos(), r * round.sin(), z)
+    });
+    runs_from_end_to_end(&mesh, "reach neither of its ends");
+}
+
+/// A Kaplan blade: two sheets that do not meet, wider than long, between two spheres about the origin, with twist. Directions aslant look
+/// like an airfoil nearly as much, but it stands off its shaft along one coordinate axis alone.
+#[test]
+fn a_wide_blade_between_spheres_stands_off_its_shaft() {
+    let (points, triangles) = lofted(|share, [x, y]| {
+        let (s, c) = (0.5 + 0.5 * share).sin_cos();
+        let (u, v) = ((1.5 - 0.2 * share) * x + 0.25 * share, 0.5 * y * (1.0 - 0.5 * share));
+        let d = Vector3::new(1.0, c * u - s * v, s * u + c * v).normalize();
+        Point3::from((160.0 + 340.0 * share) * d)
+    });
+    let round = 2 * SIDE;
+    let inner = |t: &[usize; 3]| {
+        let ks = t.map(|v| v % round);
+        ks.iter().all(|k| (1..SIDE).contains(k)) || ks.iter().all(|k| (SIDE + 1..round).contains(k))
+    };
+    let sides = 2 * round * (HEIGHTS - 1);
+    let open: Vec<[usize; 3]> = triangles[..sides].iter().copied().filter(inner).collect();
+    let (found, doubts) = axis(&survey(&obj(&(points, open))));
+    assert!(found == Vector3::x() && doubts.is_empty(), "{found} {doubts:?}");
+}

@@ -2,11 +2,18 @@
 //!
 //! A blade that is cut off at its tip, or at both ends, has a patch there that faces along the blade axis and is as large as the
 //! last section. Directions across the chord have none, however much their sections look like an airfoil.
+//!
+//! Of an airfoil alone, both ends have the outline of an airfoil, whatever surfaces they lie on: planes, a hub and a casing, a
+//! cone. The line from the middle of one to that of the other is the way from root to tip without a single section being cut
+//! ([`end_to_end`]), so it holds where sections square to any direction are cut short by the ends: blades that lean, are swept, or
+//! turn from axial to radial.
 
 use std::collections::BTreeMap;
 
 use super::run::{Link, Run, frame_along};
-use crate::geometry::mesh::{Mesh, edge_uses, root};
+use super::shape::Shape;
+use crate::geometry::mesh::{EdgeUse, Mesh, edge_uses, root};
+use crate::geometry::slice::Loop;
 use crate::geometry::{Point, Vector};
 
 /// Neighbouring triangles whose normals differ by more belong to different patches, degrees.
@@ -25,6 +32,15 @@ const SHARE: [f64; 2] = [0.002, 0.25];
 /// A patch whose mean normal is at least this long is a plane.
 const PLANE: f64 = 1.0 - 1e-6;
 
+/// The outline of an airfoil's end is at least this much like an airfoil: more than a bar with square ends, less than a blunt
+/// trailing edge leaves.
+const OUTLINE: f64 = 0.5;
+/// An airfoil's end faces along the line from end to end within this angle, degrees: more than any lean that was met.
+const ASLANT_DEG: f64 = 70.0;
+/// Surface between the ends over that of a straight wall between their outlines: more where the blade is swept and bulges between
+/// them, far more where there is a platform or root besides.
+const WALL: [f64; 2] = [0.6, 1.6];
+
 /// A nearly flat patch.
 pub struct Patch {
     /// Length of the mean normal: 1 for a plane.
@@ -32,22 +48,25 @@ pub struct Patch {
     area_mm2: f64,
     normal: Vector,
     middle: Point,
+    /// Its longest outline, seen along the normal.
+    outline: Option<Shape>,
 }
 
-/// The nearly flat patches of the mesh, largest first.
+/// The nearly flat patches of the mesh that creases bound, largest first.
 pub fn patches(mesh: &Mesh) -> Vec<Patch> {
-    let n = mesh.triangles.len();
-    let normals: Vec<Vector> = (0..n).map(|t| mesh.normal(t)).collect();
-    let mut sides = edge_uses(&mesh.triangles);
-    sides.sort_unstable_by_key(|s| (s.edge, s.triangle));
     let cos = CREASE_DEG.to_radians().cos();
+    bounded(mesh, |a, b| mesh.normal(a as usize).dot(&mesh.normal(b as usize)) > cos)
+}
+
+/// The nearly flat patches of triangles that neighbours join, largest first.
+fn bounded(mesh: &Mesh, joins: impl Fn(u32, u32) -> bool) -> Vec<Patch> {
+    let n = mesh.triangles.len();
+    let sides = edge_uses(&mesh.triangles);
     let mut parent: Vec<u32> = (0..n as u32).collect();
-    for pair in sides.windows(2).filter(|w| w[0].edge == w[1].edge) {
-        let [a, b] = [pair[0].triangle, pair[1].triangle];
-        if normals[a as usize].dot(&normals[b as usize]) > cos {
-            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-            parent[a.max(b) as usize] = a.min(b);
-        }
+    let smooth = |pair: &[EdgeUse]| matches!(pair, [a, b] if joins(a.triangle, b.triangle));
+    for pair in sides.chunk_by(|a, b| a.edge == b.edge).filter(|pair| smooth(pair)) {
+        let (a, b) = (root(&mut parent, pair[0].triangle), root(&mut parent, pair[1].triangle));
+        parent[a.max(b) as usize] = a.min(b);
     }
     let mut sums: BTreeMap<u32, (f64, Vector, Vector)> = BTreeMap::new();
     for t in 0..n {
@@ -55,22 +74,100 @@ pub fn patches(mesh: &Mesh) -> Vec<Patch> {
         let area = mesh.triangle_area_mm2(t);
         let s = sums.entry(root(&mut parent, t as u32)).or_insert((0.0, Vector::zeros(), Vector::zeros()));
         s.0 += area;
-        s.1 += area * normals[t];
+        s.1 += area * mesh.normal(t);
         s.2 += area * (a.coords + b.coords + c.coords) / 3.0;
     }
     let total = mesh.area_mm2();
+    let wanted = |(area, normal, _): &(f64, Vector, Vector)| {
+        *area > SHARE[0] * total && *area < SHARE[1] * total && normal.norm() > FLAT * area
+    };
+    sums.retain(|_, s| wanted(s));
+    let mut borders: BTreeMap<u32, Vec<[u32; 2]>> = sums.keys().map(|k| (*k, Vec::new())).collect();
+    for pair in sides.chunk_by(|a, b| a.edge == b.edge).filter(|pair| !smooth(pair)) {
+        for side in pair {
+            if let Some(border) = borders.get_mut(&root(&mut parent, side.triangle)) {
+                let [a, b] = side.edge;
+                border.push(if side.rising { [a, b] } else { [b, a] });
+            }
+        }
+    }
     let mut out: Vec<Patch> = sums
-        .into_values()
-        .filter(|(area, normal, _)| *area > SHARE[0] * total && *area < SHARE[1] * total && normal.norm() > FLAT * area)
-        .map(|(area, normal, middle)| Patch {
+        .into_iter()
+        .map(|(k, (area, normal, middle))| Patch {
             flatness: normal.norm() / area,
             area_mm2: area,
             normal: normal.normalize(),
             middle: Point::from(middle / area),
+            outline: borders.get(&k).and_then(|b| outline(mesh, b, &normal)),
         })
         .collect();
     out.sort_by(|a, b| b.area_mm2.total_cmp(&a.area_mm2));
     out
+}
+
+/// The longest ring of these sides, seen along a normal.
+fn outline(mesh: &Mesh, border: &[[u32; 2]], normal: &Vector) -> Option<Shape> {
+    let plane = frame_along(normal).inverse();
+    let mut next: BTreeMap<u32, u32> = border.iter().map(|[a, b]| (*a, *b)).collect();
+    let mut most: Option<Shape> = None;
+    while let Some((&first, _)) = next.iter().next() {
+        let mut points = Vec::new();
+        let mut at = first;
+        while let Some(to) = next.remove(&at) {
+            let p = plane * mesh.points[at as usize];
+            points.push([p.y, p.z]);
+            at = to;
+        }
+        let triangles = vec![0; points.len()];
+        let ring = Shape::new(&Loop { points, triangles, closed: at == first });
+        most = [most, ring].into_iter().flatten().max_by(|a, b| a.perimeter_mm.total_cmp(&b.perimeter_mm));
+    }
+    most
+}
+
+/// Both ends of an airfoil alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Ends {
+    /// Unit vector from the middle of the larger one to that of the other.
+    pub line: Vector,
+    /// Area of the larger one over that of the other.
+    pub ratio: f64,
+    /// Both are planes.
+    pub flat: bool,
+}
+
+/// The ends of an airfoil alone: two patches with an airfoil's outline that face away from each other, and between which there is about as
+/// much surface as a wall from one outline to the other has. They are sought between creases, else among faces or groups of the file: a
+/// fillet that runs out into its end leaves no crease. `None`: there are none.
+pub fn end_to_end(mesh: &Mesh, patches: &[Patch]) -> Option<Ends> {
+    let area_mm2 = mesh.area_mm2();
+    ends(area_mm2, patches)
+        .or_else(|| ends(area_mm2, &bounded(mesh, |a, b| mesh.face(a as usize) == mesh.face(b as usize))))
+}
+
+fn ends(area_mm2: f64, patches: &[Patch]) -> Option<Ends> {
+    let like: Vec<(&Patch, &Shape)> =
+        patches.iter().filter_map(|p| Some((p, p.outline.as_ref().filter(|o| o.likeness > OUTLINE)?))).collect();
+    let mut best: Option<(f64, Ends)> = None;
+    // Patches come largest first.
+    for (k, (a, around_a)) in like.iter().enumerate() {
+        for (b, around_b) in &like[k + 1..] {
+            let length = (b.middle - a.middle).norm();
+            let Some(line) = (b.middle - a.middle).try_normalize(f64::MIN_POSITIVE) else { continue };
+            let facing = b.normal.dot(&line).min(-a.normal.dot(&line));
+            let wall = 0.5 * (around_a.perimeter_mm + around_b.perimeter_mm) * length;
+            let between = (area_mm2 - a.area_mm2 - b.area_mm2) / wall;
+            let alike = around_a.likeness.min(around_b.likeness);
+            if facing > ASLANT_DEG.to_radians().cos()
+                && (WALL[0]..WALL[1]).contains(&between)
+                && best.is_none_or(|(most, _)| alike > most)
+            {
+                let flat = a.flatness > PLANE && b.flatness > PLANE;
+                best = Some((alike, Ends { line, ratio: a.area_mm2 / b.area_mm2, flat }));
+            }
+        }
+    }
+    best.map(|b| b.1)
 }
 
 /// Directions in which the largest patches face.

@@ -14,6 +14,7 @@ pub mod areas;
 pub mod caps;
 pub mod named;
 pub mod regions;
+pub mod rotor;
 pub mod run;
 pub mod search;
 pub mod shape;

@@ -109,7 +109,10 @@ fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
 /// loops must lie on to count; `None`: any.
 pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
     let frame = frame_along(direction);
-    let turned = mesh.clone().moved(&frame.inverse());
+    // Without what sections do not ask for: a part is cut along dozens of directions.
+    let bare = Mesh { points: mesh.points.clone(), triangles: mesh.triangles.clone(), ..Mesh::default() };
+    let face_of = if faces.is_some() { mesh.face_of.clone() } else { Vec::new() };
+    let turned = Mesh { face_of, ..bare }.moved(&frame.inverse());
     let part_mm = turned.aabb().map_or([0.0, 0.0], |b| [b.min.x, b.max.x]);
     let step = (part_mm[1] - part_mm[0]) / HEIGHTS as f64;
     let sections = sections(&turned, part_mm, step, faces);

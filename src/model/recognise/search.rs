@@ -8,13 +8,16 @@
 //! sections. A direction that its own run contradicts scores less ([`run`]), so what wins is (nearly) a fixed point, and a cut
 //! aslant through the same airfoil is no rival. A datum direction near the winner, coordinate axis or normal of flat faces, is
 //! taken for it, as blades are drawn and mounted along datum directions.
+//!
+//! What sections leave open, two other marks may decide: the ends of an airfoil alone ([`caps::end_to_end`]), and where a part stands in
+//! its rotor ([`rotor`]).
 
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 
-use super::caps::{self, Patch};
+use super::caps::{self, Ends, Patch};
 use super::run::{self, Run};
-use super::{DOUBTFUL, no_blade, words};
+use super::{DOUBTFUL, no_blade, rotor, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
@@ -38,6 +41,8 @@ const LID: f64 = 1.0;
 const RIVAL_DEG: f64 = 35.0;
 /// See [`RIVAL_DEG`].
 const RIVAL: f64 = 0.5;
+/// The same where the chosen direction is a radius on which the part stands off its shaft: what lies nearer cuts the same blade aslant.
+const LEANS_DEG: f64 = 60.0;
 /// Two runs with measures within this ratio, in different places, are two airfoils.
 const ALIKE: f64 = 0.8;
 /// Where the middles of the sections run farther than this from the direction of the sections, degrees, the blade leans so much
@@ -68,25 +73,30 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     let mut runs = tried(mesh, &patches, along);
     let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(no_blade)?;
     let (mut chosen, mut why) = datum(&mut runs, top, &patches, along);
+    if let Some(k) = rotor::radius(mesh).filter(|&k| stands(&runs[k], &runs[chosen], &patches)) {
+        why = format!(
+            "the coordinate axis {:.1}° from the direction in which sections look most like an airfoil, along which alone the part \
+             stands clear of the origin, as a blade of its shaft",
+            between_deg(&runs[k].direction, &runs[chosen].direction)
+        );
+        chosen = k;
+    }
     // Faces that the user named are the airfoil, whatever they look like.
     if faces.is_none() {
         refuse_wheels(&runs, chosen)?;
     }
-    let mut doubt = rival(&runs, chosen)
-        .or_else(|| fading(&runs[chosen], caps::lids(&patches, &runs[chosen])))
-        .or_else(|| slanted(&runs[chosen], &patches));
-    let lean_deg = runs[chosen].stack.angle(&runs[chosen].direction).to_degrees();
-    if lean_deg > LEAN_DEG {
-        let (stack, sections) = (runs[chosen].stack, runs[chosen].direction);
-        let run = along(&stack);
+    let ends = caps::end_to_end(mesh, &patches);
+    let mut doubt = doubted(mesh, &runs, chosen, &patches, ends);
+    let mut sense = None;
+    if let Some(other) = aslant(&runs[chosen], &patches, ends) {
+        let run = along(&other.line);
         if run.links.len() > 1 {
-            doubt = Some(leaning(&stack, &sections, lean_deg));
-            why = "the line through the middles of the sections".into();
+            (doubt, why, sense) = (Some(other.doubt), other.why.into(), other.sense);
             runs.push(run);
             chosen = runs.len() - 1;
         }
     }
-    let (flip, sense) = root_is_high(mesh, &runs[chosen]);
+    let (flip, sense) = sense.unwrap_or_else(|| root_is_high(mesh, &runs[chosen]));
     let run = runs.swap_remove(chosen);
     let direction = if flip { -run.direction } else { run.direction };
     let run = if flip { run::along(mesh, &direction, faces) } else { run };
@@ -240,17 +250,98 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
     (top, why)
 }
 
-/// The best run far from the chosen one, in words, where it scores nearly as much.
-fn rival(runs: &[Run], chosen: usize) -> Option<String> {
+/// Angle between two lines, degrees.
+fn between_deg(a: &Vector, b: &Vector) -> f64 {
+    (a.dot(b) / (a.norm() * b.norm())).abs().clamp(0.0, 1.0).acos().to_degrees()
+}
+
+/// Whether the blade stands along the first run rather than along the second, whose sections are cut short by its ends: along the
+/// first they are so less, and look like an airfoil over as much of the surface. Normals are not asked, since those of a wide blade with
+/// much twist say little.
+fn stands(radius: &Run, chosen: &Run, patches: &[Patch]) -> bool {
+    if fading(chosen, caps::lids(patches, chosen)).is_none() || radius.covered() < chosen.covered() {
+        return false;
+    }
+    let off_deg = between_deg(&radius.direction, &chosen.direction);
+    let much = |r: &Run| r.share * r.free;
+    let enough = |of: &dyn Fn(&Run) -> f64| of(radius) > STANDS * of(chosen);
+    !radius.links.is_empty() && off_deg > 0.0 && off_deg < STANDS_DEG && enough(&much) && enough(&|r| r.likeness)
+}
+
+/// See [`stands`]: share of what is found along the best direction …
+const STANDS: f64 = 0.8;
+/// … and the farthest that this one may be, degrees.
+const STANDS_DEG: f64 = 30.0;
+
+/// Why the chosen axis is not certain; `None` where it is. Two marks that do not come from sections make it certain against other
+/// directions: the line from one end of an airfoil to the other, and a radius on which the part stands off its shaft.
+fn doubted(mesh: &Mesh, runs: &[Run], chosen: usize, patches: &[Patch], ends: Option<Ends>) -> Option<String> {
+    let run = &runs[chosen];
+    let ended = ends.is_some_and(|e| between_deg(&e.line, &run.direction) < DATUM_DEG);
+    let stood = rotor::radius(mesh).is_some_and(|k| nearest_axis(&run.direction) == (Vector::ith(k, 1.0), 0.0));
+    let near_deg = if stood { LEANS_DEG } else { RIVAL_DEG };
+    let other = || rival(runs, chosen, near_deg, rotor::shaft(mesh).map(|k| Vector::ith(k, 1.0)));
+    let short = || fading(run, caps::lids(patches, run));
+    (!ended)
+        .then(other)
+        .flatten()
+        .or_else(|| (!ended && !stood).then(short).flatten())
+        .or_else(|| slanted(run, patches))
+}
+
+/// A line that is taken instead of the direction of the sections.
+struct Other {
+    line: Vector,
+    why: &'static str,
+    doubt: String,
+    /// Whether the root is at its high end, and why, where the ends tell.
+    sense: Option<(bool, String)>,
+}
+
+/// The line to take where the blade leans; also where both ends of an airfoil are known, curved or askew, and no section square to
+/// the direction comes near them. `None`: neither.
+fn aslant(run: &Run, patches: &[Patch], ends: Option<Ends>) -> Option<Other> {
+    const WHY: &str = "the line from the middle of one end to that of the other";
+    let sense = |e: Ends| {
+        (e.ratio > TAPERS).then(|| (false, format!("root at the larger of both ends, by {:.1} times", e.ratio)))
+    };
+    let d = run.direction;
+    let lean_deg = between_deg(&run.stack, &d);
+    if lean_deg > LEAN_DEG {
+        let (line, why) = match ends {
+            Some(e) => (e.line, WHY),
+            None => (run.stack, "the line through the middles of the sections"),
+        };
+        let told = line * line.dot(&run.stack).signum();
+        return Some(Other { line, why, doubt: leaning(&told, &d, lean_deg), sense: ends.and_then(sense) });
+    }
+    let ends = ends.filter(|e| !e.flat && between_deg(&e.line, &d) > LEAN_DEG && caps::lids(patches, run) == 0)?;
+    let doubt = format!(
+        "the blade axis is not certain: sections square to ({:.2}, {:.2}, {:.2}) look most like an airfoil, but reach neither of its ends, \
+         between which the blade turns; give the axis with --axis if it is wrong",
+        d.x, d.y, d.z
+    );
+    Some(Other { line: ends.line, why: WHY, doubt, sense: sense(ends) })
+}
+
+/// Where one end of an airfoil is larger than the other by this factor it is the root's.
+const TAPERS: f64 = 1.5;
+
+/// The best run far from the chosen one, in words, where it scores nearly as much as what is near the chosen one. Not along the
+/// shaft of the rotor where that is known and the chosen one stands off it: the flow runs there, and no blade.
+fn rival(runs: &[Run], chosen: usize, near_deg: f64, shaft: Option<Vector>) -> Option<String> {
     let axis = runs[chosen].direction;
-    let far = |r: &&Run| r.direction.dot(&axis).abs() < RIVAL_DEG.to_radians().cos();
+    let off = |r: &&Run, d: &Vector, deg: f64| between_deg(&r.direction, d) > deg;
+    let shaft = shaft.filter(|s| between_deg(s, &axis) > 90.0 - RIVAL_DEG);
+    let far = |r: &&Run| off(r, &axis, near_deg) && shaft.is_none_or(|s| off(r, &s, RIVAL_DEG));
     let best = runs.iter().filter(far).max_by(|a, b| a.score.total_cmp(&b.score))?;
-    (best.score > RIVAL * runs[chosen].score).then(|| {
+    let own = runs.iter().filter(|r| !off(r, &axis, near_deg)).map(|r| r.score).fold(0.0, f64::max);
+    (best.score > RIVAL * own).then(|| {
         let d = best.direction;
         format!(
             "the blade axis is not certain: sections along ({:.2}, {:.2}, {:.2}) look like an airfoil too (score {:.2} against {:.2}); \
              give it with --axis if it is wrong",
-            d.x, d.y, d.z, best.score, runs[chosen].score
+            d.x, d.y, d.z, best.score, own
         )
     })
 }
@@ -287,7 +378,7 @@ const FADED: f64 = 0.25;
 /// What is said of a blade whose sections are far from square to its length.
 fn leaning(line: &Vector, sections: &Vector, lean_deg: f64) -> String {
     format!(
-        "the blade axis is not certain: the blade leans, the middles of its sections run along ({:.2}, {:.2}, {:.2}), the sections \
+        "the blade axis is not certain: the blade leans, its middle runs along ({:.2}, {:.2}, {:.2}), the sections \
          themselves are square to ({:.2}, {:.2}, {:.2}), {lean_deg:.0}° away; give the axis with --axis if it is wrong",
         line.x, line.y, line.z, sections.x, sections.y, sections.z
     )
@@ -405,4 +496,53 @@ fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
     // Nothing tells the ends apart: the tip is taken where the coordinate grows.
     let main = run.direction.iamax();
     (run.direction[main] < 0.0, "both ends are alike, so root to tip was taken along the growing coordinate".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::sample;
+
+    /// The run along the sample's axis, as if it were along another direction with another score.
+    fn along(direction: [f64; 3], score: f64) -> Run {
+        let direction = Vector::from(direction).normalize();
+        Run { direction, score, ..run::along(&sample::blade(), &Vector::z(), None) }
+    }
+
+    #[test]
+    fn a_direction_along_the_shaft_is_no_rival_of_a_blade_that_stands_off_it() {
+        let runs = [along([0.0, 0.0, 1.0], 1.0), along([0.9, 0.1, -0.2], 0.8)];
+        let told = |shaft: Option<Vector>| rival(&runs, 0, RIVAL_DEG, shaft).is_some();
+        assert!(told(None) && !told(Some(Vector::x())) && told(Some(Vector::y())));
+        assert!(told(Some(Vector::z())), "what was chosen lies along the shaft itself");
+    }
+
+    #[test]
+    fn a_rival_is_weighed_against_the_best_near_the_chosen_one() {
+        let mut runs = vec![along([0.0, 0.0, 1.0], 0.6), along([1.0, 0.0, 0.0], 0.45)];
+        assert!(rival(&runs, 0, RIVAL_DEG, None).is_some());
+        runs.push(along([0.1, 0.0, 1.0], 1.0));
+        assert!(rival(&runs, 0, RIVAL_DEG, None).is_none());
+    }
+
+    #[test]
+    fn a_radius_is_taken_where_sections_are_cut_short_less_along_it() {
+        // So much of the part beyond either end of the sections, as a share of the airfoil.
+        let beyond = |mut r: Run, share: f64| {
+            let [lo, hi] = [0, r.links.len() - 1].map(|k| r.links[k].height_mm);
+            r.part_mm = [lo - share * (hi - lo), hi + share * (hi - lo)];
+            r.body = [false; 2];
+            r
+        };
+        let aslant = || beyond(along([0.94, 0.34, 0.0], 1.0), 0.25);
+        let radius = || beyond(along([1.0, 0.0, 0.0], 0.3), 0.2);
+        assert!(stands(&radius(), &aslant(), &[]));
+        assert!(!stands(&beyond(radius(), 0.3), &aslant(), &[]), "cut short more");
+        assert!(!stands(&radius(), &beyond(aslant(), 0.1), &[]), "the other is not cut short");
+        assert!(!stands(&Run { share: 0.5 * radius().share, ..radius() }, &aslant(), &[]), "less airfoil");
+        assert!(
+            !stands(&radius(), &Run { direction: Vector::new(0.7, 0.7, 0.0).normalize(), ..aslant() }, &[]),
+            "too far"
+        );
+    }
 }
