@@ -19,7 +19,8 @@
 //! * **Touches** of a turn thin out where the lines across the turns draw together and are added where they draw apart; a stretch
 //!   that would run backwards (a front that has folded) is left out.
 //! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn.
-//! * Where the ball loses the surface on the way down or up, the turns are those laid down from the start as far as it went.
+//! * Where the ball loses the surface on the way down, or places have come to the end and others never do, the end is drawn along the last turn but
+//!   one, which could be left everywhere. Where it loses the surface on the way up too, the turns are those laid down from the start.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -78,12 +79,10 @@ pub(super) fn plan(
     for coarser in [COARSER, 1.0] {
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
-        down =
-            march(bounds, scallop_mm, false).find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
-        if down.lost.is_some() {
-            continue;
-        }
-        let end: Vec<Touch> = down.last().iter().skip(1).rev().map(|n| n.touch).collect();
+        let lay_down = march(bounds, scallop_mm, false);
+        down = lay_down.clone().find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        let Some(mut end) = lay_down.end_of(&down) else { continue };
+        end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
         let room = Bounds {
             x_mm: [f64::NEG_INFINITY, start_x + HIGHEST * (start_x - end_x)],

@@ -177,6 +177,32 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
 }
 
 #[test]
+fn where_a_side_alone_comes_to_the_end_it_is_drawn_along_the_turn_that_is_there() {
+    // A round bar that stands on a fillet of 12 mm and a block on one side, and goes on down on the other.
+    let block = |c: f64| {
+        let u = ((c + 0.2) / 0.8).clamp(0.0, 1.0);
+        u * u * (3.0 - 2.0 * u)
+    };
+    let fillet = |x: f64| 12.0 - (144.0 - (12.0 - x.clamp(0.0, 12.0)).powi(2)).max(0.0).sqrt();
+    let heights: Vec<f64> =
+        rows(36.0, 0.5).iter().map(|x| x - 24.0).chain(rows(40.0, 4.0).iter().map(|x| x + 16.0)).collect();
+    let blade = turned(400, &heights, |x, s, c| {
+        let r = 10.0 + block(c) * fillet(x);
+        [r * c, r * s]
+    });
+    let path = plan(&blade, &options(20.0, None), &Silent).unwrap();
+    let turns = by_turn(&path);
+    let d = flat_stepover_mm(R, H);
+    let end = turns[turns.len() - 1];
+    assert!(end.iter().any(|l| l.normal.x > 0.8), "the end runs over the block");
+    // In the fillet centres lie as near to one another as 0.7 of what they do on the flat; where turns waited, they would lie on each other.
+    let all: Vec<f64> = (1..turns.len() - 2).flat_map(|k| distances(turns[k], turns[k + 1])).collect();
+    let near = all.iter().filter(|a| **a < 0.5 * d).count();
+    assert!(near * 100 < all.len(), "{near} of {} places nearer to the next turn than half of {d}", all.len());
+    assert!(path.planned_scallop_mm < 1.05 * H, "{}", path.planned_scallop_mm);
+}
+
+#[test]
 fn sharp_edge_is_run_along() {
     // A round bar that ends in a sharp edge, hardly askew.
     let foot = |c: f64| 6.0 + 0.002 * 10.0 * c;

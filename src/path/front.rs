@@ -50,6 +50,9 @@ impl March<'_> {
             let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
             let lo = s_mm.partition_point(|s| *s < s_mm[k] - REACH * width_mm);
             let hi = s_mm.partition_point(|s| *s <= s_mm[k] + REACH * width_mm);
+            // A place at the end stays behind because it must: what goes on beside it is not ahead.
+            let lo = (lo..k).rev().find(|j| chain[*j].stop.is_some()).map_or(lo, |j| j + 1);
+            let hi = (k + 1..hi).find(|j| chain[*j].stop.is_some()).unwrap_or(hi);
             if hi - lo < FEWEST || lo == k || hi == k + 1 {
                 return None;
             }

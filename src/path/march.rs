@@ -120,8 +120,22 @@ impl March<'_> {
                 return Ok(level);
             }
         }
-        laid.lost = laid.last().iter().find(|n| n.stop.is_none()).map(|n| n.touch.centre);
         Ok(laid)
+    }
+
+    /// The end as a closed curve, in the direction of the turns: the last turn where it runs along the end all the way, else the last but one,
+    /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends.
+    pub(super) fn end_of(&self, laid: &Laid) -> Option<Vec<Touch>> {
+        let touches = |nodes: &[Node]| nodes.iter().skip(1).map(|n| n.touch).collect();
+        if laid.is_at_the_end() {
+            return Some(touches(laid.last()));
+        }
+        let turn = laid.turns.len().checked_sub(2).map(|k| &laid.turns[k]).filter(|t| !is_ring(t))?;
+        let along = curve::tangents(None, &turn.iter().map(|n| n.touch).collect::<Vec<_>>(), None);
+        let left = ramp(turn, RAMP_STEPOVERS * self.flat_mm);
+        let last = turn.len() - 1;
+        let on = (1..last).filter_map(|i| self.next_node(&turn[i], along[i], 1.0 - left[i])).map(|n| n.touch);
+        Some(on.chain([turn[last].touch]).collect())
     }
 
     /// A first turn, closed, along a ring.

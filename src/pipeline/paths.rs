@@ -5,8 +5,8 @@ use clap::ValueEnum;
 use super::Setup;
 use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, CheckReport, Toolpath};
-use crate::error::Result;
-use crate::observe::Observer;
+use crate::error::{ErrorKind, Result, Stage};
+use crate::observe::{Observer, Warning};
 use crate::output::summary::{self, PathFigures};
 use crate::path::{self, PathOptions};
 use crate::section::{self, SectionOptions};
@@ -26,7 +26,8 @@ pub(super) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -
 /// Greatest `path.max_lean_deg` of turns that are not of constant scallop.
 const MOST_LEAN_DEG: f64 = 85.0;
 
-/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop.
+/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop. A kind whose turns cannot be laid is left
+/// out, with a warning.
 pub(super) fn others(
     setup: &Setup,
     path: &Toolpath,
@@ -35,19 +36,29 @@ pub(super) fn others(
 ) -> Result<Vec<PathFigures>> {
     let kinds = PathKind::value_variants().iter().filter(|k| **k != path.kind);
     let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
-    kinds
-        .map(|kind| {
-            let own = setup.path_options();
-            let [a, b] = path.region_x_mm;
-            let region_x_mm = [own.region_x_mm[0], Some(a.min(b))];
-            // Turns of other kinds cannot go down to a platform: the height of the region ends them.
-            let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
-            let (scallop_mm, end_faces) = (worst_mm, Vec::new());
-            let options = PathOptions { kind: *kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
-            let other = path::plan(&setup.blade, &options, observer)?;
-            let samples = setup.job.verify.surface_samples as usize;
-            let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
-            Ok(summary::path_figures(&other, limit, &report.limit))
-        })
-        .collect()
+    // A ball that comes to an edge at the part's end has its centre beyond it.
+    let [a, b] = path.region_x_mm;
+    let end_mm = a.min(b).max(setup.blade.regions.part_x_mm[0]);
+    let mut figures = Vec::new();
+    for kind in kinds {
+        let own = setup.path_options();
+        let region_x_mm = [own.region_x_mm[0], Some(end_mm)];
+        // Turns of other kinds cannot go down to a platform: the height of the region ends them.
+        let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
+        let (scallop_mm, end_faces) = (worst_mm, Vec::new());
+        let options = PathOptions { kind: *kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
+        let other = match path::plan(&setup.blade, &options, observer) {
+            Err(e) if e.kind == ErrorKind::Infeasible => {
+                let name = kind.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
+                let message = format!("no {name} path over the same region to compare with: {}", e.message);
+                observer.warn(Warning { stage: Stage::Path, message });
+                continue;
+            }
+            other => other?,
+        };
+        let samples = setup.job.verify.surface_samples as usize;
+        let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
+        figures.push(summary::path_figures(&other, limit, &report.limit));
+    }
+    Ok(figures)
 }

@@ -124,17 +124,19 @@ pub(super) fn channel_as_far_as_it_goes(
             }
             Err(e) => e,
         };
-        let Some(end_mm) = blocked.region_may_end_mm.filter(|_| setup.job.region.end_mm.is_none()) else {
-            return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
-        };
         let mut shorter = setup.path_options();
         // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
         let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
-        let end_mm = ended_mm.map_or(end_mm, |before: f64| end_mm.max(before + stepover_mm));
-        if end_mm >= setup.job.region.start_mm {
-            // Not even the first turn has room.
+        let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
+        // An end that was asked for stays, and the first turn at least needs room above it.
+        let end_mm = blocked
+            .region_may_end_mm
+            .filter(|_| setup.job.region.end_mm.is_none())
+            .map(|end_mm: f64| end_mm.max(above_mm))
+            .filter(|end_mm| *end_mm < setup.job.region.start_mm);
+        let Some(end_mm) = end_mm else {
             return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
-        }
+        };
         ended_mm = Some(end_mm);
         shorter.region_x_mm[1] = Some(end_mm);
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
