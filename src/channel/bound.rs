@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::geometry::Vector;
 
-use super::profile::Profile;
+use super::clear;
+use super::profile::{Frustum, Profile};
 
 /// Steps after which a walk over angles is given up.
 const WALK: usize = 48;
@@ -122,7 +123,9 @@ impl Facet {
     }
 }
 
-/// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes of the convex distance.
+/// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes of the convex distance: that at the
+/// middle, or where it will not do one between it and that at the corner where it is lowest. Near the place where tool and part touch
+/// the margin is curved so much that the one at the middle would do only for much smaller boxes.
 pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
     let z = v.dot(axis);
     let r = (v.norm_squared() - z * z).max(0.0).sqrt();
@@ -133,14 +136,56 @@ pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, h
             continue;
         }
         let k = if r > 0.0 { by_r / r } else { 0.0 };
-        let slope = v * k + axis * (by_z - k * z);
-        let fall: f64 = half.iter().map(|h| slope.dot(h).abs()).sum();
-        out.add(m - fall.min(radius), &slope);
+        let mut slope = v * k + axis * (by_z - k * z);
+        let along = half.map(|h| slope.dot(&h));
+        let fall: f64 = along.iter().map(|a| a.abs()).sum();
+        let mut least = m - fall.min(radius);
+        if least <= NONE_MM && m > NONE_MM {
+            (least, slope) = by_two(f, axis, v, half, (m, &slope, &along));
+        }
+        out.add(least, &slope);
         if out.least <= 0.0 {
             break;
         }
     }
     out
+}
+
+/// Shares of the second plane that are tried.
+const SHARES: [f64; 4] = [0.5, 0.75, 0.25, 1.0];
+
+/// A bound of the margin over the box and the slope of the plane that gives it: of the mixtures of the tangent plane at the middle, of
+/// value `m` there, and that at the box's lowest corner by it the first that leaves room, else the best that was tried.
+fn by_two(
+    f: &Frustum,
+    axis: &Vector,
+    v: &Vector,
+    half: &[Vector; 3],
+    (m, slope, along): (f64, &Vector, &[f64; 3]),
+) -> (f64, Vector) {
+    let mut corner = *v;
+    for (h, a) in half.iter().zip(along) {
+        corner -= h * a.signum();
+    }
+    let (there, second) = clear::margin(f, axis, &corner);
+    if there <= NONE_MM {
+        return (there.min(0.0), *slope);
+    }
+    let at_middle = there + second.dot(&(v - corner));
+    let with = half.map(|h| second.dot(&h));
+    let mut best = (f64::NEG_INFINITY, 0.0);
+    for share in SHARES {
+        let rest = 1.0 - share;
+        let fall: f64 = along.iter().zip(&with).map(|(a, b)| (rest * a + share * b).abs()).sum();
+        let least = rest * m + share * at_middle - fall;
+        if least > best.0 {
+            best = (least, share);
+        }
+        if least > NONE_MM {
+            break;
+        }
+    }
+    (best.0, slope * (1.0 - best.1) + second * best.1)
 }
 
 /// Lower bound of the margin over a box, mm.

@@ -46,14 +46,16 @@ const OVERLAP: f64 = 0.02;
 /// Places after which the front is made anew, coarser again.
 const PLACES: usize = 64;
 
-/// Places that one thread works on in a row; fixed, so that the result does not depend on the number of threads.
-const BATCH: usize = 128;
+/// Places that one thread works on in a row: at least, at most, and in how many rows a path is cut between these. Nothing depends on the
+/// number of threads. Each row begins with a look at everything.
+const BATCH: [usize; 2] = [128, 512];
+const BATCHES: usize = 256;
 
 /// The free intervals of every place, unwrapped; in order, whatever the number of threads.
 pub(super) fn free_everywhere(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let done = AtomicUsize::new(0);
     let batches: Vec<Vec<Vec<Free>>> = samples
-        .par_chunks(BATCH)
+        .par_chunks((samples.len() / BATCHES).clamp(BATCH[0], BATCH[1]))
         .map(|batch| {
             observer.check(Stage::Channel)?;
             let mut tracker = Tracker::new(scene);
