@@ -177,6 +177,19 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
 }
 
 #[test]
+fn an_upright_sharp_edge_that_turns_go_over_aslant_ends_nothing() {
+    // A square bar that leans over a corner: two of its edges lie across the turns' way.
+    let blade = turned(400, &rows(60.0, 1.0), |x, s, c| {
+        let r = 10.0 / c.abs().max(s.abs());
+        [r * c + 0.5 * x, r * s + 0.5 * x]
+    });
+    let path = plan(&blade, &options(40.0, None), &Silent).unwrap();
+    // It goes on to the platform that the bar stands on.
+    assert!(path.end_reason.contains("corner"), "{}", path.end_reason);
+    assert!(path.planned_scallop_mm < 1.05 * H, "{}", path.planned_scallop_mm);
+}
+
+#[test]
 fn where_a_side_alone_comes_to_the_end_it_is_drawn_along_the_turn_that_is_there() {
     // A round bar that stands on a fillet of 12 mm and a block on one side, and goes on down on the other.
     let block = |c: f64| {

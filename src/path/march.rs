@@ -131,10 +131,11 @@ impl March<'_> {
             return Some(touches(laid.last()));
         }
         let turn = laid.turns.len().checked_sub(2).map(|k| &laid.turns[k]).filter(|t| !is_ring(t))?;
-        let along = curve::tangents(None, &turn.iter().map(|n| n.touch).collect::<Vec<_>>(), None);
+        let whole: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
+        let along = curve::tangents(None, &whole, None);
         let left = ramp(turn, RAMP_STEPOVERS * self.flat_mm);
         let last = turn.len() - 1;
-        let on = (1..last).filter_map(|i| self.next_node(&turn[i], along[i], 1.0 - left[i])).map(|n| n.touch);
+        let on = (1..last).filter_map(|i| self.next_node(&turn[i], &whole, along[i], 1.0 - left[i])).map(|n| n.touch);
         Some(on.chain([turn[last].touch]).collect())
     }
 
@@ -199,16 +200,17 @@ impl March<'_> {
         let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
         let ahead = centre(1);
         let along = curve::tangents(Some(&back), &touches, closed.then_some(&ahead));
+        let round: Vec<Touch> = tail.iter().map(|n| n.touch).chain(touches).collect();
         let mut next: Vec<Option<Node>> =
-            (0..=n).into_par_iter().map(|i| self.next_node(&turn[i], along[i], shares[i])).collect();
+            (0..=n).into_par_iter().map(|i| self.next_node(&turn[i], &round, along[i], shares[i])).collect();
         next[0] = Some(turn[n]);
         if !closed && let Some(start) = next[1] {
             // The way on from the last touch is known only now: to the first of the new turn.
             let on = curve::tangent(Some(&centre(n - 1)), &turn[n].touch, Some(&start.touch.centre));
-            next[n] = self.next_node(&turn[n], on, 1.0);
+            next[n] = self.next_node(&turn[n], &round, on, 1.0);
         }
         if self.facets {
-            next = self.even_out(turn, &along, &shares, next);
+            next = self.even_out(turn, &round, &along, &shares, next);
         }
         if self.passes_burrs {
             self.leave_out_burrs(&mut next);
@@ -227,12 +229,13 @@ impl March<'_> {
     /// The beginning of the turn after `turn`, as long as the evening of a front looks; its first touch, the last of `turn`, left out.
     fn head(&self, before: &[Node], turn: &[Node]) -> Vec<Node> {
         let count = arc_lengths(turn).partition_point(|s| *s <= self.look_mm());
-        let touches: Vec<Touch> = turn[..turn.len().min(count + 1)].iter().map(|n| n.touch).collect();
-        let along = curve::tangents(Some(&before[before.len() - 2].touch.centre), &touches, None);
+        let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
+        let first = &touches[..turn.len().min(count + 1)];
+        let along = curve::tangents(Some(&before[before.len() - 2].touch.centre), first, None);
         let mut head: Vec<Node> = Vec::with_capacity(count);
         let last = &turn[turn.len() - 1];
         for i in 1..count {
-            let Some(next) = self.next_node(&turn[i], along[i], 1.0) else { continue };
+            let Some(next) = self.next_node(&turn[i], &touches, along[i], 1.0) else { continue };
             let step = next.touch.centre - head.last().unwrap_or(last).touch.centre;
             if step.dot(&along[i]) > 0.0 {
                 head.push(next);
@@ -241,14 +244,14 @@ impl March<'_> {
         head
     }
 
-    /// The neighbour of one node, at the share `share` of the stepover.
-    fn next_node(&self, node: &Node, along: Vector, share: f64) -> Option<Node> {
+    /// The neighbour of one node of a turn, at the share `share` of the stepover.
+    fn next_node(&self, node: &Node, turn: &[Touch], along: Vector, share: f64) -> Option<Node> {
         if node.stop.is_some() || share < LEAST_SHARE {
             return Some(Node { way_mm: self.flat_mm, ..*node });
         }
         let from = Place { touch: node.touch, along };
         let h_mm = self.scallop_mm * share * share;
-        let Next { touch, way_mm, stop } = self.across.neighbour(&from, h_mm, node.way_mm * share)?;
+        let Next { touch, way_mm, stop } = self.across.neighbour(&from, turn, h_mm, node.way_mm * share)?;
         if stop.is_none() && way_mm < STUCK * share * self.flat_mm {
             return None;
         }

@@ -35,6 +35,10 @@ const MOST_ROLL: usize = 12;
 const ROUND: [f64; 2] = [0.15, STILL];
 /// The least share of the way to a neighbour on which a ball is found to roll over an edge.
 const LEAST_ROLL: f64 = 0.02;
+/// A turn so many times as far from a place beyond an edge as the place that it is sought from lies beyond the edge itself.
+const NEAR: f64 = 1.5;
+/// Cosine of the angle between the blade axis and an edge up to which the edge may be one that turns go over: 60°.
+const UPRIGHT: f64 = 0.5;
 /// Halvings towards the place where the ball begins to roll over an edge.
 const EDGE_HALVINGS: usize = 16;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
@@ -121,6 +125,18 @@ fn rolls_round(a: &Next, b: &Next, share: f64) -> bool {
     (b.touch.contact - a.touch.contact).norm() < share * (b.way_mm - a.way_mm).abs()
 }
 
+/// Whether a turn, near one of its places, lies already beyond an edge over which the ball would roll from `onset` to `over`, and the edge runs up
+/// the blade more than round it: a blunt trailing edge, say, which the turn goes over aslant, to go on on its other side.
+fn is_beyond(turn: &[Touch], from: &Place, onset: &Touch, over: &Touch) -> bool {
+    let edge = onset.normal.cross(&over.normal).try_normalize(1e-9);
+    if edge.is_none_or(|e| e.x.abs() < UPRIGHT) {
+        return false;
+    }
+    let near_mm = NEAR * (over.centre - from.touch.centre).norm();
+    let half_rad = 0.5 * onset.normal.angle(&over.normal);
+    turn.iter().any(|t| (t.centre - over.centre).norm() < near_mm && t.normal.angle(&over.normal) < half_rad)
+}
+
 /// The direction in which the path goes on from a touch, and the plane across it.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
@@ -149,39 +165,42 @@ pub struct Across<'a> {
 }
 
 impl Across<'_> {
-    /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off. `None` where the ball cannot go there.
-    pub fn neighbour(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
+    /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off, and `turn` the turn round the place. `None` where the ball
+    /// cannot go there.
+    pub fn neighbour(&self, from: &Place, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
         let next = self.straight(from, h_mm, guess_mm).or_else(|| {
             let ridge =
                 |t: &Touch, _: f64| ridge_height(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY);
             self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
         })?;
-        Some(self.short_of_an_edge(from, next))
+        Some(self.short_of_an_edge(from, turn, next))
     }
 
-    /// The same, or where the ball begins to roll over a sharp edge on the way there.
-    fn short_of_an_edge(&self, from: &Place, next: Next) -> Next {
+    /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the turn itself goes over that edge.
+    fn short_of_an_edge(&self, from: &Place, turn: &[Touch], next: Next) -> Next {
         let radius = self.level.radius_mm;
-        let (turn, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
+        let (bend, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
         // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it negative.
-        if turn.dot(&moved) * radius < LEAST_ROLL * moved.norm_squared() {
+        if bend.dot(&moved) * radius < LEAST_ROLL * moved.norm_squared() {
             return next;
         }
         let free = Across { bounds: Bounds::NONE, ..*self };
         let farther = |turn: f64| free.at_way(from, next.way_mm + turn * radius);
         let Some(on) = farther(ON_RAD) else { return next };
         let facets = usize::from(self.level.part.brep.is_none());
-        let over = rolls_over(&next, &on);
-        if !over && !rolls_round(&next, &on, ROUND[facets]) {
+        let along_edge = rolls_over(&next, &on);
+        if !along_edge && !rolls_round(&next, &on, ROUND[facets]) {
             return next;
         }
-        let rolls = |a: &Next, b: &Next| if over { rolls_over(a, b) } else { rolls_round(a, b, ROUND[facets]) };
+        let rolls = |a: &Next, b: &Next| if along_edge { rolls_over(a, b) } else { rolls_round(a, b, ROUND[facets]) };
         let start = Next { touch: from.touch, way_mm: 0.0, stop: None };
         let mut before = free.onset(from, start, next.way_mm, |n| rolls(n, &on));
         let sharp_rad = SHARP_RAD[facets];
         let turned = |n: &Next| before.touch.normal.angle(&n.touch.normal);
         let rolled = (2..).map_while(|k| farther(f64::from(k) * ON_RAD).filter(|n| rolls(n, &on)));
-        if turned(&on) < sharp_rad && !rolled.take(MOST_ROLL).any(|n| turned(&n) >= sharp_rad) {
+        let mut over = std::iter::once(on).chain(rolled.take(MOST_ROLL));
+        let Some(over) = over.find(|n| turned(n) >= sharp_rad) else { return next };
+        if is_beyond(turn, from, &before.touch, &over.touch) {
             return next;
         }
         // The contact may move by a share of the way: seen from near by, that is little.
@@ -210,9 +229,9 @@ impl Across<'_> {
         before
     }
 
-    /// The place at the given way, or where the ball begins to roll over a sharp edge before it.
-    pub fn reach(&self, from: &Place, way_mm: f64) -> Option<Next> {
-        self.at_way(from, way_mm).map(|next| self.short_of_an_edge(from, next))
+    /// The place at the given way, or where the ball begins to roll over a sharp edge before it; `turn` is the turn round the place.
+    pub fn reach(&self, from: &Place, turn: &[Touch], way_mm: f64) -> Option<Next> {
+        self.at_way(from, way_mm).map(|next| self.short_of_an_edge(from, turn, next))
     }
 
     /// The place at the given way.

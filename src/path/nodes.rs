@@ -280,6 +280,7 @@ impl March<'_> {
     pub(super) fn even_out(
         &self,
         turn: &[Node],
+        round: &[Touch],
         along: &[Vector],
         shares: &[f64],
         next: Vec<Option<Node>>,
@@ -320,7 +321,7 @@ impl March<'_> {
                     return next[i];
                 };
                 let from = Place { touch: turn[i].touch, along: along[i] };
-                let Some(found) = mean(i).and_then(|w| self.across.reach(&from, w * shares[i])) else {
+                let Some(found) = mean(i).and_then(|w| self.across.reach(&from, round, w * shares[i])) else {
                     return Some(node);
                 };
                 let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
