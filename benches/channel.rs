@@ -285,9 +285,9 @@ fn main() {
     println!("{count} locations, {} threads", rayon::current_num_threads());
     for &size in sizes {
         let blade = blade(part(size));
-        let start = Instant::now();
+        let (start, worked) = (Instant::now(), worked_s());
         let around = Surroundings::new(&blade, &[], tool.radius_mm).unwrap();
-        let index = start.elapsed().as_secs_f64();
+        let (index, index_worked) = (start.elapsed().as_secs_f64(), worked_s() - worked);
         let start = Instant::now();
         let worked = worked_s();
         let ours = intervals(&around, &tool, &path, &options, &Silent).unwrap();
@@ -297,7 +297,7 @@ fn main() {
         let proven = start.elapsed().as_secs_f64();
         let per = |s: f64| 1e6 * s / count as f64;
         println!(
-            "{:>8} triangles: index {index:.2} s; intervals {all:.2} s = {:.1} µs a location, \
+            "{:>8} triangles: index {index:.2} s, {index_worked:.2} s of all threads; intervals {all:.2} s = {:.1} µs a location, \
              {worked:.2} s of all threads; with the chain and what `plan` does {proven:.2} s = {:.1} µs",
             blade.part.mesh.triangles.len(),
             per(all),

@@ -124,8 +124,8 @@ impl Facet {
 }
 
 /// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes of the convex distance: that at the
-/// middle, or where it will not do one between it and that at the corner where it is lowest. Near the place where tool and part touch
-/// the margin is curved so much that the one at the middle would do only for much smaller boxes.
+/// middle, or where it leaves little of the room there one between it and that at the corner where it is lowest. Near the place where tool
+/// and part touch the margin is curved so much that the one at the middle would do only for much smaller boxes.
 pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
     let z = v.dot(axis);
     let r = (v.norm_squared() - z * z).max(0.0).sqrt();
@@ -140,8 +140,11 @@ pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, h
         let along = half.map(|h| slope.dot(&h));
         let fall: f64 = along.iter().map(|a| a.abs()).sum();
         let mut least = m - fall.min(radius);
-        if least <= NONE_MM && m > NONE_MM {
-            (least, slope) = by_two(f, axis, v, half, (m, &slope, &along));
+        if least < SHARE_OF_ROOM * m && m > NONE_MM {
+            let two = by_two(f, axis, v, half, (m, &slope, &along));
+            if two.0 > least {
+                (least, slope) = two;
+            }
         }
         out.add(least, &slope);
         if out.least <= 0.0 {
@@ -151,11 +154,13 @@ pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, h
     out
 }
 
+/// Share of the room at a box's middle that one plane must leave, or two are tried: more room lasts for more places.
+const SHARE_OF_ROOM: f64 = 0.5;
 /// Shares of the second plane that are tried.
 const SHARES: [f64; 4] = [0.5, 0.75, 0.25, 1.0];
 
-/// A bound of the margin over the box and the slope of the plane that gives it: of the mixtures of the tangent plane at the middle, of
-/// value `m` there, and that at the box's lowest corner by it the first that leaves room, else the best that was tried.
+/// A bound of the margin over the box and the slope of the plane that gives it: the best of some mixtures of the tangent plane at the middle,
+/// of value `m` there, and that at the box's lowest corner by it.
 fn by_two(
     f: &Frustum,
     axis: &Vector,
@@ -180,9 +185,6 @@ fn by_two(
         let least = rest * m + share * at_middle - fall;
         if least > best.0 {
             best = (least, share);
-        }
-        if least > NONE_MM {
-            break;
         }
     }
     (best.0, slope * (1.0 - best.1) + second * best.1)

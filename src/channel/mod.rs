@@ -19,9 +19,8 @@
 //! **Guaranteed**: at every cutter location and every θ of its interval no point of a body's mesh is nearer to taper, shank or
 //! holder than the clearance plus the mesh's deflection; with `prove_moves` also at every time of the straight moves between
 //! locations, for every θ between the walls, which are then straight from location to location. Without it walls are taken as
-//! straight between places. Ends are at most `tolerance_rad` inside those of the
-//! exact mesh with its deflection as room, or of a tool inflated by an eighth of the tolerance times the distance from the ball centre, where the tool
-//! touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
+//! straight between places. Ends are at most `tolerance_rad` inside those of the exact mesh with its deflection as room, also where the
+//! tool touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
 //! at most `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long (`tighten`), which stay as safe.
 //!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.

@@ -61,10 +61,12 @@ impl SphereTree {
         };
         let centres: Vec<Point> =
             pieces.iter().map(|[a, b, c]| Point::from((a.coords + b.coords + c.coords) / 3.0)).collect();
+        let twice_areas: Vec<Vector> = pieces.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).collect();
         let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
-        let mut nodes = Vec::with_capacity(2 * order.len());
+        let empty = Node { centre: Point::origin(), radius: 0.0, half: [Vector::zeros(); 3], link: 0 };
+        let mut nodes = vec![empty; (2 * order.len()).saturating_sub(1)];
         if !order.is_empty() {
-            build(&pieces, &centres, &mut order, &mut nodes);
+            Builder { pieces: &pieces, centres: &centres, twice_areas: &twice_areas }.build(&mut order, &mut nodes, 0);
         }
         let spheres = pieces.iter().map(around_triangle).collect();
         SphereTree { nodes, pieces, spheres, parents }
@@ -127,52 +129,69 @@ fn cut(whole: &[[Point; 3]], of: &[u32], side_mm: f64) -> Option<(Vec<[Point; 3]
     Some((pieces, parents))
 }
 
-/// Appends the node of `order`'s triangles and all nodes below it. Recursion is as deep as log2 of their number.
-fn build(pieces: &[[Point; 3]], centres: &[Point], order: &mut [u32], nodes: &mut Vec<Node>) {
-    let (centre, half) = around(pieces, order);
-    let corners = order.iter().flat_map(|&t| pieces[t as usize]);
-    let radius = corners.map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12);
-    let here = nodes.len();
-    if let [triangle] = order {
-        nodes.push(Node { centre, radius, half, link: LEAF + *triangle });
-        return;
-    }
-    nodes.push(Node { centre, radius, half, link: 0 });
-    let first = centres[order[0] as usize];
-    let (lo, hi) = order.iter().fold((first, first), |(lo, hi), &t| {
-        let c = centres[t as usize];
-        (lo.inf(&c), hi.sup(&c))
-    });
-    let side = (hi - lo).imax();
-    let half = order.len() / 2;
-    order.select_nth_unstable_by(half, |&a, &b| {
-        centres[a as usize][side].total_cmp(&centres[b as usize][side]).then(a.cmp(&b))
-    });
-    let (left, right) = order.split_at_mut(half);
-    build(pieces, centres, left, nodes);
-    nodes[here].link = nodes.len() as u32;
-    build(pieces, centres, right, nodes);
+/// Triangles below a node from which on its halves are built at the same time.
+const APART: usize = 4096;
+
+/// What the nodes are made of.
+struct Builder<'a> {
+    pieces: &'a [[Point; 3]],
+    centres: &'a [Point],
+    /// Normals as long as twice the areas.
+    twice_areas: &'a [Vector],
 }
 
-/// A box around the triangles: its centre and half sides, the first along their mean normal, the second as near to the blade
-/// axis as possible. Patches of a wall are flat along their normal.
-fn around(pieces: &[[Point; 3]], order: &[u32]) -> (Point, [Vector; 3]) {
-    let corners = || order.iter().flat_map(|&t| pieces[t as usize]);
-    let Some(first) = corners().next() else { return (Point::origin(), [Vector::zeros(); 3]) };
-    let twice_area = |&t: &u32| {
-        let [a, b, c] = pieces[t as usize];
-        (b - a).cross(&(c - a))
-    };
-    let normal = order.iter().map(twice_area).sum::<Vector>().try_normalize(1e-12).unwrap_or_else(Vector::y);
-    let lengthwise = Vector::x() - normal * normal.x;
-    let lengthwise = lengthwise.try_normalize(1e-3).unwrap_or_else(|| normal.cross(&Vector::y()).normalize());
-    let axes = [normal, lengthwise, normal.cross(&lengthwise)];
-    let seen = |p: Point| Vector::from(axes.map(|a| a.dot(&(p - first))));
-    let start = (Vector::zeros(), Vector::zeros());
-    let (lo, hi) = corners().map(seen).fold(start, |(lo, hi), v| (lo.inf(&v), hi.sup(&v)));
-    let (middle, half) = ((lo + hi) * 0.5, (hi - lo) * (0.5 + 1e-12));
-    let centre = first + axes[0] * middle.x + axes[1] * middle.y + axes[2] * middle.z;
-    (centre, [axes[0] * half.x, axes[1] * half.y, axes[2] * half.z])
+impl Builder<'_> {
+    /// Makes the node of `order`'s triangles, and all below it, in `nodes`, twice as many less one, of which the first is the tree's node
+    /// `here`. Recursion is as deep as log2 of their number.
+    fn build(&self, order: &mut [u32], nodes: &mut [Node], here: u32) {
+        let (centre, half) = self.around(order);
+        let corners = order.iter().flat_map(|&t| &self.pieces[t as usize]);
+        let radius = corners.map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12);
+        let Some((node, below)) = nodes.split_first_mut() else { return };
+        if let [triangle] = order {
+            *node = Node { centre, radius, half, link: LEAF + *triangle };
+            return;
+        }
+        let first = self.centres[order[0] as usize];
+        let (lo, hi) = order.iter().fold((first, first), |(lo, hi), &t| {
+            let c = self.centres[t as usize];
+            (lo.inf(&c), hi.sup(&c))
+        });
+        let side = (hi - lo).imax();
+        let middle = order.len() / 2;
+        order.select_nth_unstable_by(middle, |&a, &b| {
+            self.centres[a as usize][side].total_cmp(&self.centres[b as usize][side]).then(a.cmp(&b))
+        });
+        let second = here + 2 * middle as u32;
+        *node = Node { centre, radius, half, link: second };
+        let large = order.len() > APART;
+        let (left, right) = order.split_at_mut(middle);
+        let (lefts, rights) = below.split_at_mut(2 * middle - 1);
+        if large {
+            rayon::join(|| self.build(left, lefts, here + 1), || self.build(right, rights, second));
+        } else {
+            self.build(left, lefts, here + 1);
+            self.build(right, rights, second);
+        }
+    }
+
+    /// A box around the triangles: its centre and half sides, the first along their mean normal, the second as near to the blade
+    /// axis as possible. Patches of a wall are flat along their normal.
+    fn around(&self, order: &[u32]) -> (Point, [Vector; 3]) {
+        let corners = || order.iter().flat_map(|&t| &self.pieces[t as usize]);
+        let Some(first) = corners().next() else { return (Point::origin(), [Vector::zeros(); 3]) };
+        let twice_area = order.iter().map(|&t| self.twice_areas[t as usize]).sum::<Vector>();
+        let normal = twice_area.try_normalize(1e-12).unwrap_or_else(Vector::y);
+        let lengthwise = Vector::x() - normal * normal.x;
+        let lengthwise = lengthwise.try_normalize(1e-3).unwrap_or_else(|| normal.cross(&Vector::y()).normalize());
+        let axes = [normal, lengthwise, normal.cross(&lengthwise)];
+        let seen = |p: &Point| Vector::from(axes.map(|a| a.dot(&(p - first))));
+        let start = (Vector::zeros(), Vector::zeros());
+        let (lo, hi) = corners().map(seen).fold(start, |(lo, hi), v| (lo.inf(&v), hi.sup(&v)));
+        let (middle, half) = ((lo + hi) * 0.5, (hi - lo) * (0.5 + 1e-12));
+        let centre = first + axes[0] * middle.x + axes[1] * middle.y + axes[2] * middle.z;
+        (centre, [axes[0] * half.x, axes[1] * half.y, axes[2] * half.z])
+    }
 }
 
 /// The smallest sphere around a triangle; its centre is a point of the triangle.

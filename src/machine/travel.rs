@@ -22,10 +22,17 @@ pub struct TravelFinding {
     pub excess: f64,
 }
 
+impl TravelFinding {
+    /// What lengths or angles are multiplied by for people, and the unit then.
+    pub fn scale_and_unit(&self) -> (f64, &'static str) {
+        let linear = ["X", "Y", "Z"].contains(&self.axis.as_str());
+        if linear { (1.0, "mm") } else { (1f64.to_degrees(), "deg") }
+    }
+}
+
 impl std::fmt::Display for TravelFinding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let linear = ["X", "Y", "Z"].contains(&self.axis.as_str());
-        let (scale, unit) = if linear { (1.0, "mm") } else { (1f64.to_degrees(), "deg") };
+        let (scale, unit) = self.scale_and_unit();
         let [p, l, e] = [self.position, self.limit, self.excess].map(|v| v * scale);
         write!(
             f,

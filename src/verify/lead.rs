@@ -286,20 +286,12 @@ fn placed(plan: &Plan, room: &Room) -> Check {
 
 /// How far an axis leaves its travel on the leads.
 fn within_travel(plan: &Plan, room: &Room) -> Check {
-    let (limits, names) = (room.machine.limits(), room.machine.axis_names());
-    let mut worst = (0.0f64, 0);
-    for q in plan.leads.iter().flat_map(|l| &l.motion.position) {
-        for (axis, limit) in limits.iter().enumerate() {
-            let over = limit.travel.map_or(0.0, |[lo, hi]| (lo - q[axis]).max(q[axis] - hi));
-            if over > worst.0 || over.is_nan() {
-                worst = (if over.is_nan() { f64::MAX } else { over }, axis);
-            }
-        }
-    }
-    let (over, axis) = worst;
-    let (scale, unit) = if axis >= 3 { (1f64.to_degrees(), "deg") } else { (1.0, "mm") };
+    let findings = plan.leads.iter().flat_map(|l| room.machine.check_travel(&l.motion));
+    let worst = findings.max_by(|a, b| a.excess.total_cmp(&b.excess));
+    let over = worst.as_ref().map_or(0.0, |w| if w.excess.is_nan() { f64::MAX } else { w.excess });
+    let (scale, unit) = worst.as_ref().map_or((1.0, "mm"), |w| w.scale_and_unit());
     let quantity = "how far an axis leaves its travel on the leads";
-    let note = if over > 0.0 { format!("axis {}", names[axis]) } else { String::new() };
+    let note = worst.map_or(String::new(), |w| format!("axis {}", w.axis));
     // Rounding of positions.
     bare("lead-travel", quantity, over * scale, 0.0, unit, over <= 1e-9, note)
 }
