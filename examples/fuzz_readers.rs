@@ -14,6 +14,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use base64::Engine as _;
 use bladewright::geometry::mesh::Mesh;
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
@@ -47,7 +48,7 @@ fn main() {
             continue;
         }
         let seed = std::time::UNIX_EPOCH.elapsed().map_or(0x5eed, |d| d.as_nanos() as u64);
-        let (mut random, mut runs, mut read) = (Random(seed), 0u64, 0u64);
+        let (mut random, mut runs, mut read, mut slowest_ms) = (Random(seed), 0u64, 0u64, 0u64);
         let until = Instant::now() + Duration::from_secs(seconds);
         while Instant::now() < until {
             let (name, bytes) = mine[random.below(mine.len())];
@@ -55,7 +56,8 @@ fn main() {
             if let Ok(mut current) = CURRENT.lock() {
                 *current = (name.clone(), bytes.clone());
             }
-            BEGUN_MS.store(busy_ms() + 1, Ordering::SeqCst);
+            let begun_ms = busy_ms();
+            BEGUN_MS.store(begun_ms + 1, Ordering::SeqCst);
             let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };
             let found =
                 std::panic::catch_unwind(|| model::survey_bytes(Path::new(name), &bytes, &options, &Silent).is_ok());
@@ -64,11 +66,13 @@ fn main() {
                 Ok(good) => read += u64::from(good),
                 Err(_) => stop("panicked"),
             }
+            slowest_ms = slowest_ms.max(busy_ms() - begun_ms);
             runs += 1;
         }
         println!(
-            "{format}: {runs} files from {} seeds, {read} of them read, seed {seed:#x}, peak {} MB",
+            "{format}: {runs} files from {} seeds, {read} of them read, the slowest {:.2} s, seed {seed:#x}, peak {} MB",
             mine.len(),
+            slowest_ms as f64 * 1e-3,
             peak_mb()
         );
     }
@@ -181,6 +185,18 @@ fn mesh_formats(mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
         ("ascii.ply".into(), ply.into_bytes()),
     ];
     let areas = vec![bladewright::artifact::blade::Area::Other; mesh.triangles.len()];
-    out.extend(bladewright::preview::regions("prism", mesh, &areas).map(|glb| ("prism.glb".to_owned(), glb)));
+    if let Ok(glb) = bladewright::preview::regions("prism", mesh, &areas) {
+        out.extend(text_form(&glb).map(|gltf| ("prism.gltf".to_owned(), gltf)));
+        out.push(("prism.glb".into(), glb));
+    }
     out
+}
+
+/// A GLB as glTF, its buffer in a data URI, line by line.
+fn text_form(glb: &[u8]) -> Option<Vec<u8>> {
+    let gltf = gltf::Gltf::from_slice(glb).ok()?;
+    let mut document = serde_json::to_value(gltf.document.into_json()).ok()?;
+    let data = base64::engine::general_purpose::STANDARD.encode(gltf.blob?);
+    document["buffers"][0]["uri"] = format!("data:application/octet-stream;base64,{data}").into();
+    serde_json::to_vec_pretty(&document).ok()
 }

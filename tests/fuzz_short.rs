@@ -6,6 +6,8 @@ mod mutate;
 
 use std::path::Path;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use mutate::{Random, mutated};
@@ -70,13 +72,13 @@ fn obj() -> Vec<u8> {
     text.into_bytes()
 }
 
-/// The same as glTF with its buffer in a data URI, base64 written out here; and as GLB, where the buffer follows the text.
+/// The same as glTF with its buffer in a data URI, and as GLB, where the buffer follows the text.
 fn gltf(binary: bool) -> Vec<u8> {
     let buffer: Vec<u8> = corners().iter().flatten().flatten().flat_map(|x| (*x as f32 * 1e-3).to_le_bytes()).collect();
     let uri = if binary {
         String::new()
     } else {
-        format!(",\"uri\":\"data:application/octet-stream;base64,{}\"", base64(&buffer))
+        format!(",\"uri\":\"data:application/octet-stream;base64,{}\"", STANDARD.encode(&buffer))
     };
     let n = 3 * corners().len();
     let mut text = format!(
@@ -96,16 +98,6 @@ fn gltf(binary: bool) -> Vec<u8> {
     let word = |n: usize| (n as u32).to_le_bytes();
     let head = [*b"glTF", word(2), word(total), word(text.len()), *b"JSON"].concat();
     [head, text.into_bytes(), word(buffer.len()).to_vec(), b"BIN\0".to_vec(), buffer].concat()
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let group = |c: &[u8]| {
-        let n = c.iter().chain(&[0, 0]).take(3).fold(0usize, |n, b| n << 8 | usize::from(*b));
-        let letter = |k: usize| if k <= c.len() { char::from(LETTERS[n >> (18 - 6 * k) & 63]) } else { '=' };
-        (0..4).map(letter).collect::<String>()
-    };
-    bytes.chunks(3).map(group).collect()
 }
 
 /// A table of sections with a header: a blade of seven sections, leaning, cylindrical coordinates as compressors are published in.
