@@ -156,9 +156,14 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>)
         let xs = corners.map(|i| turned.points[i as usize].x);
         let lo = xs[0].min(xs[1]).min(xs[2]);
         let hi = xs[0].max(xs[1]).max(xs[2]);
-        // One plane more on either side, so that rounding loses none.
-        let from = ((lo - part_mm[0]) / step - 0.5).floor().max(0.0) as usize;
-        let to = ((hi - part_mm[0]) / step - 0.5).ceil().max(0.0) as usize;
+        // The planes from the lowest to the highest corner, and a little more, so that rounding loses none: most triangles lie between two.
+        let place = |x: f64| (x - part_mm[0]) / step - 0.5;
+        let from = (place(lo) - 1e-6).ceil().max(0.0);
+        let to = (place(hi) + 1e-6).floor();
+        if !(from <= to) {
+            continue;
+        }
+        let (from, to) = (from as usize, to as usize);
         for bucket in buckets.iter_mut().take(to + 1).skip(from) {
             bucket.push(t as u32);
         }
