@@ -5,7 +5,8 @@
 //! straight across, as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is off by does not add
 //! up: the next is measured against where the last one is.
 //!
-//! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp edge over which the ball would only roll, a corner in which it touches two
+//! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp edge over which the ball would only roll (not one that
+//!   runs up the blade and that turns go over), a corner in which it touches two
 //!   walls, or one of them here and another there. Turns are laid down from the ring at the start height, coarsely, to find it: a place that has
 //!   come to the end stays there until all have. The closed curve of those places is the last turn.
 //! * **Turns** are laid up from that curve, and run through in the reverse order. So they all run alongside the end, platform or
@@ -80,7 +81,7 @@ pub(super) fn plan(
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
         let lay_down = march(bounds, scallop_mm, false);
-        down = lay_down.clone().find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        down = lay_down.find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
@@ -131,7 +132,13 @@ fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> String {
             options.max_lean_rad.to_degrees(),
             place(blade, &p)
         ),
-        _ => Toolpath::END_OF_REGION.into(),
+        // Places that wait at the height, and others that never come to it.
+        _ => match laid.last().iter().find(|n| n.stop.is_none()) {
+            Some(free) if !laid.is_at_the_end() => {
+                format!("turns come no nearer to the end of the region at {}", place(blade, &free.touch.centre))
+            }
+            _ => Toolpath::END_OF_REGION.into(),
+        },
     }
 }
 

@@ -104,7 +104,7 @@ pub(super) struct March<'a> {
 impl March<'_> {
     /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and some places have come to a
     /// wall or an edge but no more do, the end is drawn at the height that the others have then.
-    pub(super) fn find_end(mut self, ring: &[Touch], open: bool, progress: &dyn Fn(f64) -> Result<()>) -> Result<Laid> {
+    pub(super) fn find_end(&self, ring: &[Touch], open: bool, progress: &dyn Fn(f64) -> Result<()>) -> Result<Laid> {
         let mut rest = Rest::new(PATIENCE[usize::from(!open)]);
         let mut laid = self.lay(self.along(ring), progress, |turn| rest.stays(turn))?;
         if laid.lost.is_some() || laid.is_at_the_end() {
@@ -113,11 +113,12 @@ impl March<'_> {
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
         // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
         if open && !self.facets {
-            self.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
+            let mut level = self.clone();
+            level.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
             let mut rest = Rest::new(2 * PATIENCE[0]);
-            let level = self.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
-            if level.is_at_the_end() {
-                return Ok(level);
+            let drawn = level.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
+            if drawn.is_at_the_end() {
+                return Ok(drawn);
             }
         }
         Ok(laid)
