@@ -1,5 +1,6 @@
 //! Cutter locations of one continuous helix.
 use crate::geometry::{Point, Vector};
+use clap::ValueEnum as _;
 
 /// How the turns of the helix lie.
 #[derive(
@@ -24,6 +25,13 @@ pub enum PathKind {
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
     #[default]
     ConstantScallop,
+}
+
+impl PathKind {
+    /// Its name on the command line and in files.
+    pub fn name(self) -> String {
+        self.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
+    }
 }
 
 /// On which side of the cutter the material is, with a spindle that turns clockwise seen from above (M3). The helix runs

@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use clap::ValueEnum;
-
 use super::args::{Faces, Job, Plan, Reading, Region};
 use super::out::sayln;
 use super::progress::Terminal;
@@ -99,8 +97,7 @@ fn print_summary(s: &Summary) {
     row("ridges, 5 % to 95 %", format!("{:.4} to {:.4} mm", s.limit.ridge_p05_mm, s.limit.ridge_p95_mm));
     row("length over the limit", format!("{:.4} (inner turns)", s.limit.ratio));
     for other in &s.other_paths {
-        let kind = other.kind.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default();
-        row(&format!("  as {kind}, same scallop"), format!("{:.4}", other.ratio_at_same_scallop));
+        row(&format!("  as {}, same scallop", other.kind.name()), format!("{:.4}", other.ratio_at_same_scallop));
     }
     row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));

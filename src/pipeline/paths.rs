@@ -49,8 +49,7 @@ pub(super) fn others(
         let options = PathOptions { kind: *kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
-                let name = kind.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
-                let message = format!("no {name} path over the same region to compare with: {}", e.message);
+                let message = format!("no {} path over the same region to compare with: {}", kind.name(), e.message);
                 observer.warn(Warning { stage: Stage::Path, message });
                 continue;
             }
