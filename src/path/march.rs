@@ -261,9 +261,16 @@ impl March<'_> {
     }
 }
 
-/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous curvature over the ramp's length.
+/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous curvature over the ramp's length. Round a thin edge the ball's
+/// centre goes a long way and its contact hardly any: a ramp there would send every contact along the edge, so the shorter of the two ways counts.
 fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
-    let s_mm = arc_lengths(turn);
+    let way_mm = |a: &Touch, b: &Touch| (b.centre - a.centre).norm().min((b.contact - a.contact).norm());
+    let mut at_mm = 0.0;
+    let ways = turn.windows(2).map(|w| {
+        at_mm += way_mm(&w[0].touch, &w[1].touch);
+        at_mm
+    });
+    let s_mm: Vec<f64> = std::iter::once(0.0).chain(ways).collect();
     let whole = s_mm.last().copied().unwrap_or(0.0).min(ramp_mm).max(1e-12);
     let smooth = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
     s_mm.iter().map(|s| smooth((s / whole).min(1.0))).collect()
