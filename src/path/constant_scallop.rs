@@ -7,8 +7,9 @@
 //!
 //! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp edge over which the ball would only roll (not one that
 //!   runs up the blade and that turns go over), a corner in which it touches two
-//!   walls, or one of them here and another there. Turns are laid down from the ring at the start height, coarsely, to find it: a place that has
-//!   come to the end stays there until all have. The closed curve of those places is the last turn.
+//!   walls, or one of them here and another there. Turns are laid down from a ring about the start height, coarsely, to find it: a place that has
+//!   come to the end stays there until all have. The closed curve of those places is the last turn. The ring's contacts, not its ball centres, are at one height: round
+//!   a thin edge that leans, centres at one height send the contact along the edge, and where the end is drawn along a turn all others would do the same.
 //! * **Turns** are laid up from that curve, and run through in the reverse order. So they all run alongside the end, platform or
 //!   edge, however it slants, and none is cut twice. The last turn of the helix comes onto the curve by a smooth ramp
 //!   of 20 stepovers: where it is off by the share `u` of the stepover it leaves `h u²`. The turns above have the same ramp one over the
@@ -81,7 +82,8 @@ pub(super) fn plan(
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
         let lay_down = march(bounds, scallop_mm, false);
-        down = lay_down.find_end(&ring.touches, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        let level_ring = lay_down.at_one_contact_height(&ring.touches);
+        down = lay_down.find_end(level_ring.as_deref().unwrap_or(&ring.touches), open, &|x| progress(0.0, 300.0, start_x - x))?;
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);

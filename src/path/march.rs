@@ -19,6 +19,8 @@ const RAMP_STEPOVERS: f64 = 20.0;
 /// Nodes of the closed ring that are left by less than this share of a stepover stay.
 pub(super) const LEAST_SHARE: f64 = 1e-3;
 
+/// Moves, each of a stepover at most, of a place of a ring to the height of the others' contacts.
+const MOST_MOVES: usize = 60;
 /// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
 const LEAST_PART: f64 = 0.05;
 /// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
@@ -138,6 +140,27 @@ impl March<'_> {
         let last = turn.len() - 1;
         let on = (1..last).filter_map(|i| self.next_node(&turn[i], &whole, along[i], 1.0 - left[i])).map(|n| n.touch);
         Some(on.chain([turn[last].touch]).collect())
+    }
+
+    /// A ring moved up or down the part until its contacts are all at their mean height. `None` where the surface does not let it.
+    pub(super) fn at_one_contact_height(&self, ring: &[Touch]) -> Option<Vec<Touch>> {
+        let n = ring.len();
+        let height_mm = ring.iter().map(|t| t.contact.x).sum::<f64>() / n as f64;
+        let centre = |k: usize| Some(&ring[k % n].centre);
+        let moved = |i: usize| {
+            let along = curve::tangent(centre(i + n - 1), &ring[i], centre(i + 1));
+            let mut place = Place { touch: ring[i], along };
+            for _ in 0..MOST_MOVES {
+                let above_mm = place.touch.contact.x - height_mm;
+                if above_mm.abs() < LEAST_SHARE * self.flat_mm {
+                    return Some(place.touch);
+                }
+                let to = if above_mm > 0.0 { place } else { place.back() };
+                place.touch = self.across.step(&to, above_mm.abs().min(self.flat_mm), 0.8)?.0;
+            }
+            None
+        };
+        (0..n).into_par_iter().map(moved).collect()
     }
 
     /// A first turn, closed, along a ring.
