@@ -1,6 +1,5 @@
 //! Loose triangles as mesh files give them, and their healing to one mesh ([`super::heal`]).
 
-use std::collections::HashMap;
 use std::path::Path;
 
 use super::heal::{HealOptions, Healed, heal};
@@ -78,25 +77,65 @@ impl Soup {
         Ok(healed)
     }
 
-    /// Exactly coinciding corners become one vertex; triangles that lose a corner are left out and counted.
-    fn welded(&self, mm_per_unit: f64) -> (Mesh, usize) {
+    /// The mesh in mm in which exactly coinciding corners are one vertex, and how many triangles lost a corner by that and were left out.
+    pub fn welded(&self, mm_per_unit: f64) -> (Mesh, usize) {
+        let count = self.triangles.len();
         let mut mesh = Mesh::default();
-        let mut index: HashMap<[u64; 3], u32> = HashMap::with_capacity(self.triangles.len());
-        for (t, corners) in self.triangles.iter().enumerate() {
-            let ids = corners.map(|c| {
-                // + 0.0 makes -0.0 and 0.0 the same bits.
-                let c = c.map(|x| x * mm_per_unit + 0.0);
-                *index.entry(c.map(f64::to_bits)).or_insert_with(|| {
-                    mesh.points.push(Point::new(c[0], c[1], c[2]));
-                    mesh.points.len() as u32 - 1
-                })
-            });
+        mesh.triangles.reserve(count);
+        mesh.face_of.reserve(count);
+        let mut index = Index::for_points(3 * count);
+        for (corners, group) in self.triangles.iter().zip(&self.group_of) {
+            let ids = corners.map(|c| index.of(c.map(|x| x * mm_per_unit), &mut mesh.points));
             if ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0] {
                 mesh.triangles.push(ids);
-                mesh.face_of.push(self.group_of[t]);
+                mesh.face_of.push(*group);
             }
         }
-        let dropped = self.triangles.len() - mesh.triangles.len();
+        let dropped = count - mesh.triangles.len();
         (mesh, dropped)
     }
+}
+
+/// Numbers of points by their coordinates: a table with open addresses, half of them free at least. Welding is most of what reading a
+/// binary STL takes, and a general map takes twice as long for it.
+struct Index {
+    slots: Vec<u32>,
+}
+
+/// A free slot.
+const FREE: u32 = u32::MAX;
+
+impl Index {
+    /// For so many points at most.
+    fn for_points(most: usize) -> Self {
+        Index { slots: vec![FREE; (2 * most).next_power_of_two()] }
+    }
+
+    /// Number of the point with these coordinates, which is added where there is none.
+    fn of(&mut self, c: [f64; 3], points: &mut Vec<Point>) -> u32 {
+        // + 0.0 makes -0.0 and 0.0 the same bits.
+        let bits = c.map(|x| (x + 0.0).to_bits());
+        let mut slot = mixed(bits) as usize;
+        loop {
+            slot &= self.slots.len() - 1;
+            match points.get(self.slots[slot] as usize) {
+                Some(p) if [p.x, p.y, p.z].map(f64::to_bits) == bits => return self.slots[slot],
+                Some(_) => slot += 1,
+                None => break,
+            }
+        }
+        self.slots[slot] = points.len() as u32;
+        points.push(Point::from(bits.map(f64::from_bits)));
+        self.slots[slot]
+    }
+}
+
+/// The low bits of the result depend on all bits: the steps of SplitMix64 (Steele, Lea, Flood 2014).
+fn mixed(bits: [u64; 3]) -> u64 {
+    bits.into_iter().fold(0, |hash, word| {
+        let mut z = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    })
 }
