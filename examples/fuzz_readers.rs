@@ -1,13 +1,15 @@
 //! Mutated model files against every reader, on stable Rust: `cargo run --release --example fuzz_readers -- SECONDS [FORMAT] [FOLDER]`.
 //!
-//! Seeds: the models of the repository, meshes made of them in every mesh format, and all files of FOLDER. Each format is run for
-//! SECONDS. A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
+//! Seeds: the models of the repository, small ones in every format, and all files of FOLDER; published tables of points under a header that
+//! says what their columns mean. FORMAT is one of [`FORMATS`] or `all`. Each format is run for SECONDS. A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
 //! left in `out/fuzz`. The same seconds do not give the same files: the seed of each run is printed.
 
 #![allow(clippy::print_stdout)]
 
 #[path = "../fuzz/mutate.rs"]
 mod mutate;
+#[path = "../fuzz/seeds.rs"]
+mod seeds;
 
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -15,7 +17,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use base64::Engine as _;
-use bladewright::geometry::mesh::Mesh;
+use bladewright::model::format::{Format, detect};
+use bladewright::model::table::direct::{self, Kind};
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use mutate::{Random, mutated};
@@ -27,6 +30,29 @@ const MOST_MB: u64 = 2048;
 /// Larger seeds are left out: a mutation of one is read too seldom.
 const LARGEST: usize = 1_500_000;
 
+/// Formats by their readers: the last five are the kinds of section tables (columns under a header, a header that names its file).
+const FORMATS: [&str; 13] = [
+    "step",
+    "igs",
+    "obj",
+    "stl-ascii",
+    "stl-binary",
+    "ply",
+    "glb",
+    "gltf",
+    "columns",
+    "header",
+    "curve",
+    "tecplot",
+    "blade3d",
+];
+/// What the columns of published tables mean, by their names; files that share a name's beginning are one table.
+const HEADERS: [(&str, &str); 3] = [
+    ("rotor37geometry", "unit = \"cm\"\ncolumns = [\"skip\", \"z\", \"r\", \"theta1\", \"theta2\"]\n"),
+    ("HECCcoordinates", "unit = \"inch\"\ncolumns = [\"x\", \"r*theta\", \"r\"]\n"),
+    ("LS89_profile", "unit = \"m\"\ncolumns = [\"skip\", \"z\", \"x\", \"y\"]\nextrude = 0.1\n"),
+];
+
 /// Processor time at which the file at work was begun, ms; 0: none.
 static BEGUN_MS: AtomicU64 = AtomicU64::new(0);
 /// The file at work.
@@ -36,19 +62,24 @@ fn main() {
     let mut args = std::env::args().skip(1);
     let seconds: u64 = args.next().and_then(|s| s.parse().ok()).unwrap_or(60);
     let only = args.next().filter(|f| f != "all");
-    let mut seeds = seeds(Path::new("models"));
+    // Data of headers lie in a folder of their own.
+    let Ok(data) = tempfile::tempdir() else { return eprintln!("no temporary folder") };
+    let mut seeds = seeds(Path::new("models"), data.path());
     if let Some(folder) = args.next() {
-        seeds.extend(files(Path::new(&folder)));
+        let found = files(Path::new(&folder));
+        seeds.extend(HEADERS.iter().flat_map(|(name, header)| headed(&found, name, header, data.path())));
+        seeds.extend(found);
     }
     seeds.retain(|(_, bytes)| bytes.len() <= LARGEST);
     std::thread::spawn(watch);
-    for format in ["step", "igs", "obj", "stl", "ply", "glb", "gltf", "dat", "toml", "curve"] {
-        let mine: Vec<&(String, Vec<u8>)> = seeds.iter().filter(|(name, _)| kind(name) == format).collect();
+    for format in FORMATS {
+        let mine: Vec<&(String, Vec<u8>)> = seeds.iter().filter(|(name, bytes)| kind(name, bytes) == format).collect();
         if mine.is_empty() || only.as_ref().is_some_and(|o| o != format) {
             continue;
         }
         let seed = std::time::UNIX_EPOCH.elapsed().map_or(0x5eed, |d| d.as_nanos() as u64);
         let (mut random, mut runs, mut read, mut slowest_ms) = (Random(seed), 0u64, 0u64, 0u64);
+        let mut slowest = String::new();
         let until = Instant::now() + Duration::from_secs(seconds);
         while Instant::now() < until {
             let (name, bytes) = mine[random.below(mine.len())];
@@ -66,11 +97,14 @@ fn main() {
                 Ok(good) => read += u64::from(good),
                 Err(_) => stop("panicked"),
             }
-            slowest_ms = slowest_ms.max(busy_ms() - begun_ms);
+            let took_ms = busy_ms() - begun_ms;
+            if took_ms > slowest_ms {
+                (slowest_ms, slowest) = (took_ms, name.rsplit('/').next().unwrap_or(name).to_owned());
+            }
             runs += 1;
         }
         println!(
-            "{format}: {runs} files from {} seeds, {read} of them read, the slowest {:.2} s, seed {seed:#x}, peak {} MB",
+            "{format}: {runs} files from {} seeds, {read} of them read, the slowest {:.2} s ({slowest}), seed {seed:#x}, peak {} MB",
             mine.len(),
             slowest_ms as f64 * 1e-3,
             peak_mb()
@@ -120,14 +154,42 @@ fn peak_mb() -> u64 {
     line.split_whitespace().nth(1).and_then(|kb| kb.parse::<u64>().ok()).unwrap_or(0) / 1024
 }
 
-/// The reader that a name asks for.
-fn kind(name: &str) -> String {
-    let e = Path::new(name).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match e.as_str() {
-        "stp" => "step".into(),
-        "iges" => "igs".into(),
-        _ => e,
+/// The reader that a file asks for, one of [`FORMATS`]; others are left out.
+fn kind(name: &str, bytes: &[u8]) -> &'static str {
+    match detect(Path::new(name), bytes) {
+        Ok(Format::Step) => "step",
+        Ok(Format::Iges) => "igs",
+        Ok(Format::Obj) => "obj",
+        Ok(Format::StlAscii) => "stl-ascii",
+        Ok(Format::StlBinary) => "stl-binary",
+        Ok(Format::Ply) => "ply",
+        Ok(Format::Gltf) if bytes.starts_with(b"glTF") => "glb",
+        Ok(Format::Gltf) => "gltf",
+        Ok(Format::Sections) if name.ends_with(".toml") => "header",
+        Ok(Format::Sections) => match direct::detect(bytes) {
+            Some(Kind::TurboGrid) => "curve",
+            Some(Kind::Tecplot) => "tecplot",
+            Some(Kind::TBlade3) => "blade3d",
+            _ => "columns",
+        },
+        Err(_) => "",
     }
+}
+
+/// The files whose names begin so as one table, under a header and named by one.
+fn headed(files: &[(String, Vec<u8>)], name: &str, header: &str, data: &Path) -> Vec<(String, Vec<u8>)> {
+    let mine = files.iter().filter(|(file, _)| file.rsplit('/').next().is_some_and(|f| f.starts_with(name)));
+    let table = mine.map(|(_, bytes)| bytes.as_slice()).collect::<Vec<_>>().join(&b"\n\n"[..]);
+    let file = data.join(format!("{name}.dat"));
+    if table.is_empty() || std::fs::write(&file, &table).is_err() {
+        return Vec::new();
+    }
+    let text = format!("[sections]\nfiles = {file:?}\n{header}");
+    let above = format!("+++\n[sections]\n{header}+++\n");
+    vec![
+        (format!("{name}.dat"), [above.as_bytes(), &table].concat()),
+        (data.join(format!("{name}.toml")).to_string_lossy().into_owned(), text.into_bytes()),
+    ]
 }
 
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
@@ -145,47 +207,18 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     out
 }
 
-/// The models of the repository, and one of them in every mesh format.
-fn seeds(folder: &Path) -> Vec<(String, Vec<u8>)> {
+/// The models of the repository, small ones in every format, and a scene as we write it.
+fn seeds(folder: &Path, data: &Path) -> Vec<(String, Vec<u8>)> {
     let mut out = files(folder);
-    out.retain(|(name, _)| ["step", "igs", "obj"].contains(&kind(name).as_str()));
+    out.retain(|(name, _)| [".step", ".obj"].iter().any(|e| name.ends_with(e)));
+    if std::fs::write(data.join("table.dat"), seeds::table()).is_ok() {
+        // All beside the data that the header among them names.
+        let beside = |name: &str| data.join(name).to_string_lossy().into_owned();
+        out.extend(seeds::all().into_iter().map(|(name, bytes)| (beside(name), bytes)));
+    }
     let prism = model::survey(&folder.join("prism.obj"), &ModelOptions::default(), &Silent);
-    if let Ok(survey) = prism {
-        out.extend(mesh_formats(&survey.part.mesh));
-    }
-    out
-}
-
-fn mesh_formats(mesh: &Mesh) -> Vec<(String, Vec<u8>)> {
-    let (mut ascii, mut binary) = (String::from("solid a\n"), vec![b' '; 80]);
-    binary.extend((mesh.triangles.len() as u32).to_le_bytes());
-    let mut ply = format!(
-        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        mesh.points.len(),
-        mesh.triangles.len()
-    );
-    for p in &mesh.points {
-        ply += &format!("{} {} {}\n", p.x, p.y, p.z);
-    }
-    for (t, c) in mesh.triangles.iter().enumerate() {
-        ply += &format!("3 {} {} {}\n", c[0], c[1], c[2]);
-        ascii += "facet normal 0 0 0\nouter loop\n";
-        binary.extend([0u8; 12]);
-        for p in mesh.corners(t) {
-            ascii += &format!("vertex {} {} {}\n", p.x, p.y, p.z);
-            [p.x, p.y, p.z].iter().for_each(|x| binary.extend((*x as f32).to_le_bytes()));
-        }
-        ascii += "endloop\nendfacet\n";
-        binary.extend([0u8; 2]);
-    }
-    ascii += "endsolid a\n";
-    let mut out = vec![
-        ("ascii.stl".to_owned(), ascii.into_bytes()),
-        ("binary.stl".into(), binary),
-        ("ascii.ply".into(), ply.into_bytes()),
-    ];
-    let areas = vec![bladewright::artifact::blade::Area::Other; mesh.triangles.len()];
-    if let Ok(glb) = bladewright::preview::regions("prism", mesh, &areas) {
+    let scene = prism.ok().and_then(|s| bladewright::preview::regions("prism", &s.part.mesh, &s.areas()).ok());
+    if let Some(glb) = scene {
         out.extend(text_form(&glb).map(|gltf| ("prism.gltf".to_owned(), gltf)));
         out.push(("prism.glb".into(), glb));
     }
