@@ -103,13 +103,15 @@ impl Setup {
     /// Those of reading and of the job.
     pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
         let m = draft.model();
-        let mut inputs = vec![manifest::input(&m.file)?];
+        // Read once: what is planned is what the manifest names.
+        let bytes = model::file_bytes(&m.file)?;
+        let mut inputs = vec![manifest::input_of(&m.file, &bytes)];
         // A header of a section table has its points in files of their own.
         for file in crate::model::table::data_files(&m.file) {
             inputs.push(manifest::input(&file)?);
         }
         let options = model_options(m);
-        let blade = model::load(&m.file, &options, observer)?;
+        let blade = model::load_bytes(&m.file, &bytes, &options, observer)?;
         let machine = match draft.machine_file() {
             Some(file) => {
                 inputs.push(manifest::input(file)?);

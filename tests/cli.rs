@@ -111,6 +111,8 @@ fn bad_options_are_named() {
     }
     write(d, "job.toml", format!("[model]\nfile = {model:?}\n[tool]\nradius = 3\n").as_bytes());
     fails(&["plan", "job.toml", "-o", "out"], d, 2, &["job.toml", "radius", "line"]);
+    let design = root().join("models/prism.toml").display().to_string();
+    fails(&["plan", &design, "-o", "out"], d, 2, &["is the design of a blade for `make`", "bladewright make"]);
     fails(&["plan", &model, "--threads", "0", "-o", "out"], d, 2, &["threads"]);
     fails(&["verify", "nowhere"], d, 4, &["nowhere"]);
     write(d, "file", b"in the way");

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::{Format, Plot, Post, Preview};
-use super::out::sayln;
+use super::out::{limit, sayln};
 use super::progress::Terminal;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
@@ -81,7 +81,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, c.limit, c.unit);
+        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, limit(c.limit), c.unit);
     }
     print_failed(&report);
     folder.add_json("verify.json", &report)?;
@@ -226,7 +226,7 @@ pub(super) fn finding(c: &Check, place: &str) {
         c.quantity,
         c.worst,
         c.unit,
-        c.limit,
+        limit(c.limit),
         c.note
     );
 }

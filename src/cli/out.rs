@@ -64,6 +64,11 @@ pub fn end() -> Result<()> {
     }
 }
 
+/// A limit in nine significant digits at most: `0.00126`, not `0.0012599999999999998`.
+pub fn limit(x: f64) -> String {
+    format!("{x:.8e}").parse::<f64>().map_or_else(|_| x.to_string(), |rounded| rounded.to_string())
+}
+
 /// As `print!`, without its panic.
 macro_rules! say {
     ($($arg:tt)*) => { $crate::cli::out::write(format_args!($($arg)*)) };
@@ -76,3 +81,22 @@ macro_rules! sayln {
 }
 
 pub(super) use {say, sayln};
+
+#[cfg(test)]
+mod tests {
+    use super::limit;
+
+    #[test]
+    fn limits_print_without_the_rounding_of_their_sums() {
+        for (x, text) in [
+            (0.0012599999999999998, "0.00126"),
+            (0.1 + 0.2, "0.3"),
+            (0.0, "0"),
+            (-2.5, "-2.5"),
+            (0.017453292519943295, "0.0174532925"),
+            (360.0, "360"),
+        ] {
+            assert_eq!(limit(x), text);
+        }
+    }
+}

@@ -7,6 +7,7 @@ use super::out::sayln;
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::job::{self, Draft, JobFile};
+use crate::make::BladeDesign;
 use crate::model;
 use crate::output::summary::{ScheduleFigures, Summary};
 use crate::pipeline::{self, Course, Outcome};
@@ -34,13 +35,29 @@ pub(super) fn draft_of(args: &Job) -> Result<Draft> {
 pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Result<Draft> {
     let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     let is_job = is_toml && !model::table::is_header_file(input);
-    let mut file = if is_job { job::load(input)? } else { JobFile::from_model(input) };
+    let mut file = if is_job { job_file(input)? } else { JobFile::from_model(input) };
     read_as(&mut file, reading)?;
     for assignment in set {
         file.set(assignment)?;
     }
     let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
     job::resolve(file, base)
+}
+
+/// A job file; a design for `make` in its place is named as that.
+fn job_file(input: &Path) -> Result<JobFile> {
+    let read = job::load(input);
+    let design = || std::fs::read_to_string(input).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
+    match (read, input.display()) {
+        (Err(_), name) if design().is_some() => Err(Error::usage(
+            Stage::Job,
+            format!("{name} is the design of a blade for `make`, neither a job nor a model"),
+        )
+        .advise(format!(
+            "bladewright make {name} -o FOLDER writes the blade as STEP and OBJ; give one of these to plan"
+        ))),
+        (read, _) => read,
+    }
 }
 
 /// `--unit`, `--axis`, `--region` and `--faces` as keys of the job.

@@ -106,7 +106,15 @@ impl Default for ModelOptions {
 /// # Errors
 /// Those of [`survey()`]. `InputOutput`: no blade was recognised; the size can be no blade's; the part has no volume.
 pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
-    let blade = survey(path, options, observer)?.into_blade(observer)?;
+    load_bytes(path, &file_bytes(path)?, options, observer)
+}
+
+/// As [`load`], from the bytes of the file.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
+    let blade = survey_bytes(path, bytes, options, observer)?.into_blade(observer)?;
     for note in &blade.diagnosis.notes {
         observer.warn(Warning { stage: Stage::Model, message: note.clone() });
     }
@@ -119,9 +127,16 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
 /// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body. `Usage`: a deflection or axis that
 /// makes no sense.
 pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
-    let bytes = std::fs::read(path)
-        .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))?;
-    survey_bytes(path, &bytes, options, observer)
+    survey_bytes(path, &file_bytes(path)?, options, observer)
+}
+
+/// All bytes of a model file.
+///
+/// # Errors
+/// `InputOutput`: it cannot be read.
+pub fn file_bytes(path: &Path) -> Result<Vec<u8>> {
+    std::fs::read(path)
+        .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))
 }
 
 /// As [`survey()`], from the bytes of the file; its name decides where the bytes leave the format open.

@@ -65,11 +65,16 @@ pub struct Manifest<J: serde::Serialize> {
 pub fn input(path: &Path) -> Result<Input> {
     let bytes = std::fs::read(path)
         .map_err(|e| Error::io(Stage::Model, format!("cannot read {}: {e}", path.display())).caused_by(e))?;
-    Ok(Input {
+    Ok(input_of(path, &bytes))
+}
+
+/// Size and hash of an input that has been read.
+pub fn input_of(path: &Path, bytes: &[u8]) -> Input {
+    Input {
         path: path.display().to_string(),
         bytes: bytes.len() as u64,
-        blake3: blake3::hash(&bytes).to_hex().to_string(),
-    })
+        blake3: blake3::hash(bytes).to_hex().to_string(),
+    }
 }
 
 /// Times stages.

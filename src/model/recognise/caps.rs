@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 use super::run::{Link, Run, frame_along};
 use super::shape::Shape;
-use crate::geometry::mesh::{EdgeUse, Mesh, edge_uses, root};
+use crate::geometry::mesh::{EdgeUse, Mesh, root};
 use crate::geometry::slice::Loop;
 use crate::geometry::{Point, Vector};
 
@@ -52,16 +52,15 @@ pub struct Patch {
     outline: Option<Shape>,
 }
 
-/// The nearly flat patches of the mesh that creases bound, largest first.
-pub fn patches(mesh: &Mesh) -> Vec<Patch> {
+/// The nearly flat patches of the mesh that creases bound, largest first. `sides`: [`crate::geometry::mesh::edge_uses`] of its triangles.
+pub fn patches(mesh: &Mesh, sides: &[EdgeUse]) -> Vec<Patch> {
     let cos = CREASE_DEG.to_radians().cos();
-    bounded(mesh, |a, b| mesh.normal(a as usize).dot(&mesh.normal(b as usize)) > cos)
+    bounded(mesh, sides, |a, b| mesh.normal(a as usize).dot(&mesh.normal(b as usize)) > cos)
 }
 
 /// The nearly flat patches of triangles that neighbours join, largest first.
-fn bounded(mesh: &Mesh, joins: impl Fn(u32, u32) -> bool) -> Vec<Patch> {
+fn bounded(mesh: &Mesh, sides: &[EdgeUse], joins: impl Fn(u32, u32) -> bool) -> Vec<Patch> {
     let n = mesh.triangles.len();
-    let sides = edge_uses(&mesh.triangles);
     let mut parent: Vec<u32> = (0..n as u32).collect();
     let smooth = |pair: &[EdgeUse]| matches!(pair, [a, b] if joins(a.triangle, b.triangle));
     for pair in sides.chunk_by(|a, b| a.edge == b.edge).filter(|pair| smooth(pair)) {
@@ -138,11 +137,11 @@ pub struct Ends {
 
 /// The ends of an airfoil alone: two patches with an airfoil's outline that face away from each other, and between which there is about as
 /// much surface as a wall from one outline to the other has. They are sought between creases, else among faces or groups of the file: a
-/// fillet that runs out into its end leaves no crease. `None`: there are none.
-pub fn end_to_end(mesh: &Mesh, patches: &[Patch]) -> Option<Ends> {
+/// fillet that runs out into its end leaves no crease. `sides`: [`crate::geometry::mesh::edge_uses`] of the triangles. `None`: there are none.
+pub fn end_to_end(mesh: &Mesh, sides: &[EdgeUse], patches: &[Patch]) -> Option<Ends> {
     let area_mm2 = mesh.area_mm2();
     ends(area_mm2, patches)
-        .or_else(|| ends(area_mm2, &bounded(mesh, |a, b| mesh.face(a as usize) == mesh.face(b as usize))))
+        .or_else(|| ends(area_mm2, &bounded(mesh, sides, |a, b| mesh.face(a as usize) == mesh.face(b as usize))))
 }
 
 fn ends(area_mm2: f64, patches: &[Patch]) -> Option<Ends> {
@@ -237,6 +236,7 @@ pub fn lids(patches: &[Patch], run: &Run) -> usize {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::mesh::edge_uses;
     use crate::model::recognise::run;
     use crate::sample;
 
@@ -244,7 +244,7 @@ mod tests {
     #[test]
     fn a_cylinder_has_two_lids_across_its_axis_and_none_across_others() {
         let mesh = sample::blade().part.mesh;
-        let patches = patches(&mesh);
+        let patches = patches(&mesh, &edge_uses(&mesh.triangles));
         assert_eq!(patches.len(), 2);
         for p in &patches {
             let want = 0.5 * 48.0 * (std::f64::consts::TAU / 48.0).sin() * sample::PART_RADIUS.powi(2);
@@ -263,7 +263,7 @@ mod tests {
         let top =
             mesh.points.iter_mut().filter(|p| p.y == 0.0 && p.z == 0.0).max_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
         top.x += 0.2 * sample::PART_RADIUS;
-        let patches = patches(&mesh);
+        let patches = patches(&mesh, &edge_uses(&mesh.triangles));
         assert_eq!(patches.len(), 2);
         let flat = flat_normals(&patches, 0.5);
         assert!(flat.len() == 1 && !flat[0].1, "only the root's end is a plane now");

@@ -20,7 +20,7 @@ use super::run::{self, Run};
 use super::{DOUBTFUL, no_blade, rotor, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::model::faces::Stacking;
 
 /// A datum direction within this angle of the best one is taken without further ado, degrees …
@@ -68,12 +68,15 @@ pub struct Found {
 /// # Errors
 /// `InputOutput`: no direction along which sections continue; several airfoils; nothing like an airfoil.
 pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
-    let patches = caps::patches(mesh);
+    let sides = edge_uses(&mesh.triangles);
+    let patches = caps::patches(mesh, &sides);
     let along = |d: &Vector| run_along(mesh, d, faces, &patches);
     let mut runs = tried(mesh, &patches, along);
     let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(no_blade)?;
     let (mut chosen, mut why) = datum(&mut runs, top, &patches, along);
-    if let Some(k) = rotor::radius(mesh).filter(|&k| stands(&runs[k], &runs[chosen], &patches)) {
+    let radius = rotor::radius(mesh);
+    let along_radius = radius.and_then(|k| coordinate(&runs, k));
+    if let Some(k) = along_radius.filter(|&k| stands(&runs[k], &runs[chosen], &patches)) {
         why = format!(
             "the coordinate axis {:.1}° from the direction in which sections look most like an airfoil, along which alone the part \
              stands clear of the origin, as a blade of its shaft",
@@ -85,8 +88,8 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     if faces.is_none() {
         refuse_wheels(&runs, chosen)?;
     }
-    let ends = caps::end_to_end(mesh, &patches);
-    let mut doubt = doubted(mesh, &runs, chosen, &patches, ends);
+    let ends = caps::end_to_end(mesh, &sides, &patches);
+    let mut doubt = doubted(mesh, &runs, chosen, &patches, ends, radius);
     let mut sense = None;
     if let Some(other) = aslant(&runs[chosen], &patches, ends) {
         let run = along(&other.line);
@@ -153,7 +156,7 @@ fn run_along(mesh: &Mesh, d: &Vector, faces: Option<&[bool]>, patches: &[Patch])
     run
 }
 
-/// Runs along all candidates and along what good runs propose; the coordinate axes are the first three.
+/// Runs along all candidates and along what good runs propose.
 fn tried(mesh: &Mesh, patches: &[Patch], along: impl Fn(&Vector) -> Run + Sync) -> Vec<Run> {
     let mut directions = candidates(mesh);
     directions.extend(caps::directions(patches));
@@ -214,10 +217,12 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
     let (direction, score) = (runs[top].direction, runs[top].score);
     let (axis, off_deg) = nearest_axis(&direction);
     let k = axis.iamax();
-    let coordinate =
+    let told =
         || format!("the coordinate axis {off_deg:.1}° from the direction in which sections look most like an airfoil");
-    if off_deg < SNAP_DEG && !runs[k].links.is_empty() {
-        return (k, coordinate());
+    // The run along the axis was among the candidates.
+    let at_axis = coordinate(runs, k).filter(|&at| !runs[at].links.is_empty());
+    if let Some(at) = at_axis.filter(|_| off_deg < SNAP_DEG) {
+        return (at, told());
     }
     for (normal, common) in caps::flat_normals(patches, COMMON_DEG) {
         let flat_deg = normal.dot(&direction).abs().clamp(0.0, 1.0).acos().to_degrees();
@@ -235,19 +240,25 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
     }
     // Farther away only where the sections across the axis do not say that the blade runs aslant to it.
     let lean_deg = |r: &Run| r.stack.dot(&r.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
-    let straight = lean_deg(&runs[k]) < 2.0 * lean_deg(&runs[top]) + SNAP_DEG;
-    // … or where flat faces along or across it say that the part is drawn along it and the blade leans.
+    let straight = |at: usize| lean_deg(&runs[at]) < 2.0 * lean_deg(&runs[top]) + SNAP_DEG;
+    // … or where flat faces along or across it say that the part is at_axis along it and the blade leans.
     let aligned = caps::flat_normals(patches, COMMON_DEG).iter().any(|(n, _)| {
         let along = n.dot(&axis).abs();
         along < COMMON_DEG.to_radians().sin() || along > COMMON_DEG.to_radians().cos()
     });
-    if off_deg < DATUM_DEG && (straight || aligned) && runs[k].score > DATUM_SCORE * score {
-        return (k, coordinate());
+    let near = at_axis.filter(|&at| runs[at].score > DATUM_SCORE * score && (straight(at) || aligned));
+    if let Some(at) = near.filter(|_| off_deg < DATUM_DEG) {
+        return (at, told());
     }
     let why = format!(
         "the direction in which sections look most like an airfoil, {off_deg:.1}° from the nearest coordinate axis"
     );
     (top, why)
+}
+
+/// The run along coordinate axis `k`, 0 to 2.
+fn coordinate(runs: &[Run], k: usize) -> Option<usize> {
+    runs.iter().position(|r| nearest_axis(&r.direction) == (Vector::ith(k, 1.0), 0.0))
 }
 
 /// Angle between two lines, degrees.
@@ -275,10 +286,17 @@ const STANDS_DEG: f64 = 30.0;
 
 /// Why the chosen axis is not certain; `None` where it is. Two marks that do not come from sections make it certain against other
 /// directions: the line from one end of an airfoil to the other, and a radius on which the part stands off its shaft.
-fn doubted(mesh: &Mesh, runs: &[Run], chosen: usize, patches: &[Patch], ends: Option<Ends>) -> Option<String> {
+fn doubted(
+    mesh: &Mesh,
+    runs: &[Run],
+    chosen: usize,
+    patches: &[Patch],
+    ends: Option<Ends>,
+    radius: Option<usize>,
+) -> Option<String> {
     let run = &runs[chosen];
     let ended = ends.is_some_and(|e| between_deg(&e.line, &run.direction) < DATUM_DEG);
-    let stood = rotor::radius(mesh).is_some_and(|k| nearest_axis(&run.direction) == (Vector::ith(k, 1.0), 0.0));
+    let stood = radius.is_some_and(|k| nearest_axis(&run.direction) == (Vector::ith(k, 1.0), 0.0));
     let near_deg = if stood { LEANS_DEG } else { RIVAL_DEG };
     let other = || rival(runs, chosen, near_deg, rotor::shaft(mesh).map(|k| Vector::ith(k, 1.0)));
     let short = || fading(run, caps::lids(patches, run));
