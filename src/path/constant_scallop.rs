@@ -83,7 +83,8 @@ pub(super) fn plan(
         let open = options.region_x_mm[1].is_none();
         let lay_down = march(bounds, scallop_mm, false);
         let level_ring = lay_down.at_one_contact_height(&ring.touches);
-        down = lay_down.find_end(level_ring.as_deref().unwrap_or(&ring.touches), open, &|x| progress(0.0, 300.0, start_x - x))?;
+        down = lay_down
+            .find_end(level_ring.as_deref().unwrap_or(&ring.touches), open, &|x| progress(0.0, 300.0, start_x - x))?;
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
