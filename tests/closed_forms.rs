@@ -73,7 +73,7 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
 fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
     PathOptions {
         kind,
-        chord_mm: 1e-4,
+        chord_mm: 3e-5,
         region_x_mm: [Some(region[0]), Some(region[1])],
         ..PathOptions::new(RADIUS, SCALLOP)
     }

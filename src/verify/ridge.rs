@@ -19,6 +19,8 @@ use crate::geometry::{Point, Vector};
 /// Ridges are measured at most at so many places.
 const MOST_RIDGES: usize = 6000;
 
+/// Its multiples are spread evenly between whole numbers.
+const GOLDEN: f64 = 0.618_033_988_749_895;
 /// A ridge that other moves lower by this share of what two passes leave on a plane is cut by them.
 const CUT: f64 = 0.25;
 /// Moves within so many times the distance of the two passes may cut a ridge down.
@@ -54,7 +56,7 @@ pub(super) fn between(
     slack_mm: f64,
 ) -> Option<Height> {
     let radius = sweep.radius_mm;
-    let c1 = sweep.centres[row];
+    let c1 = midway(sweep, row);
     let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == other && sweep.turns[i + 1] == other)?;
     let (i, d) = (next.segment, next.distance_mm);
     // An end of the other turn is not its nearest pass.
@@ -83,6 +85,15 @@ pub(super) fn between(
     let up = lift(part, &under.point, &under.normal, radius, slack_mm);
     let weight = d * stretch_mm(sweep, row, every);
     (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
+}
+
+/// A place of the pass at `row`, on the way to the next location. Shares of that way are spread evenly over the rows: chords lie off the part where it is concave and
+/// in it where it is convex, and at the locations alone, which on some paths stand beside one another from turn to turn, nothing would be seen of that.
+fn midway(sweep: &Sweep, row: usize) -> Point {
+    let from = sweep.centres[row];
+    let goes_on = sweep.turns.get(row + 1) == Some(&sweep.turns[row]);
+    let to = sweep.centres.get(row + 1).filter(|_| goes_on).unwrap_or(&from);
+    from + (to - from) * (row as f64 * GOLDEN).fract()
 }
 
 /// Half the way of the contacts from `every` moves before the row to as many after it, mm.
