@@ -2,10 +2,15 @@
 //! their closed forms on exact faces, in `tests/closed_forms.rs`: facets a micrometre off would show in a scallop of ten.
 #![allow(clippy::unwrap_used)]
 
+use super::level::{LevelSet, Touch};
+use super::march::March;
+use super::neighbour::{Across, Bounds};
+use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
 use super::*;
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::Vector;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Silent;
 
@@ -187,6 +192,29 @@ fn an_upright_sharp_edge_that_turns_go_over_aslant_ends_nothing() {
     // It goes on to the platform that the bar stands on.
     assert!(path.end_reason.contains("corner"), "{}", path.end_reason);
     assert!(path.planned_scallop_mm < 1.05 * H, "{}", path.planned_scallop_mm);
+}
+
+#[test]
+fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
+    // An oval with edges of 0.04 mm radius that leans over flat: ball centres of one height touch its sides 2 mm apart.
+    let blade = turned(400, &rows(60.0, 1.0), |x, s, c| [20.0 * c, 0.9 * s + 0.3 * x]);
+    let o = options(30.0, None);
+    let level = LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm: R };
+    let how = rings::tracing(&o);
+    let ring = rings::first_ring(&blade, &level, &o, 30.0, &how).unwrap().touches;
+    let bounds = Bounds { x_mm: [0.0, 60.0], max_sin_lean: 1.0, end_faces: &[] };
+    let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
+    let flat_mm = flat_stepover_mm(R, H);
+    let march = March { across, scallop_mm: H, flat_mm, step_mm: 1.0, facets: true, passes_burrs: false };
+    let extent = |touches: &[Touch]| {
+        let x = touches.iter().map(|t| t.contact.x);
+        x.clone().fold(f64::NEG_INFINITY, f64::max) - x.fold(f64::INFINITY, f64::min)
+    };
+    assert!(extent(&ring) > 2.0, "{}", extent(&ring));
+    let moved = march.at_one_contact_height(&ring).unwrap();
+    assert_eq!(moved.len(), ring.len());
+    assert!(extent(&moved) < 0.01 * flat_mm, "{}", extent(&moved));
+    assert!(moved.iter().all(|t| ((t.centre - t.contact).norm() - R).abs() < 1e-5));
 }
 
 #[test]

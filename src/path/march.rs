@@ -298,3 +298,27 @@ fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
     let smooth = |t: f64| t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
     s_mm.iter().map(|s| smooth((s / whole).min(1.0))).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ramp_waits_while_the_ball_rolls_round_a_thin_edge() {
+        // Along a wall to its edge at y = 2, half round it, and back along the other side.
+        let touch = |y: f64, angle: f64| {
+            let normal = Vector::new(0.0, angle.sin(), angle.cos());
+            let contact = Point::new(0.0, y, 0.0);
+            Touch { centre: contact + 3.0 * normal, contact, normal, face: 0 }
+        };
+        let there = (0..=20).map(|k| touch(0.1 * f64::from(k), 0.0));
+        let round = (1..=20).map(|k| touch(2.0, f64::from(k) * std::f64::consts::PI / 20.0));
+        let back = (1..=20).map(|k| touch(2.0 - 0.1 * f64::from(k), std::f64::consts::PI));
+        let node = |touch| Node { touch, way_mm: 1.0, stop: None };
+        let turn: Vec<Node> = there.chain(round).chain(back).map(node).collect();
+        let shares = ramp(&turn, 4.0);
+        assert!(shares.windows(2).all(|w| w[0] <= w[1]));
+        assert!(shares[20..=40].iter().all(|s| (s - 0.5).abs() < 1e-9), "{shares:?}");
+        assert_eq!((shares[0], shares[60]), (0.0, 1.0));
+    }
+}

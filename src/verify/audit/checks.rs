@@ -165,7 +165,9 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         let over: Vec<(usize, f64)> =
             reached[axis].iter().map(|(at, least, most)| (*at, (lo - least).max(most - hi))).collect();
         // The first of equals: the line that went there, not those that stay.
-        let Some(worst) = over.iter().reduce(|best, o| if o.1 > best.1 + ROUNDING { o } else { best }) else { continue };
+        let Some(worst) = over.iter().reduce(|best, o| if o.1 > best.1 + ROUNDING { o } else { best }) else {
+            continue;
+        };
         let range =
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
