@@ -24,6 +24,13 @@ pub enum ScheduleKind {
     UpperWall,
 }
 
+impl ScheduleKind {
+    /// Runs along a wall of the channel.
+    pub fn is_wall(self) -> bool {
+        matches!(self, ScheduleKind::LowerWall | ScheduleKind::UpperWall)
+    }
+}
+
 /// What an `optimal` schedule makes least.
 #[derive(
     Clone,

@@ -54,39 +54,46 @@ impl Sweep {
         Sweep { lo, hi, axes: ends.map(|(cos, sin)| Vector::new(b.0, b.1 * cos, b.1 * sin)), ends }
     }
 
-    /// The end `k` as a slope in the frame of the tool there, and back.
+    /// A direction of space in the frame of the tool at the end `k`.
     pub fn tool_slope(&self, k: usize, s: &Vector) -> Vector {
-        let (cos, sin) = self.ends[k];
-        Vector::new(s.x, cos * s.y + sin * s.z, cos * s.z - sin * s.y)
+        let (along, across) = self.seen(k, s);
+        Vector::new(s.x, along, across)
     }
 
-    pub fn space_slope(&self, k: usize, s: &Vector) -> Vector {
+    /// What a vector has along the direction of the end `k` about the blade axis, and across it.
+    fn seen(&self, k: usize, v: &Vector) -> (f64, f64) {
         let (cos, sin) = self.ends[k];
-        Vector::new(s.x, cos * s.y - sin * s.z, cos * s.z + sin * s.y)
+        (cos * v.y + sin * v.z, cos * v.z - sin * v.y)
+    }
+
+    /// `v` in the frames of the tool at both ends.
+    pub fn in_tools(&self, v: &Vector) -> [Vector; 2] {
+        [self.tool_slope(0, v), self.tool_slope(1, v)]
     }
 
     /// The azimuths of all points within `radius` of `v` are outside the interval.
     pub fn is_beside(&self, v: &Vector, radius: f64) -> bool {
-        let across = |(cos, sin): (f64, f64)| cos * v.z - sin * v.y;
-        let (before, after) = (across(self.ends[0]) < -radius, across(self.ends[1]) > radius);
+        self.is_beside_tools(&self.in_tools(v), radius)
+    }
+
+    /// As [`Self::is_beside`] for a point in the frames of the tool at both ends.
+    pub fn is_beside_tools(&self, [at_lo, at_hi]: &[Vector; 2], radius: f64) -> bool {
+        let (before, after) = (at_lo.z < -radius, at_hi.z > radius);
         let width = self.hi - self.lo;
         if width > PI {
             return width < TAU && before && after;
         }
         // An angle of the interval is within a quarter turn of one of its ends.
-        before || after || self.ends.iter().all(|(cos, sin)| cos * v.y + sin * v.z < -radius)
+        before || after || (at_lo.y < -radius && at_hi.y < -radius)
     }
 
     /// As [`Self::is_beside`] for an interval of at most half a turn and points in the convex hull of others, `all` of which lie on one side of a
     /// plane or not.
     pub fn have_beside(&self, all: impl Fn(&dyn Fn(&Vector) -> bool) -> bool) -> bool {
-        let [lo, hi] = self.ends;
-        let across = |(cos, sin): (f64, f64), v: &Vector| cos * v.z - sin * v.y;
-        let along = |(cos, sin): (f64, f64), v: &Vector| cos * v.y + sin * v.z;
         self.hi - self.lo <= PI
-            && (all(&|v| across(lo, v) < 0.0)
-                || all(&|v| across(hi, v) > 0.0)
-                || all(&|v| along(lo, v) < 0.0 && along(hi, v) < 0.0))
+            && (all(&|v| self.seen(0, v).1 < 0.0)
+                || all(&|v| self.seen(1, v).1 > 0.0)
+                || all(&|v| self.seen(0, v).0 < 0.0 && self.seen(1, v).0 < 0.0))
     }
 }
 
@@ -107,16 +114,18 @@ pub(super) struct Facet {
     /// Of the nearest part's margin, in space: with the value `least` at the node's centre it bounds what is left of the margin
     /// wherever node and tool move.
     pub slope: Vector,
+    /// The nearest part, by index.
+    pub part: u16,
 }
 
 impl Facet {
     pub fn none() -> Self {
-        Facet { least: f64::INFINITY, others: f64::INFINITY, slope: Vector::zeros() }
+        Facet { least: f64::INFINITY, others: f64::INFINITY, slope: Vector::zeros(), part: 0 }
     }
 
-    pub fn add(&mut self, least: f64, slope: &Vector) {
+    pub fn add(&mut self, part: usize, least: f64, slope: &Vector) {
         if least < self.least {
-            *self = Facet { least, others: self.least, slope: *slope };
+            *self = Facet { least, others: self.least, slope: *slope, part: part as u16 };
         } else if least < self.others {
             self.others = least;
         }
@@ -127,31 +136,70 @@ impl Facet {
 /// middle, or where it leaves little of the room there one between it and that at the corner where it is lowest. Near the place where tool
 /// and part touch the margin is curved so much that the one at the middle would do only for much smaller boxes.
 pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
-    let z = v.dot(axis);
-    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    let (z, r) = height_and_radius(axis, v);
     let mut out = Facet::none();
-    for f in &profile.frusta {
-        let (m, by_z, by_r) = f.margin(z, r);
-        if m - radius >= out.others {
-            continue;
+    let none = (f64::INFINITY, 0.0, 0.0);
+    let (mut nearest, mut part, mut second) = (none, 0, f64::INFINITY);
+    for (k, f) in profile.frusta.iter().enumerate() {
+        let at = f.margin(z, r);
+        if at.0 < nearest.0 {
+            (second, nearest, part) = (nearest.0, at, k);
+        } else {
+            second = second.min(at.0);
         }
-        let k = if r > 0.0 { by_r / r } else { 0.0 };
-        let mut slope = v * k + axis * (by_z - k * z);
-        let along = half.map(|h| slope.dot(&h));
-        let fall: f64 = along.iter().map(|a| a.abs()).sum();
-        let mut least = m - fall.min(radius);
-        if least < SHARE_OF_ROOM * m && m > NONE_MM {
-            let two = by_two(f, axis, v, half, (m, &slope, &along));
-            if two.0 > least {
-                (least, slope) = two;
-            }
-        }
-        out.add(least, &slope);
+    }
+    let Some(f) = profile.frusta.get(part) else { return out };
+    let (least, slope) = plane(f, axis, (v, radius, half), (z, r), nearest);
+    out.add(part, least, &slope);
+    if second - radius > least.max(SHARE_OF_ROOM * second) {
+        out.others = second - radius;
+        return out;
+    }
+    for (k, f) in profile.frusta.iter().enumerate().filter(|(k, _)| *k != part) {
         if out.least <= 0.0 {
             break;
         }
+        let at = f.margin(z, r);
+        if at.0 - radius < out.others {
+            let (least, slope) = plane(f, axis, (v, radius, half), (z, r), at);
+            out.add(k, least, &slope);
+        }
     }
     out
+}
+
+/// As [`facet`] for one part alone: the bound and the slope of the plane that gives it.
+pub(super) fn facet_of(f: &Frustum, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> (f64, Vector) {
+    let (z, r) = height_and_radius(axis, v);
+    plane(f, axis, (v, radius, half), (z, r), f.margin(z, r))
+}
+
+/// Height over the ball centre and distance from the tool's axis.
+fn height_and_radius(axis: &Vector, v: &Vector) -> (f64, f64) {
+    let z = v.dot(axis);
+    (z, (v.norm_squared() - z * z).max(0.0).sqrt())
+}
+
+/// The bound over the box and its slope from margin and derivatives at the box's middle, of height `z` and radius `r`.
+fn plane(
+    f: &Frustum,
+    axis: &Vector,
+    (v, radius, half): (&Vector, f64, &[Vector; 3]),
+    (z, r): (f64, f64),
+    (m, by_z, by_r): (f64, f64, f64),
+) -> (f64, Vector) {
+    let k = if r > 0.0 { by_r / r } else { 0.0 };
+    let slope = v * k + axis * (by_z - k * z);
+    let along = half.map(|h| slope.dot(&h));
+    let fall: f64 = along.iter().map(|a| a.abs()).sum();
+    let least = m - fall.min(radius);
+    if least < SHARE_OF_ROOM * m && m > NONE_MM {
+        let two = by_two(f, axis, v, half, (m, &slope, &along));
+        if two.0 > least {
+            return two;
+        }
+    }
+    (least, slope)
 }
 
 /// Share of the room at a box's middle that one plane must leave, or two are tried: more room lasts for more places.
@@ -185,6 +233,9 @@ fn by_two(
         let least = rest * m + share * at_middle - fall;
         if least > best.0 {
             best = (least, share);
+        }
+        if least > SHARE_OF_ROOM * m {
+            break;
         }
     }
     (best.0, slope * (1.0 - best.1) + second * best.1)
@@ -232,7 +283,7 @@ pub(super) fn least_at_own_azimuth(
 }
 
 /// Points within `radius` of `v` are inside the inflated tool for one arc about their own azimuth, if at all.
-fn one_arc(profile: &Profile, v: &Vector, radius: f64) -> bool {
+pub(super) fn one_arc(profile: &Profile, v: &Vector, radius: f64) -> bool {
     profile.widens && v.norm() + radius <= profile.length
 }
 
@@ -277,10 +328,13 @@ fn room_beside(
     }
     let (mut mm, mut facets) = (f64::INFINITY, None);
     for s in sweeps {
-        let both = s.axes.map(|axis| facet(profile, &axis, v, radius, half));
-        mm = mm.min(both[0].least).min(both[1].least);
-        if mm <= NONE_MM {
-            return None;
+        let mut both = [Facet::none(); 2];
+        for (out, axis) in both.iter_mut().zip(&s.axes) {
+            *out = facet(profile, axis, v, radius, half);
+            mm = mm.min(out.least);
+            if mm <= NONE_MM {
+                return None;
+            }
         }
         facets = Some(both);
     }

@@ -3,12 +3,14 @@
 //! Two certificates each. **Room**: all of it, less the way of the ball centre, less what the intervals grow outwards times the
 //! distance from the turning axis. **Facets**: the tangent planes of the nearest part's distance at both ends of the interval,
 //! fixed to the tool. The distance from a part is convex in the tool's frame, so they bound it wherever the node goes there; a node's
-//! extent along a plane changes by its radius times the turn, at most. The other parts keep their room.
+//! extent along a plane changes by its radius times the turn, at most. The other parts keep their room. Where planes hold, the room is what they
+//! leave; where they do not any more, new ones of the same parts are tried before the node is given up: near the place where the tool
+//! touches, that is at every step.
 
 use crate::geometry::{Point, Vector};
 
-use super::bound::{Room, Sweep};
-use super::forbidden::Start;
+use super::bound::{self, Room, Sweep};
+use super::forbidden::{Body, Start};
 
 /// Room that is none, mm.
 const NONE_MM: f64 = 1e-9;
@@ -27,9 +29,27 @@ impl Limit {
         Limit { across, at: mm + way + growth * across }
     }
 
-    fn holds(&self, [way, growth]: [f64; 2]) -> bool {
-        way + growth * self.across < self.at
+    fn holds(&self, used: [f64; 2]) -> bool {
+        self.left(used) > 0.0
     }
+
+    /// Room that is left, mm.
+    fn left(&self, [way, growth]: [f64; 2]) -> f64 {
+        self.at - (way + growth * self.across)
+    }
+}
+
+/// Where tool and ball are.
+pub(super) struct Now<'a> {
+    /// Way of the ball centre, mm, and growth of the intervals, rad, so far.
+    pub used: [f64; 2],
+    /// The last step of the ball centre, mm; the next is about as long.
+    pub step_mm: f64,
+    /// The ball centre.
+    pub ball: Point,
+    /// Free intervals, absolute angles.
+    pub sweeps: Vec<Sweep>,
+    pub bodies: &'a [Body<'a>],
 }
 
 /// A bound of the margin at one end, in the tool's frame.
@@ -38,6 +58,16 @@ struct Plane {
     slope: Vector,
     offset: f64,
     theta: f64,
+    /// The part of the tool that it is about.
+    part: u16,
+}
+
+impl Plane {
+    /// Of the part's margin at the end `k`, at least `least` with this slope in space about a node's centre, seen as `v`.
+    fn new(part: u16, (least, slope): (f64, &Vector), v: &Vector, sweep: &Sweep, k: usize) -> Self {
+        let theta = if k == 0 { sweep.lo } else { sweep.hi };
+        Plane { slope: sweep.tool_slope(k, slope), offset: least - slope.dot(v), theta, part }
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -67,53 +97,92 @@ impl Front {
         self.nodes.clear();
     }
 
-    /// Takes a node in, `centre` seen from the ball at `ball`; `used` is the way and the growth so far, `sweeps` what its room is about.
-    pub fn hold(
-        &mut self,
-        (at, centre, radius): (Start, Point, f64),
-        room: &Room,
-        used: [f64; 2],
-        ball: &Point,
-        sweeps: &[Sweep],
-    ) {
-        let none = Plane { slope: Vector::zeros(), offset: 0.0, theta: 0.0 };
+    /// Takes a node in, with its room about what is swept now.
+    pub fn hold(&mut self, (at, centre, radius): (Start, Point, f64), room: &Room, now: &Now) {
+        let none = Plane { slope: Vector::zeros(), offset: 0.0, theta: 0.0, part: 0 };
         let mut node = Node { at, centre, radius, others: None, planes: [none; 2] };
-        if let (Some(facets), [sweep]) = (&room.facets, sweeps) {
+        if let (Some(facets), [sweep]) = (&room.facets, now.sweeps.as_slice()) {
             let others = facets[0].others.min(facets[1].others).min(MOST_MM);
-            node.others = Some(Limit::new(others, room.across - room.mm + others, used));
-            for k in 0..2 {
+            node.others = Some(Limit::new(others, room.across - room.mm + others, now.used));
+            let v = centre - now.ball;
+            node.planes = [0, 1].map(|k| {
                 let f = &facets[k];
-                let (slope, theta) = (sweep.tool_slope(k, &f.slope), if k == 0 { sweep.lo } else { sweep.hi });
-                node.planes[k] = Plane { slope, offset: f.least - f.slope.dot(&(centre - ball)), theta };
-            }
+                Plane::new(f.part, (f.least, &f.slope), &v, sweep, k)
+            });
         }
-        self.limits.push(Limit::new(room.mm, room.across, used));
+        self.limits.push(Limit::new(room.mm, room.across, now.used));
         self.nodes.push(node);
     }
 
     /// Takes out the nodes that may not be clear any more.
-    pub fn drop_due(&mut self, used: [f64; 2], ball: &Point, sweeps: &[Sweep], due: &mut Vec<Start>) {
+    pub fn drop_due(&mut self, now: &Now, due: &mut Vec<Start>) {
         let mut k = 0;
-        while let Some(limit) = self.limits.get(k) {
-            if limit.holds(used) || self.nodes[k].holds(used, ball, sweeps) {
+        while let Some(limit) = self.limits.get_mut(k) {
+            if limit.holds(now.used) {
                 k += 1;
                 continue;
             }
-            due.push(self.nodes[k].at);
-            self.limits.swap_remove(k);
-            self.nodes.swap_remove(k);
+            let node = &mut self.nodes[k];
+            let Some(mm) = node.prolonged(now) else {
+                due.push(node.at);
+                self.limits.swap_remove(k);
+                self.nodes.swap_remove(k);
+                continue;
+            };
+            if mm > now.step_mm {
+                *limit = Limit::new(mm, node.rho(now) + mm, now.used);
+            }
+            k += 1;
         }
     }
 }
 
 impl Node {
-    fn holds(&self, used: [f64; 2], ball: &Point, sweeps: &[Sweep]) -> bool {
-        let (Some(others), [sweep]) = (self.others, sweeps) else { return false };
-        let v = self.centre - ball;
-        let clear = |k: usize, theta: f64| {
-            let p = &self.planes[k];
-            p.offset + sweep.space_slope(k, &p.slope).dot(&v) - (theta - p.theta).abs() * self.radius > NONE_MM
-        };
-        others.holds(used) && clear(0, sweep.lo) && clear(1, sweep.hi) && sweep.is_beside(&v, self.radius)
+    /// What planes leave of room, old ones or new ones, mm; `None` where that is nothing.
+    fn prolonged(&mut self, now: &Now) -> Option<f64> {
+        let (Some(others), [sweep]) = (self.others, now.sweeps.as_slice()) else { return None };
+        let left = others.left(now.used);
+        if left <= NONE_MM {
+            return None;
+        }
+        let seen = sweep.in_tools(&(self.centre - now.ball));
+        let mm = if sweep.is_beside_tools(&seen, self.radius) { self.by_planes(&seen, sweep) } else { 0.0 };
+        Some(if mm > NONE_MM { mm } else { self.renewed(now, sweep)? }.min(left))
+    }
+
+    /// Distance of its farthest point from the turning axis, mm.
+    fn rho(&self, now: &Now) -> f64 {
+        let v = self.centre - now.ball;
+        (v.y * v.y + v.z * v.z).sqrt() + self.radius
+    }
+
+    /// Room at both ends by the planes, with the centre seen from the tools there, mm.
+    fn by_planes(&self, seen: &[Vector; 2], sweep: &Sweep) -> f64 {
+        let [lo, hi] = &self.planes;
+        (lo.offset + lo.slope.dot(&seen[0]) - (sweep.lo - lo.theta).abs() * self.radius)
+            .min(hi.offset + hi.slope.dot(&seen[1]) - (sweep.hi - hi.theta).abs() * self.radius)
+    }
+
+    /// Room at both ends by new planes of the same parts, mm.
+    fn renewed(&mut self, now: &Now, sweep: &Sweep) -> Option<f64> {
+        let on = &now.bodies[usize::from(self.at.0)];
+        let node = on.tree.node(self.at.1);
+        let v = node.centre - now.ball;
+        if !bound::one_arc(&on.profile, &v, node.radius) || !sweep.is_beside(&v, node.radius) {
+            return None;
+        }
+        let mut room = f64::INFINITY;
+        for k in 0..2 {
+            let part = self.planes[k].part;
+            let f = on.profile.frusta.get(usize::from(part))?;
+            let (least, slope) = bound::facet_of(f, &sweep.axes[k], &v, node.radius, &node.half);
+            if least <= NONE_MM {
+                return None;
+            }
+            room = room.min(least);
+            self.planes[k] = Plane::new(part, (least, &slope), &v, sweep, k);
+        }
+        (self.centre, self.radius) = (node.centre, node.radius);
+        Some(room)
     }
 }

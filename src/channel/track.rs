@@ -25,7 +25,7 @@ use super::arcs::{Arc, Witness};
 use super::bound::{self, Between, Facet, Room, Sweep};
 use super::clear::{self, Near, Verdict};
 use super::forbidden::{Free, Scene, Search, Start, View};
-use super::front::Front;
+use super::front::{Front, Now};
 use super::profile::Profile;
 use super::region::Motion;
 use super::samples::Sample;
@@ -43,6 +43,8 @@ const GROWTH: f64 = 0.02;
 const LEAP: f64 = 0.3;
 /// Points that cover what is taken should overlap by this, rad.
 const OVERLAP: f64 = 0.02;
+/// Steps from the ends of what seems free at which points inside the tool are looked for, greatest and least, rad.
+const CLOSE_IN: [f64; 2] = [0.5, 1e-3];
 /// Places after which the front is made anew, coarser again.
 const PLACES: usize = 64;
 
@@ -85,12 +87,8 @@ pub(super) struct Tracker<'a> {
     made: usize,
     /// Places until it is made anew.
     age: usize,
-    /// Path of the ball centre and growth of the intervals so far.
-    path_mm: f64,
-    growth: f64,
+    now: Now<'a>,
     last: Option<Point>,
-    /// Free intervals, absolute angles.
-    sweeps: Vec<Sweep>,
     before: Vec<[f64; 2]>,
     seeds: Vec<Seed>,
     ends: Vec<Start>,
@@ -105,10 +103,8 @@ impl<'a> Tracker<'a> {
             front: Front::default(),
             made: 0,
             age: 0,
-            path_mm: 0.0,
-            growth: 0.0,
+            now: Now { used: [0.0; 2], step_mm: 0.0, ball: Point::origin(), sweeps: Vec::new(), bodies: &scene.bodies },
             last: None,
-            sweeps: Vec::new(),
             before: Vec::new(),
             seeds: Vec::new(),
             ends: Vec::new(),
@@ -120,7 +116,9 @@ impl<'a> Tracker<'a> {
     pub fn next(&mut self, place: &Sample) -> Vec<Free> {
         self.search
             .begin(&View { centre: place.centre, azimuth: place.azimuth, motion: Motion::none() }, &place.normal);
-        self.path_mm += self.last.map_or(0.0, |l| (place.centre - l).norm());
+        self.now.step_mm = self.last.map_or(0.0, |l| (place.centre - l).norm());
+        self.now.used[0] += self.now.step_mm;
+        self.now.ball = place.centre;
         self.last = Some(place.centre);
         for s in std::mem::take(&mut self.seeds) {
             self.search.take_point(s.body, s.leaf, &s.point);
@@ -132,16 +130,14 @@ impl<'a> Tracker<'a> {
         let fresh = self.fill_gaps();
         self.age += 1;
         self.open.clear();
+        if fresh {
+            self.close_in();
+        }
         if fresh || self.age > PLACES || self.front.len() > 2 * self.made + 200 {
             self.anew();
-            if fresh {
-                // What was looked at before the ends had moved to where they are was opened too far, and holds too little room.
-                self.anew();
-            }
             (self.made, self.age) = (self.front.len(), 0);
         } else {
-            let centre = self.search.centre();
-            self.front.drop_due([self.path_mm, self.growth], &centre, &self.sweeps, &mut self.open);
+            self.front.drop_due(&self.now, &mut self.open);
             self.verify();
         }
         self.finish(place.azimuth)
@@ -156,7 +152,7 @@ impl<'a> Tracker<'a> {
 
     /// Remembers what the next place starts from.
     fn finish(&mut self, azimuth: f64) -> Vec<Free> {
-        self.before = self.sweeps.iter().map(|s| [s.lo, s.hi]).collect();
+        self.before = self.now.sweeps.iter().map(|s| [s.lo, s.hi]).collect();
         self.cover();
         let mut free = self.search.known().free(2.0 * self.scene.options.tolerance_rad);
         for f in &mut free {
@@ -173,9 +169,9 @@ impl<'a> Tracker<'a> {
 
     fn update_sweeps(&mut self) {
         let (azimuth, b) = (self.search.azimuth(), self.search.b());
-        self.sweeps.clear();
+        self.now.sweeps.clear();
         let free = self.search.known().free(0.0);
-        self.sweeps.extend(free.iter().map(|f| Sweep::new(f.lo + azimuth, f.hi + azimuth, b)));
+        self.now.sweeps.extend(free.iter().map(|f| Sweep::new(f.lo + azimuth, f.hi + azimuth, b)));
     }
 
     /// Looks for taken angles in what seems free and was not free at the place before. True: there is a gap without any, all must
@@ -184,8 +180,8 @@ impl<'a> Tracker<'a> {
         for _ in 0..PROBES {
             let mut grown = 0.0f64;
             let mut gap = None;
-            for k in 0..self.sweeps.len() {
-                let (by, middle) = self.growth_of(self.sweeps[k].lo, self.sweeps[k].hi);
+            for k in 0..self.now.sweeps.len() {
+                let (by, middle) = self.growth_of(self.now.sweeps[k].lo, self.now.sweeps[k].hi);
                 grown = grown.max(by);
                 if by > GROWTH && self.probe(middle) {
                     gap = Some(middle);
@@ -193,12 +189,31 @@ impl<'a> Tracker<'a> {
                 }
             }
             if gap.is_none() {
-                self.growth += grown.min(1.0);
+                self.now.used[1] += grown.min(1.0);
                 return grown > LEAP;
             }
             self.update_sweeps();
         }
         true
+    }
+
+    /// Brings the ends of what seems free near to where they will be. With ends too far out, nodes would be opened too far and hold too little
+    /// room.
+    fn close_in(&mut self) {
+        let mut step = CLOSE_IN[0];
+        for _ in 0..PROBES {
+            if step < CLOSE_IN[1] {
+                return;
+            }
+            let inwards = |s: &Sweep| step.min(0.5 * (s.hi - s.lo));
+            let looked = self.now.sweeps.iter().flat_map(|s| [s.lo + inwards(s), s.hi - inwards(s)]);
+            let looked: Vec<f64> = looked.collect();
+            if looked.into_iter().filter(|theta| self.probe(*theta)).count() > 0 {
+                self.update_sweeps();
+            } else {
+                step *= 0.25;
+            }
+        }
     }
 
     /// By how much the interval reaches out of those of the place before, and the middle of what does.
@@ -261,7 +276,7 @@ impl<'a> Tracker<'a> {
             let on = &scene.bodies[usize::from(body)];
             let node = on.tree.node(index);
             let v = node.centre - centre;
-            if let Some(room) = bound::room(&on.profile, &self.sweeps, b, &v, node.radius, &node.half) {
+            if let Some(room) = bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &node.half) {
                 self.hold((body, index), node.centre, node.radius, &room);
                 continue;
             }
@@ -277,8 +292,7 @@ impl<'a> Tracker<'a> {
     }
 
     fn hold(&mut self, at: Start, centre: Point, radius: f64, room: &Room) {
-        let (used, ball) = ([self.path_mm, self.growth], self.search.centre());
-        self.front.hold((at, centre, radius), room, used, &ball, &self.sweeps);
+        self.front.hold((at, centre, radius), room, &self.now);
     }
 
     /// Makes known what a leaf forbids beyond what is; the room that is left, where there is any. Where nothing can be shown for
@@ -299,14 +313,14 @@ impl<'a> Tracker<'a> {
                 return None;
             }
             for _ in 0..ROUNDS {
-                if self.sweeps.is_empty() {
+                if self.now.sweeps.is_empty() {
                     return None;
                 }
-                let mut between = bound::between_ends(&on.profile, &self.sweeps, b, &corners, &middle, radius);
+                let mut between = bound::between_ends(&on.profile, &self.now.sweeps, b, &corners, &middle, radius);
                 let mut found = Look::Open;
                 if let Between::Around(tall) = between {
-                    found = look(tall, &self.sweeps, &corners, &middle, radius);
-                    let mut axes = self.sweeps.iter().flat_map(|s| s.axes);
+                    found = look(tall, &self.now.sweeps, &corners, &middle, radius);
+                    let mut axes = self.now.sweeps.iter().flat_map(|s| s.axes);
                     let mut own = |p: &Vector| axes.any(|axis| bound::margin(&on.profile, &axis, p) <= 0.0);
                     let decided = match &found {
                         Look::Clear(_) => true,
@@ -315,7 +329,7 @@ impl<'a> Tracker<'a> {
                     };
                     if !decided {
                         found = Look::Open;
-                        between = bound::by_steps(&on.profile, &self.sweeps, b, &corners, &middle, radius);
+                        between = bound::by_steps(&on.profile, &self.now.sweeps, b, &corners, &middle, radius);
                     }
                 }
                 match between {
@@ -323,7 +337,7 @@ impl<'a> Tracker<'a> {
                         least = least.min(mm);
                         continue 'pieces;
                     }
-                    Between::Ends => found = look(&on.profile, &self.sweeps, &corners, &middle, radius),
+                    Between::Ends => found = look(&on.profile, &self.now.sweeps, &corners, &middle, radius),
                     Between::Nothing | Between::Around(_) => {}
                 }
                 match found {
@@ -401,12 +415,12 @@ fn look(profile: &Profile, sweeps: &[Sweep], corners: &[Vector; 3], middle: &Vec
         for (k, axis) in axes.iter().enumerate() {
             let z = middle.dot(axis);
             let r = (middle.norm_squared() - z * z).max(0.0).sqrt();
-            for f in &profile.frusta {
+            for (part, f) in profile.frusta.iter().enumerate() {
                 let (m, by_z, by_r) = f.margin(z, r);
                 if m > radius {
                     if let Some(both) = &mut facets {
                         let t = if r > 0.0 { by_r / r } else { 0.0 };
-                        both[k].add(m - radius, &(middle * t + axis * (by_z - t * z)));
+                        both[k].add(part, m - radius, &(middle * t + axis * (by_z - t * z)));
                     }
                     continue;
                 }
@@ -414,7 +428,7 @@ fn look(profile: &Profile, sweeps: &[Sweep], corners: &[Vector; 3], middle: &Vec
                     Near::Clear(tangent) => {
                         let least = tangent.least(corners);
                         match &mut facets {
-                            Some(both) if least > 1e-9 => both[k].add(least, &tangent.slope),
+                            Some(both) if least > 1e-9 => both[k].add(part, least, &tangent.slope),
                             _ => facets = None,
                         }
                     }

@@ -148,7 +148,7 @@ impl Draft {
                 contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(0.0),
                 contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(90.0),
                 tolerance_deg: channel.tolerance_deg.unwrap_or(0.01),
-                prove_moves: channel.prove_moves.unwrap_or(false),
+                prove_moves: channel.prove_moves.unwrap_or(schedule.kind.is_some_and(ScheduleKind::is_wall)),
                 exact_ends: channel.exact_ends.unwrap_or(false),
                 sweep_b: channel.sweep_b.unwrap_or(false),
             },

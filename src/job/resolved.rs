@@ -157,8 +157,8 @@ pub struct ChannelJob {
     pub contact_angle_max_deg: f64,
     /// Tolerance of the channel's ends, degrees. Default 0.01: well below what a rotary table repeats.
     pub tolerance_deg: f64,
-    /// Prove the walls for the moves between locations too. Default false: it takes milliseconds a move, and the clearance
-    /// check covers the motion that is used.
+    /// Prove the walls for the moves between locations too. Default: true where the schedule runs along a wall, which may jump from one
+    /// location to the next; else false: it takes milliseconds a move, and the clearance check covers the motion that is used.
     #[serde(default)]
     pub prove_moves: bool,
     /// Ends of the channel from exact faces, to the tolerance. Default false: a channel takes several times as long (8 s of processor time for

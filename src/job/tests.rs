@@ -181,6 +181,21 @@ mod with_blade {
         assert!(a.tool.stickout_mm > 30.0 && a.region.start_mm == 30.0);
     }
 
+    /// Along a wall nothing but the walls of the moves keeps the tool from the part between two locations.
+    #[test]
+    fn schedules_along_a_wall_have_their_moves_proven() {
+        let blade = lens(60.0, 80.0);
+        for (text, proven) in [
+            ("", false),
+            ("schedule.kind = \"optimal\"", false),
+            ("schedule.kind = \"lower-wall\"", true),
+            ("schedule.kind = \"upper-wall\"", true),
+            ("schedule.kind = \"upper-wall\"\nchannel.prove_moves = false", false),
+        ] {
+            assert_eq!(complete(text, &blade).unwrap().channel.prove_moves, proven, "{text}");
+        }
+    }
+
     #[test]
     fn values_outside_the_part_or_their_limits_are_named() {
         let blade = lens(60.0, 80.0);

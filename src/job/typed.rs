@@ -184,7 +184,7 @@ keys! {
         contact_angle_max_deg: f64,
         /// Tolerance of the channel's ends, degrees.
         tolerance_deg: f64,
-        /// Prove the walls for the moves between locations too, and move them inwards where they do not hold; slow.
+        /// Prove the walls for the moves between locations too, and move them inwards where they do not hold; slow. Default: only for schedules along a wall.
         prove_moves: bool,
         /// Ends of the channel from exact faces, to the tolerance; otherwise the deflection of their mesh is kept as room.
         exact_ends: bool,

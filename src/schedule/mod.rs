@@ -6,7 +6,8 @@
 //! * `fixed`: the baseline. θ is the azimuth of the surface normal about the blade axis plus a constant lead in the
 //!   feed direction, as CAM systems give within the four-axis constraint. It knows nothing of the channel and may
 //!   leave it or turn back: that is counted and reported, never an error.
-//! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`: to try the channel.
+//! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`: to try the channel. Between locations a wall may jump: only where the
+//!   channel was planned with `prove_moves` does such a schedule keep clear there too.
 //! * `quaternion`: spherical interpolation between key orientations (Ho et al. 2003), the rival that the piecewise method was
 //!   published against; may leave the channel or turn back, like `fixed` (`quaternion` module).
 //! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
