@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::geometry::Vector;
+use crate::geometry::{Point, Vector};
 
 use super::clear;
 use super::profile::{Frustum, Profile};
@@ -87,13 +87,19 @@ impl Sweep {
         before || after || (at_lo.y < -radius && at_hi.y < -radius)
     }
 
-    /// As [`Self::is_beside`] for an interval of at most half a turn and points in the convex hull of others, `all` of which lie on one side of a
-    /// plane or not.
-    pub fn have_beside(&self, all: impl Fn(&dyn Fn(&Vector) -> bool) -> bool) -> bool {
-        self.hi - self.lo <= PI
-            && (all(&|v| self.seen(0, v).1 < 0.0)
-                || all(&|v| self.seen(1, v).1 > 0.0)
-                || all(&|v| self.seen(0, v).0 < 0.0 && self.seen(1, v).0 < 0.0))
+    /// As [`Self::is_beside`] for the convex hull of some points, seen from `centre`; never said of an interval over half a turn.
+    pub fn have_beside(&self, points: &[Point], centre: &Point) -> bool {
+        let (mut before, mut after, mut behind) = (true, true, true);
+        for point in points {
+            let [lo, hi] = self.in_tools(&(point - centre));
+            before &= lo.z < 0.0;
+            after &= hi.z > 0.0;
+            behind &= lo.y < 0.0 && hi.y < 0.0;
+            if !(before || after || behind) {
+                return false;
+            }
+        }
+        !points.is_empty() && self.hi - self.lo <= PI
     }
 }
 
@@ -458,7 +464,7 @@ mod tests {
                     assert!(!beside || !inside && away >= spread - 1e-9, "{lo} {width} {psi}");
                     assert!(beside || inside || away <= 1.5 * spread + 1e-9, "{lo} {width} {psi} {radius}");
                 }
-                if sweep.have_beside(|side| side(&v)) {
+                if sweep.have_beside(&[Point::from(v)], &Point::origin()) {
                     assert!(!inside, "{lo} {width} {psi}");
                 } else {
                     assert!(inside || width > PI || away < 1e-9, "{lo} {width} {psi}");

@@ -324,8 +324,7 @@ impl<'a> Look<'a> {
             Some(tall) => (tall, Default::default()),
             None => return Some(-radius),
         };
-        let all = |side: &dyn Fn(&Vector) -> bool| !hull.is_empty() && hull.iter().all(|h| side(&(h - self.centre)));
-        let mm = if self.sweep.is_beside(v, radius) || self.sweep.have_beside(all) {
+        let mm = if self.sweep.is_beside(v, radius) || self.sweep.have_beside(hull, &self.centre) {
             least(one_arc, lowest)
         } else {
             let half = [Vector::x(), Vector::y(), Vector::z()].map(|e| e * radius);
