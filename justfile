@@ -37,7 +37,12 @@ occ-dense points="10000" *models="models/steam_root.step":
     cargo build --release --examples --bins
     "${PYTHON:-python3}" tests/occ/dense.py target/release {{points}} {{models}}
 
-# Loading time beside OpenCASCADE
+# Every kind of face, file and unit of STEP and IGES as OpenCASCADE writes them: closed, with its area and volume
+occ-entities:
+    cargo build --release --bins
+    "${PYTHON:-python3}" tests/occ/entities.py target/release
+
+# Loading time beside OpenCASCADE; models may be meshes (STL, OBJ), MODEL@m is one in metres whatever it says
 occ-load *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples
     "${PYTHON:-python3}" tests/occ/load.py target/release {{models}}

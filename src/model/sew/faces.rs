@@ -13,6 +13,8 @@ use super::{Match, face_of, uses};
 
 /// Sides of a surface that are nearer than this make it closed, mm.
 const CLOSED_MM: f64 = 1e-3;
+/// Edges this near to the sides of a parameter rectangle, as a share of the length of these, and as long, are these sides.
+const WHOLE: f64 = 1e-6;
 /// Places on an edge that are looked at.
 const PLACES: [f64; 5] = [0.08, 0.3, 0.5, 0.7, 0.92];
 
@@ -52,11 +54,27 @@ pub fn drop_slivers(brep: &mut Brep, tolerance_mm: f64) -> Vec<String> {
         let loose = f.loops.iter().flatten().any(|c| uses[c.edge] == 1);
         loose && all.len() > 1 && folded(&all, tolerance_mm) && {
             let around: f64 = all.iter().map(|e| length(e)).sum();
-            alone(brep, f).is_none_or(|m| m.area_mm2() <= tolerance_mm * around)
+            let narrow = |m: crate::geometry::mesh::Mesh| m.area_mm2() <= tolerance_mm * around;
+            !is_whole(f, &all, tolerance_mm) && alone(brep, f).is_none_or(narrow)
         }
     };
     let marks: Vec<bool> = brep.faces.iter().map(sliver).collect();
     remove(brep, &marks)
+}
+
+/// Whether edges run once round the parameter rectangle of a face's surface, which is wider than the tolerance: that of a sphere, there and back
+/// along its seam, lies folded too, and encloses all of it.
+fn is_whole(f: &Face, all: &[&Edge], tolerance_mm: f64) -> bool {
+    let mut natural = Brep { faces: vec![Face { loops: Vec::new(), ..f.clone() }], edges: Vec::new() };
+    write_out_natural_loops(&mut natural);
+    let sides: Vec<&Edge> = natural.faces[0].loops.iter().flatten().map(|c| &natural.edges[c.edge]).collect();
+    let [own, whole] = [all, &sides].map(|edges| edges.iter().map(|e| length(e)).sum::<f64>());
+    let off = |q: &Point, edges: &[&Edge]| edges.iter().map(|e| foot(&e.curve, e.t, q).1).fold(f64::INFINITY, f64::min);
+    let along = |e: &&Edge| PLACES.iter().all(|s| off(&at(e, *s), &sides) <= WHOLE * whole);
+    let [u, v] = f.surface.domain();
+    let between = |[a, b]: [f64; 2], s: f64| a + (b - a) * s;
+    let mut inside = PLACES.iter().flat_map(|s| PLACES.map(|t| f.surface.point(between(u, *s), between(v, t))));
+    (own - whole).abs() <= WHOLE * whole && all.iter().all(along) && inside.any(|q| off(&q, &sides) > tolerance_mm)
 }
 
 /// Whether every edge runs along others of the list.

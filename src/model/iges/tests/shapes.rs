@@ -132,6 +132,24 @@ fn spheres_and_tori() {
     solid(&sheet.text(), 0.002).measures(2.0 * PI * PI * 10.0 * 9.0, 4.0 * PI * PI * 30.0, 1.2e-3);
 }
 
+/// A sphere as a half circle turned round, trimmed by its seam, up and down again: folded like a sliver, yet the whole of it.
+#[test]
+fn a_sphere_within_its_seam() {
+    let r = 20.0;
+    let mut sheet = Sheet::default();
+    let half = |sheet: &mut Sheet| sheet.add(100, 0, list(&[0.0, 0.0, 0.0, 0.0, -r, 0.0, r]));
+    let (axis, generatrix) = (sheet.line([0.; 3], [0., 1., 0.]), half(&mut sheet));
+    let ball = sheet.add(120, 0, format!("{axis},{generatrix},0.,{TAU:?}"));
+    let (up, down) = (half(&mut sheet), half(&mut sheet));
+    let turned = sheet.transform([1., 0., 0., 0., 0., -1., 0., 0., 0., 0., -1., 0.], 0);
+    sheet.place(down, turned);
+    let seam = sheet.composite(&[up, down]);
+    sheet.trimmed(ball, &[(0, seam)]);
+    let s = solid(&sheet.text(), 0.002);
+    s.measures(4.0 / 3.0 * PI * r.powi(3), 4.0 * PI * r * r, 4e-4);
+    assert_eq!((s.sewn.open, s.sewn.slivers.len()), (0, 0));
+}
+
 #[test]
 fn cylinders_and_cones_without_ends() {
     // Between circles, which both run counter-clockwise.
