@@ -65,6 +65,13 @@ fn corpus_units_that_are_doubted() {
         let text = text(&out);
         assert!(text.contains("the unit is not certain") && text.contains(word), "{file}:\n{text}");
     }
+    let plan = run("plan", "iea15mw/IEA-15-240-RWT_blade.stl", &[]).expect("the folder is there");
+    assert_eq!(plan.status.code(), Some(4));
+    assert!(
+        text(&plan).contains("the unit is not certain") && text(&plan).contains("pass --unit m,"),
+        "{}",
+        text(&plan)
+    );
     let told = run("inspect", "iea15mw/IEA_15MW_CFD.stp", &["--unit", "mm"]).expect("the folder is there");
     assert!(!text(&told).contains("the unit is not certain"));
 }

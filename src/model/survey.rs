@@ -213,7 +213,10 @@ fn finish(
         let [lo, hi] = found.regions.part_x_mm;
         let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
         let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
-        diagnosis.notes.extend(units::slender(hi - lo, chord, unit, source));
+        if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
+            obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
+            diagnosis.notes.push(doubt);
+        }
     }
     Ok(Survey {
         name: stem(path),

@@ -111,7 +111,8 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
 }
 
 /// What is said of a blade whose length over its mean chord is that of a wind turbine's blade, and so is its length if the file's
-/// numbers are metres: such models are drawn in metres, whatever the file says, and nothing else in the file tells.
+/// numbers are metres: such models are drawn in metres, whatever the file says, and nothing else in the file tells. Nothing is planned then before
+/// the user has told the unit.
 pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: Source) -> Option<String> {
     let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
     let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
