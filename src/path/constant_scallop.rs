@@ -39,8 +39,9 @@ use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::Observer;
 
-/// The scallop of the turns that only look for the end, over that of the path.
+/// The scallop of the turns that only look for the end, over that of the path, and at most over the ball radius.
 const COARSER: f64 = 4.0;
+const COARSEST: f64 = 0.1;
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
@@ -78,7 +79,8 @@ pub(super) fn plan(
         observer.check(Stage::Path)
     };
     let mut down = Laid { turns: Vec::new(), lost: None };
-    for coarser in [COARSER, 1.0] {
+    let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
+    for coarser in [coarse, 1.0].into_iter().skip(usize::from(coarse == 1.0)) {
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
         let lay_down = march(bounds, scallop_mm, false);

@@ -25,6 +25,8 @@ const MOST_MOVES: usize = 60;
 const LEAST_PART: f64 = 0.05;
 /// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
 const TOO_LONG: f64 = 5.0;
+/// A turn shorter than this share of the one before has lost a part of the way round.
+const TOO_SHORT: f64 = 0.6;
 /// Turns that may come no nearer to the end before one is drawn where none was given, and before a given one counts as out of reach.
 const PATIENCE: [usize; 2] = [3, 100];
 
@@ -182,7 +184,7 @@ impl March<'_> {
         while let Some((last, before)) = laid.turns.split_last_mut() {
             progress(last[0].touch.centre.x)?;
             match self.next_turn(before.last(), last) {
-                Ok(next) if length_mm(&next) > longest_mm => {
+                Ok(next) if length_mm(&next) > longest_mm || length_mm(&next) < TOO_SHORT * length_mm(last) => {
                     laid.lost = next.iter().min_by(|a, b| a.way_mm.total_cmp(&b.way_mm)).map(|n| n.touch.centre);
                     break;
                 }
