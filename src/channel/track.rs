@@ -208,7 +208,9 @@ impl<'a> Tracker<'a> {
             let inwards = |s: &Sweep| step.min(0.5 * (s.hi - s.lo));
             let looked = self.now.sweeps.iter().flat_map(|s| [s.lo + inwards(s), s.hi - inwards(s)]);
             let looked: Vec<f64> = looked.collect();
-            if looked.into_iter().filter(|theta| self.probe(*theta)).count() > 0 {
+            // All of them, and not only up to the first that is taken.
+            let taken = looked.into_iter().filter(|theta| self.probe(*theta)).count();
+            if taken > 0 {
                 self.update_sweeps();
             } else {
                 step *= 0.25;

@@ -80,13 +80,14 @@ pub(super) fn plan(
     };
     let mut down = Laid { turns: Vec::new(), lost: None };
     let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
-    for coarser in [coarse, 1.0].into_iter().skip(usize::from(coarse == 1.0)) {
+    let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
+    let level_ring = march(bounds, tries[0] * options.scallop_mm, false).at_one_contact_height(&ring.touches);
+    let ring = level_ring.unwrap_or(ring.touches);
+    for coarser in tries {
         let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
         let lay_down = march(bounds, scallop_mm, false);
-        let level_ring = lay_down.at_one_contact_height(&ring.touches);
-        down = lay_down
-            .find_end(level_ring.as_deref().unwrap_or(&ring.touches), open, &|x| progress(0.0, 300.0, start_x - x))?;
+        down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);

@@ -117,10 +117,11 @@ impl March<'_> {
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
         // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
         if open && !self.facets {
-            let mut level = self.clone();
-            level.across.bounds.x_mm[0] = laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
+            let mut to_height = self.clone();
+            to_height.across.bounds.x_mm[0] =
+                laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
             let mut rest = Rest::new(2 * PATIENCE[0]);
-            let drawn = level.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
+            let drawn = to_height.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
             if drawn.is_at_the_end() {
                 return Ok(drawn);
             }

@@ -241,7 +241,7 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
     // Farther away only where the sections across the axis do not say that the blade runs aslant to it.
     let lean_deg = |r: &Run| r.stack.dot(&r.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
     let straight = |at: usize| lean_deg(&runs[at]) < 2.0 * lean_deg(&runs[top]) + SNAP_DEG;
-    // … or where flat faces along or across it say that the part is at_axis along it and the blade leans.
+    // … or where flat faces along or across it say that the part is drawn along it and the blade leans.
     let aligned = caps::flat_normals(patches, COMMON_DEG).iter().any(|(n, _)| {
         let along = n.dot(&axis).abs();
         along < COMMON_DEG.to_radians().sin() || along > COMMON_DEG.to_radians().cos()

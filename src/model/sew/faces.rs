@@ -2,6 +2,7 @@
 
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Edge, Face};
+use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::tessellate::edges::add_natural_loops;
 use crate::geometry::tessellate::loops::Seeds;
@@ -13,7 +14,7 @@ use super::{Match, face_of, uses};
 
 /// Sides of a surface that are nearer than this make it closed, mm.
 const CLOSED_MM: f64 = 1e-3;
-/// Edges this near to the sides of a parameter rectangle, as a share of the length of these, and as long, are these sides.
+/// Edges run along the sides of a parameter rectangle where they are no farther off, and together no longer or shorter, than this share of the sides' length.
 const WHOLE: f64 = 1e-6;
 /// Places on an edge that are looked at.
 const PLACES: [f64; 5] = [0.08, 0.3, 0.5, 0.7, 0.92];
@@ -54,7 +55,7 @@ pub fn drop_slivers(brep: &mut Brep, tolerance_mm: f64) -> Vec<String> {
         let loose = f.loops.iter().flatten().any(|c| uses[c.edge] == 1);
         loose && all.len() > 1 && folded(&all, tolerance_mm) && {
             let around: f64 = all.iter().map(|e| length(e)).sum();
-            let narrow = |m: crate::geometry::mesh::Mesh| m.area_mm2() <= tolerance_mm * around;
+            let narrow = |m: Mesh| m.area_mm2() <= tolerance_mm * around;
             !is_whole(f, &all, tolerance_mm) && alone(brep, f).is_none_or(narrow)
         }
     };
@@ -134,7 +135,7 @@ fn same_inside(brep: &Brep, a: &Face, b: &Face, tolerance_mm: f64) -> bool {
 }
 
 /// A face by itself as triangles; `None` where it encloses nothing.
-fn alone(brep: &Brep, f: &Face) -> Option<crate::geometry::mesh::Mesh> {
+fn alone(brep: &Brep, f: &Face) -> Option<Mesh> {
     let mut own = Brep { faces: vec![f.clone()], edges: Vec::new() };
     let mut number = std::collections::BTreeMap::new();
     for c in own.faces[0].loops.iter_mut().flatten() {
