@@ -1,10 +1,11 @@
 //! Closest points a second, on one thread, beside parry's query to the triangles of the same part.
 //!
-//! `cargo bench --bench closest [-- model.step ...]`; without models those of the folder `models`. The points are spread evenly over
-//! the part's box, enlarged by a fifth; and once more beside the part, within a hundredth of its size.
-use std::path::PathBuf;
+//! `cargo bench --bench closest [-- model.step ...]`; without models those of the folder `models`; MODEL@m is one in metres whatever it
+//! says. The points are spread evenly over the part's box, enlarged by a fifth; and once more beside the part, within a hundredth of its size.
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use bladewright::artifact::blade::Unit;
 use bladewright::geometry::part::Part;
 use bladewright::geometry::{Aabb, Point, Vector};
 use bladewright::model::{self, ModelOptions};
@@ -79,7 +80,9 @@ fn main() {
     let mut out = String::from("model                           points      exact/s   parry mesh/s   ratio\n");
     for path in models {
         let name = path.file_stem().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let blade = match model::load(&path, &ModelOptions::default(), &Silent) {
+        let text = path.to_string_lossy();
+        let (path, unit) = text.strip_suffix("@m").map_or((&*path, None), |p| (Path::new(p), Some(Unit::M)));
+        let blade = match model::load(path, &ModelOptions { unit, ..ModelOptions::default() }, &Silent) {
             Ok(b) => b,
             Err(e) => {
                 out += &format!("{name}: {}\n", e.message);

@@ -305,7 +305,8 @@ impl<'a> Look<'a> {
     }
 
     /// Lower bound of the margin within `radius` of `v` from a tool whose points have one arc each, at the end; `None`: all of it
-    /// is clear from the end to the start. `least` bounds it at one axis, with how low the tool reaches along the normals.
+    /// is clear from the end to the start. `least` bounds it at one axis, with how low the tool reaches along the normals. What has no
+    /// place (numbers out of all bounds) is never clear.
     fn room(
         &self,
         v: &Vector,
@@ -315,6 +316,10 @@ impl<'a> Look<'a> {
     ) -> Option<f64> {
         let profile = &self.exact.profile;
         let far = v.norm() + radius;
+        // Every bound below is made from `v` and what lies within the radius: where these are finite, none of them is NaN.
+        if !far.is_finite() {
+            return Some(f64::NEG_INFINITY);
+        }
         if far - 2.0 * radius > profile.farthest {
             return None;
         }
@@ -454,4 +459,32 @@ fn off_hull(
         }
     }
     nearest.map_or(best, |t| best.max(t.margin + t.slope.dot(&(v - t.at)) + least(&t.slope)))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::channel::tests::world::tool;
+
+    /// Far above the tool nothing is in the way, unless nobody can say where it is.
+    #[test]
+    fn what_has_no_place_is_not_clear() {
+        let part = Part::from_mesh(crate::geometry::mesh::Mesh::default());
+        let profile = Profile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
+        let exact = Exact { part: &part, profile, b: (0.0, 1.0), tolerance: 1e-4 };
+        let sample = Sample { row: 0, fraction: 0.0, centre: Point::origin(), normal: Vector::x(), azimuth: 0.0 };
+        let mut look = Look::new(&exact, &sample, 0.0, 1.0, 0.1);
+        let at = Point::new(0.0, -1000.0, 0.0);
+        let hull = [at, at + Vector::x(), at + Vector::z()];
+        let piece = Piece { hull: &hull, middle: at, radius: 1.0, normal: Vector::y(), corners: None };
+        let sides = [Vector::x(), Vector::y(), Vector::z()];
+        assert!(look.presses(&piece).is_none() && !look.enters(&at, &sides));
+        for bad in [f64::NAN, f64::INFINITY, 1e300] {
+            let off = at + Vector::z() * bad;
+            assert!(look.presses(&Piece { middle: off, ..piece }).is_some(), "{bad}");
+            assert!(look.presses(&Piece { radius: bad, ..piece }).is_some(), "{bad}");
+            assert!(look.enters(&off, &sides) && look.enters(&at, &[Vector::x() * bad, sides[1], sides[2]]), "{bad}");
+        }
+    }
 }

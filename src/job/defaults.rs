@@ -12,6 +12,7 @@ use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::PathKind;
 use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
 use crate::geometry::slice::slice;
 use crate::tool::{HolderStage, Tool};
 
@@ -280,17 +281,46 @@ fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
 fn default_radius(blade: &Blade) -> Result<f64> {
     let [a, b] = blade.regions.airfoil_x_mm;
     let chord = chord_mm(blade, a + 0.15 * (b - a));
-    let fitting = STANDARD_RADII_MM.iter().rev().filter(|r| **r <= 0.07 * chord);
-    fitting.copied().find(|&r| fits(blade, r / 0.9)).ok_or_else(|| {
-        Error::infeasible(
-            Stage::Job,
-            format!(
-                "no standard ball radius ({} mm and up) fits an airfoil of chord {chord:.3} mm",
-                STANDARD_RADII_MM[0]
-            ),
+    let mut fitting = STANDARD_RADII_MM.iter().rev().copied().filter(|r| *r <= SHARE_OF_CHORD * chord);
+    if let Some(radius_mm) = fitting.find(|r| room(blade, r / 0.9).share >= MOST_OF_WALL) {
+        return Ok(radius_mm);
+    }
+    let least_mm = STANDARD_RADII_MM[0];
+    let why = if least_mm > SHARE_OF_CHORD * chord {
+        format!(
+            "the smallest, of {least_mm} mm, is more than {:.0} % of the airfoil's chord, {chord:.3} mm at height {:.3} mm",
+            100.0 * SHARE_OF_CHORD,
+            a + 0.15 * (b - a)
         )
-        .advise("give tool.radius_mm, or check the unit of the model (model.unit)")
-    })
+    } else {
+        no_room(blade, least_mm)
+    };
+    Err(Error::infeasible(Stage::Job, format!("no standard ball fits the airfoil: {why}"))
+        .advise(
+            "give tool.radius_mm; look whether the surface folds over itself there, and check unit, axis and where the airfoil is (--unit, --axis, \
+             --region airfoil=LO,HI)",
+        ))
+}
+
+/// Where a ball lacks room, and by how much.
+fn no_room(blade: &Blade, radius_mm: f64) -> String {
+    let Room { share, heights_mm: [lo, hi], tightest } = room(blade, radius_mm / 0.9);
+    let tightest = tightest.map_or_else(String::new, |(p, left_mm)| {
+        let p = blade.model_from_blade * p;
+        format!(
+            "; laid on the wall at ({:.3}, {:.3}, {:.3}) mm in the model, a ball of {:.3} mm has its centre {left_mm:.3} mm from the part",
+            p.x,
+            p.y,
+            p.z,
+            radius_mm / 0.9
+        )
+    });
+    format!(
+        "the smallest, of {radius_mm} mm, has room with a tenth to spare at {:.1} % of the places tried on the wall between the heights \
+         {lo:.3} and {hi:.3} mm, {:.0} % are asked{tightest}",
+        100.0 * share,
+        100.0 * MOST_OF_WALL
+    )
 }
 
 /// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take up what its facets do to each, and on a scan the
@@ -324,9 +354,23 @@ fn chord_mm(blade: &Blade, x_mm: f64) -> f64 {
     (0..90).map(extent).fold(0.0, f64::max)
 }
 
-/// A ball of radius `radius_mm` touches nearly all of the airfoil near the platform without cutting elsewhere: at
-/// 99 % of the triangles there, the ball put on the triangle's middle is no nearer than its radius to the whole part.
-fn fits(blade: &Blade, radius_mm: f64) -> bool {
+/// Balls of more than this share of the chord are not tried.
+const SHARE_OF_CHORD: f64 = 0.07;
+/// Share of the wall near the platform that a ball is to touch without cutting elsewhere.
+const MOST_OF_WALL: f64 = 0.99;
+
+/// How much room a ball has on the airfoil near the platform.
+struct Room {
+    /// Share of the places tried where it cuts nothing, 0 where none was tried.
+    share: f64,
+    /// The heights between which places were tried, mm.
+    heights_mm: [f64; 2],
+    /// Where it touches when its centre comes nearest to the part, blade frame, and how near that is, mm; none where it is clear.
+    tightest: Option<(Point, f64)>,
+}
+
+/// Lays a ball on the middles of triangles: it has room where its centre is no nearer than its radius to the whole part.
+fn room(blade: &Blade, radius_mm: f64) -> Room {
     let [a, b] = blade.regions.airfoil_x_mm;
     let (lo, hi) = (a + radius_mm.min(0.3 * (b - a)), default_start(blade, radius_mm).max(a + 0.35 * (b - a)));
     let mesh = &blade.part.mesh;
@@ -339,13 +383,20 @@ fn fits(blade: &Blade, radius_mm: f64) -> bool {
         .collect();
     let every = (all.len() / 2000).max(1);
     let (mut tried, mut clear) = (0usize, 0usize);
+    let mut tightest: Option<(Point, f64)> = None;
     for &t in all.iter().step_by(every) {
         let [p, q, r] = mesh.corners(t);
-        let centre = p + ((q - p) + (r - p)) / 3.0 + mesh.normal(t) * radius_mm;
-        let near = blade.part.closest_on_mesh(&centre, radius_mm);
+        let touch = p + ((q - p) + (r - p)) / 3.0;
+        let near = blade.part.closest_on_mesh(&(touch + mesh.normal(t) * radius_mm), radius_mm);
         tried += 1;
         // Facets of a coarse mesh bend by a few hundredths of the radius without being a pocket.
-        clear += usize::from(near.is_none_or(|c| c.distance_mm > 0.97 * radius_mm));
+        match near.filter(|c| c.distance_mm <= 0.97 * radius_mm) {
+            None => clear += 1,
+            Some(c) if tightest.is_none_or(|(_, least)| c.distance_mm < least) => {
+                tightest = Some((touch, c.distance_mm))
+            }
+            Some(_) => {}
+        }
     }
-    tried > 0 && clear as f64 >= 0.99 * tried as f64
+    Room { share: clear as f64 / tried.max(1) as f64, heights_mm: [lo, hi], tightest }
 }

@@ -181,6 +181,31 @@ mod with_blade {
         assert!(a.tool.stickout_mm > 30.0 && a.region.start_mm == 30.0);
     }
 
+    /// Where no ball fits, the message says where and by how much.
+    #[test]
+    fn a_wall_without_room_is_told_with_the_place() {
+        let e = complete("", &lens(2.0, 2.7)).unwrap_err().to_string();
+        assert!(e.contains("0.25 mm, is more than 7 % of the airfoil's chord, 2.000 mm at height 15.000 mm"), "{e}");
+        // Two columns a fifth of a millimetre apart: a ball of 0.278 mm laid on the middle of one has its centre in the other.
+        let mut blade = lens(60.0, 80.0);
+        let up = blade.part.mesh.points.iter().map(|p| p.z).fold(0.0, f64::max);
+        let n = blade.part.mesh.points.len() as u32;
+        let mut mesh = blade.part.mesh.clone();
+        mesh.points.extend(blade.part.mesh.points.iter().map(|p| Point::new(p.x, p.y, p.z + 2.0 * up + 0.2)));
+        mesh.triangles.extend(blade.part.mesh.triangles.iter().map(|t| t.map(|k| k + n)));
+        blade.part = Part::from_mesh(mesh);
+        blade.model_from_blade = Rigid::translation(1000.0, 0.0, 0.0);
+        let e = complete("", &blade).unwrap_err().to_string();
+        for words in [
+            " % of the places tried on the wall between the heights 0.278 and 35.000 mm, 99 % are asked",
+            "mm from the part",
+            "at (10",
+        ] {
+            assert!(e.contains(words), "{words} is not in {e}");
+        }
+        assert!(complete("tool.radius_mm = 0.25", &blade).is_ok());
+    }
+
     /// Along a wall nothing but the walls of the moves keeps the tool from the part between two locations.
     #[test]
     fn schedules_along_a_wall_have_their_moves_proven() {

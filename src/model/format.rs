@@ -30,15 +30,34 @@ pub enum Format {
 /// Formats as messages list them.
 const KNOWN: &str = "STEP (.step, .stp), IGES (.igs, .iges), OBJ (.obj), STL (.stl), PLY (.ply), glTF (.glb, .gltf) and tables of sections can be read";
 
+/// The mark that some editors and spreadsheets put before UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// The bytes behind a byte-order mark, which belongs to no format of models; those of a binary STL, whose header may hold anything, as they are.
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(MARK).filter(|_| binary_stl_length(bytes) != Some(bytes.len())).unwrap_or(bytes)
+}
+
 /// Decides the format of a file from its bytes and name.
 ///
 /// # Errors
-/// `InputOutput`: an empty file, a file whose content contradicts its extension, an unknown format.
+/// `InputOutput`: an empty file, a file whose content contradicts its extension, text in UTF-16, an unknown format.
 pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     let name = path.display();
+    let bytes = without_mark(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
         let what = if bytes.is_empty() { "is empty" } else { "holds only white space" };
         return Err(Error::io(Stage::Model, format!("{name} {what}")).advise("export the model again"));
+    }
+    let wide = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
+    if wide && binary_stl_length(bytes) != Some(bytes.len()) {
+        return Err(Error::io(
+            Stage::Model,
+            format!("{name} is text in UTF-16, of which no reader here makes anything"),
+        )
+        .advise(
+            "save it as UTF-8 or ASCII: editors offer that as an encoding, PowerShell as Out-File -Encoding ascii",
+        ));
     }
     let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     if starts_with_word(bytes, b"ISO-10303-21") {
@@ -85,9 +104,8 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     }
 }
 
-/// Whether the text begins with this word, any case, after white space and a byte-order mark.
+/// Whether the text begins with this word, any case, after white space.
 fn starts_with_word(bytes: &[u8], word: &[u8]) -> bool {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let bytes = bytes.trim_ascii_start();
     bytes.len() >= word.len() && bytes[..word.len()].eq_ignore_ascii_case(word)
 }

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::sample::{Random, blade};
+use super::sample::{Random, blade, marked};
 use super::*;
 use crate::error::ErrorKind;
 use crate::geometry::mesh::Mesh;
@@ -163,6 +163,9 @@ fn ply_in_three_layouts() {
     }
     // By its content, whatever it is called.
     same_blade("part", plain("part", &ply(&blade(), "binary_big_endian")), 1e-12);
+    for layout in ["ascii", "binary_little_endian"] {
+        same_blade("marked", plain("a.ply", &marked(&ply(&blade(), layout))), 1e-12);
+    }
 }
 
 #[test]
@@ -223,6 +226,7 @@ fn gltf_with_its_buffer_elsewhere() {
         })),
     );
     same_blade("data", plain("a.gltf", json.as_bytes()), 1e-5);
+    same_blade("marked", plain("a.gltf", &marked(json.as_bytes())), 1e-5);
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("the mesh.bin"), &bin).unwrap();
     let path = folder.path().join("a.gltf");

@@ -152,6 +152,7 @@ pub fn survey_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer:
     }
     observer.check(Stage::Model)?;
     observer.progress(Stage::Model, 0, 3);
+    let bytes = format::without_mark(bytes);
     let survey = match format::detect(path, bytes)? {
         Format::StlBinary => survey::from_soup(path, stl::read_binary(path, bytes)?, options, observer),
         Format::StlAscii => survey::from_soup(path, stl::read_ascii(path, bytes)?, options, observer),

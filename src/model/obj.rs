@@ -16,6 +16,7 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut soup = Soup { format: "OBJ".into(), ..Soup::default() };
     let mut vertices: Vec<[f64; 3]> = Vec::new();
+    let mut weighted = 0usize;
     // Vertices may come after the faces that name them: triangles are numbers at first, with their lines.
     let mut triangles: Vec<([u32; 3], u32)> = Vec::new();
     let mut corners: Vec<u32> = Vec::new();
@@ -24,7 +25,11 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     for (number, line) in text.lines().enumerate() {
         let mut words = line.split_ascii_whitespace();
         match words.next() {
-            Some("v") => vertices.push(vertex(words).ok_or_else(|| bad_line(path, number, line))?),
+            Some("v") => {
+                let (p, weight) = vertex(words).ok_or_else(|| bad_line(path, number, line))?;
+                vertices.push(p);
+                weighted += usize::from(weight != 1.0);
+            }
             Some("f") => {
                 corners.clear();
                 for word in words {
@@ -64,19 +69,21 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
             }
         }
     }
+    if weighted > 0 {
+        soup.notes
+            .push(format!("weights of {weighted} vertices were passed over: they are for curves, not for a mesh"));
+    }
     Ok(soup)
 }
 
-/// Three coordinates; a fourth number divides them, further ones are colours.
-fn vertex<'a>(mut words: impl Iterator<Item = &'a str>) -> Option<[f64; 3]> {
+/// Three coordinates, and the fourth number if it is the last: a weight. The format has it for rational curves and surfaces, whose control points
+/// are not divided by it either; polygons have no use for it. More numbers are colours.
+fn vertex<'a>(mut words: impl Iterator<Item = &'a str>) -> Option<([f64; 3], f64)> {
     let mut next = || words.next()?.parse::<f64>().ok();
     let p = [next()?, next()?, next()?];
     match (words.next(), words.next()) {
-        (Some(w), None) => {
-            let w = w.parse::<f64>().ok().filter(|w| *w != 0.0)?;
-            Some(p.map(|x| x / w))
-        }
-        _ => Some(p),
+        (Some(w), None) => Some((p, w.parse().ok()?)),
+        _ => Some((p, 1.0)),
     }
 }
 
@@ -102,7 +109,7 @@ mod tests {
         read(Path::new("a.obj"), text.as_bytes())
     }
 
-    const SQUARE: &str = "v 0 0 0\nv 1 0 0 0.5 0.5 0.5\r\nv 2 2 0 2\n  v\t0 1 0 1 0 0\n";
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0 0.5 0.5 0.5\r\nv 1 1 0 2\n  v\t0 1 0 1 0 0\n";
 
     #[test]
     fn corners_in_every_form_are_the_same_triangles() {
@@ -116,6 +123,17 @@ mod tests {
         }
         let early = soup(&format!("f 1 2 3\n{SQUARE}")).unwrap();
         assert_eq!(early.triangles, [[a, b, c]]);
+    }
+
+    /// Weights do not move vertices, not even one of 0; only those that would have are told.
+    #[test]
+    fn weights_are_passed_over() {
+        let plain = soup("v 1 2 3\nv 4 5 6\nv 7 8 0\nf 1 2 3\n").unwrap();
+        let ones = soup("v 1 2 3 1\nv 4 5 6 1.0\nv 7 8 0 1 0 0\nf 1 2 3\n").unwrap();
+        let others = soup("v 1 2 3 0\nv 4 5 6 -2.5\nv 7 8 0 1\nf 1 2 3\n").unwrap();
+        assert!(plain.triangles == ones.triangles && plain.triangles == others.triangles);
+        assert!(plain.notes.is_empty() && ones.notes.is_empty());
+        assert!(others.notes.len() == 1 && others.notes[0].contains("2 vertices"), "{:?}", others.notes);
     }
 
     #[test]
@@ -134,7 +152,7 @@ mod tests {
         for (text, words) in [
             ("v 0 0\n", ["line 1", "v 0 0"]),
             ("v 0 0 x\n", ["line 1", "does not belong"]),
-            ("v 0 0 0 0\n", ["line 1", "does not belong"]),
+            ("v 0 0 0 x\n", ["line 1", "does not belong"]),
             ("\nf 1 two 3\n", ["line 2", "f 1 two 3"]),
             ("f 0 1 2\n", ["line 1", "does not belong"]),
             ("v 0 0 0\nf -2 1 1\n", ["line 2", "does not belong"]),

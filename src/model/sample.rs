@@ -92,6 +92,11 @@ fn stack(rings: &[Vec<Point>]) -> Mesh {
     mesh
 }
 
+/// The bytes behind the mark that editors put before UTF-8.
+pub fn marked(bytes: &[u8]) -> Vec<u8> {
+    [b"\xef\xbb\xbf", bytes].concat()
+}
+
 /// The mesh as ASCII STL.
 pub fn ascii_stl(mesh: &Mesh) -> String {
     let mut out = String::from("solid blade\n");

@@ -343,7 +343,28 @@ fn bad_step_files_are_refused_with_a_sentence() {
     let text = inspect_text(&survey(&path, &ModelOptions::default(), &Silent).unwrap());
     assert!(text.contains("in 1 opening") && text.contains("none, since the part is open"), "{text}");
     // Coordinates out of all bounds.
-    refused(&good.replace("60.0", "1.0E400"), &[]);
+    refused(&good.replace("60.0", "1.0E400"), &["test.step", "line", "out of range"]);
+    refused(&good.replace("60.0", "1.0E300"), &["test.step", "face"]);
+}
+
+/// Every control point of a surface that is read is a number that one can reckon with: sums of squares of others overflow, and what is not a
+/// number is neither inside nor outside.
+#[test]
+fn control_points_out_of_all_bounds_are_refused() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/models/compressor_twist.step");
+    let text = std::fs::read_to_string(file).unwrap();
+    // A control point of the first side.
+    let line = text.lines().find(|l| l.starts_with("#300 = CARTESIAN_POINT")).unwrap();
+    for (x, words) in [
+        ("1.E306", ["face 1", "control point 218"]),
+        ("-1.E200", ["face 1", "control point 218"]),
+        ("1.E60", ["face 1", "out of all bounds"]),
+        ("1.E999", ["cannot be read", "out of range"]),
+    ] {
+        let bad = text.replacen(line, &format!("#300 = CARTESIAN_POINT('',({x},0.,0.));"), 1);
+        let e = load_text(&bad, Some(Unit::M)).err().unwrap().to_string();
+        assert!(words.iter().all(|w| e.contains(w)), "{x}: {e}");
+    }
 }
 
 /// A blade of many metres: its mesh would fill the memory.

@@ -108,13 +108,18 @@ pub fn from_faces(
         notes: shape.notes,
         ..Diagnosis::default()
     };
+    let doubt = if let Guess::Odd(note) = &guess { Some(note.clone()) } else { None };
     let (unit, mut obstacle) = guess.take(shape.unit, &mut diagnosis);
     observer.check(Stage::Model)?;
     let deflection_mm = finest(&shape.brep, options.deflection_mm, &mut diagnosis.notes);
     let (mut part, rescued) = rescue::part(shape.brep, deflection_mm, &SEW_MM, observer)?;
     diagnosis.notes.extend(rescued.sewn.notes());
     diagnosis.notes.extend(rescued.notes);
-    obstacle = obstacle.or(rescued.obstacle);
+    // In a wrong unit the tolerances of sewing and meshing are wrong, and that may be all that is the matter.
+    obstacle = obstacle.or(rescued.obstacle.map(|e| match doubt {
+        Some(doubt) => e.advise(format!("{doubt}; if it is right, check the face and write the model again")),
+        None => e,
+    }));
     let options = &ModelOptions { deflection_mm: rescued.deflection_mm, ..options.clone() };
     observer.progress(Stage::Model, 1, 3);
     if let Some(mut brep) = part.brep.take() {

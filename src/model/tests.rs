@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use super::sample::{PLATFORM, TIP, ascii_stl, binary_stl, blade, motion, obj};
+use super::sample::{PLATFORM, TIP, ascii_stl, binary_stl, blade, marked, motion, obj};
 use super::*;
 use crate::error::ErrorKind;
 use crate::observe::Silent;
@@ -67,6 +67,31 @@ fn the_same_blade_from_every_mesh_format() {
             assert!(text.contains(word), "{word} is not in\n{text}");
         }
     }
+}
+
+/// A byte-order mark neither hides the first line nor makes another format of the file.
+#[test]
+fn marks_before_the_first_line_change_nothing() {
+    let mesh = blade();
+    let no_head = obj(&mesh).split_once("blade\n").unwrap().1.to_owned();
+    let step = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/models/prism.step")).unwrap();
+    for (name, bytes) in [
+        ("a.obj", no_head.into_bytes()),
+        ("a.stl", ascii_stl(&mesh).into_bytes()),
+        ("no_extension", ascii_stl(&mesh).into_bytes()),
+        ("a.step", step),
+    ] {
+        let [with, without] = [marked(&bytes), bytes].map(|b| look(name, &b).unwrap_or_else(|e| panic!("{name}: {e}")));
+        assert_eq!(with.part.mesh.points, without.part.mesh.points, "{name}");
+        assert_eq!(with.part.mesh.triangles, without.part.mesh.triangles, "{name}");
+        assert_eq!(with.diagnosis.notes, without.diagnosis.notes, "{name}");
+    }
+    // The header of a binary STL may begin with anything.
+    let binary = look("a.stl", &binary_stl(&mesh, "\u{feff}solid")).unwrap();
+    assert_eq!(binary.part.mesh.triangles.len(), mesh.triangles.len());
+    // What PowerShell writes.
+    let wide: Vec<u8> = format!("\u{feff}{}", obj(&mesh)).encode_utf16().flat_map(u16::to_le_bytes).collect();
+    refused("a.obj", &wide, &["a.obj", "UTF-16", "save it as UTF-8"]);
 }
 
 #[test]

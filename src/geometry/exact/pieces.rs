@@ -30,7 +30,7 @@ pub struct Piece<'a> {
     pub hull: &'a [Point],
     /// A point of the surface, in the middle of the piece.
     pub middle: Point,
-    /// No point of the hull is farther from the middle, mm.
+    /// No point of the hull is farther from the middle, mm; not finite where that cannot be said.
     pub radius: f64,
     /// The surface's unit normal there; zero where there is none.
     pub normal: Vector,
@@ -268,8 +268,10 @@ impl<'a> Walker<'a> {
     }
 }
 
+/// Not finite where a point is not.
 fn radius(points: &[Point], middle: &Point) -> f64 {
-    points.iter().map(|p| (p - middle).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12)
+    let more = |most: f64, x: f64| if x > most || x.is_nan() { x } else { most };
+    points.iter().map(|p| (p - middle).norm_squared()).fold(0.0, more).sqrt() * (1.0 + 1e-12)
 }
 
 #[cfg(test)]
@@ -311,6 +313,16 @@ mod tests {
         }
         fn state(&self) -> u32 {
             self.moved
+        }
+    }
+
+    #[test]
+    fn a_point_that_is_not_finite_is_not_within_a_radius() {
+        let p = |x: f64| Point::new(x, 0.0, 0.0);
+        assert!((radius(&[p(1.0), p(-3.0), p(2.0)], &p(0.0)) - 3.0).abs() < 1e-11);
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!radius(&[p(1.0), p(bad), p(2.0)], &p(0.0)).is_finite(), "{bad}");
+            assert!(!radius(&[p(1.0), p(2.0)], &p(bad)).is_finite(), "{bad}");
         }
     }
 

@@ -55,6 +55,12 @@ impl NurbsCurve {
     }
 }
 
+/// Control points farther away are damage, mm: squares of squares of what is nearer do not overflow. (The middle one of a half circle in one piece is
+/// 1e17 radii away.)
+const FARTHEST_MM: f64 = 1e50;
+/// Weights beyond these are damage, for the same reason.
+const WEIGHTS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
+
 /// Checks that homogeneous points are finite with positive weights.
 pub(super) fn validate_points(points: &[Vector4<f64>]) -> std::result::Result<(), String> {
     for (i, p) in points.iter().enumerate() {
@@ -63,6 +69,13 @@ pub(super) fn validate_points(points: &[Vector4<f64>]) -> std::result::Result<()
         }
         if p.w <= 0.0 {
             return Err(format!("control point {i} has weight {}, which is not positive", p.w));
+        }
+        let far = p.xyz().amax() / p.w;
+        if !(far <= FARTHEST_MM && WEIGHTS.contains(&p.w)) {
+            return Err(format!(
+                "control point {i} is out of all bounds: {far:.3e} mm from the origin, weight {:.3e}",
+                p.w
+            ));
         }
     }
     Ok(())
@@ -109,6 +122,15 @@ mod tests {
         let mut c = quarter();
         c.points[1].w = 0.0;
         assert!(c.validate().is_err());
+        for (x, w) in [(f64::NAN, 1.0), (f64::INFINITY, 1.0), (1e51, 1.0), (1.0, 1e-51), (1.0, 1e51), (1.0, f64::NAN)] {
+            let mut c = quarter();
+            c.points[1] = Vector4::new(x, 0.0, 0.0, w);
+            assert!(c.validate().is_err(), "{x} {w}");
+        }
+        // A half circle in one piece.
+        let mut c = quarter();
+        c.points[1] = Vector4::new(0.0, 2.0, 0.0, 6.1e-17);
+        assert!(c.validate().is_ok());
         let mut c = quarter();
         c.points[2].x = f64::INFINITY;
         assert!(c.validate().is_err());

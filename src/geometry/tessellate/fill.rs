@@ -180,8 +180,7 @@ fn triangulate(
                 continue;
             }
             if !cdt.exists_constraint(a, b) && cdt.try_add_constraint(a, b).is_empty() {
-                let [u, v] = n.uv;
-                return Err(face_error(face, &format!("has loops that cross one another at u {u} v {v}")));
+                return Err(face_error(face, &format!("has loops that cross one another {}", at(face, n.uv))));
             }
             let side = sides.entry([a.index().min(b.index()), a.index().max(b.index())]).or_insert((n.chord, 0));
             side.1 += 1;
@@ -294,13 +293,19 @@ fn collect(
         }
     }
     if let Some((side, _)) = sides.iter().find(|(side, s)| s.1 % 2 == 1 && met.get(*side) != Some(&1)) {
-        let [u, v] = known[side[0]].0;
-        return Err(face_error(face, &format!("has a loop that touches itself or crosses another at u {u} v {v}")));
+        let place = at(face, known[side[0]].0);
+        return Err(face_error(face, &format!("has a loop that touches itself or crosses another {place}")));
     }
     if out.is_empty() {
         return Err(face_error(face, "has loops that enclose nothing"));
     }
     Ok(out)
+}
+
+/// A place on a face for a message.
+fn at(face: &Face, [u, v]: [f64; 2]) -> String {
+    let p = face.surface.point(u, v);
+    format!("at x {:.4} y {:.4} z {:.4} mm", p.x, p.y, p.z)
 }
 
 /// Per shared point: the chords that meet there, with their lengths, mm.

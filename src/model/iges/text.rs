@@ -32,7 +32,6 @@ pub struct Sections<'a> {
 
 /// Whether the bytes begin like an IGES file: `S` in column 73 of the first line, a sequence number after it.
 pub fn is_iges(bytes: &[u8]) -> bool {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     lines(&bytes[..bytes.len().min(4096)]).next().is_some_and(|l| letter(l) == Some(b'S'))
 }
 
@@ -56,7 +55,6 @@ fn letter(line: &[u8]) -> Option<u8> {
 /// # Errors
 /// A sentence: a line without a section letter, a binary or compressed file, a file without directory or parameters.
 pub fn sections(bytes: &[u8]) -> Result<Sections<'_>, String> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut out = Sections::default();
     let mut terminated = false;
     for (k, line) in lines(bytes).enumerate() {

@@ -251,16 +251,17 @@ pub fn blocks(text: &str, file: &str, header: &Header, columns: usize) -> Result
     }
 }
 
-/// Number of blocks of rows, whatever their columns are, and whether all rows are of one length.
-pub fn count_blocks(text: &str) -> (usize, bool) {
+/// Number of blocks of rows, whatever their columns are, and where there are some the first two rows of different length: line and count.
+pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
     let width = |l: &str| match line(l, false) {
         Line::Numbers(row) if row.len() > 1 => row.len(),
         _ => 0,
     };
     let widths: Vec<usize> = text.lines().map(width).collect();
     let starts = widths.iter().enumerate().filter(|(k, w)| **w > 0 && (*k == 0 || widths[k - 1] == 0)).count();
-    let widest = widths.iter().copied().max().unwrap_or(0);
-    (starts, widths.iter().all(|w| *w == 0 || *w == widest))
+    let mut rows = widths.iter().enumerate().filter(|(_, w)| **w > 0).map(|(k, w)| (k + 1, *w));
+    let uneven = rows.next().and_then(|first| rows.find(|r| r.1 != first.1).map(|other| [first, other]));
+    (starts, uneven)
 }
 
 #[cfg(test)]
@@ -270,6 +271,13 @@ mod tests {
 
     fn columns(names: &[&str], angle: Angle, heights: bool) -> Result<Columns, String> {
         Columns::new(&names.iter().map(|n| (*n).to_owned()).collect::<Vec<_>>(), angle, heights)
+    }
+
+    #[test]
+    fn rows_of_different_length_are_told_with_their_lines() {
+        assert_eq!(count_blocks("1 2 3\n4 5 6\n\ntext\n7 8 9\n"), (2, None));
+        assert_eq!(count_blocks("# head\n1 2 3\n\n4\n5 6\n7 8 9 10\n"), (2, Some([(2, 3), (5, 2)])));
+        assert_eq!(count_blocks("none"), (0, None));
     }
 
     #[test]

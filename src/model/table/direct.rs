@@ -129,7 +129,11 @@ pub fn read(kind: Kind, text: &str, file: &str, header: &Header) -> Result<Table
             Ok(Table { blocks, columns: xyz()?, notes: Vec::new() })
         }
         Kind::Numbers => Err(match columns::count_blocks(text) {
-            (_, false) => "it holds rows of different length, and nothing says what they mean".to_owned(),
+            (_, Some([(l, n), (k, m)])) => {
+                format!(
+                    "it holds rows of different length ({n} numbers in line {l}, {m} in line {k}), and nothing says what they mean"
+                )
+            }
             (0 | 1, _) => {
                 "it is a single profile: one block of points, and nothing says where along the span it lies".to_owned()
             }

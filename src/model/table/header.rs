@@ -148,7 +148,7 @@ pub fn parse(text: &str, name: &str) -> Result<Header> {
 
 /// A data file with its header at the top, between two lines `+++`: header text, and the data.
 pub fn front_matter(text: &str) -> Option<(&str, &str)> {
-    let rest = text.strip_prefix('\u{feff}').unwrap_or(text).strip_prefix("+++")?;
+    let rest = text.strip_prefix("+++")?;
     let (first, rest) = rest.split_once('\n')?;
     let end = rest.find("\n+++")?;
     let data = rest[end + 4..].split_once('\n').map_or("", |(_, d)| d);

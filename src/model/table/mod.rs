@@ -25,6 +25,7 @@ mod tests;
 use std::path::Path;
 
 use super::faces::FaceModel;
+use super::format::without_mark;
 use super::units::{self, Source};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
@@ -60,7 +61,6 @@ type Said<T> = std::result::Result<T, String>;
 /// `InputOutput` with file and line: what cannot be read, what is no blade, a surface too far from the points.
 pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let name = path.display().to_string();
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = String::from_utf8_lossy(bytes);
     let is_toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     let (header, sources) = if is_toml {
@@ -87,7 +87,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
 /// Whether a TOML file is the header of a section table, rather than a job file.
 pub fn is_header_file(path: &Path) -> bool {
     let small = std::fs::metadata(path).is_ok_and(|m| m.len() <= 1 << 20);
-    small && std::fs::read_to_string(path).is_ok_and(|text| header::is_header(&text))
+    small && text_of(path).is_ok_and(|text| header::is_header(&text))
 }
 
 /// The data files that a header names; none for other files and where they cannot be found, which [`read`] tells.
@@ -95,7 +95,7 @@ pub fn data_files(path: &Path) -> Vec<std::path::PathBuf> {
     if !is_header_file(path) {
         return Vec::new();
     }
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = text_of(path).unwrap_or_default();
     header::parse(&text, "").and_then(|h| header::files(path, &h.files)).unwrap_or_default()
 }
 
@@ -120,6 +120,11 @@ fn short(path: &Path) -> String {
     path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned())
 }
 
+/// The text of a file without a byte-order mark.
+fn text_of(path: &Path) -> std::io::Result<String> {
+    Ok(String::from_utf8_lossy(without_mark(&std::fs::read(path)?)).into_owned())
+}
+
 /// Name and text of a data file.
 fn source(path: &Path) -> Result<(String, String)> {
     let cannot =
@@ -128,7 +133,7 @@ fn source(path: &Path) -> Result<(String, String)> {
     if size > MOST_BYTES {
         return Err(Error::io(Stage::Model, format!("{} has {size} bytes, too many for a table", path.display())));
     }
-    Ok((short(path), String::from_utf8_lossy(&std::fs::read(path).map_err(cannot)?).into_owned()))
+    Ok((short(path), text_of(path).map_err(cannot)?))
 }
 
 /// Blocks of all files.

@@ -7,8 +7,9 @@ use std::fmt::Write;
 use super::*;
 use crate::error::ErrorKind;
 use crate::geometry::brep::{Brep, SurfaceKind};
-use crate::geometry::mesh::topology;
+use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
+use crate::model::ModelOptions;
 use crate::model::sample::Random;
 use crate::observe::Silent;
 
@@ -55,6 +56,16 @@ fn read_files(files: &[(&str, String)]) -> Result<FaceModel> {
     let bytes = std::fs::read(&path).unwrap();
     assert_eq!(super::super::format::detect(&path, &bytes).unwrap(), super::super::format::Format::Sections);
     read(&path, &bytes, None)
+}
+
+/// The mesh of the first of these files, through the whole way of a model.
+fn meshed(files: &[(&str, String)]) -> Result<Mesh> {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let path = folder.path().join(files[0].0);
+    crate::model::survey(&path, &ModelOptions::default(), &Silent).map(|s| s.part.mesh)
 }
 
 fn part(brep: Brep) -> Part {
@@ -180,6 +191,10 @@ fn the_same_blade_from_every_form_of_table() {
     for (name, files) in cases {
         let shape = is_ideal(name, read_files(&files), 2e-3);
         assert!(shape.notes[0].contains("joined by number"), "{name}: {:?}", shape.notes);
+        // A mark before each file, data and header, makes no other blade of them.
+        let marked: Vec<(&str, String)> = files.iter().map(|(name, text)| (*name, format!("\u{feff}{text}"))).collect();
+        let [with, without] = [&marked, &files].map(|files| meshed(files).unwrap_or_else(|e| panic!("{name}: {e}")));
+        assert_eq!(with.points, without.points, "{name}");
     }
 }
 
@@ -384,6 +399,8 @@ fn headers_name_their_files() {
     let table = file("t.toml", "[sections]\nfiles = \"s*.dat\"\n");
     let job = file("job.toml", "[model]\nfile = \"t.toml\"\n");
     assert!(is_header_file(&table) && !is_header_file(&job) && !is_header_file(&data[0]));
+    let marked = file("m.toml", "\u{feff}[sections]\nfiles = \"s*.dat\"\n");
+    assert!(is_header_file(&marked) && data_files(&marked) == data);
     assert_eq!(data_files(&table), data);
     assert!(data_files(&job).is_empty() && data_files(&data[0]).is_empty());
 }

@@ -36,6 +36,18 @@ fn damage_is_named() {
     refused(&one(128, 0, "1,1,1,1,0,0,1,0,0,0.,0.,1."), &["128 at D1", "too few"]);
     refused(&one(128, 0, "999999999999,999999999999,1,1,0,0,1,0,0"), &["128 at D1", "announces"]);
     refused(&one(128, 0, "-3,1,1,1,0,0,1,0,0"), &["announces -3"]);
+    for (x, w, word) in [
+        ("1.E400", "1.", "not a number"),
+        ("1.E306", "1.E9", "not finite"),
+        ("-1.D200", "1.", "out of all bounds"),
+        ("1.", "1.E-300", "out of all bounds"),
+        ("1.", "0.", "not positive"),
+    ] {
+        let text = format!(
+            "1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,{w},1.,1.,0.,0.,0.,{x},0.,0.,0.,1.,0.,1.,1.,0.,0.,1.,0.,1."
+        );
+        refused(&one(128, 0, &text), &["128 at D1", word]);
+    }
     refused(&one(144, 0, "99,1,0,3"), &["144 at D1", "points at D99"]);
     let mut sheet = Sheet::default();
     let line = sheet.line([0.; 3], [1., 0., 0.]);

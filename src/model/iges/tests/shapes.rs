@@ -37,6 +37,53 @@ fn a_box_of_trimmed_faces() {
     assert!(s.brep.faces[0].name.contains("(D"), "{}", s.brep.faces[0].name);
 }
 
+/// Properties (406) and definitions that nothing places (308) are no shape, wherever they stand and whoever names them: the file reads the
+/// same, with the numbers of the directory lines that it has then.
+#[test]
+fn properties_and_unused_definitions_are_passed_over() {
+    let size = [10.0, 4.0, 60.0];
+    let mut plain = Sheet::default();
+    box_of_144(&mut plain, size);
+    let plain = solid(&plain.text(), 0.01);
+    for before in [false, true] {
+        let mut sheet = Sheet::default();
+        let extra = |sheet: &mut Sheet| {
+            let name = sheet.add(406, 15, "1,8HFace; 1,");
+            let level = sheet.add(406, 1, "2,7,9");
+            // Form 5001 on is anybody's: what stands in it is not looked at.
+            sheet.add(406, 5001, "3,1.5,4Hb;c,,99999");
+            let empty = sheet.add(308, 0, "0,5Hempty,0");
+            let line = sheet.line([0.0; 3], [500.0, 0.0, 0.0]);
+            sheet.add(308, 0, format!("1,4Huses,2,{line},{empty}"));
+            [name, level]
+        };
+        let mut named = if before { extra(&mut sheet) } else { [0; 2] };
+        let faces = box_of_144(&mut sheet, size);
+        if !before {
+            named = extra(&mut sheet);
+        }
+        // Behind the parameters of any entity: the number of its notes and their pointers, then of its properties.
+        for face in &faces {
+            sheet.append(*face, format!(",0,2,{},{}", named[0], named[1]));
+        }
+        let surfaces: Vec<usize> =
+            (0..sheet.len()).map(|k| 2 * k + 1).filter(|e| matches!(sheet.kind(*e), 108 | 128 | 110)).collect();
+        surfaces.iter().for_each(|e| sheet.append(*e, format!(",0,1,{}", named[0])));
+        let with = solid(&sheet.text(), 0.01);
+        assert_eq!(with.mesh.points, plain.mesh.points);
+        assert_eq!(with.mesh.triangles, plain.mesh.triangles);
+        assert_eq!(with.brep.faces.len(), 6);
+    }
+    // The same on a solid, its shell, faces and edges.
+    let mut sheet = Sheet::default();
+    let body = solid_box(&mut sheet, size, false);
+    let plain = solid(&sheet.text(), 0.01);
+    let name = sheet.add(406, 15, "1,4HBody");
+    let all: Vec<usize> = (0..=body / 2).map(|k| 2 * k + 1).collect();
+    all.iter().for_each(|e| sheet.append(*e, format!(",0,1,{name}")));
+    assert_eq!(solid(&sheet.text(), 0.01).mesh.points, plain.mesh.points);
+}
+
 #[test]
 fn a_box_with_a_hole_through_it() {
     let mut sheet = Sheet::default();

@@ -28,6 +28,21 @@ impl Sheet {
         self.entities.push(Record { kind, form, transform: 0, subordinate: false, text });
         2 * self.entities.len() - 1
     }
+    /// More parameters behind those that an entity has.
+    pub fn append(&mut self, entity: usize, parameters: impl AsRef<str>) {
+        let text = &mut self.entities[entity / 2].text;
+        text.pop();
+        *text += parameters.as_ref();
+        text.push(';');
+    }
+    /// Entities so far.
+    pub fn len(&self) -> usize {
+        self.entities.len()
+    }
+    /// The type number of an entity.
+    pub fn kind(&self, entity: usize) -> u32 {
+        self.entities[entity / 2].kind
+    }
     /// Places an entity.
     pub fn place(&mut self, entity: usize, transform: usize) {
         self.entities[entity / 2].transform = transform;

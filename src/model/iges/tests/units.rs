@@ -5,6 +5,7 @@ use super::sheet::Sheet;
 use super::*;
 use crate::error::ErrorKind;
 use crate::geometry::{Aabb, Point};
+use crate::model::sample::marked;
 use crate::model::{ModelOptions, load};
 
 fn corners(s: &FaceModel) -> Aabb {
@@ -81,9 +82,14 @@ fn a_box_becomes_a_blade_without_its_extension() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("part.dat");
     // Without blanks at line ends there would be no column 73; line ends of either kind are fine.
-    std::fs::write(&path, sheet.text().replace('\n', "\r\n")).unwrap();
-    let b = load(&path, &ModelOptions { axis: Some([0.0, 0.0, 1.0]), ..ModelOptions::default() }, &Silent).unwrap();
+    let text = sheet.text().replace('\n', "\r\n");
+    let read = |text: &[u8]| {
+        std::fs::write(&path, text).unwrap();
+        load(&path, &ModelOptions { axis: Some([0.0, 0.0, 1.0]), ..ModelOptions::default() }, &Silent).unwrap()
+    };
+    let b = read(text.as_bytes());
     assert!((b.part.mesh.volume_mm3() - 2400.0).abs() < 1e-6 && b.diagnosis.closed);
+    assert_eq!(read(&marked(text.as_bytes())).part.mesh.points, b.part.mesh.points);
     assert_eq!(b.diagnosis.format, "IGES 5.3");
     let says = |words: &str| b.diagnosis.notes.iter().any(|n| n.contains(words));
     assert!(says("12 edges that faces did not share") && says("faces were oriented"), "{:?}", b.diagnosis.notes);
