@@ -80,6 +80,21 @@ struct Node {
     planes: [Plane; 2],
 }
 
+/// A node that may not be clear any more.
+#[derive(Clone, Copy)]
+pub(super) struct Due {
+    pub at: Start,
+    /// Its box was looked at: at an end of the interval planes leave no room about it.
+    pub looked: bool,
+}
+
+impl Due {
+    /// A node of which nothing is known.
+    pub fn new(at: Start) -> Self {
+        Due { at, looked: false }
+    }
+}
+
 /// The front.
 #[derive(Default)]
 pub(super) struct Front {
@@ -115,7 +130,7 @@ impl Front {
     }
 
     /// Takes out the nodes that may not be clear any more.
-    pub fn drop_due(&mut self, now: &Now, due: &mut Vec<Start>) {
+    pub fn drop_due(&mut self, now: &Now, due: &mut Vec<Due>) {
         let mut k = 0;
         while let Some(limit) = self.limits.get_mut(k) {
             if limit.holds(now.used) {
@@ -123,11 +138,14 @@ impl Front {
                 continue;
             }
             let node = &mut self.nodes[k];
-            let Some(mm) = node.prolonged(now) else {
-                due.push(node.at);
-                self.limits.swap_remove(k);
-                self.nodes.swap_remove(k);
-                continue;
+            let mm = match node.prolonged(now) {
+                Ok(mm) => mm,
+                Err(due_now) => {
+                    due.push(due_now);
+                    self.limits.swap_remove(k);
+                    self.nodes.swap_remove(k);
+                    continue;
+                }
             };
             if mm > now.step_mm {
                 *limit = Limit::new(mm, node.rho(now) + mm, now.used);
@@ -138,16 +156,17 @@ impl Front {
 }
 
 impl Node {
-    /// What planes leave of room, old ones or new ones, mm; `None` where that is nothing.
-    fn prolonged(&mut self, now: &Now) -> Option<f64> {
-        let (Some(others), [sweep]) = (self.others, now.sweeps.as_slice()) else { return None };
+    /// What planes leave of room, old ones or new ones, mm; an error where that is nothing.
+    fn prolonged(&mut self, now: &Now) -> Result<f64, Due> {
+        let due = Due::new(self.at);
+        let (Some(others), [sweep]) = (self.others, now.sweeps.as_slice()) else { return Err(due) };
         let left = others.left(now.used);
         if left <= NONE_MM {
-            return None;
+            return Err(due);
         }
         let seen = sweep.in_tools(&(self.centre - now.ball));
         let mm = if sweep.is_beside_tools(&seen, self.radius) { self.by_planes(&seen, sweep) } else { 0.0 };
-        Some(if mm > NONE_MM { mm } else { self.renewed(now, sweep)? }.min(left))
+        Ok(if mm > NONE_MM { mm } else { self.renewed(now, sweep)? }.min(left))
     }
 
     /// Distance of its farthest point from the turning axis, mm.
@@ -164,25 +183,26 @@ impl Node {
     }
 
     /// Room at both ends by new planes of the same parts, mm.
-    fn renewed(&mut self, now: &Now, sweep: &Sweep) -> Option<f64> {
+    fn renewed(&mut self, now: &Now, sweep: &Sweep) -> Result<f64, Due> {
+        let due = Due::new(self.at);
         let on = &now.bodies[usize::from(self.at.0)];
         let node = on.tree.node(self.at.1);
         let v = node.centre - now.ball;
         if !bound::one_arc(&on.profile, &v, node.radius) || !sweep.is_beside(&v, node.radius) {
-            return None;
+            return Err(due);
         }
         let mut room = f64::INFINITY;
         for k in 0..2 {
             let part = self.planes[k].part;
-            let f = on.profile.frusta.get(usize::from(part))?;
+            let f = on.profile.frusta.get(usize::from(part)).ok_or(due)?;
             let (least, slope) = bound::facet_of(f, &sweep.axes[k], &v, node.radius, &node.half);
             if least <= NONE_MM {
-                return None;
+                return Err(Due { looked: true, ..due });
             }
             room = room.min(least);
             self.planes[k] = Plane::new(part, (least, &slope), &v, sweep, k);
         }
         (self.centre, self.radius) = (node.centre, node.radius);
-        Some(room)
+        Ok(room)
     }
 }

@@ -25,7 +25,7 @@ use super::arcs::{Arc, Witness};
 use super::bound::{self, Between, Facet, Room, Sweep};
 use super::clear::{self, Near, Verdict};
 use super::forbidden::{Free, Scene, Search, Start, View};
-use super::front::{Front, Now};
+use super::front::{Due, Front, Now};
 use super::profile::Profile;
 use super::region::Motion;
 use super::samples::Sample;
@@ -92,7 +92,7 @@ pub(super) struct Tracker<'a> {
     before: Vec<[f64; 2]>,
     seeds: Vec<Seed>,
     ends: Vec<Start>,
-    open: Vec<Start>,
+    open: Vec<Due>,
 }
 
 impl<'a> Tracker<'a> {
@@ -146,7 +146,7 @@ impl<'a> Tracker<'a> {
     /// Makes the front anew, from all of every body.
     fn anew(&mut self) {
         self.front.clear();
-        self.open.extend(self.search.roots());
+        self.open.extend(self.search.roots().into_iter().map(Due::new));
         self.verify();
     }
 
@@ -274,16 +274,17 @@ impl<'a> Tracker<'a> {
     fn verify(&mut self) {
         let scene = self.scene;
         let (centre, b) = (self.search.centre(), self.search.b());
-        while let Some((body, index)) = self.open.pop() {
+        while let Some(Due { at: (body, index), looked }) = self.open.pop() {
             let on = &scene.bodies[usize::from(body)];
             let node = on.tree.node(index);
             let v = node.centre - centre;
-            if let Some(room) = bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &node.half) {
+            let room = || bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &node.half);
+            if let Some(room) = if looked { None } else { room() } {
                 self.hold((body, index), node.centre, node.radius, &room);
                 continue;
             }
             match on.tree.below(index) {
-                Below::Nodes(left, right) => self.open.extend([(body, right), (body, left)]),
+                Below::Nodes(left, right) => self.open.extend([right, left].map(|i| Due::new((body, i)))),
                 Below::Leaf(leaf) => {
                     let room = self.settle(body, leaf).unwrap_or(Room::new(f64::NEG_INFINITY, 0.0));
                     let (middle, radius) = on.tree.sphere(leaf);
