@@ -108,3 +108,46 @@ fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
         assert_eq!(bladewright(&args, d).status.code(), Some(code), "{stickout}");
     }
 }
+
+/// A blade of compressor_twist on a mesh so coarse that its deflection, kept as room, closes the channel.
+fn coarse(verb: &str, d: &Path, settings: &[&str]) {
+    let model = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step").display().to_string();
+    let region =
+        ["tool.radius_mm=3", "path.scallop_mm=0.2", "path.chord_mm=0.04", "region.start_mm=52.5", "region.end_mm=51"];
+    let mut args = vec![verb, &model, "-o", "out"];
+    for setting in region.iter().chain(&["model.deflection_mm=0.5", "channel.clearance_mm=2"]) {
+        args.extend(["--set", setting]);
+    }
+    args.extend(settings);
+    let out = bladewright(&args, d);
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+}
+
+/// Degrees between the monotone hulls where they are nearest.
+fn narrowest_deg(d: &Path) -> f64 {
+    let text = std::fs::read_to_string(d.join("out/channel.json")).expect("written");
+    let channel: bladewright::artifact::Channel = serde_json::from_str(&text).expect("a channel");
+    let row = &channel.rows[channel.narrowest_row];
+    (row.hull_max - row.hull_min).to_degrees()
+}
+
+#[test]
+fn exact_ends_open_a_channel_whose_moves_are_proven() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let proven = ["--until", "channel", "--set", "channel.tolerance_deg=0.3", "--set", "channel.prove_moves=true"];
+    coarse("plan", d, &proven);
+    assert!(narrowest_deg(d) > 20.0, "{}", narrowest_deg(d));
+}
+
+#[test]
+fn widths_against_b_are_those_of_exact_ends_where_these_are_asked_for() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    coarse("channel", d, &["--sweep-b=5,6,1", "--set", "machine.b_deg=5", "--set", "channel.exact_ends=true"]);
+    let text = std::fs::read_to_string(d.join("out/sweep_b.json")).expect("written");
+    let widths: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let at_5 = widths[0]["monotone_deg"].as_f64().expect("open");
+    // The index's own ends are 0.005 degrees inside.
+    assert!((at_5 - narrowest_deg(d)).abs() < 1e-3, "{at_5} {}", narrowest_deg(d));
+}

@@ -15,7 +15,7 @@ use crate::tool::Tool;
 
 use super::forbidden::Free;
 use super::stretches::{Stretch, stretches};
-use super::{ChannelOptions, Surroundings, chain, check_input, layers, report, samples, walls};
+use super::{ChannelOptions, Surroundings, chain, check_input, report, samples, walls};
 
 /// Locations of the path that advice looks at, about.
 const PLACES: usize = 3000;
@@ -140,9 +140,10 @@ impl<'a> Look<'a> {
     /// With `why` a closed one says what closes it.
     fn width_of(&self, stretch: &Stretch, tool: &Tool, options: &ChannelOptions, why: bool) -> Result<Width> {
         self.observer.check(Stage::Channel)?;
-        let scene = self.around.scene(tool, options);
+        let for_search = self.around.for_search(options);
+        let scene = self.around.scene(tool, &for_search);
         let (path, samples) = (&stretch.path, &stretch.samples);
-        let layers = layers(&scene, samples, &Silent)?;
+        let layers = self.around.layers(tool, &scene, (samples, path), &Silent)?;
         let at = |row: usize| path.locations.get(row).map_or((0, 0.0), |l| (l.turn, l.turn_s_mm));
         let b_deg = options.b_rad.to_degrees();
         let chain = match chain::widest(&layers, 2.0 * options.tolerance_rad) {

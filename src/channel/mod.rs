@@ -21,7 +21,8 @@
 //! locations, for every θ between the walls, which are then straight from location to location. Without it walls are taken as
 //! straight between places. Ends are at most `tolerance_rad` inside those of the exact mesh with its deflection as room, also where the
 //! tool touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
-//! at most `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long (`tighten`), which stay as safe.
+//! at most `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long (`tighten`), which stay as safe, and but for
+//! [`plan`] with `prove_moves`, where what the index of the part lies off it is kept as room.
 //!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.
 //! The contact angle is held at the places, not between.
@@ -104,7 +105,7 @@ impl<'a> Surroundings<'a> {
     }
 
     /// The same with a finer index of the part, where that has exact faces: for [`ChannelOptions::exact_ends`], which is then
-    /// much faster.
+    /// much faster, and with which moves can be proven but for what the index lies off the faces.
     #[must_use]
     pub fn finer(mut self, radius_mm: f64) -> Self {
         let fine = self.blade.part.fine(FINE_RAD * radius_mm, FINE_MOST);
@@ -126,8 +127,7 @@ impl<'a> Surroundings<'a> {
         ChannelOptions { tolerance_rad: options.tolerance_rad * self.share(options), ..options.clone() }
     }
 
-    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that is asked for, unless moves between places
-    /// are to be proven, which the mesh decides.
+    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that is asked for.
     fn layers(
         &self,
         tool: &Tool,
@@ -137,7 +137,7 @@ impl<'a> Surroundings<'a> {
     ) -> Result<Vec<Vec<Free>>> {
         let options = scene.options;
         let mut layers = track::free_everywhere(scene, samples, observer)?;
-        if options.exact_ends && !options.prove_moves {
+        if options.exact_ends {
             let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
             let tolerance = options.tolerance_rad / self.share(options);
             tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
@@ -234,7 +234,12 @@ pub fn plan_among(
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
     let samples = samples::along(path, options.max_step_mm);
-    let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
+    // What moves are proven against, the index, gives the ends then: one that lay farther out would only be moved in again, and its neighbours with it.
+    let layers = if options.prove_moves {
+        layers(&scene, &samples, observer)?
+    } else {
+        surroundings.layers(tool, &scene, (&samples, path), observer)?
+    };
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
@@ -265,7 +270,7 @@ pub fn plan_among(
     Ok(Channel { b_rad: options.b_rad, tolerance_rad: options.tolerance_rad, rows, narrowest_row, chains: chain.count })
 }
 
-/// Free intervals of all places within the rotary axis' limits, of the mesh with its deflection as room.
+/// Free intervals of all places within the rotary axis' limits, of the index with what it lies off the part as room.
 fn layers(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
     within_axis(scene.options, &mut layers);

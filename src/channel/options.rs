@@ -26,8 +26,8 @@ pub struct ChannelOptions {
     /// milliseconds a move; otherwise walls are taken as straight between places.
     pub prove_moves: bool,
     /// Move the ends that the part binds out to where exact faces bind them, instead of keeping the deflection of their mesh as room;
-    /// nothing changes where the part is a mesh, or with `prove_moves`. Takes about a fifth of a millisecond of
-    /// processor time a location.
+    /// nothing changes where the part is a mesh. With `prove_moves` what the index of the part lies off it is kept as room instead, some ten-thousandths of the
+    /// ball's radius where it is the finer one. Takes about a fifth of a millisecond of processor time a location.
     pub exact_ends: bool,
     /// Greatest distance between ball centres that are looked at, mm: longer moves get locations between their ends.
     pub max_step_mm: f64,

@@ -19,8 +19,7 @@
 //! closed form; where they reach beyond `θ₁` it moves inwards. At the end some point of the part forbids `θ₁` moved out by the tolerance.
 //!
 //! **Limits**: only for tools that widen upwards ([`Profile::widens`]); no end moves by more than [`FARTHEST`]; an end whose proof
-//! takes more than [`MOST_CUTS`] halvings is tried half way and else stays where it was (at most 12 of 63,000 on `steam_root`), and so
-//! do all ends where moves are proven (`prove_moves`).
+//! takes more than [`MOST_CUTS`] halvings is tried half way and else stays where it was (at most 12 of 63,000 on `steam_root`).
 
 use rayon::prelude::*;
 

@@ -159,7 +159,7 @@ fn by_exact_faces(
     observer: &dyn Observer,
 ) -> Option<Result<Channel>> {
     let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
-    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends || options.prove_moves {
+    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
         return None;
     }
     let planned = clock.time(Stage::Channel, || {
@@ -172,8 +172,13 @@ fn by_exact_faces(
     if planned.is_err() {
         return Some(planned);
     }
-    let message = "the channel is so narrow that the mesh's deflection would close it: its ends are those of the exact faces \
-                   (channel.exact_ends)";
-    observer.warn(Warning { stage: Stage::Channel, message: message.into() });
+    let by = if options.prove_moves {
+        "its walls are proven on a finer one"
+    } else {
+        "its ends are those of the exact faces"
+    };
+    let message =
+        format!("the channel is so narrow that the mesh's deflection would close it: {by} (channel.exact_ends)");
+    observer.warn(Warning { stage: Stage::Channel, message });
     Some(planned)
 }
