@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::members::{self, Member, Source};
 use crate::error::{Error, Result, Stage};
 use crate::job::{self, JobFile};
+use crate::model::format::without_mark;
 
 /// A table as read.
 pub(super) struct Table {
@@ -25,7 +26,7 @@ pub(super) fn read(path: &Path) -> Result<Table> {
     let bytes = std::fs::read(path)
         .map_err(|e| Error::io(Stage::Batch, format!("the table {shown} cannot be read: {e}")).caused_by(e))?;
     // Spreadsheets put a mark before UTF-8.
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let bytes = without_mark(&bytes);
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)

@@ -98,7 +98,7 @@ fn text(path: &Path) -> Result<String> {
     }
     let bytes = std::fs::read(path).map_err(io)?;
     // Comments may be in any code page; the blocks themselves are ASCII.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(String::from_utf8_lossy(model::format::without_mark(&bytes)).into_owned())
 }
 
 /// How the program is to be read, and why.

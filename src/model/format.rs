@@ -51,11 +51,7 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     }
     let wide = bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff");
     if wide && binary_stl_length(bytes) != Some(bytes.len()) {
-        return Err(Error::io(
-            Stage::Model,
-            format!("{name} is text in UTF-16, of which no reader here makes anything"),
-        )
-        .advise(
+        return Err(Error::io(Stage::Model, format!("{name} is text in UTF-16, which is not read")).advise(
             "save it as UTF-8 or ASCII: editors offer that as an encoding, PowerShell as Out-File -Encoding ascii",
         ));
     }
