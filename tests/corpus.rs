@@ -61,6 +61,38 @@ fn corpus_turbocharger_sector() {
     ends("turbocharger_turbine_sector.stl", &options.concat(), 3, "the channel closes at turn 0");
 }
 
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
+    // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the one before.
+    let Some(folder) = blades() else { return };
+    for (radius, start, end) in [("0.3", "26.3", "21"), ("0.25", "25", "20.5")] {
+        let out = tempfile::tempdir().expect("temporary folder");
+        let set = [
+            format!("tool.radius_mm={radius}"),
+            format!("region.start_mm={start}"),
+            format!("region.end_mm={end}"),
+            "path.kind=constant-scallop".into(),
+        ];
+        let run = Command::new(env!("CARGO_BIN_EXE_bladewright"))
+            .args(["--quiet", "plan", "--axis", "0,0,1", "--until", "path"])
+            .arg(folder.join("turbocharger_turbine_sector.stl"))
+            .args(set.iter().flat_map(|v| ["--set", v]))
+            .arg("-o")
+            .arg(out.path().join("out"))
+            .output()
+            .expect("the command starts");
+        assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
+        let text = std::fs::read_to_string(out.path().join("out/toolpath.json")).expect("toolpath.json");
+        let path: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(path["end_reason"], "the end of the region", "{radius}");
+        let lengths: Vec<f64> =
+            path["turns"].as_array().expect("turns").iter().filter_map(|t| t["length_mm"].as_f64()).collect();
+        let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), l| (a.min(*l), b.max(*l)));
+        assert!(lengths.len() > 30 && most < 1.2 * least, "{radius}: {} turns of {least} to {most} mm", lengths.len());
+    }
+}
+
 /// How far a cutter location is from the path of another plan, mm.
 struct Apart {
     contact: [f64; 3],

@@ -20,7 +20,7 @@
 //!   above the start are not cut but waited at.
 //! * **Touches** of a turn thin out where the lines across the turns draw together and are added where they draw apart; a stretch
 //!   that would run backwards (a front that has folded) is left out.
-//! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn.
+//! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn, and no more than ridges ask for.
 //! * Where the ball loses the surface on the way down, or places have come to the end and others never do, the end is drawn along the last turn but
 //!   one, which could be left everywhere. Where it loses the surface on the way up too, the turns are those laid down from the start.
 
@@ -29,6 +29,7 @@ use std::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use super::curve::{self, Curve};
+use super::front::Evening;
 use super::level::{LevelSet, Touch};
 use super::march::{Laid, March, Node};
 use super::neighbour::{Across, Bounds, Stop};
@@ -42,17 +43,47 @@ use crate::observe::Observer;
 /// The scallop of the turns that only look for the end, over that of the path, and at most over the ball radius.
 const COARSER: f64 = 4.0;
 const COARSEST: f64 = 0.1;
+/// The decisive ridge over the scallop asked for from which on turns over facets are evened with more care.
+const MOST_SCALLOP: f64 = 1.05;
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
 
-/// Lays the helix from the height `start_x` down.
+/// Lays the helix from the height `start_x` down. Over facets the turns are evened no more than they must be: gently first, and with more care where ridges
+/// are too high then.
 pub(super) fn plan(
     blade: &Blade,
     level: &LevelSet,
     options: &PathOptions,
     start_x: f64,
+    observer: &dyn Observer,
+) -> Result<Toolpath> {
+    let facets = level.part.brep.is_none();
+    let evenings: &[Evening] = if facets { &Evening::FACETS } else { &Evening::EXACT };
+    let mut best: Option<Toolpath> = None;
+    let mut refusal = None;
+    for evening in evenings {
+        match lay(blade, level, options, start_x, *evening, observer) {
+            Ok(path) if path.planned_scallop_mm <= MOST_SCALLOP * options.scallop_mm => return Ok(path),
+            Ok(path) if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) => {
+                best = Some(path);
+            }
+            Ok(_) => {}
+            Err(e) if e.kind == ErrorKind::Infeasible => refusal = Some(e),
+            Err(e) => return Err(e),
+        }
+    }
+    best.ok_or_else(|| refusal.unwrap_or_else(|| Error::infeasible(Stage::Path, "no helix was laid")))
+}
+
+/// The helix with its turns evened as told.
+fn lay(
+    blade: &Blade,
+    level: &LevelSet,
+    options: &PathOptions,
+    start_x: f64,
+    evening: Evening,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
     let mut how = rings::tracing(options);
@@ -70,6 +101,7 @@ pub(super) fn plan(
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
         step_mm: how.max_step_mm,
         facets: level.part.brep.is_none(),
+        evening,
         passes_burrs,
     };
     let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);

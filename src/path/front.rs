@@ -13,22 +13,41 @@ use super::march::{March, Node};
 use super::neighbour::Place;
 use super::nodes::arc_lengths;
 
-/// Width of the bell over which a turn is evened, in stepovers on flat ground or steps between touches, whichever is longer, on exact faces and
-/// over facets.
-const WIDTH: [f64; 2] = [1.0, 2.0];
 /// Widths of the bell that a fit reaches.
 const REACH: f64 = 2.5;
 /// Fewest touches of a fit.
 const FEWEST: usize = 5;
-/// So far ahead a touch may stay, as a share of the stepover on flat ground, on exact faces and over facets.
-const LEAST: [f64; 2] = [1e-3, 5e-3];
 /// A touch goes back by no more than this share of the stepover at once.
 const MOST: f64 = 0.4;
+
+/// How turns are evened.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Evening {
+    /// Width of the bell over which a turn is evened before the next is laid, in stepovers on flat ground or steps between touches, whichever is longer.
+    front: f64,
+    /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
+    ahead: f64,
+    /// Width of the bell over which ways over facets are evened out, in stepovers on flat ground.
+    pub(super) ways: f64,
+    /// Standard deviations that a way over facets stays under the mean of those round it.
+    pub(super) caution: f64,
+}
+
+impl Evening {
+    /// For exact faces, where ways do not scatter.
+    pub(super) const EXACT: [Evening; 1] = [Evening { front: 1.0, ahead: 1e-3, ways: 0.0, caution: 0.0 }];
+    /// For meshes. Facets longer than a stepover are best followed as they are: evened out, most ridges would be lower than asked for. Over shorter ones
+    /// the ridges of that path scatter, and some are too high.
+    pub(super) const FACETS: [Evening; 2] = [
+        Evening { front: 1.0, ahead: 2e-3, ways: 0.5, caution: 0.5 },
+        Evening { front: 2.0, ahead: 5e-3, ways: 1.0, caution: 2.0 },
+    ];
+}
 
 impl March<'_> {
     /// Width of the bell over which a turn is evened, mm.
     fn even_mm(&self) -> f64 {
-        WIDTH[usize::from(self.facets)] * self.flat_mm.max(self.step_mm)
+        self.evening.front * self.flat_mm.max(self.step_mm)
     }
 
     /// How far along the turns before and after the evening of one looks, mm.
@@ -63,7 +82,7 @@ impl March<'_> {
                 a += row * row.transpose() * weight;
                 b += row * (weight * (touches[j].centre - from.touch.centre).dot(&side));
             }
-            let ahead_mm = -(a.try_inverse()? * b).x - LEAST[usize::from(self.facets)] * self.flat_mm;
+            let ahead_mm = -(a.try_inverse()? * b).x - self.evening.ahead * self.flat_mm;
             if ahead_mm <= 0.0 {
                 return None;
             }

@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::curve;
+use super::front::Evening;
 use super::level::Touch;
 use super::neighbour::{Across, Next, Place, Stop};
-use super::nodes::{arc_lengths, is_ring};
+use super::nodes::{arc_lengths, is_ring, without_loops};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -100,6 +101,8 @@ pub(super) struct March<'a> {
     pub(super) step_mm: f64,
     /// Whether the part is a mesh.
     pub(super) facets: bool,
+    /// How turns are evened.
+    pub(super) evening: Evening,
     /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
     /// over which turns went already it is a burr.
     pub(super) passes_burrs: bool,
@@ -243,7 +246,7 @@ impl March<'_> {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
-        Ok(self.tidy(kept))
+        Ok(self.tidy(without_loops(&kept)))
     }
 
     /// The end of a turn, as long as the evening of a front looks.

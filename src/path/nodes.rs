@@ -16,8 +16,6 @@ const CLOSE: f64 = 0.35;
 const FAR: f64 = 1.5;
 /// Turn of the normal from touch to touch that asks for another, rad.
 const BEND_RAD: f64 = 0.2;
-/// Standard deviations that the way over facets stays under its mean: one in fifty is then shorter by nature.
-const CAUTION: f64 = 2.0;
 /// Caution that is not needed: so much longer a way makes the ridge higher by not quite a hundredth.
 const FREE: f64 = 4e-3;
 /// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing.
@@ -26,6 +24,8 @@ const OVERRUN: f64 = 0.8;
 const BRIDGE: f64 = 0.4;
 /// Tries to bring one of them back.
 const BRIDGE_TRIES: usize = 3;
+/// Longest stretch between two crossing ways that is left out, as a share of the turn: the shorter of the two that a crossing makes.
+const LOOP: f64 = 0.5;
 /// Rounds of adding touches.
 const MOST_ROUNDS: usize = 6;
 
@@ -274,8 +274,8 @@ impl March<'_> {
         (out, added)
     }
 
-    /// Ways over facets scatter: each becomes the mean of those round it, weighted by a bell as wide as the stepover, less
-    /// [`CAUTION`] standard deviations, so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
+    /// Ways over facets scatter: each becomes the mean of those round it, weighted by a bell, less
+    /// some standard deviations ([`Evening`](super::front::Evening)), so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
     /// apart, count as neighbours: with the one's mean only from before and the other's only from after, a step would grow there.
     pub(super) fn even_out(
         &self,
@@ -294,11 +294,12 @@ impl March<'_> {
                     .map(|x| x.way_mm.max(1e-9).ln())
             })
             .collect();
-        let reach = 2.5 * self.flat_mm;
+        let width_mm = self.evening.ways * self.flat_mm;
+        let reach = 2.5 * width_mm;
         let mean = |i: usize| {
             let (mut sum, mut squares, mut weight) = (0.0, 0.0, 0.0);
             let mut add = |k: usize, s: f64| {
-                let bell = (-(s / self.flat_mm).powi(2)).exp();
+                let bell = (-(s / width_mm).powi(2)).exp();
                 if let Some(w) = ways[k] {
                     sum += bell * w;
                     squares += bell * w * w;
@@ -312,7 +313,7 @@ impl March<'_> {
             (i + 1..=n).chain(1..i).take_while(|k| ahead(*k) < reach).for_each(|k| add(k, ahead(k)));
             (1..i).rev().chain((i + 1..=n).rev()).take_while(|k| behind(*k) < reach).for_each(|k| add(k, behind(k)));
             let scatter = || (squares / weight - (sum / weight).powi(2)).max(0.0).sqrt();
-            (weight > 0.0).then(|| (sum / weight - (CAUTION * scatter() - FREE).max(0.0)).exp())
+            (weight > 0.0).then(|| (sum / weight - (self.evening.caution * scatter() - FREE).max(0.0)).exp())
         };
         (0..=n)
             .into_par_iter()
@@ -331,6 +332,42 @@ impl March<'_> {
     }
 }
 
+/// A turn without the stretches between places where it crosses itself. A turn that goes once round a part and does not cross itself has all that is cut
+/// on one side of it: where it does, it goes back over what was cut, and the turns after it would run the other way.
+pub(super) fn without_loops(nodes: &[Node]) -> Vec<Node> {
+    let s_mm = arc_lengths(nodes);
+    let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
+    let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+    let mut kept = Vec::with_capacity(nodes.len());
+    let mut at = 0;
+    while at < nodes.len() {
+        kept.push(nodes[at]);
+        let (mut after, mut k) = (at + 1, at + 2);
+        while k + 1 < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
+            if cross([&nodes[at].touch, &nodes[at + 1].touch], [&nodes[k].touch, &nodes[k + 1].touch]) {
+                after = k + 1;
+            }
+            // A curve is never longer than its arc: no crossing before it can have come back.
+            let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
+            let free = s_mm[k] + (apart_mm - 2.0 * longest_mm).max(0.0);
+            k = (k + 1).max(s_mm.partition_point(|s| *s <= free).saturating_sub(1));
+        }
+        at = after;
+    }
+    kept
+}
+
+/// Whether two ways between touches cross, seen along the surface's normal there.
+fn cross([a, b]: [&Touch; 2], [c, d]: [&Touch; 2]) -> bool {
+    let (one, other) = (b.centre - a.centre, d.centre - c.centre);
+    let normal = a.normal + b.normal + c.normal + d.normal;
+    let is_left = |from: &Touch, way: &Vector, to: &Touch| way.cross(&(to.centre - from.centre)).dot(&normal) > 0.0;
+    (c.centre - a.centre).norm() <= one.norm() + other.norm()
+        && a.normal.dot(&c.normal) > 0.0
+        && is_left(a, &one, c) != is_left(a, &one, d)
+        && is_left(c, &other, a) != is_left(c, &other, b)
+}
+
 /// Whether a turn is closed: a ring, from which the first turn is laid.
 pub(super) fn is_ring(turn: &[Node]) -> bool {
     turn.first().zip(turn.last()).is_some_and(|(a, b)| a.touch.centre == b.touch.centre)
@@ -346,4 +383,49 @@ pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
             s
         }))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nodes on the plane `z = 0` and on its other side.
+    fn nodes(places: &[(f64, f64)], up: f64) -> Vec<Node> {
+        let normal = Vector::new(0.0, 0.0, up);
+        let touch = |p: &(f64, f64)| {
+            let contact = Point::new(p.0, p.1, 0.0);
+            Touch { centre: contact + normal, contact, normal, face: 0 }
+        };
+        places.iter().map(|p| Node { touch: touch(p), way_mm: 1.0, stop: None }).collect()
+    }
+
+    fn places(nodes: &[Node]) -> Vec<(f64, f64)> {
+        nodes.iter().map(|n| (n.touch.centre.x, n.touch.centre.y)).collect()
+    }
+
+    #[test]
+    fn a_loop_is_left_out_and_what_does_not_cross_stays() {
+        let straight = |from: i32, to: i32| (from..to).map(|k| (f64::from(k), 0.0));
+        // Round a circle about (10, 2) from below, which goes over the straight way beside it.
+        let ring = |k: i32| (f64::from(k) * 0.3).sin_cos();
+        let round = (2..20).map(ring).map(|(s, c)| (10.2 + 2.0 * s, 1.8 - 2.0 * c));
+        let with_loop: Vec<_> = straight(0, 11).chain(round).chain(straight(11, 40)).collect();
+        let kept = places(&without_loops(&nodes(&with_loop, 1.0)));
+        assert!(kept.iter().all(|p| p.1.abs() < 0.3), "{kept:?}");
+        assert!(kept.len() > 38 && kept[0] == (0.0, 0.0) && kept[kept.len() - 1] == (39.0, 0.0), "{kept:?}");
+        // A narrow tongue touches itself nowhere.
+        let tongue = (0..9).map(|k| (10.0, f64::from(k))).chain((0..9).rev().map(|k| (10.1, f64::from(k))));
+        let with_tongue: Vec<_> = straight(0, 10).chain(tongue).chain(straight(11, 40)).collect();
+        assert_eq!(places(&without_loops(&nodes(&with_tongue, 1.0))), with_tongue);
+    }
+
+    #[test]
+    fn the_other_side_of_a_thin_part_is_not_crossed() {
+        // Along a diagonal of a plate and, on its other side, across it.
+        let diagonal: Vec<_> = (0..20).map(|k| (0.5 * f64::from(k), 0.5 * f64::from(k))).collect();
+        let back: Vec<_> = (0..20).map(|k| (0.5 * f64::from(k), 9.6 - 0.5 * f64::from(k))).collect();
+        let both = |up: f64| [nodes(&diagonal, 1.0), nodes(&back, up), nodes(&[(40.0, 0.0)], 1.0)].concat();
+        assert_eq!(without_loops(&both(-1.0)).len(), both(-1.0).len());
+        assert!(without_loops(&both(1.0)).len() < both(1.0).len());
+    }
 }
