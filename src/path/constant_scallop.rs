@@ -43,8 +43,9 @@ use crate::observe::Observer;
 /// The scallop of the turns that only look for the end, over that of the path, and at most over the ball radius.
 const COARSER: f64 = 4.0;
 const COARSEST: f64 = 0.1;
-/// The decisive ridge over the scallop asked for from which on turns over facets are evened with more care.
-const MOST_SCALLOP: f64 = 1.05;
+/// The decisive ridge over the scallop asked for from which on turns over facets are evened with more care: what is left over the surface, ridges and the
+/// ground between them, is lower.
+const MOST_SCALLOP: f64 = 1.07;
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.

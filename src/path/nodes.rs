@@ -199,7 +199,7 @@ impl March<'_> {
 
     /// So wide a stretch without a neighbour is passed over, mm.
     fn widest_mm(&self) -> f64 {
-        2.0 * self.flat_mm + 3.0 * self.step_mm
+        4.0 * self.flat_mm + 6.0 * self.step_mm
     }
 
     /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that go on: one touch that stays behind while all
