@@ -2,9 +2,11 @@
 //! allow it); where the variable is not set, each test says so and passes. Slow: `cargo nextest run --release --run-ignored only corpus`.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
+use bladewright::artifact::Toolpath;
 use bladewright::artifact::blade::{Blade, Unit};
+use bladewright::artifact::toolpath::CutterLocation;
 use bladewright::geometry::Point;
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
@@ -17,15 +19,8 @@ fn blades() -> Option<PathBuf> {
     folder
 }
 
-/// Plans a blade of the corpus, checks included; the exit code must be 0.
-fn plans(file: &str, options: &[&str]) {
-    ends(file, options, 0, "");
-}
-
-/// A plan ends with this exit code and says this.
-fn ends(file: &str, options: &[&str], code: i32, says: &str) {
-    let Some(folder) = blades() else { return };
-    let model = folder.join(file);
+/// Runs `plan` into the folder `out` of a temporary one.
+fn plan(model: &Path, options: &[&str]) -> (tempfile::TempDir, Output) {
     let out = tempfile::tempdir().expect("temporary folder");
     let run = Command::new(env!("CARGO_BIN_EXE_bladewright"))
         .args(["--quiet", "plan"])
@@ -35,6 +30,23 @@ fn ends(file: &str, options: &[&str], code: i32, says: &str) {
         .args(options)
         .output()
         .expect("the command starts");
+    (out, run)
+}
+
+/// Each setting behind its `--set`.
+fn set<'a>(settings: &[&'a str]) -> Vec<&'a str> {
+    settings.iter().flat_map(|v| ["--set", v]).collect()
+}
+
+/// Plans a blade of the corpus, checks included; the exit code must be 0.
+fn plans(file: &str, options: &[&str]) {
+    ends(file, options, 0, "");
+}
+
+/// A plan ends with this exit code and says this.
+fn ends(file: &str, options: &[&str], code: i32, says: &str) {
+    let Some(folder) = blades() else { return };
+    let (_, run) = plan(&folder.join(file), options);
     let text = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
     assert_eq!(run.status.code(), Some(code), "{file}\n{text}");
     assert!(text.contains(says), "{file}\n{text}");
@@ -56,40 +68,41 @@ fn corpus_scanned_turbine_blade() {
 #[ignore = "real blades, see the file's head"]
 fn corpus_turbocharger_sector() {
     // The blade stands radially, and the back plate of the hub sector is in the way of the tool at once.
-    let options =
-        ["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"].map(|v| ["--set", v]);
-    ends("turbocharger_turbine_sector.stl", &options.concat(), 3, "the channel closes at turn 0");
+    let options = set(&["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"]);
+    ends("turbocharger_turbine_sector.stl", &options, 3, "the channel closes at turn 0");
 }
 
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
-    // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the one before.
+    // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the one before, nor lie on it.
     let Some(folder) = blades() else { return };
-    for (radius, start, end) in [("0.3", "26.3", "21"), ("0.25", "25", "20.5")] {
-        let out = tempfile::tempdir().expect("temporary folder");
-        let set = [
-            format!("tool.radius_mm={radius}"),
-            format!("region.start_mm={start}"),
-            format!("region.end_mm={end}"),
-            "path.kind=constant-scallop".into(),
-        ];
-        let run = Command::new(env!("CARGO_BIN_EXE_bladewright"))
-            .args(["--quiet", "plan", "--axis", "0,0,1", "--until", "path"])
-            .arg(folder.join("turbocharger_turbine_sector.stl"))
-            .args(set.iter().flat_map(|v| ["--set", v]))
-            .arg("-o")
-            .arg(out.path().join("out"))
-            .output()
-            .expect("the command starts");
+    let model = folder.join("turbocharger_turbine_sector.stl");
+    let regions: [(&[&str], &str); 3] = [
+        (&["tool.radius_mm=0.3", "region.start_mm=26.3", "region.end_mm=21"], "the end of the region"),
+        (&["tool.radius_mm=0.25", "region.start_mm=25", "region.end_mm=20.5"], "the end of the region"),
+        (&["tool.radius_mm=0.3"], "the wall leans over more than 60°"),
+    ];
+    for (region, end) in regions {
+        let mut options = set(&["path.kind=constant-scallop", "path.scallop_mm=0.01"]);
+        options.extend(set(region));
+        options.extend(["--axis", "0,0,1", "--until", "path"]);
+        let (out, run) = plan(&model, &options);
         assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
         let text = std::fs::read_to_string(out.path().join("out/toolpath.json")).expect("toolpath.json");
-        let path: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        assert_eq!(path["end_reason"], "the end of the region", "{radius}");
-        let lengths: Vec<f64> =
-            path["turns"].as_array().expect("turns").iter().filter_map(|t| t["length_mm"].as_f64()).collect();
-        let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), l| (a.min(*l), b.max(*l)));
-        assert!(lengths.len() > 30 && most < 1.2 * least, "{radius}: {} turns of {least} to {most} mm", lengths.len());
+        let path: Toolpath = serde_json::from_str(&text).expect("a toolpath");
+        assert!(path.end_reason.starts_with(end), "{region:?}: {}", path.end_reason);
+        let length = |least: f64, most: f64, mm: f64| (least.min(mm), most.max(mm));
+        let (least, most) = path.turns.iter().fold((f64::INFINITY, 0.0), |(a, b), t| length(a, b, t.length_mm));
+        assert!(path.turns.len() > 30 && most < 1.2 * least, "{region:?}: {least} to {most} mm");
+        let turns: Vec<_> = path.turns.iter().map(|t| &path.locations[t.first..t.first + t.count]).collect();
+        // Less than a fifth of the flat stepover, √(8 R h), from the next turn.
+        let near_mm = 0.2 * (8.0 * path.radius_mm * 0.01).sqrt();
+        let is_near = |p: &Point, next: &[CutterLocation]| next.iter().any(|l| (l.centre - p).norm() < near_mm);
+        let inner = &turns[1..turns.len() - 1];
+        let near: usize = inner.windows(2).map(|w| w[0].iter().filter(|l| is_near(&l.centre, w[1])).count()).sum();
+        let all: usize = inner.iter().map(|t| t.len()).sum();
+        assert!(near * 50 < all, "{region:?}: {near} of {all} places lie on the next turn");
     }
 }
 
@@ -110,15 +123,7 @@ struct Path3 {
 
 /// Plans a part of the corpus in a region.
 fn planned(file: &Path, region: &[&str]) -> Path3 {
-    let out = tempfile::tempdir().expect("temporary folder");
-    let run = Command::new(env!("CARGO_BIN_EXE_bladewright"))
-        .args(["--quiet", "plan"])
-        .arg(file)
-        .args(region.iter().flat_map(|v| ["--set", v]))
-        .arg("-o")
-        .arg(out.path().join("out"))
-        .output()
-        .expect("the command starts");
+    let (out, run) = plan(file, &set(region));
     assert_eq!(run.status.code(), Some(0), "{}: {}", file.display(), String::from_utf8_lossy(&run.stderr));
     let folder = out.path().join("out");
     let [contact, normal, centre] =
@@ -248,15 +253,15 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_above_its_fillet() {
-    let options = ["tool.radius_mm=6", "region.start_mm=50", "region.end_mm=27"].map(|v| ["--set", v]);
-    plans("turbine_blade_firtree.igs", &options.concat());
+    let options = set(&["tool.radius_mm=6", "region.start_mm=50", "region.end_mm=27"]);
+    plans("turbine_blade_firtree.igs", &options);
 }
 
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_in_its_fillet() {
-    let options = ["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"].map(|v| ["--set", v]);
-    plans("turbine_blade_firtree.igs", &options.concat());
+    let options = set(&["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"]);
+    plans("turbine_blade_firtree.igs", &options);
 }
 
 /// Every file of the corpus ends with an exit code of the list, never with a panic.
@@ -440,17 +445,10 @@ fn corpus_table_case7288() {
 #[ignore = "real blades, see the file's head"]
 fn corpus_plan_of_tables() {
     let Some((_dir, path)) = header(ROTOR37) else { return };
-    let region = |start: &str, end: &str| -> Vec<String> {
-        [format!("region.start_mm={start}"), format!("region.end_mm={end}")]
-            .into_iter()
-            .flat_map(|v| ["--set".into(), v])
-            .collect()
-    };
-    let options = [region("215", "205"), vec!["--set".into(), "tool.radius_mm=3".into()]].concat();
-    plans(&path.to_string_lossy(), &options.iter().map(String::as_str).collect::<Vec<_>>());
-    let options = region("100", "80");
+    let options = set(&["region.start_mm=215", "region.end_mm=205", "tool.radius_mm=3"]);
+    plans(&path.to_string_lossy(), &options);
     let case = "tblade3_case7288/blade3d.Case7-28-8.dat";
-    plans(case, &options.iter().map(String::as_str).collect::<Vec<_>>());
+    plans(case, &set(&["region.start_mm=100", "region.end_mm=80"]));
 }
 
 /// A profile in a plane is no blade, and the message says what to do.

@@ -40,8 +40,9 @@ use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::Observer;
 
-/// The scallop of the turns that only look for the end, over that of the path, and at most over the ball radius.
+/// The scallop of the turns that only look for the end, over that of the path.
 const COARSER: f64 = 4.0;
+/// The same over the ball radius, at most, unless the path's own is more.
 const COARSEST: f64 = 0.1;
 /// The decisive ridge over the scallop asked for from which on turns over facets are evened with more care: what is left over the surface, ridges and the
 /// ground between them, is lower.
@@ -60,22 +61,20 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let facets = level.part.brep.is_none();
-    let evenings: &[Evening] = if facets { &Evening::FACETS } else { &Evening::EXACT };
-    let mut best: Option<Toolpath> = None;
-    let mut refusal = None;
-    for evening in evenings {
-        match lay(blade, level, options, start_x, *evening, observer) {
-            Ok(path) if path.planned_scallop_mm <= MOST_SCALLOP * options.scallop_mm => return Ok(path),
-            Ok(path) if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) => {
-                best = Some(path);
-            }
-            Ok(_) => {}
-            Err(e) if e.kind == ErrorKind::Infeasible => refusal = Some(e),
-            Err(e) => return Err(e),
-        }
+    let lay = |evening| lay(blade, level, options, start_x, evening, observer);
+    if level.part.brep.is_some() {
+        return lay(Evening::EXACT);
     }
-    best.ok_or_else(|| refusal.unwrap_or_else(|| Error::infeasible(Stage::Path, "no helix was laid")))
+    let is_refused = |e: &Error| e.kind == ErrorKind::Infeasible;
+    match lay(Evening::GENTLE) {
+        Ok(gentle) if gentle.planned_scallop_mm > MOST_SCALLOP * options.scallop_mm => match lay(Evening::CAREFUL) {
+            Ok(careful) if careful.planned_scallop_mm < gentle.planned_scallop_mm => Ok(careful),
+            Err(e) if !is_refused(&e) => Err(e),
+            _ => Ok(gentle),
+        },
+        Err(e) if is_refused(&e) => lay(Evening::CAREFUL),
+        done => done,
+    }
 }
 
 /// The helix with its turns evened as told.
@@ -101,7 +100,6 @@ fn lay(
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
         step_mm: how.max_step_mm,
-        facets: level.part.brep.is_none(),
         evening,
         passes_burrs,
     };

@@ -27,21 +27,28 @@ pub(super) struct Evening {
     front: f64,
     /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
     ahead: f64,
-    /// Width of the bell over which ways over facets are evened out, in stepovers on flat ground.
-    pub(super) ways: f64,
-    /// Standard deviations that a way over facets stays under the mean of those round it.
+    /// Over facets, where ways scatter; none on exact faces.
+    pub(super) ways: Option<Ways>,
+}
+
+/// How ways over facets are evened out.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ways {
+    /// Width of the bell, in stepovers on flat ground.
+    pub(super) width: f64,
+    /// Standard deviations that a way stays under the mean of those round it.
     pub(super) caution: f64,
 }
 
 impl Evening {
-    /// For exact faces, where ways do not scatter.
-    pub(super) const EXACT: [Evening; 1] = [Evening { front: 1.0, ahead: 1e-3, ways: 0.0, caution: 0.0 }];
-    /// For meshes. Facets longer than a stepover are best followed as they are: evened out, most ridges would be lower than asked for. Over shorter ones
-    /// the ridges of that path scatter, and some are too high.
-    pub(super) const FACETS: [Evening; 2] = [
-        Evening { front: 1.0, ahead: 2e-3, ways: 0.5, caution: 0.5 },
-        Evening { front: 2.0, ahead: 5e-3, ways: 1.0, caution: 2.0 },
-    ];
+    /// On exact faces.
+    pub(super) const EXACT: Evening = Evening { front: 1.0, ahead: 1e-3, ways: None };
+    /// On meshes: facets longer than a stepover are best followed as they are. Evened out with care, most ridges would be lower than asked for.
+    pub(super) const GENTLE: Evening =
+        Evening { front: 1.0, ahead: 2e-3, ways: Some(Ways { width: 0.5, caution: 0.5 }) };
+    /// On meshes: over shorter facets the ridges of a path that follows them scatter, and some are too high.
+    pub(super) const CAREFUL: Evening =
+        Evening { front: 2.0, ahead: 5e-3, ways: Some(Ways { width: 1.0, caution: 2.0 }) };
 }
 
 impl March<'_> {

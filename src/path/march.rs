@@ -6,7 +6,7 @@ use super::curve;
 use super::front::Evening;
 use super::level::Touch;
 use super::neighbour::{Across, Next, Place, Stop};
-use super::nodes::{arc_lengths, is_ring, without_loops};
+use super::nodes::{Overrun, arc_lengths, is_ring};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -99,8 +99,6 @@ pub(super) struct March<'a> {
     pub(super) flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub(super) step_mm: f64,
-    /// Whether the part is a mesh.
-    pub(super) facets: bool,
     /// How turns are evened.
     pub(super) evening: Evening,
     /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
@@ -119,7 +117,7 @@ impl March<'_> {
         }
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
         // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
-        if open && !self.facets {
+        if open && self.evening.ways.is_none() {
             let mut to_height = self.clone();
             to_height.across.bounds.x_mm[0] =
                 laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
@@ -239,14 +237,14 @@ impl March<'_> {
             let on = curve::tangent(Some(&centre(n - 1)), &turn[n].touch, Some(&start.touch.centre));
             next[n] = self.next_node(&turn[n], &round, on, 1.0);
         }
-        if self.facets {
-            next = self.even_out(turn, &round, &along, &shares, next);
+        if let Some(ways) = self.evening.ways {
+            next = self.even_out(ways, turn, &round, &along, &shares, next);
         }
         if self.passes_burrs {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
-        Ok(self.tidy(without_loops(&kept)))
+        Ok(self.tidy(Overrun::of(&[], &kept, std::iter::empty()).without_loops()))
     }
 
     /// The end of a turn, as long as the evening of a front looks.

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::curve::{self, Curve};
+use super::front::Ways;
 use super::level::Touch;
 use super::march::{LEAST_SHARE, March, Node};
 use super::neighbour::{Place, Stop};
@@ -31,7 +32,7 @@ const MOST_ROUNDS: usize = 6;
 
 /// A turn whose stretches may run into one another: where it lags behind in a narrow tongue, the neighbours of the tongue's two sides
 /// cross, and what lies beyond the crossing is left out, as with the offset of any curve.
-struct Overrun {
+pub(super) struct Overrun {
     turn: Vec<Node>,
     /// Where the turn begins in the chain of nodes looked at.
     first: usize,
@@ -43,15 +44,20 @@ struct Overrun {
 
 impl Overrun {
     /// Of a turn with what comes before its first node and after its last.
-    fn of(before: &[Node], turn: &[Node], after: impl Iterator<Item = Node>) -> Self {
+    pub(super) fn of(before: &[Node], turn: &[Node], after: impl Iterator<Item = Node>) -> Self {
         let chain: Vec<Node> = before.iter().chain(turn).copied().chain(after).collect();
         let s_mm = arc_lengths(&chain);
         let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
         Overrun { turn: chain, first: before.len(), s_mm, longest_mm }
     }
 
-    /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than `least_mm`. A curve is never longer than its arc:
-    /// nodes that the arc cannot reach from the last distance are passed over.
+    /// The next node after `k` from which a way to another may come to a place that is `apart_mm` from `k`: a curve is never longer than its arc.
+    fn after(&self, k: usize, apart_mm: f64) -> usize {
+        let free = self.s_mm[k] + (apart_mm - self.longest_mm).max(0.0);
+        (k + 1).max(self.s_mm.partition_point(|s| *s < free).saturating_sub(1))
+    }
+
+    /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than `least_mm`.
     fn is_nearer(&self, q: &Point, of: usize, least_mm: f64) -> bool {
         let of = self.first + of;
         let distance = |k: usize| (self.turn[k].touch.centre - q).norm();
@@ -61,8 +67,7 @@ impl Overrun {
             if (closest_on_segment(a, b, q) - q).norm() < least_mm {
                 return true;
             }
-            let free = self.s_mm[k] + (distance(k) - least_mm - self.longest_mm).max(0.0);
-            k = (k + 1).max(self.s_mm.partition_point(|s| *s < free).saturating_sub(1));
+            k = self.after(k, distance(k) - least_mm);
         }
         let mut k = of;
         while k > 0 {
@@ -74,6 +79,29 @@ impl Overrun {
             k = (k - 1).min(self.s_mm.partition_point(|s| *s <= free));
         }
         false
+    }
+
+    /// The turn without the stretches between places where it crosses itself. A turn that goes once round a part and does not cross itself has all that is
+    /// cut on one side of it: where it does, it goes back over what was cut, and the turns after it would run the other way.
+    pub(super) fn without_loops(&self) -> Vec<Node> {
+        let (nodes, s_mm) = (&self.turn, &self.s_mm);
+        let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
+        let mut kept = Vec::with_capacity(nodes.len());
+        let mut at = 0;
+        while at < nodes.len() {
+            kept.push(nodes[at]);
+            let (mut after, mut k) = (at + 1, at + 2);
+            while k + 1 < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
+                if cross([&nodes[at].touch, &nodes[at + 1].touch], [&nodes[k].touch, &nodes[k + 1].touch]) {
+                    after = k + 1;
+                }
+                // The way from `at` may come towards it by its own length.
+                let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
+                k = self.after(k, apart_mm - self.longest_mm);
+            }
+            at = after;
+        }
+        kept
     }
 
     /// The nearest place to `q` between two nodes of the turn, and as far as `look_mm` beyond them.
@@ -275,10 +303,11 @@ impl March<'_> {
     }
 
     /// Ways over facets scatter: each becomes the mean of those round it, weighted by a bell, less
-    /// some standard deviations ([`Evening`](super::front::Evening)), so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
+    /// some standard deviations, so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
     /// apart, count as neighbours: with the one's mean only from before and the other's only from after, a step would grow there.
     pub(super) fn even_out(
         &self,
+        evening: Ways,
         turn: &[Node],
         round: &[Touch],
         along: &[Vector],
@@ -294,7 +323,7 @@ impl March<'_> {
                     .map(|x| x.way_mm.max(1e-9).ln())
             })
             .collect();
-        let width_mm = self.evening.ways * self.flat_mm;
+        let width_mm = evening.width * self.flat_mm;
         let reach = 2.5 * width_mm;
         let mean = |i: usize| {
             let (mut sum, mut squares, mut weight) = (0.0, 0.0, 0.0);
@@ -313,7 +342,7 @@ impl March<'_> {
             (i + 1..=n).chain(1..i).take_while(|k| ahead(*k) < reach).for_each(|k| add(k, ahead(k)));
             (1..i).rev().chain((i + 1..=n).rev()).take_while(|k| behind(*k) < reach).for_each(|k| add(k, behind(k)));
             let scatter = || (squares / weight - (sum / weight).powi(2)).max(0.0).sqrt();
-            (weight > 0.0).then(|| (sum / weight - (self.evening.caution * scatter() - FREE).max(0.0)).exp())
+            (weight > 0.0).then(|| (sum / weight - (evening.caution * scatter() - FREE).max(0.0)).exp())
         };
         (0..=n)
             .into_par_iter()
@@ -330,31 +359,6 @@ impl March<'_> {
             })
             .collect()
     }
-}
-
-/// A turn without the stretches between places where it crosses itself. A turn that goes once round a part and does not cross itself has all that is cut
-/// on one side of it: where it does, it goes back over what was cut, and the turns after it would run the other way.
-pub(super) fn without_loops(nodes: &[Node]) -> Vec<Node> {
-    let s_mm = arc_lengths(nodes);
-    let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
-    let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
-    let mut kept = Vec::with_capacity(nodes.len());
-    let mut at = 0;
-    while at < nodes.len() {
-        kept.push(nodes[at]);
-        let (mut after, mut k) = (at + 1, at + 2);
-        while k + 1 < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
-            if cross([&nodes[at].touch, &nodes[at + 1].touch], [&nodes[k].touch, &nodes[k + 1].touch]) {
-                after = k + 1;
-            }
-            // A curve is never longer than its arc: no crossing before it can have come back.
-            let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
-            let free = s_mm[k] + (apart_mm - 2.0 * longest_mm).max(0.0);
-            k = (k + 1).max(s_mm.partition_point(|s| *s <= free).saturating_sub(1));
-        }
-        at = after;
-    }
-    kept
 }
 
 /// Whether two ways between touches cross, seen along the surface's normal there.
@@ -401,6 +405,10 @@ mod tests {
 
     fn places(nodes: &[Node]) -> Vec<(f64, f64)> {
         nodes.iter().map(|n| (n.touch.centre.x, n.touch.centre.y)).collect()
+    }
+
+    fn without_loops(nodes: &[Node]) -> Vec<Node> {
+        Overrun::of(&[], nodes, std::iter::empty()).without_loops()
     }
 
     #[test]
