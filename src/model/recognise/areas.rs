@@ -13,6 +13,8 @@ const FACES_TIP: f64 = 0.7;
 const WIDER: f64 = 0.05;
 /// The platform's top is this share of the part deep: it may be crowned or slanted.
 const DEEP: f64 = 0.02;
+/// A quarter of a circle is beside its chord by up to a fifth of the chord; more, since places have a distance.
+const ARC: f64 = 0.35;
 /// A face belongs to an area as a whole where this share of its surface does.
 const WHOLE: f64 = 0.9;
 
@@ -36,6 +38,9 @@ fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
     let [lo, hi] = r.airfoil_x_mm;
     let length = (r.part_x_mm[1] - r.part_x_mm[0]).max(f64::MIN_POSITIVE);
     let tolerance = 1e-3 * length;
+    if on_climbing_fillet(found, p) {
+        return Area::Fillet;
+    }
     if p.x > hi + tolerance || (p.x > hi - tolerance && n_x > FACES_TIP) {
         return Area::Tip;
     }
@@ -56,6 +61,19 @@ fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
         Some([foot, _]) if p.x > foot + tolerance && within(found, p) => Area::Fillet,
         _ => Area::Root,
     }
+}
+
+/// Whether a point lies on a fillet whose foot climbs: beside the chord of the fillet's arc at one of the places where it is known.
+fn on_climbing_fillet(found: &Recognised, p: &Point) -> bool {
+    found.fillet.iter().any(|[top, foot]| {
+        let chord = foot - top;
+        let beside = ARC * chord.norm();
+        let between = p.x < top.x.max(foot.x) + beside && p.x > top.x.min(foot.x) - beside;
+        between && {
+            let share = (p - top).dot(&chord) / chord.norm_squared().max(f64::MIN_POSITIVE);
+            (0.0..=1.0).contains(&share) && (top + chord * share - p).norm() < beside
+        }
+    })
 }
 
 /// Whether a point lies in the box of the airfoil's section at its height, or of the nearest.
@@ -118,7 +136,14 @@ mod tests {
             reasons: Vec::new(),
         };
         let outline = (0..9).map(|k| (10.0 * f64::from(k), [-20.0, -5.0, 20.0, 5.0])).collect();
-        Recognised { model_from_blade: Rigid::identity(), mesh, regions, doubts: Vec::new(), outline }
+        Recognised {
+            model_from_blade: Rigid::identity(),
+            mesh,
+            regions,
+            doubts: Vec::new(),
+            outline,
+            fillet: Vec::new(),
+        }
     }
 
     const UP: [f64; 3] = [1.0, 0.0, 0.0];
@@ -146,6 +171,23 @@ mod tests {
         // Without a platform the same faces are root, without a fillet the airfoil goes down to its foot.
         let got = areas(&found(&at, None, None), false);
         assert_eq!([got[1], got[3]], [Area::Airfoil, Area::Root]);
+    }
+
+    #[test]
+    fn a_fillet_that_climbs_is_where_its_ends_are() {
+        let at = |x: f64, z: f64| Point::new(x, 0.0, z);
+        let places = [
+            ([10.2, 0.0, 5.2], Area::Fillet),
+            ([20.2, 10.0, 5.2], Area::Fillet),
+            ([20.2, 0.0, 5.0], Area::Airfoil),
+            ([11.5, 0.0, 5.0], Area::Airfoil),
+        ];
+        let mut f = found(&places.map(|p| (p.0, OUT)), Some(0.0), None);
+        f.fillet = (0..=40)
+            .map(|k| f64::from(k) * 0.25)
+            .map(|y| [at(11.0 + y, 5.0), at(10.0 + y, 6.0)].map(|p| p + crate::geometry::Vector::y() * y))
+            .collect();
+        assert_eq!(areas(&f, false), places.map(|p| p.1));
     }
 
     #[test]

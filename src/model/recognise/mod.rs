@@ -12,6 +12,7 @@
 
 pub mod areas;
 pub mod caps;
+pub mod foot;
 pub mod named;
 pub mod regions;
 pub mod rotor;
@@ -46,6 +47,8 @@ pub struct Recognised {
     pub doubts: Vec<String>,
     /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z, blade frame, mm.
     pub outline: Vec<(f64, [f64; 4])>,
+    /// Upper and lower ends of a fillet at places round the airfoil, blade frame, where its foot climbs; else empty.
+    pub fillet: Vec<[Point; 2]>,
 }
 
 /// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the part comes from one.
@@ -91,11 +94,12 @@ pub fn recognise(
     }
     let blade_mesh = mesh.clone().moved(&model_from_blade.inverse());
     let bvh = MeshBvh::new(&blade_mesh);
-    let mut regions = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
+    let (mut regions, foot) = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
     regions.reasons.insert(0, reason);
     named::apply(&mut regions, &blade_mesh, face_names, options)?;
     let outline = run.links.iter().map(|l| (l.height_mm, l.shape.bounds)).collect();
-    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, outline })
+    let fillet = foot.map_or_else(Vec::new, |f| f.ends);
+    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, outline, fillet })
 }
 
 fn no_blade() -> Error {

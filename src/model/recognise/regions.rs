@@ -1,6 +1,7 @@
 //! Where along the blade axis what lies: airfoil, platform, whole part. Works in the blade frame.
 
-use super::run::{HEIGHTS, LOOSENESS, Run};
+use super::foot::{Foot, Joint, joint};
+use super::run::{HEIGHTS, LOOSENESS, Link, Run};
 use super::shape::Shape;
 use super::stitch::stitched;
 use crate::artifact::blade::Regions;
@@ -27,8 +28,9 @@ struct End {
     shape: Shape,
 }
 
-/// Finds the regions; `run` was found along the blade axis (its heights are blade x).
-pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<Regions> {
+/// Finds the regions, and the fillet where it climbs along the foot so that no heights bound it; `run` was found along the blade axis (its
+/// heights are blade x).
+pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Regions, Option<Foot>)> {
     let (first, last) = (run.links.first()?, run.links.last()?);
     let step = (run.part_mm[1] - run.part_mm[0]) / HEIGHTS as f64;
     let root = end(mesh, bvh, first.height_mm, &first.shape, -step, run.part_mm);
@@ -67,14 +69,51 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<Regions> {
         ),
         None => format!("tip: free, at x = {:.3} mm", tip.x_mm),
     });
-    let fillet_x_mm = platform_x_mm.and_then(|p| fillet(mesh, bvh, p, airfoil_x_mm, &first.shape));
-    if let Some([foot, top]) = fillet_x_mm {
-        reasons
-            .push(format!("fillet: x = {foot:.3} to {top:.3} mm, where the airfoil's wall bends towards the platform"));
-    } else if platform_x_mm.is_some() {
-        reasons.push("no fillet: the airfoil's wall keeps its lean down to the platform".into());
+    let (mut fillet_x_mm, mut climbing) = (None, None);
+    if let Some(platform_mm) = platform_x_mm {
+        let (heights, foot, reason) = fillet(mesh, bvh, platform_mm, airfoil_x_mm, first);
+        (fillet_x_mm, climbing) = (heights, foot);
+        reasons.push(reason);
     }
-    Some(Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, reasons })
+    Some((Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, reasons }, climbing))
+}
+
+/// Heights of the fillet, or the fillet itself where it climbs, and what is to be said of it.
+fn fillet(
+    mesh: &Mesh,
+    bvh: &MeshBvh,
+    platform_mm: f64,
+    airfoil_mm: [f64; 2],
+    first: &Link,
+) -> (Option<[f64; 2]>, Option<Foot>, String) {
+    let leaning = leaning(mesh, bvh, platform_mm, airfoil_mm, &first.shape);
+    let heights = |[foot, top]: [f64; 2]| {
+        let reason =
+            format!("fillet: x = {foot:.3} to {top:.3} mm, where the airfoil's wall bends towards the platform");
+        (Some([foot, top]), None, reason)
+    };
+    // A foot that climbs is met from higher sections only, where it is high.
+    let sections = JUDGED_FROM.map(|share| airfoil_mm[0] + share * (airfoil_mm[1] - airfoil_mm[0]));
+    let sections: Vec<(f64, Loop)> =
+        sections.iter().filter_map(|x| Some((*x, airfoil_loop(mesh, bvh, *x, &first.shape)?.0))).collect();
+    let met = joint(mesh, &sections, platform_mm);
+    match (met, leaning) {
+        (Joint::Edge, _) => (None, None, "no fillet: the airfoil's wall meets the platform in an edge".into()),
+        (_, Some(found)) => heights(found),
+        (Joint::Fillet(foot), None) if foot.level() => heights([platform_mm, foot.height_mm(0, 0.95)]),
+        (Joint::Fillet(foot), None) => {
+            let reason = format!(
+                "fillet: radius about {:.1} mm, along a foot that climbs from about x = {:.1} to {:.1} mm",
+                foot.radius_mm,
+                foot.height_mm(1, 0.02),
+                foot.height_mm(1, 0.98)
+            );
+            (None, Some(foot), reason)
+        }
+        (Joint::Unsure, None) => {
+            (None, None, "no fillet: the airfoil's wall keeps its lean down to the platform".into())
+        }
+    }
 }
 
 /// Follows the airfoil's loop beyond the run in quarter steps and halves the last one.
@@ -125,21 +164,28 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
     End { x_mm: good, beyond, shape }
 }
 
-/// Heights of the fillet: from the platform up to where the wall's lean is that of the airfoil above.
+/// The airfoil's loop at a height.
+fn airfoil_loop(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, reference: &Shape) -> Option<(Loop, Shape)> {
+    let near = |l: &(Loop, Shape)| {
+        let d = [0, 1].map(|k| l.1.centroid[k] - reference.centroid[k]);
+        l.1.area_mm2 > 0.3 * reference.area_mm2 && d[0].hypot(d[1]) < 0.5 * reference.perimeter_mm
+    };
+    let away = |l: &(Loop, Shape)| (l.1.area_mm2 - reference.area_mm2).abs();
+    stitched(slice(mesh, bvh, x_mm))
+        .into_iter()
+        .filter_map(|l| Shape::new(&l).map(|s| (l, s)))
+        .filter(near)
+        .min_by(|a, b| away(a).total_cmp(&away(b)))
+}
+
+/// Heights over which the wall leans as a fillet does: from the platform up to where its lean is that of the airfoil above.
 ///
 /// The lean is the mean of the normal's component along the axis round the airfoil's loop. On a fillet of radius r it is
 /// 1 − h/r at height h, so the top is found a share [`LEAN`] of r too low, which is added.
-fn fillet(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], reference: &Shape) -> Option<[f64; 2]> {
+fn leaning(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], reference: &Shape) -> Option<[f64; 2]> {
     let length = airfoil_mm[1] - airfoil_mm[0];
     let lean = |x: f64| -> Option<f64> {
-        let near = |l: &&(Loop, Shape)| {
-            let d = [0, 1].map(|k| l.1.centroid[k] - reference.centroid[k]);
-            l.1.area_mm2 > 0.3 * reference.area_mm2 && d[0].hypot(d[1]) < 0.5 * reference.perimeter_mm
-        };
-        let loops: Vec<(Loop, Shape)> =
-            stitched(slice(mesh, bvh, x)).into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect();
-        let away = |l: &(Loop, Shape)| (l.1.area_mm2 - reference.area_mm2).abs();
-        let (l, _) = loops.iter().filter(near).min_by(|a, b| away(a).total_cmp(&away(b)))?;
+        let (l, _) = airfoil_loop(mesh, bvh, x, reference)?;
         let (mut sum, mut all) = (0.0, 0.0);
         for (k, &t) in l.triangles.iter().enumerate() {
             let (p, q) = (l.points[k], l.points[(k + 1) % l.points.len()]);
@@ -167,6 +213,8 @@ fn fillet(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], re
 
 /// Mean lean (sine) by which a wall is a fillet's and no longer the airfoil's.
 const LEAN: f64 = 0.08;
+/// The joint with the platform is judged from these shares of the airfoil's height down.
+const JUDGED_FROM: [f64; 3] = [0.3, 0.55, 0.8];
 /// Heights over the lowest 40 % of the airfoil at which the lean is taken.
 const FILLET_HEIGHTS: u32 = 96;
 
