@@ -260,14 +260,7 @@ pub(super) fn extents(points: &[Point], row: usize) -> [f64; 2] {
 }
 
 impl Leaf {
-    /// All bounds of a piece from its hull.
-    pub fn new(shape: &Shape, rect: Rect, points: &[Point]) -> Self {
-        let mut leaf = Leaf::boxed(shape, rect, points);
-        leaf.measure_bend(shape);
-        leaf
-    }
-
-    /// The piece's box alone: nothing of its curvature.
+    /// The piece's box from its hull; nothing yet of its curvature ([`Self::measure_bend`]).
     pub fn boxed(shape: &Shape, rect: Rect, points: &[Point]) -> Self {
         let m = rect.middle();
         let centre = shape.local(rect.span, m);
@@ -316,7 +309,7 @@ impl Leaf {
         let mut cosine = 1.0f64;
         for st in self.rect.places() {
             let d = shape.local(self.rect.span, st);
-            let (Some(m), Some(p)) = (d.normal(), d.principal()) else {
+            let Some((m, [k1, k2])) = d.bent() else {
                 self.wild = true;
                 return;
             };
@@ -324,7 +317,6 @@ impl Leaf {
             cosine = cosine.min(axial);
             let steep = [m.dot(&a) / axial, m.dot(&b) / axial].map(f64::abs);
             self.slope = [self.slope[0].max(steep[0]), self.slope[1].max(steep[1])];
-            let [k1, k2] = p.curvature;
             self.greater = [self.greater[0].min(k1), self.greater[1].max(k1)];
             self.lesser = [self.lesser[0].min(k2), self.lesser[1].max(k2)];
         }
@@ -431,7 +423,8 @@ mod tests {
                 let range = [[from[0], from[0] + 0.2], [from[1], from[1] + 0.3]];
                 let rect = Rect { face: 0, span, range };
                 let (points, _) = hull(&shape, &rect);
-                let leaf = Leaf::new(&shape, rect, &points);
+                let mut leaf = Leaf::boxed(&shape, rect, &points);
+                leaf.measure_bend(&shape);
                 assert!(!leaf.wild);
                 for i in 0..=10 {
                     for j in 0..=10 {

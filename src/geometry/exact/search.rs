@@ -77,6 +77,7 @@ struct Search<'a> {
     reach2: f64,
     /// Whether points known to be on the part lower `reach2`, and pieces are left out by their normals.
     eager: bool,
+    /// Parts of pieces, in their boxes, and how often they were halved.
     leaves: Vec<(Leaf, u32)>,
     /// Borders of `leaves`, numbered on from those of all faces.
     borders: Vec<Vec<Border>>,
@@ -156,8 +157,12 @@ impl Search<'_> {
                     }
                 }
                 PART_OF_LEAF => {
-                    let (leaf, depth) = self.leaves[id as usize];
-                    self.face_piece(&leaf, depth, heap);
+                    let (mut leaf, depth) = self.leaves[id as usize];
+                    // Not before: half of the parts are never looked at.
+                    leaf.measure_bend(&self.exact.shape(self.brep, leaf.rect.face));
+                    if !self.eager || leaf.may_hold_foot(&self.q) {
+                        self.face_piece(&leaf, depth, heap);
+                    }
                 }
                 PART_OF_ARC => {
                     let (arc, depth) = self.arcs[id as usize];
@@ -236,13 +241,18 @@ impl Search<'_> {
             self.look_beside(leaf);
         }
         self.cuts += 1;
-        let (points, row) = hull(&shape, &leaf.rect);
-        let size = extents(&points, row);
+        let size = if leaf.wild {
+            let (points, row) = hull(&shape, &leaf.rect);
+            extents(&points, row)
+        } else {
+            let width = leaf.rect.range.map(|[from, to]| to - from);
+            [foot.at.du.norm() * width[0], foot.at.dv.norm() * width[1]]
+        };
         for half in leaf.rect.halves(usize::from(size[1] > size[0])) {
             let (points, _) = hull(&shape, &half);
-            let mut child = Leaf::new(&shape, half, &points);
+            let mut child = Leaf::boxed(&shape, half, &points);
             let d2 = child.slab.distance2(&self.q);
-            if d2 >= self.worth(d2) || (self.eager && !child.may_hold_foot(&self.q)) {
+            if d2 >= self.worth(d2) {
                 continue;
             }
             match self.border_of(leaf, &shape, &half) {
@@ -387,9 +397,9 @@ impl Leaf {
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for st in self.rect.places() {
             let d = shape.local(self.rect.span, st);
-            let (Some(n), Some(p)) = (d.normal(), d.principal()) else { return Bend::Unsure(f64::INFINITY) };
+            let Some((n, [greater, lesser])) = d.bent() else { return Bend::Unsure(f64::INFINITY) };
             let s = (q - d.p).dot(&n);
-            let here = (p.curvature[0] * s).max(p.curvature[1] * s);
+            let here = (greater * s).max(lesser * s);
             (least, most) = (least.min(here), most.max(here));
         }
         let margin = 0.5 * (most - least);

@@ -21,6 +21,8 @@ const NODE: u32 = 1 << 31;
 const BINS: usize = 12;
 /// A normal farther from a node's third axis than this, cosine, is not bounded in its frame.
 const STEEP: f64 = 0.1;
+/// Slopes of whatever normals.
+const UNKNOWN: [f64; 2] = [-1e30, 1e30];
 /// What feet may be off by, mm: Newton's accuracy.
 const FOOT_MM: f32 = 1e-6;
 
@@ -41,19 +43,21 @@ impl Hull {
         self.sides.iter().map(|s| s.dot(axis).abs()).sum::<f64>() + self.round
     }
 
-    /// Greatest tangents of the angles between the normals and the third axis, seen along the first and the second.
-    fn slopes(&self, [a, b, c]: &[Vector; 3]) -> [f64; 2] {
-        const UNKNOWN: [f64; 2] = [f64::INFINITY; 2];
-        let Some(normals) = &self.normals else { return UNKNOWN };
+    /// Tangents of the angles between the normals and the third axis, seen along the first and the second: least and greatest.
+    fn slopes(&self, [a, b, c]: &[Vector; 3]) -> [[f64; 2]; 2] {
+        let Some(normals) = &self.normals else { return [UNKNOWN; 2] };
         let side = normals[0].dot(c).signum();
-        let mut out = [0.0f64; 2];
+        let mut out = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for n in normals {
             let height = n.dot(c) * side;
             if !(height > STEEP * n.norm()) {
-                return UNKNOWN;
+                return [UNKNOWN; 2];
             }
-            // Over a cone these quotients are greatest at its corners.
-            out = [out[0].max(n.dot(a).abs() / height), out[1].max(n.dot(b).abs() / height)];
+            // Over a cone these quotients are least and greatest at its corners.
+            for (range, axis) in out.iter_mut().zip([a, b]) {
+                let slope = n.dot(axis) * side / height;
+                *range = [range[0].min(slope), range[1].max(slope)];
+            }
         }
         out
     }
@@ -65,8 +69,9 @@ struct Node {
     axes: [Vector; 3],
     low: [[f32; WIDTH]; 3],
     high: [[f32; WIDTH]; 3],
-    /// As [`Hull::slopes`], of all that the child holds.
+    /// Middle and half of the range of [`Hull::slopes`], of all that the child holds.
     slope: [[f32; WIDTH]; 2],
+    spread: [[f32; WIDTH]; 2],
     child: [u32; WIDTH],
 }
 
@@ -126,12 +131,17 @@ impl Tree {
                 node.low[a][k] = (b.min[a] - slack) as f32;
                 node.high[a][k] = (b.max[a] + slack) as f32;
             }
-            let mut steepest = [0.0f64; 2];
+            let mut slopes = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
             for i in &items[*from..*to] {
-                let s = hulls[*i as usize].slopes(&axes);
-                steepest = [steepest[0].max(s[0]), steepest[1].max(s[1])];
+                for (range, own) in slopes.iter_mut().zip(hulls[*i as usize].slopes(&axes)) {
+                    *range = [range[0].min(own[0]), range[1].max(own[1])];
+                }
             }
-            (0..2).for_each(|a| node.slope[a][k] = (steepest[a] * (1.0 + 1e-5) + 1e-6) as f32);
+            for (a, [least, greatest]) in slopes.into_iter().enumerate() {
+                node.slope[a][k] = (0.5 * (least + greatest)) as f32;
+                let rounding = 1e-5 * least.abs().max(greatest.abs()) + 1e-6;
+                node.spread[a][k] = (0.5 * (greatest - least) + rounding) as f32;
+            }
         }
         self.nodes.push(node);
         for (k, (from, to)) in groups.into_iter().enumerate() {
@@ -187,32 +197,44 @@ impl Tree {
 impl Node {
     fn empty(axes: [Vector; 3]) -> Self {
         let low = [[f32::INFINITY; WIDTH]; 3];
-        Node { axes, low, high: low.map(|x| x.map(|y| -y)), slope: [[0.0; WIDTH]; 2], child: [NONE; WIDTH] }
+        Node {
+            axes,
+            low,
+            high: low.map(|x| x.map(|y| -y)),
+            slope: [[0.0; WIDTH]; 2],
+            spread: [[0.0; WIDTH]; 2],
+            child: [NONE; WIDTH],
+        }
     }
 
     /// Squared distances to all boxes; infinite, with `feet`, where there is no foot.
     #[inline]
     fn distances2(&self, q: &[f32; 3], feet: bool) -> [f32; WIDTH] {
         let mut sum = [0.0f32; WIDTH];
-        let mut over = [[0.0f32; WIDTH]; 3];
         for a in 0..3 {
             for k in 0..WIDTH {
                 let (below, above) = (self.low[a][k] - q[a], q[a] - self.high[a][k]);
                 let most = if below > above { below } else { above };
-                over[a][k] = if most > 0.0 { most } else { 0.0 };
-                sum[k] += over[a][k] * over[a][k];
+                let over = if most > 0.0 { most } else { 0.0 };
+                sum[k] += over * over;
             }
         }
         // What the sums may have gained by rounding.
         sum.iter_mut().for_each(|x| *x *= 1.0 - 1e-6);
         if feet {
             for k in 0..WIDTH {
-                // The greatest height of q above a point of the box.
-                let (to_high, to_low) = (self.high[2][k] - q[2], q[2] - self.low[2][k]);
-                let height = if to_high > to_low { to_high } else { to_low };
-                let first = over[0][k] > self.slope[0][k] * height + FOOT_MM;
-                let second = over[1][k] > self.slope[1][k] * height + FOOT_MM;
-                sum[k] = if first | second { f32::INFINITY } else { sum[k] };
+                // A foot lies where q is seen from it along a normal: the height of q above it, times a slope, aside.
+                let (from_low, from_high) = (q[2] - self.low[2][k], q[2] - self.high[2][k]);
+                let height = 0.5 * (from_low + from_high);
+                let thick = 0.5 * (from_low - from_high) + FOOT_MM;
+                let mut none = false;
+                for a in 0..2 {
+                    let (slope, spread) = (self.slope[a][k], self.spread[a][k]);
+                    let foot = q[a] - height * slope;
+                    let about = height.abs() * spread + thick * (slope.abs() + spread) + FOOT_MM;
+                    none |= (foot > self.high[a][k] + about) | (foot < self.low[a][k] - about);
+                }
+                sum[k] = if none { f32::INFINITY } else { sum[k] };
             }
         }
         sum
@@ -436,6 +458,19 @@ mod tests {
         }
     }
 
+    /// How many nodes are opened for a point, and the items that may hold its foot.
+    fn looked_at(tree: &Tree, q: &Point) -> (usize, Vec<u32>) {
+        let (seen, mut open, mut nodes, mut items) = (tree.see(q), vec![0], 0, Vec::new());
+        while let Some(node) = open.pop() {
+            nodes += 1;
+            tree.open(node, &seen, true, f64::INFINITY, |child, _| match child {
+                Child::Node(n) => open.push(n),
+                Child::Item(i) => items.push(i),
+            });
+        }
+        (nodes, items)
+    }
+
     /// What is left out is worth it: of a strip of pieces few are looked at.
     #[test]
     fn strips_aslant_are_told_apart() {
@@ -447,15 +482,29 @@ mod tests {
             Hull { middle: Point::origin() + n.cross(&a) * k as f64, sides, round: 0.0, normals: Some(cone) }
         };
         let hulls: Vec<Hull> = (0..1000).map(hull).collect();
-        let tree = Tree::new(&hulls);
-        let q = hulls[500].middle + n * 40.0;
-        let (seen, mut open, mut items) = (tree.see(&q), vec![0], 0);
-        while let Some(node) = open.pop() {
-            tree.open(node, &seen, true, f64::INFINITY, |child, _| match child {
-                Child::Node(n) => open.push(n),
-                Child::Item(_) => items += 1,
-            });
+        let items = looked_at(&Tree::new(&hulls), &(hulls[500].middle + n * 40.0)).1;
+        assert!(items.len() <= 2, "{items:?}");
+    }
+
+    /// Over a hollow the piece under the point is told from those beside it: their normals lie on one side of its own.
+    #[test]
+    fn a_hollow_is_looked_at_where_its_foot_is() {
+        let (count, radius) = (400, 50.0);
+        let half = 0.25 * std::f64::consts::PI / f64::from(count);
+        let out = |k: u32| {
+            let (s, c) = (f64::from(2 * k + 1) * half).sin_cos();
+            (Vector::new(c, s, 0.0), Vector::new(-s, c, 0.0))
+        };
+        let hull = |k: u32| {
+            let (n, along) = out(k);
+            let sides = [Vector::z() * 5.0, along * (radius * half), n * (radius * half * half)];
+            let cone = [1.0, 1.0, -1.0, -1.0].map(|x| n + along * (x * half));
+            Hull { middle: Point::from(n * radius), sides, round: 0.0, normals: Some(cone) }
+        };
+        let tree = Tree::new(&(0..count).map(hull).collect::<Vec<_>>());
+        for k in 0..count {
+            let (nodes, items) = looked_at(&tree, &Point::from(out(k).0 * (0.3 * radius) + Vector::z()));
+            assert!(items.contains(&k) && items.len() <= 7 && nodes <= 15, "{k}: {items:?}, {nodes} nodes");
         }
-        assert!(items <= 2, "{items}");
     }
 }
