@@ -27,6 +27,7 @@ use rayon::prelude::*;
 use super::brep::{Brep, Face};
 use super::mesh::Mesh;
 use super::nurbs::foot::ParameterSpace;
+use super::{Point, Vector};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 use loops::Ring;
@@ -38,7 +39,7 @@ pub struct Options {
     pub deflection_mm: f64,
     /// Greatest turn of the normal across one triangle or of the tangent along one chord, rad.
     pub angle_rad: f64,
-    /// End points and edges nearer than this are the same, mm.
+    /// End points and edges nearer than this are the same, mm; in small parts only those nearer than [`WELD`] of the part's size.
     pub weld_mm: f64,
 }
 
@@ -48,6 +49,9 @@ impl Options {
         Options { deflection_mm, angle_rad: 12f64.to_radians(), weld_mm: 1e-4 }
     }
 }
+
+/// No points farther apart than this share of the part's size are the same: the edges of small blades are as thin as that.
+const WELD: f64 = 2e-6;
 
 /// No chord at this side of a triangle.
 pub const NO_CHORD: u32 = u32::MAX;
@@ -119,6 +123,7 @@ pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Re
     }
     validate(brep)?;
     let mut brep = brep.clone();
+    let options = &Options { weld_mm: options.weld_mm.min(WELD * size_mm(&brep)), ..*options };
     let spaces: Vec<ParameterSpace> =
         brep.faces.iter().map(|f| ParameterSpace::of(&f.surface, 10.0 * options.weld_mm)).collect();
     edges::add_natural_loops(&mut brep, &spaces);
@@ -154,6 +159,15 @@ pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Re
     }
     out.brep = brep;
     Ok(out)
+}
+
+/// Diameter of the sphere round the middle of the edges' control points, or of the faces' where there are no edges, mm: the same however the part is turned.
+fn size_mm(brep: &Brep) -> f64 {
+    let of_edges = brep.edges.iter().flat_map(|e| &e.curve.points);
+    let of_faces = brep.faces.iter().flat_map(|f| &f.surface.points).filter(|_| brep.edges.is_empty());
+    let points: Vec<Point> = of_edges.chain(of_faces).map(|p| Point::from(p.xyz() / p.w)).collect();
+    let middle = points.iter().map(|p| p.coords).sum::<Vector>() / points.len().max(1) as f64;
+    2.0 * points.iter().map(|p| (p.coords - middle).norm()).fold(0.0, f64::max)
 }
 
 /// Fills all faces that are not filled yet.

@@ -275,6 +275,24 @@ fn blunt_edges_are_edges() {
 }
 
 /// Three corners at one end and a bent end section: the fan of a cap.
+/// Edges with a radius of a few micrometres, and ends that are not flat: the tolerances of a large part would take both sides of an edge for one.
+#[test]
+fn a_small_thin_blade_is_closed() {
+    for (half_thickness, power) in [(0.05, 1.0), (0.1, 1.5)] {
+        let at = |phi: f64, share: f64| {
+            let (s, c) = phi.sin_cos();
+            let (y, z) = (half_thickness * s.signum() * s.abs().powf(power) + 0.22 * s * s, 2.2 * c);
+            let (s, c) = (TWIST * share).sin_cos();
+            Point::new(17.0 + 7.0 * share - 0.03 * (y * y + z * z), c * y - s * z, s * y + c * z) * 0.6
+        };
+        let section = |k: usize| (0..300).map(|i| at(TAU * f64::from(i) / 300.0, k as f64 / 5.0)).collect();
+        let sections: Vec<Vec<Point>> = (0..6).map(section).collect();
+        let mesh = meshed(&[("a.curve", joined(&sections, |k| format!("# {k}\n")))]).unwrap();
+        let t = topology(&mesh);
+        assert!(t.closed(), "{half_thickness}: {} open edges", t.open_edges);
+    }
+}
+
 #[test]
 fn an_edge_with_three_corners() {
     let section = |k: usize| -> Vec<Point> {
