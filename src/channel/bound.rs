@@ -20,7 +20,7 @@ pub(super) struct Sweep {
     pub hi: f64,
     pub axes: [Vector; 2],
     /// (cos, sin) of the ends.
-    ends: [(f64, f64); 2],
+    pub ends: [(f64, f64); 2],
 }
 
 /// How much room a node has.
@@ -67,17 +67,13 @@ impl Sweep {
     }
 
     /// `v` in the frames of the tool at both ends.
-    pub fn in_tools(&self, v: &Vector) -> [Vector; 2] {
+    fn in_tools(&self, v: &Vector) -> [Vector; 2] {
         [self.tool_slope(0, v), self.tool_slope(1, v)]
     }
 
     /// The azimuths of all points within `radius` of `v` are outside the interval.
     pub fn is_beside(&self, v: &Vector, radius: f64) -> bool {
-        self.is_beside_tools(&self.in_tools(v), radius)
-    }
-
-    /// As [`Self::is_beside`] for a point in the frames of the tool at both ends.
-    pub fn is_beside_tools(&self, [at_lo, at_hi]: &[Vector; 2], radius: f64) -> bool {
+        let [at_lo, at_hi] = self.in_tools(v);
         let (before, after) = (at_lo.z < -radius, at_hi.z > radius);
         let width = self.hi - self.lo;
         if width > PI {
@@ -107,33 +103,49 @@ impl Sweep {
 pub(super) fn margin(profile: &Profile, axis: &Vector, v: &Vector) -> f64 {
     let z = v.dot(axis);
     let r = (v.norm_squared() - z * z).max(0.0).sqrt();
-    profile.frusta.iter().map(|f| f.margin(z, r).0).fold(f64::INFINITY, f64::min)
+    least_of(profile, z, r)
+}
+
+/// Margin of points at the height `z` and the radius `r`, mm.
+fn least_of(profile: &Profile, z: f64, r: f64) -> f64 {
+    profile
+        .frusta
+        .iter()
+        .fold(f64::INFINITY, |least, f| if f.above(z) >= least { least } else { least.min(f.margin(z, r).0) })
+}
+
+/// A plane that bounds a part's margin from below, in space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flat {
+    /// Over a whole node, mm.
+    pub least: f64,
+    /// At the middle of the node's box, mm. With the slope it bounds what is left of the margin wherever node and tool move.
+    pub middle: f64,
+    pub slope: Vector,
 }
 
 /// Lower bounds of the margin over a node at one axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
-    /// Over all parts of the tool, mm.
-    pub least: f64,
-    /// Over all but the nearest part, mm.
-    pub others: f64,
-    /// Of the nearest part's margin, in space: with the value `least` at the node's centre it bounds what is left of the margin
-    /// wherever node and tool move.
-    pub slope: Vector,
+    /// Of the nearest part.
+    pub flat: Flat,
     /// The nearest part, by index.
     pub part: u16,
+    /// Over all parts but the nearest, mm.
+    pub others: f64,
 }
 
 impl Facet {
     pub fn none() -> Self {
-        Facet { least: f64::INFINITY, others: f64::INFINITY, slope: Vector::zeros(), part: 0 }
+        let flat = Flat { least: f64::INFINITY, middle: f64::INFINITY, slope: Vector::zeros() };
+        Facet { flat, part: 0, others: f64::INFINITY }
     }
 
-    pub fn add(&mut self, part: usize, least: f64, slope: &Vector) {
-        if least < self.least {
-            *self = Facet { least, others: self.least, slope: *slope, part: part as u16 };
-        } else if least < self.others {
-            self.others = least;
+    pub fn add(&mut self, part: usize, flat: Flat) {
+        if flat.least < self.flat.least {
+            *self = Facet { flat, part: part as u16, others: self.flat.least };
+        } else if flat.least < self.others {
+            self.others = flat.least;
         }
     }
 }
@@ -147,6 +159,11 @@ pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, h
     let none = (f64::INFINITY, 0.0, 0.0);
     let (mut nearest, mut part, mut second) = (none, 0, f64::INFINITY);
     for (k, f) in profile.frusta.iter().enumerate() {
+        let above = f.above(z);
+        if above >= nearest.0 {
+            second = second.min(above);
+            continue;
+        }
         let at = f.margin(z, r);
         if at.0 < nearest.0 {
             (second, nearest, part) = (nearest.0, at, k);
@@ -155,27 +172,25 @@ pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, h
         }
     }
     let Some(f) = profile.frusta.get(part) else { return out };
-    let (least, slope) = plane(f, axis, (v, radius, half), (z, r), nearest);
-    out.add(part, least, &slope);
-    if second - radius > least.max(SHARE_OF_ROOM * second) {
+    out.add(part, plane(f, axis, (v, radius, half), (z, r), nearest));
+    if second - radius > out.flat.least.max(SHARE_OF_ROOM * second) {
         out.others = second - radius;
         return out;
     }
     for (k, f) in profile.frusta.iter().enumerate().filter(|(k, _)| *k != part) {
-        if out.least <= 0.0 {
+        if out.flat.least <= 0.0 {
             break;
         }
         let at = f.margin(z, r);
         if at.0 - radius < out.others {
-            let (least, slope) = plane(f, axis, (v, radius, half), (z, r), at);
-            out.add(k, least, &slope);
+            out.add(k, plane(f, axis, (v, radius, half), (z, r), at));
         }
     }
     out
 }
 
-/// As [`facet`] for one part alone: the bound and the slope of the plane that gives it.
-pub(super) fn facet_of(f: &Frustum, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> (f64, Vector) {
+/// As [`facet`] for one part alone.
+pub(super) fn facet_of(f: &Frustum, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Flat {
     let (z, r) = height_and_radius(axis, v);
     plane(f, axis, (v, radius, half), (z, r), f.margin(z, r))
 }
@@ -186,14 +201,14 @@ fn height_and_radius(axis: &Vector, v: &Vector) -> (f64, f64) {
     (z, (v.norm_squared() - z * z).max(0.0).sqrt())
 }
 
-/// The bound over the box and its slope from margin and derivatives at the box's middle, of height `z` and radius `r`.
+/// The plane for the box from margin and derivatives at the box's middle, of height `z` and radius `r`.
 fn plane(
     f: &Frustum,
     axis: &Vector,
     (v, radius, half): (&Vector, f64, &[Vector; 3]),
     (z, r): (f64, f64),
     (m, by_z, by_r): (f64, f64, f64),
-) -> (f64, Vector) {
+) -> Flat {
     let k = if r > 0.0 { by_r / r } else { 0.0 };
     let slope = v * k + axis * (by_z - k * z);
     let along = half.map(|h| slope.dot(&h));
@@ -201,11 +216,11 @@ fn plane(
     let least = m - fall.min(radius);
     if least < SHARE_OF_ROOM * m && m > NONE_MM {
         let two = by_two(f, axis, v, half, (m, &slope, &along));
-        if two.0 > least {
+        if two.least > least {
             return two;
         }
     }
-    (least, slope)
+    Flat { least, middle: m, slope }
 }
 
 /// Share of the room at a box's middle that one plane must leave, or two are tried: more room lasts for more places.
@@ -213,22 +228,21 @@ const SHARE_OF_ROOM: f64 = 0.5;
 /// Shares of the second plane that are tried.
 const SHARES: [f64; 4] = [0.5, 0.75, 0.25, 1.0];
 
-/// A bound of the margin over the box and the slope of the plane that gives it: the best of some mixtures of the tangent plane at the middle,
-/// of value `m` there, and that at the box's lowest corner by it.
+/// The best of some mixtures of the tangent plane at the box's middle, of value `m` there, and that at the box's lowest corner by it.
 fn by_two(
     f: &Frustum,
     axis: &Vector,
     v: &Vector,
     half: &[Vector; 3],
     (m, slope, along): (f64, &Vector, &[f64; 3]),
-) -> (f64, Vector) {
+) -> Flat {
     let mut corner = *v;
     for (h, a) in half.iter().zip(along) {
         corner -= h * a.signum();
     }
     let (there, second) = clear::margin(f, axis, &corner);
     if there <= NONE_MM {
-        return (there.min(0.0), *slope);
+        return Flat { least: there.min(0.0), middle: m, slope: *slope };
     }
     let at_middle = there + second.dot(&(v - corner));
     let with = half.map(|h| second.dot(&h));
@@ -244,12 +258,14 @@ fn by_two(
             break;
         }
     }
-    (best.0, slope * (1.0 - best.1) + second * best.1)
+    let (least, share) = best;
+    let rest = 1.0 - share;
+    Flat { least, middle: rest * m + share * at_middle, slope: slope * rest + second * share }
 }
 
 /// Lower bound of the margin over a box, mm.
 pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
-    facet(profile, axis, v, radius, half).least
+    facet(profile, axis, v, radius, half).flat.least
 }
 
 /// As [`least_margin`], with the tool turned to each point's own azimuth. There the margin depends on the point's `x` and
@@ -266,8 +282,7 @@ pub(super) fn least_at_own_azimuth(
     if rho <= 2.0 * radius {
         // A point of the turning axis has the same margin at all angles.
         let (z, r) = (v.x * b.0, (v.x * b.1).abs());
-        let on_axis = profile.frusta.iter().map(|f| f.margin(z, r).0).fold(f64::INFINITY, f64::min);
-        return on_axis - rho - radius;
+        return least_of(profile, z, r) - rho - radius;
     }
     let away = Vector::new(0.0, v.y / rho, v.z / rho);
     let axis = Vector::new(b.0, b.1 * away.y, b.1 * away.z);
@@ -276,6 +291,9 @@ pub(super) fn least_at_own_azimuth(
     let r = (v.norm_squared() - z * z).max(0.0).sqrt();
     let mut least = f64::INFINITY;
     for f in &profile.frusta {
+        if f.above(z) - radius - bend >= least {
+            continue;
+        }
         let (m, by_z, by_r) = f.margin(z, r);
         if m - radius - bend >= least {
             continue;
@@ -337,7 +355,7 @@ fn room_beside(
         let mut both = [Facet::none(); 2];
         for (out, axis) in both.iter_mut().zip(&s.axes) {
             *out = facet(profile, axis, v, radius, half);
-            mm = mm.min(out.least);
+            mm = mm.min(out.flat.least);
             if mm <= NONE_MM {
                 return None;
             }

@@ -42,9 +42,14 @@ pub(super) struct Tangent {
 }
 
 impl Tangent {
+    /// The value at a point, mm.
+    pub fn over(&self, p: &Vector) -> f64 {
+        self.margin + self.slope.dot(&(p - self.at))
+    }
+
     /// The least value over a triangle, mm.
     pub fn least(&self, corners: &[Vector; 3]) -> f64 {
-        self.margin + corners.iter().map(|c| self.slope.dot(&(c - self.at))).fold(f64::INFINITY, f64::min)
+        corners.iter().map(|c| self.over(c)).fold(f64::INFINITY, f64::min)
     }
 }
 

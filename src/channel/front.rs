@@ -2,26 +2,33 @@
 //!
 //! Two certificates each. **Room**: all of it, less the way of the ball centre, less what the intervals grow outwards times the
 //! distance from the turning axis. **Facets**: the tangent planes of the nearest part's distance at both ends of the interval,
-//! fixed to the tool. The distance from a part is convex in the tool's frame, so they bound it wherever the node goes there; a node's
-//! extent along a plane changes by its radius times the turn, at most. The other parts keep their room. Where planes hold, the room is what they
-//! leave; where they do not any more, new ones of the same parts are tried before the node is given up: near the place where the tool
-//! touches, that is at every step.
+//! fixed to the tool. The distance from a part is convex in the tool's frame, so they bound it wherever the node goes there; how far a node
+//! reaches along a plane is followed side by side of its box as the tool turns. The other parts keep their room. Where planes hold, the room is what they
+//! leave; where they do not any more, new ones of the same parts are tried before the node is given up.
+//!
+//! A node with room for some steps is passed over until that is used up. Near the places where the tool touches there is none for a single step:
+//! there the planes are looked at at every place.
 
 use crate::geometry::{Point, Vector};
 
-use super::bound::{self, Room, Sweep};
+use super::bound::{self, Flat, Room, Sweep};
 use super::forbidden::{Body, Start};
+use super::lanes::Lanes;
+use super::tree;
 
 /// Room that is none, mm.
 const NONE_MM: f64 = 1e-9;
 /// Room of other parts that counts, mm.
 const MOST_MM: f64 = 1e3;
 
+/// Steps that a node must have room for to be passed over: less is looked up sooner than filed.
+const STEPS: f64 = 8.0;
+
 /// Used up at: way plus growth times `across`.
-#[derive(Clone, Copy)]
-struct Limit {
-    across: f64,
-    at: f64,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limit {
+    pub across: f64,
+    pub at: f64,
 }
 
 impl Limit {
@@ -52,32 +59,59 @@ pub(super) struct Now<'a> {
     pub bodies: &'a [Body<'a>],
 }
 
-/// A bound of the margin at one end, in the tool's frame.
-#[derive(Clone, Copy)]
-struct Plane {
-    slope: Vector,
-    offset: f64,
-    theta: f64,
+/// A bound of the margin at one end, in the tool's frame, and how the node's extent along it changes as the tool turns. At some angle from where the
+/// plane was laid the lowest place of the node is under its centre by what is in `offset` already, the `tilt` of its longer side and its other
+/// sides' `turn`, and half the angle's square times its radius.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    pub slope: Vector,
+    /// Bound at the ball centre, less what sides other than the tilting one take away.
+    pub offset: f64,
+    pub theta: f64,
+    /// Fall along half a side, mm, and how much of it comes with a radian.
+    pub tilt: [f64; 2],
+    /// What a radian costs besides, mm.
+    pub turn: f64,
     /// The part of the tool that it is about.
-    part: u16,
+    pub part: u16,
 }
 
 impl Plane {
-    /// Of the part's margin at the end `k`, at least `least` with this slope in space about a node's centre, seen as `v`.
-    fn new(part: u16, (least, slope): (f64, &Vector), v: &Vector, sweep: &Sweep, k: usize) -> Self {
+    /// Of the part's margin at the end `k`, for a node whose box has its centre at `v`.
+    pub fn new(part: u16, flat: &Flat, v: &Vector, node: &tree::Node, sweep: &Sweep, k: usize) -> Self {
+        let slope = &flat.slope;
         let theta = if k == 0 { sweep.lo } else { sweep.hi };
-        Plane { slope: sweep.tool_slope(k, slope), offset: least - slope.dot(v), theta, part }
+        let at_ball = slope.dot(v);
+        let mut plane = Plane {
+            slope: sweep.tool_slope(k, slope),
+            offset: flat.least - at_ball,
+            theta,
+            tilt: [0.0; 2],
+            turn: node.radius,
+            part,
+        };
+        let [thick, long, across] = node.half.map(|h| slope.dot(&h));
+        let level = flat.middle - thick.abs() - long.abs();
+        // Not where the plane does for the node alone, and not for its box.
+        if level - across.abs() > NONE_MM {
+            let turn = node.half.map(|h| slope.y * h.z - slope.z * h.y);
+            plane.offset = level - at_ball;
+            plane.tilt = [across, turn[2]];
+            plane.turn = turn[0].abs() + turn[1].abs();
+        }
+        plane
     }
 }
 
-#[derive(Clone, Copy)]
-struct Node {
-    at: Start,
-    centre: Point,
-    radius: f64,
+/// A node with planes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub at: Start,
+    pub centre: Point,
+    pub radius: f64,
     /// Of the parts that the planes are not about.
-    others: Option<Limit>,
-    planes: [Plane; 2],
+    pub others: Limit,
+    pub planes: [Plane; 2],
 }
 
 /// A node that may not be clear any more.
@@ -95,114 +129,125 @@ impl Due {
     }
 }
 
+/// A node that is passed over, and its planes where it has any.
+#[derive(Clone, Copy)]
+struct Lasting {
+    at: Start,
+    node: Option<Node>,
+}
+
 /// The front.
 #[derive(Default)]
 pub(super) struct Front {
     limits: Vec<Limit>,
-    nodes: Vec<Node>,
+    /// One for each limit.
+    lasting: Vec<Lasting>,
+    /// Looked at at every place.
+    brief: Lanes,
+    rooms: Vec<f64>,
 }
 
 impl Front {
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.lasting.len() + self.brief.len()
     }
 
     pub fn clear(&mut self) {
         self.limits.clear();
-        self.nodes.clear();
+        self.lasting.clear();
+        self.brief.clear();
     }
 
     /// Takes a node in, with its room about what is swept now.
-    pub fn hold(&mut self, (at, centre, radius): (Start, Point, f64), room: &Room, now: &Now) {
-        let none = Plane { slope: Vector::zeros(), offset: 0.0, theta: 0.0, part: 0 };
-        let mut node = Node { at, centre, radius, others: None, planes: [none; 2] };
+    pub fn hold(&mut self, at: Start, room: &Room, now: &Now) {
+        let mut with_planes = None;
         if let (Some(facets), [sweep]) = (&room.facets, now.sweeps.as_slice()) {
             let others = facets[0].others.min(facets[1].others).min(MOST_MM);
-            node.others = Some(Limit::new(others, room.across - room.mm + others, now.used));
-            let v = centre - now.ball;
-            node.planes = [0, 1].map(|k| {
-                let f = &facets[k];
-                Plane::new(f.part, (f.least, &f.slope), &v, sweep, k)
-            });
+            let others = Limit::new(others, room.across - room.mm + others, now.used);
+            let on = now.bodies[usize::from(at.0)].tree.node(at.1);
+            let v = on.centre - now.ball;
+            let planes = [0, 1].map(|k| Plane::new(facets[k].part, &facets[k].flat, &v, on, sweep, k));
+            let node = Node { at, centre: on.centre, radius: on.radius, others, planes };
+            if room.mm <= STEPS * now.step_mm {
+                self.brief.push(&node);
+                return;
+            }
+            with_planes = Some(node);
         }
         self.limits.push(Limit::new(room.mm, room.across, now.used));
-        self.nodes.push(node);
+        self.lasting.push(Lasting { at, node: with_planes });
     }
 
     /// Takes out the nodes that may not be clear any more.
     pub fn drop_due(&mut self, now: &Now, due: &mut Vec<Due>) {
         let mut k = 0;
-        while let Some(limit) = self.limits.get_mut(k) {
+        while let Some(limit) = self.limits.get(k) {
             if limit.holds(now.used) {
                 k += 1;
                 continue;
             }
-            let node = &mut self.nodes[k];
-            let mm = match node.prolonged(now) {
-                Ok(mm) => mm,
-                Err(due_now) => {
-                    due.push(due_now);
-                    self.limits.swap_remove(k);
-                    self.nodes.swap_remove(k);
-                    continue;
-                }
-            };
-            if mm > now.step_mm {
-                *limit = Limit::new(mm, node.rho(now) + mm, now.used);
+            self.limits.swap_remove(k);
+            let Lasting { at, node } = self.lasting.swap_remove(k);
+            match node {
+                Some(node) => self.brief.push(&node),
+                None => due.push(Due::new(at)),
             }
-            k += 1;
+        }
+        let [sweep] = now.sweeps.as_slice() else {
+            due.extend((0..self.brief.len()).map(|k| Due::new(self.brief.name(k).0)));
+            self.brief.clear();
+            return;
+        };
+        self.brief.rooms(now, sweep, &mut self.rooms);
+        // From the last on, since the last takes the place of one that is taken out.
+        for k in (0..self.brief.len()).rev() {
+            let room = self.rooms[k];
+            if room > STEPS * now.step_mm {
+                let node = self.brief.get(k);
+                self.brief.swap_remove(k);
+                self.limits.push(Limit::new(room, node.rho(now) + room, now.used));
+                self.lasting.push(Lasting { at: node.at, node: Some(node) });
+            } else if room <= NONE_MM {
+                let (at, parts) = self.brief.name(k);
+                match Node::renewed(at, parts, self.brief.others(k), now, sweep) {
+                    Ok(node) => self.brief.put(k, &node),
+                    Err(gone) => {
+                        self.brief.swap_remove(k);
+                        due.push(gone);
+                    }
+                }
+            }
         }
     }
 }
 
 impl Node {
-    /// What planes leave of room, old ones or new ones, mm; an error where that is nothing.
-    fn prolonged(&mut self, now: &Now) -> Result<f64, Due> {
-        let due = Due::new(self.at);
-        let (Some(others), [sweep]) = (self.others, now.sweeps.as_slice()) else { return Err(due) };
-        let left = others.left(now.used);
-        if left <= NONE_MM {
-            return Err(due);
-        }
-        let seen = sweep.in_tools(&(self.centre - now.ball));
-        let mm = if sweep.is_beside_tools(&seen, self.radius) { self.by_planes(&seen, sweep) } else { 0.0 };
-        Ok(if mm > NONE_MM { mm } else { self.renewed(now, sweep)? }.min(left))
-    }
-
     /// Distance of its farthest point from the turning axis, mm.
     fn rho(&self, now: &Now) -> f64 {
         let v = self.centre - now.ball;
         (v.y * v.y + v.z * v.z).sqrt() + self.radius
     }
 
-    /// Room at both ends by the planes, with the centre seen from the tools there, mm.
-    fn by_planes(&self, seen: &[Vector; 2], sweep: &Sweep) -> f64 {
-        let [lo, hi] = &self.planes;
-        (lo.offset + lo.slope.dot(&seen[0]) - (sweep.lo - lo.theta).abs() * self.radius)
-            .min(hi.offset + hi.slope.dot(&seen[1]) - (sweep.hi - hi.theta).abs() * self.radius)
-    }
-
-    /// Room at both ends by new planes of the same parts, mm.
-    fn renewed(&mut self, now: &Now, sweep: &Sweep) -> Result<f64, Due> {
-        let due = Due::new(self.at);
-        let on = &now.bodies[usize::from(self.at.0)];
-        let node = on.tree.node(self.at.1);
+    /// A node with new planes of the same parts; an error where they leave no room.
+    fn renewed(at: Start, parts: [u16; 2], others: Limit, now: &Now, sweep: &Sweep) -> Result<Self, Due> {
+        let due = Due::new(at);
+        let on = &now.bodies[usize::from(at.0)];
+        let node = on.tree.node(at.1);
         let v = node.centre - now.ball;
-        if !bound::one_arc(&on.profile, &v, node.radius) || !sweep.is_beside(&v, node.radius) {
+        if others.left(now.used) <= NONE_MM
+            || !bound::one_arc(&on.profile, &v, node.radius)
+            || !sweep.is_beside(&v, node.radius)
+        {
             return Err(due);
         }
-        let mut room = f64::INFINITY;
-        for k in 0..2 {
-            let part = self.planes[k].part;
-            let f = on.profile.frusta.get(usize::from(part)).ok_or(due)?;
-            let (least, slope) = bound::facet_of(f, &sweep.axes[k], &v, node.radius, &node.half);
-            if least <= NONE_MM {
+        let plane = |k: usize| {
+            let f = on.profile.frusta.get(usize::from(parts[k])).ok_or(due)?;
+            let flat = bound::facet_of(f, &sweep.axes[k], &v, node.radius, &node.half);
+            if flat.least <= NONE_MM {
                 return Err(Due { looked: true, ..due });
             }
-            room = room.min(least);
-            self.planes[k] = Plane::new(part, (least, &slope), &v, sweep, k);
-        }
-        (self.centre, self.radius) = (node.centre, node.radius);
-        Ok(room)
+            Ok(Plane::new(parts[k], &flat, &v, node, sweep, k))
+        };
+        Ok(Node { at, centre: node.centre, radius: node.radius, others, planes: [plane(0)?, plane(1)?] })
     }
 }

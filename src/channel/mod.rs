@@ -38,6 +38,7 @@ mod chain;
 mod clear;
 mod forbidden;
 mod front;
+mod lanes;
 mod moves;
 mod options;
 mod pending;

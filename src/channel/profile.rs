@@ -124,6 +124,12 @@ impl Frustum {
         (d - self.clearance, gz, gr)
     }
 
+    /// No point at the height `z` has a lesser margin: how far above it the frustum begins, less its clearance. For most points most of the tool is far
+    /// above, and need not be looked at.
+    pub fn above(&self, z: f64) -> f64 {
+        self.z0 - z - self.clearance
+    }
+
     /// The circle's lowest point inside: on the front face, the lower rim, the side or the upper rim, in this order as
     /// the distance grows.
     fn low(&self, d: f64, d2: f64, c: f64, bottom: f64) -> f64 {

@@ -22,7 +22,7 @@ use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness};
-use super::bound::{self, Between, Facet, Room, Sweep};
+use super::bound::{self, Between, Facet, Flat, Room, Sweep};
 use super::clear::{self, Near, Verdict};
 use super::forbidden::{Free, Scene, Search, Start, View};
 use super::front::{Due, Front, Now};
@@ -125,7 +125,7 @@ impl<'a> Tracker<'a> {
         }
         self.update_sweeps();
         for (body, leaf) in std::mem::take(&mut self.ends) {
-            self.settle(body, leaf);
+            self.settle(body, leaf, None);
         }
         let fresh = self.fill_gaps();
         self.age += 1;
@@ -280,35 +280,31 @@ impl<'a> Tracker<'a> {
             let v = node.centre - centre;
             let room = || bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &node.half);
             if let Some(room) = if looked { None } else { room() } {
-                self.hold((body, index), node.centre, node.radius, &room);
+                self.front.hold((body, index), &room, &self.now);
                 continue;
             }
             match on.tree.below(index) {
                 Below::Nodes(left, right) => self.open.extend([right, left].map(|i| Due::new((body, i)))),
                 Below::Leaf(leaf) => {
-                    let room = self.settle(body, leaf).unwrap_or(Room::new(f64::NEG_INFINITY, 0.0));
-                    let (middle, radius) = on.tree.sphere(leaf);
-                    self.hold((body, index), middle, radius, &room);
+                    let room = self.settle(body, leaf, Some(&v)).unwrap_or(Room::new(f64::NEG_INFINITY, 0.0));
+                    self.front.hold((body, index), &room, &self.now);
                 }
             }
         }
     }
 
-    fn hold(&mut self, at: Start, centre: Point, radius: f64, room: &Room) {
-        self.front.hold((at, centre, radius), room, &self.now);
-    }
-
     /// Makes known what a leaf forbids beyond what is; the room that is left, where there is any. Where nothing can be shown for
     /// the whole leaf it is halved.
-    fn settle(&mut self, body: u16, leaf: u32) -> Option<Room> {
+    fn settle(&mut self, body: u16, leaf: u32, box_at: Option<&Vector>) -> Option<Room> {
         let scene = self.scene;
         let on = &scene.bodies[usize::from(body)];
         let (centre, b) = (self.search.centre(), self.search.b());
         let (middle, radius) = on.tree.sphere(leaf);
         let whole = middle - centre;
         let (mut least, mut looked) = (f64::INFINITY, 0);
-        let mut open = vec![(on.tree.corners(leaf).map(|c| c - centre), whole, radius)];
-        'pieces: while let Some((corners, middle, radius)) = open.pop() {
+        let mut open = Vec::new();
+        let mut piece = Some((on.tree.corners(leaf).map(|c| c - centre), whole, radius));
+        'pieces: while let Some((corners, middle, radius)) = piece.take().or_else(|| open.pop()) {
             looked += 1;
             if looked > PIECES {
                 self.search.take_leaf(body, leaf);
@@ -322,7 +318,7 @@ impl<'a> Tracker<'a> {
                 let mut between = bound::between_ends(&on.profile, &self.now.sweeps, b, &corners, &middle, radius);
                 let mut found = Look::Open;
                 if let Between::Around(tall) = between {
-                    found = look(tall, &self.now.sweeps, &corners, &middle, radius);
+                    found = look(tall, &self.now.sweeps, &corners, (&middle, radius), box_at);
                     let mut axes = self.now.sweeps.iter().flat_map(|s| s.axes);
                     let mut own = |p: &Vector| axes.any(|axis| bound::margin(&on.profile, &axis, p) <= 0.0);
                     let decided = match &found {
@@ -340,7 +336,7 @@ impl<'a> Tracker<'a> {
                         least = least.min(mm);
                         continue 'pieces;
                     }
-                    Between::Ends => found = look(&on.profile, &self.now.sweeps, &corners, &middle, radius),
+                    Between::Ends => found = look(&on.profile, &self.now.sweeps, &corners, (&middle, radius), box_at),
                     Between::Nothing | Between::Around(_) => {}
                 }
                 match found {
@@ -411,19 +407,34 @@ enum Look {
     Open,
 }
 
-/// Looks at a triangle at the ends of all intervals; it lies within `radius` of its point `middle`.
-fn look(profile: &Profile, sweeps: &[Sweep], corners: &[Vector; 3], middle: &Vector, radius: f64) -> Look {
+/// Looks at a triangle at the ends of all intervals; it lies within `radius` of its point `middle`, and the box of its node about `box_at`.
+fn look(
+    profile: &Profile,
+    sweeps: &[Sweep],
+    corners: &[Vector; 3],
+    (middle, radius): (&Vector, f64),
+    box_at: Option<&Vector>,
+) -> Look {
+    let box_at = box_at.unwrap_or(middle);
     let mut facets = Some([Facet::none(); 2]);
     for axes in sweeps.iter().map(|s| &s.axes) {
         for (k, axis) in axes.iter().enumerate() {
             let z = middle.dot(axis);
             let r = (middle.norm_squared() - z * z).max(0.0).sqrt();
             for (part, f) in profile.frusta.iter().enumerate() {
+                let above = f.above(z) - radius;
+                if above > 0.0 && facets.as_ref().is_none_or(|both| above >= both[k].flat.least) {
+                    if let Some(both) = &mut facets {
+                        both[k].others = both[k].others.min(above);
+                    }
+                    continue;
+                }
                 let (m, by_z, by_r) = f.margin(z, r);
                 if m > radius {
                     if let Some(both) = &mut facets {
                         let t = if r > 0.0 { by_r / r } else { 0.0 };
-                        both[k].add(part, m - radius, &(middle * t + axis * (by_z - t * z)));
+                        let slope = middle * t + axis * (by_z - t * z);
+                        both[k].add(part, Flat { least: m - radius, middle: m + slope.dot(&(box_at - middle)), slope });
                     }
                     continue;
                 }
@@ -431,7 +442,9 @@ fn look(profile: &Profile, sweeps: &[Sweep], corners: &[Vector; 3], middle: &Vec
                     Near::Clear(tangent) => {
                         let least = tangent.least(corners);
                         match &mut facets {
-                            Some(both) if least > 1e-9 => both[k].add(part, least, &tangent.slope),
+                            Some(both) if least > 1e-9 => {
+                                both[k].add(part, Flat { least, middle: tangent.over(box_at), slope: tangent.slope })
+                            }
                             _ => facets = None,
                         }
                     }
@@ -443,7 +456,7 @@ fn look(profile: &Profile, sweeps: &[Sweep], corners: &[Vector; 3], middle: &Vec
     }
     let rho = (middle.y * middle.y + middle.z * middle.z).sqrt() + radius;
     Look::Clear(facets.filter(|_| sweeps.len() == 1).map(|both| {
-        let mm = both[0].least.min(both[1].least);
+        let mm = both[0].flat.least.min(both[1].flat.least);
         Room { mm, across: rho + mm, facets: Some(both) }
     }))
 }
