@@ -244,7 +244,13 @@ impl March<'_> {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
-        Ok(self.tidy(Overrun::of(&[], &kept, std::iter::empty()).without_loops()))
+        // On exact faces stretches that run into one another are found by their neighbours; a turn round a thin edge may seem to cross itself there.
+        let whole = if self.evening.ways.is_some() {
+            Overrun::of(&[], &kept, std::iter::empty()).without_loops()
+        } else {
+            kept
+        };
+        Ok(self.tidy(whole))
     }
 
     /// The end of a turn, as long as the evening of a front looks.

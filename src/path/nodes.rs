@@ -225,9 +225,10 @@ impl March<'_> {
         Some(touch)
     }
 
-    /// So wide a stretch without a neighbour is passed over, mm.
+    /// So wide a stretch without a neighbour is passed over, mm; over facets, where single ones stop the ball, twice as wide.
     fn widest_mm(&self) -> f64 {
-        4.0 * self.flat_mm + 6.0 * self.step_mm
+        let times = if self.evening.ways.is_some() { 2.0 } else { 1.0 };
+        times * (2.0 * self.flat_mm + 3.0 * self.step_mm)
     }
 
     /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that go on: one touch that stays behind while all

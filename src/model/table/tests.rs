@@ -274,7 +274,6 @@ fn blunt_edges_are_edges() {
     }
 }
 
-/// Three corners at one end and a bent end section: the fan of a cap.
 /// Edges with a radius of a few micrometres, and ends that are not flat: the tolerances of a large part would take both sides of an edge for one.
 #[test]
 fn a_small_thin_blade_is_closed() {
@@ -293,6 +292,7 @@ fn a_small_thin_blade_is_closed() {
     }
 }
 
+/// Three corners at one end and a bent end section: the fan of a cap.
 #[test]
 fn an_edge_with_three_corners() {
     let section = |k: usize| -> Vec<Point> {
