@@ -7,7 +7,7 @@
 //! a corner (one smaller than the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
 use super::level::{LevelSet, Touch};
-use super::stepover::ridge_height;
+use super::stepover::ridge_over_creases;
 use crate::geometry::{Point, Vector};
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
@@ -169,8 +169,9 @@ impl Across<'_> {
     /// cannot go there.
     pub fn neighbour(&self, from: &Place, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
         let next = self.straight(from, h_mm, guess_mm).or_else(|| {
-            let ridge =
-                |t: &Touch, _: f64| ridge_height(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY);
+            let ridge = |t: &Touch, _: f64| {
+                ridge_over_creases(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY)
+            };
             self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
         })?;
         Some(self.short_of_an_edge(from, turn, next))
@@ -270,7 +271,7 @@ impl Across<'_> {
         let mut asked = guess_mm;
         for _ in 0..MOST_TRIES {
             let (touch, way_mm) = self.beside(from, asked)?;
-            let ridge = ridge_height(self.level, &from.touch.centre, &touch.centre)?;
+            let ridge = ridge_over_creases(self.level, &from.touch.centre, &touch.centre)?;
             let factor = (h_mm / ridge.max(1e-3 * h_mm)).sqrt();
             let inside = self.bounds.hold(&touch);
             if !inside && factor >= 1.0 {

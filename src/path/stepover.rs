@@ -15,6 +15,10 @@ const RIDGE_STEPS: usize = 9;
 const RIDGE_PLACE: f64 = 1e-3;
 /// Contacts with normals this near to one another are on facets of one wall, rad.
 const ONE_WALL_RAD: f64 = 0.2;
+/// A contact that goes so many times as far as the ball jumps over a crease.
+const JUMP: f64 = 3.0;
+/// Halvings of the turn between the contacts of a ball in a crease.
+const CREASE_HALVINGS: usize = 12;
 /// The roots of both heights are equal within this share of their sum where the ridge is.
 const EVEN: f64 = 0.01;
 
@@ -27,6 +31,16 @@ const EVEN: f64 = 0.01;
 /// how high the ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the curvature jumps the greatest
 /// height found is left there indeed.
 pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
+    ridge(level, a, b, false)
+}
+
+/// As [`ridge_height`], and over what a ball in a crease between the passes, at two contacts at once, would leave standing in the corner under it:
+/// two passes on both sides of a crease leave more there than at any contact.
+pub fn ridge_over_creases(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
+    ridge(level, a, b, true)
+}
+
+fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64> {
     let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
     let mut share = 0.5;
     // The nearest places known at which `a` leaves less than `b`, and more.
@@ -45,7 +59,7 @@ pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
         if (root_a - root_b).abs() <= EVEN * (root_a + root_b) {
             return Some((rate_a * rate_b / (rate_a + rate_b).max(1e-300)).powi(2));
         }
-        let side = Side { share, root_a, root_b, normal: between.normal };
+        let side = Side { share, root_a, root_b, contact: between.contact, normal: between.normal };
         if root_a > root_b {
             more = Some(side)
         } else {
@@ -63,6 +77,10 @@ pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
         share = if next > low && next < high { next } else { 0.5 * (low + high) };
     }
     match (less, more) {
+        (Some(l), Some(m)) if in_creases && l.is_over_a_crease(&m, level.radius_mm) => {
+            let under = l.crease(&m, [a, b], level.radius_mm);
+            Some(ridge.map_or(under, |r| r.max(under)))
+        }
         // Between neighbouring facets the contact jumps; the ridge is between the two contacts.
         (Some(l), Some(m)) if l.finite() && m.finite() && l.normal.angle(&m.normal) < ONE_WALL_RAD => {
             Some((l.root_a + l.crossing(&m) * (m.root_a - l.root_a)).powi(2))
@@ -78,10 +96,40 @@ struct Side {
     /// Roots of the heights left by the one and the other.
     root_a: f64,
     root_b: f64,
+    contact: Point,
     normal: Vector,
 }
 
 impl Side {
+    /// Whether the ball goes less far from here to `more` than its contact jumps: in a hollow narrower than itself. Round an edge it goes farther.
+    fn is_over_a_crease(&self, more: &Side, radius_mm: f64) -> bool {
+        let jump = more.contact - self.contact;
+        let gone = jump + (more.normal - self.normal) * radius_mm;
+        jump.norm() > JUMP * gone.norm()
+    }
+
+    /// The height that both passes leave over the ball between them, which touches here and at `more`: between its contacts it is the lowest that any ball
+    /// comes to.
+    fn crease(&self, more: &Side, [a, b]: [&Point; 2], radius_mm: f64) -> f64 {
+        // The ball that touches the planes of both contacts.
+        let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
+        let middle = nalgebra::center(&centres[0], &centres[1]);
+        let off = [0, 1].map(|k| (centres[k] - middle).dot(&[self, more][k].normal));
+        let cos = self.normal.dot(&more.normal);
+        let [here, there] = [off[0] - cos * off[1], off[1] - cos * off[0]].map(|d| d / (1.0 - cos * cos).max(1e-9));
+        let centre = middle + self.normal * here + more.normal * there;
+        let (mut low, mut high, mut height) = (0.0, 1.0, 0.0f64);
+        for _ in 0..CREASE_HALVINGS {
+            let share = 0.5 * (low + high);
+            let Some(normal) = self.normal.lerp(&more.normal, share).try_normalize(1e-6) else { break };
+            let p = centre - normal * radius_mm;
+            let [of_a, of_b] = [a, b].map(|c| ray_into_ball(&p, &normal, c, radius_mm));
+            height = of_a.min(of_b);
+            if of_a > of_b { high = share } else { low = share }
+        }
+        height
+    }
+
     fn finite(&self) -> bool {
         self.root_a.is_finite() && self.root_b.is_finite()
     }
@@ -114,4 +162,40 @@ pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
     let rank = if level.part.brep.is_some() { 1.0 } else { 0.99 };
     let last = heights_mm.len().saturating_sub(1);
     heights_mm.get((last as f64 * rank).round() as usize).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::geometry::allowance::Allowed;
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+
+    /// Two passes to both sides of a hollow edge, `s` from the ball that touches both its flanks: over that ball the ridge is
+    /// `R + s sin(δ/2) − √(R² − s² cos²(δ/2))`; at its contacts alone it is `R − √(R² − s²)`.
+    #[test]
+    fn a_ridge_over_a_hollow_edge_is_that_over_the_ball_in_it() {
+        let (radius_mm, s) = (0.3, 0.05);
+        for (bend_deg, of_contacts) in [(16.0, 0.65), (32.0, 0.4), (90.0, 0.2)] {
+            let half = 0.5 * f64::to_radians(bend_deg);
+            let mut mesh = Mesh::default();
+            for x in [-9.0, 9.0] {
+                mesh.points.extend([-5.0, 0.0, 5.0].map(|y: f64| Point::new(x, y, y.abs() * half.tan())));
+            }
+            mesh.triangles.extend([[0, 3, 1], [1, 3, 4], [1, 4, 2], [2, 4, 5]]);
+            let part = Part::from_mesh(mesh);
+            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm };
+            let passes = [-s, s].map(|t| Point::new(0.0, t * half.cos(), radius_mm / half.cos() + s * half.sin()));
+            for p in &passes {
+                assert!((level.touch(p, 0.1).unwrap().centre - p).norm() < 1e-6);
+            }
+            let found = ridge_over_creases(&level, &passes[0], &passes[1]).unwrap();
+            let expected = radius_mm + s * half.sin() - (radius_mm.powi(2) - (s * half.cos()).powi(2)).sqrt();
+            assert!((found / expected - 1.0).abs() < 0.005, "{bend_deg}°: {found} for {expected}");
+            if bend_deg > 20.0 {
+                assert!(ridge_height(&level, &passes[0], &passes[1]).unwrap() < of_contacts * expected);
+            }
+        }
+    }
 }
