@@ -249,7 +249,6 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     assert!(over < 0.005, "{over} mm more than the forms");
 }
 
-/// Loose, mixed-up IGES faces with slivers: above the fillet with a large ball, the fillet with one that fits into it.
 /// Thin blades, with edges that every turn goes round: no turn lies on the next, and none is left out.
 #[test]
 #[ignore = "real blades, see the file's head"]
@@ -267,6 +266,7 @@ fn corpus_thin_blades_are_cut_once() {
     }
 }
 
+/// Loose, mixed-up IGES faces with slivers: above the fillet with a large ball, the fillet with one that fits into it.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_above_its_fillet() {

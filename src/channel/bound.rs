@@ -101,8 +101,7 @@ impl Sweep {
 
 /// Margin of a point from the tool about `axis`, mm.
 pub(super) fn margin(profile: &Profile, axis: &Vector, v: &Vector) -> f64 {
-    let z = v.dot(axis);
-    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    let (z, r) = height_and_radius(axis, v);
     least_of(profile, z, r)
 }
 
@@ -196,7 +195,7 @@ pub(super) fn facet_of(f: &Frustum, axis: &Vector, v: &Vector, radius: f64, half
 }
 
 /// Height over the ball centre and distance from the tool's axis.
-fn height_and_radius(axis: &Vector, v: &Vector) -> (f64, f64) {
+pub(super) fn height_and_radius(axis: &Vector, v: &Vector) -> (f64, f64) {
     let z = v.dot(axis);
     (z, (v.norm_squared() - z * z).max(0.0).sqrt())
 }
@@ -287,8 +286,7 @@ pub(super) fn least_at_own_azimuth(
     let away = Vector::new(0.0, v.y / rho, v.z / rho);
     let axis = Vector::new(b.0, b.1 * away.y, b.1 * away.z);
     let bend = 0.5 * radius * radius / (rho - radius);
-    let z = v.dot(&axis);
-    let r = (v.norm_squared() - z * z).max(0.0).sqrt();
+    let (z, r) = height_and_radius(&axis, v);
     let mut least = f64::INFINITY;
     for f in &profile.frusta {
         if f.above(z) - radius - bend >= least {

@@ -281,6 +281,7 @@ mod tests {
             if rooms[1] <= 0.0 {
                 return Ok(());
             }
+            prop_assert!(sweep.is_beside(&(on.centre - ball), on.radius), "room is said of a node that the interval passes");
             let mut points = Vec::new();
             for i in 0..=8 {
                 for j in 0..=8 - i {

@@ -419,8 +419,7 @@ fn look(
     let mut facets = Some([Facet::none(); 2]);
     for axes in sweeps.iter().map(|s| &s.axes) {
         for (k, axis) in axes.iter().enumerate() {
-            let z = middle.dot(axis);
-            let r = (middle.norm_squared() - z * z).max(0.0).sqrt();
+            let (z, r) = bound::height_and_radius(axis, middle);
             for (part, f) in profile.frusta.iter().enumerate() {
                 let above = f.above(z) - radius;
                 if above > 0.0 && facets.as_ref().is_none_or(|both| above >= both[k].flat.least) {
