@@ -20,7 +20,7 @@
 //!   above the start are not cut but waited at.
 //! * **Touches** of a turn thin out where the lines across the turns draw together and are added where they draw apart; a stretch
 //!   that would run backwards (a front that has folded) is left out.
-//! * **Meshes**: the ridge over facets scatters about that of the part they stand for; the way across is evened out along the turn, and no more than ridges ask for.
+//! * **Meshes**: ridges over facets scatter about those of the part they stand for; where they would be too high, the way across is evened out along the turn.
 //! * Where the ball loses the surface on the way down, or places have come to the end and others never do, the end is drawn along the last turn but
 //!   one, which could be left everywhere. Where it loses the surface on the way up too, the turns are those laid down from the start.
 
@@ -29,7 +29,6 @@ use std::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use super::curve::{self, Curve};
-use super::front::Evening;
 use super::level::{LevelSet, Touch};
 use super::march::{Laid, March, Node};
 use super::neighbour::{Across, Bounds, Stop};
@@ -44,16 +43,22 @@ use crate::observe::Observer;
 const COARSER: f64 = 4.0;
 /// The same over the ball radius, at most, unless the path's own is more.
 const COARSEST: f64 = 0.1;
-/// The decisive ridge over the scallop asked for from which on turns over facets are evened with more care: what is left over the surface, ridges and the
-/// ground between them, is lower.
-const MOST_SCALLOP: f64 = 1.07;
+/// The decisive ridge over the scallop asked for from which on ways over facets are evened out: what is left over the surface, ridges and the ground between
+/// them, is lower then.
+const MOST_SCALLOP: f64 = 1.1;
+/// Distance of touches along a turn: a share of the stepover on flat ground, since turns that go round something as small as a stepover are shaped by it, ...
+const STEP: f64 = 0.5;
+/// ... and so much turn of the normal where the ball rolls round an edge, rad.
+const STEP_TURN_RAD: f64 = 0.125;
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
+/// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
+const WAITING: f64 = 2.0;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
 
-/// Lays the helix from the height `start_x` down. Over facets the turns are evened no more than they must be: gently first, and with more care where ridges
-/// are too high then.
+/// Lays the helix from the height `start_x` down. Turns follow facets as they are, which are a part of the shape where they are longer than a stepover; where
+/// ridges scatter too high over them then, or no turns can be laid up from the end, ways are evened out.
 pub(super) fn plan(
     blade: &Blade,
     level: &LevelSet,
@@ -61,34 +66,43 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let lay = |evening| lay(blade, level, options, start_x, evening, observer);
+    let lay = |evens_ways| lay(blade, level, options, start_x, evens_ways, observer);
+    let plain = lay(false);
     if level.part.brep.is_some() {
-        return lay(Evening::EXACT);
+        return plain.map(|helix| helix.path);
     }
-    let is_refused = |e: &Error| e.kind == ErrorKind::Infeasible;
-    match lay(Evening::GENTLE) {
-        Ok(gentle) if gentle.planned_scallop_mm > MOST_SCALLOP * options.scallop_mm => match lay(Evening::CAREFUL) {
-            Ok(careful) if careful.planned_scallop_mm < gentle.planned_scallop_mm => Ok(careful),
-            Err(e) if !is_refused(&e) => Err(e),
-            _ => Ok(gentle),
+    let rank = |h: &Helix| (!h.is_from_end, h.path.planned_scallop_mm);
+    match plain {
+        Ok(helix) if rank(&helix) <= (false, MOST_SCALLOP * options.scallop_mm) => Ok(helix.path),
+        Err(e) if e.kind != ErrorKind::Infeasible => Err(e),
+        plain => match (plain, lay(true)) {
+            (_, Err(e)) if e.kind != ErrorKind::Infeasible => Err(e),
+            (Ok(one), Ok(other)) => Ok(if rank(&other) < rank(&one) { other.path } else { one.path }),
+            (one, other) => one.or(other).map(|helix| helix.path),
         },
-        Err(e) if is_refused(&e) => lay(Evening::CAREFUL),
-        done => done,
     }
 }
 
-/// The helix with its turns evened as told.
+/// A path.
+struct Helix {
+    path: Toolpath,
+    /// Whether its turns are laid up from its end.
+    is_from_end: bool,
+}
+
+/// The helix, with its ways evened out or not.
 fn lay(
     blade: &Blade,
     level: &LevelSet,
     options: &PathOptions,
     start_x: f64,
-    evening: Evening,
+    evens_ways: bool,
     observer: &dyn Observer,
-) -> Result<Toolpath> {
+) -> Result<Helix> {
     let mut how = rings::tracing(options);
-    how.max_step_mm =
-        (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_stepover_mm(options.radius_mm, options.scallop_mm));
+    let flat_mm = flat_stepover_mm(options.radius_mm, options.scallop_mm);
+    // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
+    how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
     let bounds = Bounds {
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
@@ -99,8 +113,8 @@ fn lay(
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
-        step_mm: how.max_step_mm,
-        evening,
+        step_mm: (STEP_TURN_RAD * options.radius_mm).min(STEP * flat_mm),
+        evens_ways,
         passes_burrs,
     };
     let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);
@@ -122,21 +136,30 @@ fn lay(
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
-        let room = Bounds {
-            x_mm: [f64::NEG_INFINITY, start_x + HIGHEST * (start_x - end_x)],
-            max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
-            end_faces: &[],
+        let mut highest = start_x + HIGHEST * (start_x - end_x);
+        let laid = loop {
+            let room = Bounds {
+                x_mm: [f64::NEG_INFINITY, highest],
+                max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
+                end_faces: &[],
+            };
+            let up = march(room, options.scallop_mm, true);
+            let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
+                turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
+            })?;
+            // Over the start height, near the tip, the surface may be lost to places that need not be cut: they are waited at lower down.
+            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
+            match lower.filter(|x| *x > start_x) {
+                Some(x) => highest = x,
+                None => break laid,
+            }
         };
-        let up = march(room, options.scallop_mm, true);
-        let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
-            turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
-        })?;
         if laid.lost.is_none() {
             let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
             let reason = end_reason(blade, &down, options);
             match finish(level, options, reversed, reason, observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
-                done => return done,
+                done => return done.map(|path| Helix { path, is_from_end: true }),
             }
         }
     }
@@ -145,7 +168,7 @@ fn lay(
         return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"))
             .advise("start higher with region.start_mm, or take a smaller ball"));
     }
-    finish(level, options, down.turns, reason, observer)
+    finish(level, options, down.turns, reason, observer).map(|path| Helix { path, is_from_end: false })
 }
 
 /// Why the helix ends, in words.

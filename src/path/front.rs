@@ -13,59 +13,25 @@ use super::march::{March, Node};
 use super::neighbour::Place;
 use super::nodes::arc_lengths;
 
-/// Widths of the bell that a fit reaches.
+/// Widths of the bell, which is as wide as the stepover on flat ground, that a fit reaches.
 const REACH: f64 = 2.5;
 /// Fewest touches of a fit.
 const FEWEST: usize = 5;
 /// A touch goes back by no more than this share of the stepover at once.
 const MOST: f64 = 0.4;
-
-/// How turns are evened.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Evening {
-    /// Width of the bell over which a turn is evened before the next is laid, in stepovers on flat ground or steps between touches, whichever is longer.
-    front: f64,
-    /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
-    ahead: f64,
-    /// Over facets, where ways scatter; none on exact faces.
-    pub(super) ways: Option<Ways>,
-}
-
-/// How ways over facets are evened out.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ways {
-    /// Width of the bell, in stepovers on flat ground.
-    pub(super) width: f64,
-    /// Standard deviations that a way stays under the mean of those round it.
-    pub(super) caution: f64,
-}
-
-impl Evening {
-    /// On exact faces.
-    pub(super) const EXACT: Evening = Evening { front: 1.0, ahead: 1e-3, ways: None };
-    /// On meshes: facets longer than a stepover are best followed as they are. Evened out with care, most ridges would be lower than asked for.
-    pub(super) const GENTLE: Evening =
-        Evening { front: 1.0, ahead: 2e-3, ways: Some(Ways { width: 0.5, caution: 0.5 }) };
-    /// On meshes: over shorter facets the ridges of a path that follows them scatter, and some are too high.
-    pub(super) const CAREFUL: Evening =
-        Evening { front: 2.0, ahead: 5e-3, ways: Some(Ways { width: 1.0, caution: 2.0 }) };
-}
+/// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
+const AHEAD: f64 = 1e-3;
 
 impl March<'_> {
-    /// Width of the bell over which a turn is evened, mm.
-    fn even_mm(&self) -> f64 {
-        self.evening.front * self.flat_mm.max(self.step_mm)
-    }
-
     /// How far along the turns before and after the evening of one looks, mm.
     pub(super) fn look_mm(&self) -> f64 {
-        REACH * self.even_mm()
+        REACH * self.flat_mm
     }
 
     /// The turn with its touches that run ahead brought back; `before` ends with the touch that the turn begins with, which stays, and `after`
     /// goes on from its last.
     pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
-        let width_mm = self.even_mm();
+        let width_mm = self.flat_mm;
         let lead = before.len().saturating_sub(1);
         let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
@@ -89,7 +55,7 @@ impl March<'_> {
                 a += row * row.transpose() * weight;
                 b += row * (weight * (touches[j].centre - from.touch.centre).dot(&side));
             }
-            let ahead_mm = -(a.try_inverse()? * b).x - self.evening.ahead * self.flat_mm;
+            let ahead_mm = -(a.try_inverse()? * b).x - AHEAD * self.flat_mm;
             if ahead_mm <= 0.0 {
                 return None;
             }

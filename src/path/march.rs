@@ -3,7 +3,6 @@
 use rayon::prelude::*;
 
 use super::curve;
-use super::front::Evening;
 use super::level::Touch;
 use super::neighbour::{Across, Next, Place, Stop};
 use super::nodes::{Overrun, arc_lengths, is_ring};
@@ -24,6 +23,9 @@ pub(super) const LEAST_SHARE: f64 = 1e-3;
 const MOST_MOVES: usize = 60;
 /// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
 const LEAST_PART: f64 = 0.05;
+/// Islands in the end that are narrower than so many stepovers of the turns that look for it are passed by. Balls on both sides of a thin part are farther
+/// from one another: two radii.
+const ISLAND: f64 = 2.0;
 /// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
 const TOO_LONG: f64 = 5.0;
 /// A turn shorter than this share of the one before has lost a part of the way round.
@@ -99,14 +101,19 @@ pub(super) struct March<'a> {
     pub(super) flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub(super) step_mm: f64,
-    /// How turns are evened.
-    pub(super) evening: Evening,
+    /// Whether ways that scatter over facets are evened out along a turn.
+    pub(super) evens_ways: bool,
     /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
     /// over which turns went already it is a burr.
     pub(super) passes_burrs: bool,
 }
 
 impl March<'_> {
+    /// Whether the part is a mesh.
+    pub(super) fn is_over_facets(&self) -> bool {
+        self.across.level.part.brep.is_none()
+    }
+
     /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and some places have come to a
     /// wall or an edge but no more do, the end is drawn at the height that the others have then.
     pub(super) fn find_end(&self, ring: &[Touch], open: bool, progress: &dyn Fn(f64) -> Result<()>) -> Result<Laid> {
@@ -117,7 +124,7 @@ impl March<'_> {
         }
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
         // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
-        if open && self.evening.ways.is_none() {
+        if open && !self.is_over_facets() {
             let mut to_height = self.clone();
             to_height.across.bounds.x_mm[0] =
                 laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
@@ -133,17 +140,26 @@ impl March<'_> {
     /// The end as a closed curve, in the direction of the turns: the last turn where it runs along the end all the way, else the last but one,
     /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends.
     pub(super) fn end_of(&self, laid: &Laid) -> Option<Vec<Touch>> {
-        let touches = |nodes: &[Node]| nodes.iter().skip(1).map(|n| n.touch).collect();
         if laid.is_at_the_end() {
-            return Some(touches(laid.last()));
+            return Some(self.smooth_end(&laid.last()[1..]));
         }
         let turn = laid.turns.len().checked_sub(2).map(|k| &laid.turns[k]).filter(|t| !is_ring(t))?;
         let whole: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
         let along = curve::tangents(None, &whole, None);
         let left = ramp(turn, RAMP_STEPOVERS * self.flat_mm);
         let last = turn.len() - 1;
-        let on = (1..last).filter_map(|i| self.next_node(&turn[i], &whole, along[i], 1.0 - left[i])).map(|n| n.touch);
-        Some(on.chain([turn[last].touch]).collect())
+        let on = (1..last).filter_map(|i| self.next_node(&turn[i], &whole, along[i], 1.0 - left[i]));
+        Some(self.smooth_end(&on.chain([turn[last]]).collect::<Vec<_>>()))
+    }
+
+    /// The end's touches. Over facets single ones stop the ball, and the end goes round them; turns that were laid round such an island in their turn would run into one
+    /// another: it is passed by.
+    fn smooth_end(&self, end: &[Node]) -> Vec<Touch> {
+        let touches = |nodes: &[Node]| nodes.iter().map(|n| n.touch).collect();
+        if !self.is_over_facets() {
+            return touches(end);
+        }
+        touches(&Overrun::of(&[], end, std::iter::empty()).without_islands(ISLAND * self.flat_mm))
     }
 
     /// A ring moved up or down the part until its contacts are all at their mean height. `None` where the surface does not let it.
@@ -237,19 +253,16 @@ impl March<'_> {
             let on = curve::tangent(Some(&centre(n - 1)), &turn[n].touch, Some(&start.touch.centre));
             next[n] = self.next_node(&turn[n], &round, on, 1.0);
         }
-        if let Some(ways) = self.evening.ways {
-            next = self.even_out(ways, turn, &round, &along, &shares, next);
+        if self.evens_ways {
+            next = self.even_out(turn, &round, &along, &shares, next);
         }
         if self.passes_burrs {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
         // On exact faces stretches that run into one another are found by their neighbours; a turn round a thin edge may seem to cross itself there.
-        let whole = if self.evening.ways.is_some() {
-            Overrun::of(&[], &kept, std::iter::empty()).without_loops()
-        } else {
-            kept
-        };
+        let whole =
+            if self.is_over_facets() { Overrun::of(&[], &kept, std::iter::empty()).without_loops() } else { kept };
         Ok(self.tidy(whole))
     }
 

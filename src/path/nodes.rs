@@ -1,9 +1,8 @@
-//! Touches of a turn while it is laid: folds left out, touches added and taken away, ways over facets evened out.
+//! Touches of a turn while it is laid: folds, loops and islands left out, touches added and taken away, ways over facets evened out.
 
 use rayon::prelude::*;
 
 use super::curve::{self, Curve};
-use super::front::Ways;
 use super::level::Touch;
 use super::march::{LEAST_SHARE, March, Node};
 use super::neighbour::{Place, Stop};
@@ -17,6 +16,10 @@ const CLOSE: f64 = 0.35;
 const FAR: f64 = 1.5;
 /// Turn of the normal from touch to touch that asks for another, rad.
 const BEND_RAD: f64 = 0.2;
+/// Width of the bell over which ways over facets are evened out, in stepovers on flat ground.
+const EVEN_WIDTH: f64 = 0.25;
+/// Standard deviations that an evened way stays under the mean of those round it.
+const EVEN_CAUTION: f64 = 1.0;
 /// Caution that is not needed: so much longer a way makes the ridge higher by not quite a hundredth.
 const FREE: f64 = 4e-3;
 /// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing.
@@ -27,6 +30,8 @@ const BRIDGE: f64 = 0.4;
 const BRIDGE_TRIES: usize = 3;
 /// Longest stretch between two crossing ways that is left out, as a share of the turn: the shorter of the two that a crossing makes.
 const LOOP: f64 = 0.5;
+/// The way round an island is at least so many times as long as the way past it.
+const ROUND_ISLAND: f64 = 3.0;
 /// Rounds of adding touches.
 const MOST_ROUNDS: usize = 6;
 
@@ -98,6 +103,30 @@ impl Overrun {
                 // The way from `at` may come towards it by its own length.
                 let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
                 k = self.after(k, apart_mm - self.longest_mm);
+            }
+            at = after;
+        }
+        kept
+    }
+
+    /// The turn without the stretches in which it goes round an island narrower than `width_mm`: away from the side of the turns after it, and back to near
+    /// where it left.
+    pub(super) fn without_islands(&self, width_mm: f64) -> Vec<Node> {
+        let (nodes, s_mm) = (&self.turn, &self.s_mm);
+        let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
+        let mut kept = Vec::with_capacity(nodes.len());
+        let mut at = 0;
+        while at < nodes.len() {
+            kept.push(nodes[at]);
+            let (mut after, mut k) = (at + 1, at + 2);
+            while k < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
+                let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
+                let round_mm = s_mm[k] - s_mm[at];
+                let is_narrow = apart_mm < width_mm && round_mm > (ROUND_ISLAND * apart_mm).max(width_mm);
+                if is_narrow && runs_to_the_left(&nodes[at..=k]) {
+                    after = k;
+                }
+                k = self.after(k, apart_mm - width_mm);
             }
             at = after;
         }
@@ -227,7 +256,7 @@ impl March<'_> {
 
     /// So wide a stretch without a neighbour is passed over, mm; over facets, where single ones stop the ball, twice as wide.
     fn widest_mm(&self) -> f64 {
-        let times = if self.evening.ways.is_some() { 2.0 } else { 1.0 };
+        let times = if self.is_over_facets() { 2.0 } else { 1.0 };
         times * (2.0 * self.flat_mm + 3.0 * self.step_mm)
     }
 
@@ -308,7 +337,6 @@ impl March<'_> {
     /// apart, count as neighbours: with the one's mean only from before and the other's only from after, a step would grow there.
     pub(super) fn even_out(
         &self,
-        evening: Ways,
         turn: &[Node],
         round: &[Touch],
         along: &[Vector],
@@ -324,7 +352,7 @@ impl March<'_> {
                     .map(|x| x.way_mm.max(1e-9).ln())
             })
             .collect();
-        let width_mm = evening.width * self.flat_mm;
+        let width_mm = EVEN_WIDTH * self.flat_mm;
         let reach = 2.5 * width_mm;
         let mean = |i: usize| {
             let (mut sum, mut squares, mut weight) = (0.0, 0.0, 0.0);
@@ -343,7 +371,7 @@ impl March<'_> {
             (i + 1..=n).chain(1..i).take_while(|k| ahead(*k) < reach).for_each(|k| add(k, ahead(k)));
             (1..i).rev().chain((i + 1..=n).rev()).take_while(|k| behind(*k) < reach).for_each(|k| add(k, behind(k)));
             let scatter = || (squares / weight - (sum / weight).powi(2)).max(0.0).sqrt();
-            (weight > 0.0).then(|| (sum / weight - (evening.caution * scatter() - FREE).max(0.0)).exp())
+            (weight > 0.0).then(|| (sum / weight - (EVEN_CAUTION * scatter() - FREE).max(0.0)).exp())
         };
         (0..=n)
             .into_par_iter()
@@ -360,6 +388,14 @@ impl March<'_> {
             })
             .collect()
     }
+}
+
+/// Whether a stretch of a turn, closed by a straight way, encloses what lies to the left of the straight way: it is run clockwise, seen along the surface's normals.
+fn runs_to_the_left(stretch: &[Node]) -> bool {
+    let from = stretch[0].touch.centre;
+    let area: Vector = stretch.windows(2).map(|w| (w[0].touch.centre - from).cross(&(w[1].touch.centre - from))).sum();
+    let normals: Vector = stretch.iter().map(|n| n.touch.normal).sum();
+    area.dot(&normals) < 0.0
 }
 
 /// Whether two ways between touches cross, seen along the surface's normal there.
@@ -426,6 +462,28 @@ mod tests {
         let tongue = (0..9).map(|k| (10.0, f64::from(k))).chain((0..9).rev().map(|k| (10.1, f64::from(k))));
         let with_tongue: Vec<_> = straight(0, 10).chain(tongue).chain(straight(11, 40)).collect();
         assert_eq!(places(&without_loops(&nodes(&with_tongue, 1.0))), with_tongue);
+    }
+
+    #[test]
+    fn narrow_islands_are_passed_by_and_bays_and_wide_islands_are_followed() {
+        // To the right of the way, which is run along x, lie the turns after it.
+        let along = |width: f64, height: f64| -> Vec<_> {
+            let side = (1..=20).map(|k| 0.05 * f64::from(k) * height);
+            let up = side.clone().map(|y| (10.0, y));
+            let down = side.rev().map(|y| (10.0 + width, y));
+            let straight = |from: i32, to: i32| (from..=to).map(|k| (0.1 * f64::from(k), 0.0));
+            straight(0, 100).chain(up).chain(down).chain(straight(100 + (10.0 * width) as i32, 200)).collect()
+        };
+        let kept = |places: &[(f64, f64)]| {
+            self::places(&Overrun::of(&[], &nodes(places, 1.0), std::iter::empty()).without_islands(1.0))
+        };
+        let highest = |places: &[(f64, f64)]| places.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+        let island = kept(&along(0.4, 3.0));
+        assert!(highest(&island) < 0.8 && island.len() > 180, "{island:?}");
+        assert_eq!((island[0], island[island.len() - 1]), ((0.0, 0.0), (20.0, 0.0)));
+        for followed in [along(0.4, -3.0), along(1.5, 3.0), along(0.4, 0.3)] {
+            assert_eq!(kept(&followed), followed);
+        }
     }
 
     #[test]
