@@ -13,7 +13,7 @@ use super::march::{March, Node};
 use super::neighbour::Place;
 use super::nodes::arc_lengths;
 
-/// Widths of the bell, which is as wide as the stepover on flat ground, that a fit reaches.
+/// Widths of the bell that a fit reaches.
 const REACH: f64 = 2.5;
 /// Fewest touches of a fit.
 const FEWEST: usize = 5;
@@ -23,15 +23,20 @@ const MOST: f64 = 0.4;
 const AHEAD: f64 = 1e-3;
 
 impl March<'_> {
+    /// Width of the bell over which a turn is evened: the stepover on flat ground or the step between touches, whichever is longer, mm.
+    fn even_mm(&self) -> f64 {
+        self.flat_mm.max(self.step_mm)
+    }
+
     /// How far along the turns before and after the evening of one looks, mm.
     pub(super) fn look_mm(&self) -> f64 {
-        REACH * self.flat_mm
+        REACH * self.even_mm()
     }
 
     /// The turn with its touches that run ahead brought back; `before` ends with the touch that the turn begins with, which stays, and `after`
     /// goes on from its last.
     pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
-        let width_mm = self.flat_mm;
+        let width_mm = self.even_mm();
         let lead = before.len().saturating_sub(1);
         let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
