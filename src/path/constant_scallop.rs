@@ -69,7 +69,7 @@ pub(super) fn plan(
 ) -> Result<Toolpath> {
     let lay = |evens_ways| lay(blade, level, options, start_x, evens_ways, observer);
     let plain = lay(false);
-    if level.part.brep.is_some() {
+    if !level.is_over_facets() {
         return plain.map(|helix| helix.path);
     }
     let rank = |h: &Helix| (!h.is_from_end, h.path.planned_scallop_mm);
@@ -104,10 +104,10 @@ fn lay(
     let flat_mm = flat_stepover_mm(options.radius_mm, options.scallop_mm);
     // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
-    let step_mm = if level.part.brep.is_some() {
-        how.max_step_mm
-    } else {
+    let step_mm = if level.is_over_facets() {
         (ON_FACETS_RAD * options.radius_mm).min(ON_FACETS * flat_mm)
+    } else {
+        how.max_step_mm
     };
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
     let bounds = Bounds {

@@ -46,6 +46,11 @@ const ON_LEVEL_MM: f64 = 1e-6;
 const MAX_STEPS: usize = 60;
 
 impl LevelSet<'_> {
+    /// Whether the part is a mesh.
+    pub fn is_over_facets(&self) -> bool {
+        self.part.brep.is_none()
+    }
+
     /// Moves a guess within its plane `x = const` onto the level set, see [`Self::touch_across`].
     pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
         self.touch_across(guess, &Vector::x(), reach_mm)

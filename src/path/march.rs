@@ -23,8 +23,8 @@ pub(super) const LEAST_SHARE: f64 = 1e-3;
 const MOST_MOVES: usize = 60;
 /// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
 const LEAST_PART: f64 = 0.05;
-/// Islands in the end that are narrower than so many stepovers of the turns that look for it are passed by. Balls on both sides of a thin part are farther
-/// from one another: two radii.
+/// Islands in the end that are narrower than so many stepovers of the turns that look for it are passed by. Never wider than two
+/// radii: so far apart are balls on both sides of a thin part.
 const ISLAND: f64 = 2.0;
 /// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
 const TOO_LONG: f64 = 5.0;
@@ -109,11 +109,6 @@ pub(super) struct March<'a> {
 }
 
 impl March<'_> {
-    /// Whether the part is a mesh.
-    pub(super) fn is_over_facets(&self) -> bool {
-        self.across.level.part.brep.is_none()
-    }
-
     /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and some places have come to a
     /// wall or an edge but no more do, the end is drawn at the height that the others have then.
     pub(super) fn find_end(&self, ring: &[Touch], open: bool, progress: &dyn Fn(f64) -> Result<()>) -> Result<Laid> {
@@ -124,7 +119,7 @@ impl March<'_> {
         }
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
         // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
-        if open && !self.is_over_facets() {
+        if open && !self.across.level.is_over_facets() {
             let mut to_height = self.clone();
             to_height.across.bounds.x_mm[0] =
                 laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
@@ -156,10 +151,11 @@ impl March<'_> {
     /// another: it is passed by.
     fn smooth_end(&self, end: &[Node]) -> Vec<Touch> {
         let touches = |nodes: &[Node]| nodes.iter().map(|n| n.touch).collect();
-        if !self.is_over_facets() {
+        if !self.across.level.is_over_facets() {
             return touches(end);
         }
-        touches(&Overrun::of(&[], end, std::iter::empty()).without_islands(ISLAND * self.flat_mm))
+        let width_mm = (ISLAND * self.flat_mm).min(2.0 * self.across.level.radius_mm);
+        touches(&Overrun::of(&[], end, std::iter::empty()).without_islands(width_mm))
     }
 
     /// A ring moved up or down the part until its contacts are all at their mean height. `None` where the surface does not let it.
@@ -261,8 +257,11 @@ impl March<'_> {
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
         // On exact faces stretches that run into one another are found by their neighbours; a turn round a thin edge may seem to cross itself there.
-        let whole =
-            if self.is_over_facets() { Overrun::of(&[], &kept, std::iter::empty()).without_loops() } else { kept };
+        let whole = if self.across.level.is_over_facets() {
+            Overrun::of(&[], &kept, std::iter::empty()).without_loops()
+        } else {
+            kept
+        };
         Ok(self.tidy(whole))
     }
 

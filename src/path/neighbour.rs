@@ -188,7 +188,7 @@ impl Across<'_> {
         let free = Across { bounds: Bounds::NONE, ..*self };
         let farther = |turn: f64| free.at_way(from, next.way_mm + turn * radius);
         let Some(on) = farther(ON_RAD) else { return next };
-        let facets = usize::from(self.level.part.brep.is_none());
+        let facets = usize::from(self.level.is_over_facets());
         let along_edge = rolls_over(&next, &on);
         if !along_edge && !rolls_round(&next, &on, ROUND[facets]) {
             return next;

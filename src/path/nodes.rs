@@ -28,7 +28,7 @@ const OVERRUN: f64 = 0.8;
 const BRIDGE: f64 = 0.4;
 /// Tries to bring one of them back.
 const BRIDGE_TRIES: usize = 3;
-/// Longest stretch between two crossing ways that is left out, as a share of the turn: the shorter of the two that a crossing makes.
+/// Longest stretch that is left out, as a share of the turn: where ways cross, the shorter of the two that a crossing makes.
 const LOOP: f64 = 0.5;
 /// The way round an island is at least so many times as long as the way past it.
 const ROUND_ISLAND: f64 = 3.0;
@@ -89,29 +89,26 @@ impl Overrun {
     /// The turn without the stretches between places where it crosses itself. A turn that goes once round a part and does not cross itself has all that is
     /// cut on one side of it: where it does, it goes back over what was cut, and the turns after it would run the other way.
     pub(super) fn without_loops(&self) -> Vec<Node> {
-        let (nodes, s_mm) = (&self.turn, &self.s_mm);
-        let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
-        let mut kept = Vec::with_capacity(nodes.len());
-        let mut at = 0;
-        while at < nodes.len() {
-            kept.push(nodes[at]);
-            let (mut after, mut k) = (at + 1, at + 2);
-            while k + 1 < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
-                if cross([&nodes[at].touch, &nodes[at + 1].touch], [&nodes[k].touch, &nodes[k + 1].touch]) {
-                    after = k + 1;
-                }
-                // The way from `at` may come towards it by its own length.
-                let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
-                k = self.after(k, apart_mm - self.longest_mm);
-            }
-            at = after;
-        }
-        kept
+        let nodes = &self.turn;
+        let way = |k: usize| [&nodes[k].touch, &nodes[k + 1].touch];
+        // The way from a node may come towards it by its own length.
+        self.shortened(self.longest_mm, |at, k| (k + 1 < nodes.len() && cross(way(at), way(k))).then_some(k + 1))
     }
 
     /// The turn without the stretches in which it goes round an island narrower than `width_mm`: away from the side of the turns after it, and back to near
     /// where it left.
     pub(super) fn without_islands(&self, width_mm: f64) -> Vec<Node> {
+        self.shortened(width_mm, |at, k| {
+            let apart_mm = (self.turn[k].touch.centre - self.turn[at].touch.centre).norm();
+            let round_mm = self.s_mm[k] - self.s_mm[at];
+            let is_narrow = apart_mm < width_mm && round_mm > (ROUND_ISLAND * apart_mm).max(width_mm);
+            (is_narrow && runs_to_the_left(&self.turn[at..=k])).then_some(k)
+        })
+    }
+
+    /// The turn without the stretches that `ends` tells of: from a node and a later one that may be as near to it as `near_mm`, the node at which the turn
+    /// goes on, if what lies between is left out. The farthest counts.
+    fn shortened(&self, near_mm: f64, ends: impl Fn(usize, usize) -> Option<usize>) -> Vec<Node> {
         let (nodes, s_mm) = (&self.turn, &self.s_mm);
         let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
         let mut kept = Vec::with_capacity(nodes.len());
@@ -120,13 +117,9 @@ impl Overrun {
             kept.push(nodes[at]);
             let (mut after, mut k) = (at + 1, at + 2);
             while k < nodes.len() && s_mm[k] - s_mm[at] < most_mm {
+                after = ends(at, k).unwrap_or(after);
                 let apart_mm = (nodes[k].touch.centre - nodes[at].touch.centre).norm();
-                let round_mm = s_mm[k] - s_mm[at];
-                let is_narrow = apart_mm < width_mm && round_mm > (ROUND_ISLAND * apart_mm).max(width_mm);
-                if is_narrow && runs_to_the_left(&nodes[at..=k]) {
-                    after = k;
-                }
-                k = self.after(k, apart_mm - width_mm);
+                k = self.after(k, apart_mm - near_mm);
             }
             at = after;
         }
@@ -256,7 +249,7 @@ impl March<'_> {
 
     /// So wide a stretch without a neighbour is passed over, mm; over facets, where single ones stop the ball, twice as wide.
     fn widest_mm(&self) -> f64 {
-        let times = if self.is_over_facets() { 2.0 } else { 1.0 };
+        let times = if self.across.level.is_over_facets() { 2.0 } else { 1.0 };
         times * (2.0 * self.flat_mm + 3.0 * self.step_mm)
     }
 

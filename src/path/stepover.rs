@@ -159,7 +159,7 @@ pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
 /// percentile, since single ridges on the edges between facets tell of the facets and not of the part. 0 without heights.
 pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
     heights_mm.sort_by(f64::total_cmp);
-    let rank = if level.part.brep.is_some() { 1.0 } else { 0.99 };
+    let rank = if level.is_over_facets() { 0.99 } else { 1.0 };
     let last = heights_mm.len().saturating_sub(1);
     heights_mm.get((last as f64 * rank).round() as usize).copied().unwrap_or(0.0)
 }
