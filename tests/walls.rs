@@ -4,14 +4,15 @@
 //! Clearances are 0 and ends are those of the exact faces, so that a wall is where the tool first touches. Schedules of the kinds `lower-wall` and `upper-wall` run
 //! along the channel; what the tool touches is asked of `verify`, which shares no code with the channel, on a mesh much finer than the one
 //! that the channel was planned on. Walls that the contact angle or an axis gives touch nothing when they are passed, and are only looked
-//! at from inside. Minutes of work, and so not among the daily tests: `just walls`. The folder that `BLADEWRIGHT_BLADES` names adds real blades.
+//! at from inside; so are those that the part gives only on the way to the next place. Minutes of work, and so not among the daily tests: `just walls`. The folder that `BLADEWRIGHT_BLADES` names adds real blades.
 
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
 use bladewright::artifact::Schedule;
 use bladewright::artifact::channel::Binding;
 use bladewright::artifact::schedule::ScheduleKind;
-use bladewright::channel;
+use bladewright::channel::{self, FreeInterval};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
 use bladewright::geometry::tessellate::{Options, tessellate};
@@ -79,6 +80,7 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
     let tool = &setup.job.tool;
     let channel = channel::plan_among(&around, tool, &toolpath, &options, &Silent)
         .unwrap_or_else(|e| panic!("{}: {e}", model.display()));
+    let own = channel::intervals(&around, tool, &toolpath, &options, &Silent).expect("free intervals");
     let (fine, off_mm) = finely(&setup.blade.part, FINE * tool.radius_mm);
     let faces = by_face(&fine.mesh);
     let resolution_mm = 0.1 * FINE * tool.radius_mm;
@@ -101,8 +103,16 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
             };
             looked.least_mm = looked.least_mm.min(stands(&fine, &segments, on.theta[row]));
             let wall = &channel.rows[row];
-            let by = if kind == ScheduleKind::LowerWall { &wall.binds_min } else { &wall.binds_max };
-            let Binding::Part { tool, face, .. } = by else { continue };
+            let around = |f: &&FreeInterval| {
+                let turn = 0.5 * (wall.theta_min + wall.theta_max - f.theta_min - f.theta_max);
+                (turn - (turn / TAU).round() * TAU).abs() < 0.5 * (f.theta_max - f.theta_min)
+            };
+            let here = own[row].iter().find(around).expect("a free interval round the channel");
+            let by = match kind {
+                ScheduleKind::LowerWall => [&wall.binds_min, &here.binds_min],
+                _ => [&wall.binds_max, &here.binds_max],
+            };
+            let [Binding::Part { tool, face, .. }, Binding::Part { .. }] = by else { continue };
             looked.named += 1;
             let named: Vec<_> = segments.iter().filter(|s| s.name == *tool).cloned().collect();
             let away = faces[*face as usize].as_ref().map_or(f64::INFINITY, |f| stands(f, &named, outside.theta[row]));

@@ -46,11 +46,11 @@ const COARSEST: f64 = 0.1;
 /// The decisive ridge over the scallop asked for from which on ways over facets are evened out: what is left over the surface, ridges and the ground between
 /// them, is lower then.
 const MOST_SCALLOP: f64 = 1.1;
-/// Distance of touches along a turn over facets: a share of the stepover on flat ground, since turns that go round something as small as a stepover are shaped
-/// by it, ...
-const ON_FACETS: f64 = 0.5;
+/// Distance of touches along a turn, on exact faces and over facets: a share of the stepover on flat ground, since turns that go round something as small as a
+/// stepover are shaped by it, ...
+const TOUCHES: [f64; 2] = [0.8, 0.5];
 /// ... and so much turn of the normal where the ball rolls round an edge, rad.
-const ON_FACETS_RAD: f64 = 0.125;
+const TOUCHES_RAD: [f64; 2] = [0.2, 0.125];
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
@@ -104,11 +104,8 @@ fn lay(
     let flat_mm = flat_stepover_mm(options.radius_mm, options.scallop_mm);
     // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
-    let step_mm = if level.is_over_facets() {
-        (ON_FACETS_RAD * options.radius_mm).min(ON_FACETS * flat_mm)
-    } else {
-        how.max_step_mm
-    };
+    let facets = usize::from(level.is_over_facets());
+    let step_mm = (TOUCHES_RAD[facets] * options.radius_mm).min(TOUCHES[facets] * flat_mm).min(how.max_step_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
     let bounds = Bounds {
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],

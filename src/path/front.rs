@@ -1,7 +1,7 @@
 //! A turn kept even before the next is laid from it.
 //!
 //! Laid touch by touch, a turn keeps every corner of the one before: where two of its sides run towards one another, they meet in an edge, and over facets
-//! the ways scatter. So a place that runs ahead of the smooth curve through its neighbours is brought back onto it. None is brought forward: no ridge
+//! the ways scatter. So a place that runs ahead of the smooth curve through its neighbours is brought back towards it. None is brought forward: no ridge
 //! becomes higher than asked for, and what a place loses, the next turn makes good.
 
 use nalgebra::{Matrix3, Vector3};
@@ -17,7 +17,10 @@ use super::nodes::arc_lengths;
 const REACH: f64 = 2.5;
 /// Fewest touches of a fit.
 const FEWEST: usize = 5;
-/// A touch goes back by no more than this share of the stepover at once.
+/// A touch goes back by this share of what it runs ahead, on exact faces and over facets. Its neighbours run ahead, too: all of it at once leaves ridges that are
+/// too low, and the next turn swings back. Over facets, which draw new corners in every turn, it needs all.
+const BACK: [f64; 2] = [0.3, 1.0];
+/// No more than this share of the stepover counts as running ahead.
 const MOST: f64 = 0.4;
 /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
 const AHEAD: f64 = 1e-3;
@@ -37,6 +40,7 @@ impl March<'_> {
     /// goes on from its last.
     pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
         let width_mm = self.even_mm();
+        let back = BACK[usize::from(self.across.level.is_over_facets())];
         let lead = before.len().saturating_sub(1);
         let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
@@ -64,7 +68,7 @@ impl March<'_> {
             if ahead_mm <= 0.0 {
                 return None;
             }
-            self.across.step(&from.back(), ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
+            self.across.step(&from.back(), back * ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
         };
         let evened: Vec<Option<Touch>> = (1..turn.len())
             .into_par_iter()
