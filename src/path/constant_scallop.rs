@@ -51,6 +51,9 @@ const MOST_SCALLOP: f64 = 1.1;
 const TOUCHES: [f64; 2] = [0.8, 0.5];
 /// ... and so much turn of the normal where the ball rolls round an edge, rad.
 const TOUCHES_RAD: [f64; 2] = [0.2, 0.125];
+/// The share by which turns of the path are evened before the next is laid. Neighbours of a place that runs ahead do so, too: all of it at once leaves ridges
+/// that are too low, and the next turn swings back. Over facets, which draw corners anew in every turn, less leaves higher ridges at sharp edges.
+const BACK: [f64; 2] = [0.4, 1.0];
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
@@ -105,20 +108,22 @@ fn lay(
     // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
     let facets = usize::from(level.is_over_facets());
-    let step_mm = (TOUCHES_RAD[facets] * options.radius_mm).min(TOUCHES[facets] * flat_mm).min(how.max_step_mm);
+    let fine_mm = (TOUCHES_RAD[facets] * options.radius_mm).min(TOUCHES[facets] * flat_mm).min(how.max_step_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
     let bounds = Bounds {
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
         max_sin_lean: options.max_lean_rad.sin(),
         end_faces: &options.end_faces,
     };
-    let march = |bounds, scallop_mm, passes_burrs| March {
+    let search = |scallop_mm| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
-        step_mm,
+        // Coarse turns round a thin edge run up it in folds where they follow each bend: those that only look for the end need not.
+        step_mm: if facets == 0 { how.max_step_mm } else { fine_mm },
+        back: 1.0,
         evens_ways,
-        passes_burrs,
+        passes_burrs: false,
     };
     let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);
     let progress = |from: f64, share: f64, way: f64| {
@@ -129,12 +134,11 @@ fn lay(
     let mut down = Laid { turns: Vec::new(), lost: None };
     let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
     let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
-    let level_ring = march(bounds, tries[0] * options.scallop_mm, false).at_one_contact_height(&ring.touches);
+    let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
     let ring = level_ring.unwrap_or(ring.touches);
     for coarser in tries {
-        let scallop_mm = coarser * options.scallop_mm;
         let open = options.region_x_mm[1].is_none();
-        let lay_down = march(bounds, scallop_mm, false);
+        let lay_down = search(coarser * options.scallop_mm);
         down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
         let Some(mut end) = lay_down.end_of(&down) else { continue };
         end.reverse();
@@ -146,7 +150,14 @@ fn lay(
                 max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
                 end_faces: &[],
             };
-            let up = march(room, options.scallop_mm, true);
+            let across = Across { level, bounds: room, min_step_mm: how.min_step_mm };
+            let up = March {
+                across,
+                step_mm: fine_mm,
+                back: BACK[facets],
+                passes_burrs: true,
+                ..search(options.scallop_mm)
+            };
             let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;

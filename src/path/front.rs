@@ -17,9 +17,6 @@ use super::nodes::arc_lengths;
 const REACH: f64 = 2.5;
 /// Fewest touches of a fit.
 const FEWEST: usize = 5;
-/// A touch goes back by this share of what it runs ahead, on exact faces and over facets. Its neighbours run ahead, too: all of it at once leaves ridges that are
-/// too low, and the next turn swings back. Over facets, which draw new corners in every turn, it needs all.
-const BACK: [f64; 2] = [0.3, 1.0];
 /// No more than this share of the stepover counts as running ahead.
 const MOST: f64 = 0.4;
 /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
@@ -40,7 +37,6 @@ impl March<'_> {
     /// goes on from its last.
     pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
         let width_mm = self.even_mm();
-        let back = BACK[usize::from(self.across.level.is_over_facets())];
         let lead = before.len().saturating_sub(1);
         let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
@@ -68,7 +64,7 @@ impl March<'_> {
             if ahead_mm <= 0.0 {
                 return None;
             }
-            self.across.step(&from.back(), back * ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
+            self.across.step(&from.back(), self.back * ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
         };
         let evened: Vec<Option<Touch>> = (1..turn.len())
             .into_par_iter()

@@ -101,6 +101,8 @@ pub(super) struct March<'a> {
     pub(super) flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub(super) step_mm: f64,
+    /// The share of what a place of a turn runs ahead of its neighbours by which it is brought back before the next turn is laid.
+    pub(super) back: f64,
     /// Whether ways that scatter over facets are evened out along a turn.
     pub(super) evens_ways: bool,
     /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
