@@ -4,7 +4,8 @@
 //! Clearances are 0 and ends are those of the exact faces, so that a wall is where the tool first touches. Schedules of the kinds `lower-wall` and `upper-wall` run
 //! along the channel; what the tool touches is asked of `verify`, which shares no code with the channel, on a mesh much finer than the one
 //! that the channel was planned on. Walls that the contact angle or an axis gives touch nothing when they are passed, and are only looked
-//! at from inside; so are those that the part gives only on the way to the next place. Minutes of work, and so not among the daily tests: `just walls`. The folder that `BLADEWRIGHT_BLADES` names adds real blades.
+//! at from inside; so are those that the part gives only on the way to the next place. Minutes of work, and so not among the daily tests: `just walls`. The folder
+//! that `BLADEWRIGHT_BLADES` names adds real blades.
 
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -103,11 +104,11 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
             };
             looked.least_mm = looked.least_mm.min(stands(&fine, &segments, on.theta[row]));
             let wall = &channel.rows[row];
-            let around = |f: &&FreeInterval| {
+            let holds_the_channel = |f: &&FreeInterval| {
                 let turn = 0.5 * (wall.theta_min + wall.theta_max - f.theta_min - f.theta_max);
                 (turn - (turn / TAU).round() * TAU).abs() < 0.5 * (f.theta_max - f.theta_min)
             };
-            let here = own[row].iter().find(around).expect("a free interval round the channel");
+            let here = own[row].iter().find(holds_the_channel).expect("a free interval round the channel");
             let by = match kind {
                 ScheduleKind::LowerWall => [&wall.binds_min, &here.binds_min],
                 _ => [&wall.binds_max, &here.binds_max],

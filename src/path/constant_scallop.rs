@@ -119,7 +119,7 @@ fn lay(
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
-        // Coarse turns round a thin edge run up it in folds where they follow each bend: those that only look for the end need not.
+        // Round thin edges of exact faces coarse turns run up the part in folds where they follow each bend: to find the end they need not.
         step_mm: if facets == 0 { how.max_step_mm } else { fine_mm },
         back: 1.0,
         evens_ways,
@@ -150,13 +150,13 @@ fn lay(
                 max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
                 end_faces: &[],
             };
-            let across = Across { level, bounds: room, min_step_mm: how.min_step_mm };
+            let plain = search(options.scallop_mm);
             let up = March {
-                across,
+                across: Across { bounds: room, ..plain.across },
                 step_mm: fine_mm,
                 back: BACK[facets],
                 passes_burrs: true,
-                ..search(options.scallop_mm)
+                ..plain
             };
             let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
