@@ -11,10 +11,14 @@
 //! This is the two-ball construction `h = |(r + R) cos α ∓ sqrt(R² − (r + R)² sin² α) − r|` solved for `d`. It holds as long as
 //! the ball fits: `1 + κR > 0`.
 //!
-//! On a surface ([`width_on_part_mm`]) the curvature that counts is that of the surface of ball centres across the way of the
-//! ball, since the passes are swept along that way. With `S` the part's shape operator (convex positive) and `M = (I + R S)⁻¹`,
-//! the surface of centres has `I/R − S_c = M/R`; with unit vectors `t` along the way of the centre and `w` across it,
-//! `κ = (1/(wᵀMw) − 1)/R`. Areas shrink from there to the part by `det M` and lengths along the pass by `|M t|`.
+//! On a surface ([`width_on_part_mm`]) each pass is swept along its way, and the ridge is where two such tubes meet. With `S` the part's
+//! shape operator (convex positive) and `M = (I + R S)⁻¹`, a ball whose centre lies `x` along the surface of centres from that over a
+//! place leaves there the height `xᵀMx/2R`, to second order. A pass beside the place, in the direction `t` and `D` away, leaves the least of its
+//! balls: `D²/(2R wᵀM⁻¹w)`, with `w` across `t`. Since `wᵀM⁻¹w = 1 + R wᵀSw`, what counts is the part's own curvature
+//! `κ = wᵀSw` across the way of the ball. The ball straight beside the place is not the one that cuts lowest where the way runs aslant to
+//! the principal directions, and by its height alone a crease as round as the ball would seem to need passes without end.
+//! Areas shrink from the centres to the part by `det M` and lengths along the pass by `|M t|`, so that the strip is `W(κ) tᵀMt/|Mt|` wide: by
+//! the cosine between the way of the ball and the line of contacts.
 
 use crate::geometry::Vector;
 use crate::geometry::nurbs::Principal;
@@ -62,21 +66,17 @@ pub fn height_mm(radius_mm: f64, distance_mm: f64, curvature_per_mm: f64) -> Opt
 /// mm: area over length of contacts. `travel` is the way of the ball centre, of any length. `None` where the ball does not fit,
 /// or where `travel` runs along the normal.
 pub fn width_on_part_mm(radius_mm: f64, scallop_mm: f64, bend: &Principal, travel: &Vector) -> Option<f64> {
-    // Principal curvatures are negative where convex.
-    let [m1, m2] = bend.curvature.map(|k| 1.0 / (1.0 - k * radius_mm));
-    if !(m1 > 0.0 && m2 > 0.0 && m1.is_finite() && m2.is_finite()) {
-        return None;
-    }
+    // Inverse of M; principal curvatures are negative where convex. Where one is 0 the ball is as round as the part.
+    let [g1, g2] = bend.curvature.map(|k| 1.0 - k * radius_mm);
     let (a, b) = (travel.dot(&bend.direction[0]), travel.dot(&bend.direction[1]));
     let size = a.hypot(b);
-    if !(size > 1e-6 * travel.norm()) {
+    if !(g1 >= 0.0 && g2 >= 0.0 && size > 1e-6 * travel.norm()) {
         return None;
     }
     let (a, b) = (a / size, b / size);
-    let across = m1 * b * b + m2 * a * a;
-    let along = (m1 * a).hypot(m2 * b);
-    let curvature = (1.0 / across - 1.0) / radius_mm;
-    Some(width_mm(radius_mm, scallop_mm, curvature)? * m1 * m2 / (across * along))
+    let curvature = -(bend.curvature[0] * b * b + bend.curvature[1] * a * a);
+    let cosine = (a * a * g2 + b * b * g1) / (a * g2).hypot(b * g1);
+    width_mm(radius_mm, scallop_mm, curvature).map(|w| w * cosine).filter(|w| w.is_finite())
 }
 
 #[cfg(test)]
@@ -140,28 +140,45 @@ mod tests {
         assert!(height_mm(2.0, 5.0, 0.0).is_none());
     }
 
-    /// Passes askew to the principal directions of a saddle: the surface itself decides. Ball centres lie on the parallel surface of
-    /// `z = −(a x² + b y²)/2`; of straight, parallel passes through it the ridge over the part is measured and compared.
+    /// Passes askew to the principal directions, on a saddle, a thin edge and a hollow about as round as the ball. Ball centres lie on the parallel surface of
+    /// `z = −(a x² + b y²)/2`; of straight, parallel passes over it the lowest ball over the place between them is sought and compared.
     #[test]
-    fn askew_passes_on_a_saddle_leave_what_is_asked_for() {
+    fn askew_passes_leave_what_is_asked_for() {
         let (radius, h) = (3.0, 1e-4);
-        let (a, b) = (0.15, -0.12);
-        for angle in [0.2f64, 0.7, 1.1] {
-            let t = [angle.cos(), angle.sin()];
-            // Near the origin, to second order: centres z = R − ½ cᵀ S M c.
-            let (sa, sb) = (a / (1.0 + a * radius), b / (1.0 + b * radius));
-            let across = [-t[1], t[0]];
-            let bend_c = sa * across[0] * across[0] + sb * across[1] * across[1];
-            let m = [1.0 / (1.0 + a * radius), 1.0 / (1.0 + b * radius)];
-            // A pass half a distance away on either side, seen along its way: circles about (±d/2, −bend d²/8) leave h at 0.
-            let d = (8.0 * h / (1.0 / radius - bend_c)).sqrt();
-            let left = radius - bend_c * d * d / 8.0 - (radius * radius - 0.25 * d * d).sqrt();
-            assert!((left / h - 1.0).abs() < 1e-3);
-            // Area of the part over length of contacts, from the map of centres to contacts.
-            let width = d * m[0] * m[1] / (m[0] * t[0]).hypot(m[1] * t[1]);
-            let bend = Principal { curvature: [-b, -a], direction: [Vector::y(), Vector::x()] };
-            let found = width_on_part_mm(radius, h, &bend, &Vector::new(t[0], t[1], 0.0)).unwrap();
-            assert!((found / width - 1.0).abs() < 1e-3, "{found} {width}");
+        for [a, b] in [[0.15, -0.12], [3.0, 0.01], [-0.3, 0.02]] {
+            for angle in [0.2f64, 0.7, 1.1] {
+                let t = [angle.cos(), angle.sin()];
+                // Near the origin, to second order: centres z = R − ½ cᵀ S M c.
+                let m = [1.0 / (1.0 + a * radius), 1.0 / (1.0 + b * radius)];
+                let (sa, sb) = (a * m[0], b * m[1]);
+                let left = |d: f64| {
+                    let height = |s: f64| {
+                        let (x, y) = (s * t[0] - 0.5 * d * t[1], s * t[1] + 0.5 * d * t[0]);
+                        radius - 0.5 * (sa * x * x + sb * y * y) - (radius * radius - x * x - y * y).sqrt()
+                    };
+                    (-4000..=4000).map(|k| height(f64::from(k) * 2e-3 * d)).fold(f64::INFINITY, f64::min)
+                };
+                let (mut low, mut high) = (1e-3, 1.0);
+                for _ in 0..40 {
+                    let middle = 0.5 * (low + high);
+                    if left(middle) < h { low = middle } else { high = middle }
+                }
+                // Area of the part over length of contacts, from the map of centres to contacts.
+                let width = low * m[0] * m[1] / (m[0] * t[0]).hypot(m[1] * t[1]);
+                let bend = Principal { curvature: [-b, -a], direction: [Vector::y(), Vector::x()] };
+                let found = width_on_part_mm(radius, h, &bend, &Vector::new(t[0], t[1], 0.0)).unwrap();
+                assert!((found / width - 1.0).abs() < 2e-3, "{a} {b} {angle}: {found} {width}");
+            }
         }
+    }
+
+    #[test]
+    fn in_a_crease_as_round_as_the_ball_the_strip_keeps_its_width() {
+        let (radius, h) = (3.0, 0.01);
+        let width = |hollow: f64| {
+            let bend = Principal { curvature: [hollow, -0.02], direction: [Vector::y(), Vector::x()] };
+            width_on_part_mm(radius, h, &bend, &Vector::new(0.99, 0.1, 0.0)).unwrap()
+        };
+        assert!((width(1.0 / radius) / width(0.9999 / radius) - 1.0).abs() < 0.01);
     }
 }

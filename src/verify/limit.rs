@@ -91,7 +91,7 @@ fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f
         Some((part.area_ratio(s.on_face.as_ref()), width.map_or(0.0, |w| 1.0 / w)))
     };
     let shares: Vec<(f64, f64)> = all.points.par_iter().filter_map(share).collect();
-    // At a pole, or where the ball fits only just, there is no width: such samples count as the mean of the others.
+    // At a pole, or along a crease as round as the ball, there is no width: such samples count as the mean of the others.
     let (mut area, mut known, mut sum) = (0.0, 0.0, 0.0);
     for (ratio, share) in shares {
         area += ratio;
