@@ -46,14 +46,16 @@ const COARSEST: f64 = 0.1;
 /// The decisive ridge over the scallop asked for from which on ways over facets are evened out: what is left over the surface, ridges and the ground between
 /// them, is lower then.
 const MOST_SCALLOP: f64 = 1.1;
-/// Distance of touches along a turn, on exact faces and over facets: a share of the stepover on flat ground, since turns that go round something as small as a
-/// stepover are shaped by it, ...
-const TOUCHES: [f64; 2] = [0.8, 0.5];
+/// Distance of touches along a turn of the path, on exact faces and over facets: a share of the stepover on flat ground, since turns that go round something as small
+/// as a stepover are shaped by it, ...
+const TOUCHES: [f64; 2] = [0.8, 0.25];
+/// ... the same of the turns that look for the end over facets, ...
+const TOUCHES_SEARCH: f64 = 0.5;
 /// ... and so much turn of the normal where the ball rolls round an edge, rad.
 const TOUCHES_RAD: [f64; 2] = [0.2, 0.125];
 /// The share by which turns of the path are evened before the next is laid. Neighbours of a place that runs ahead do so, too: all of it at once leaves ridges
-/// that are too low, and the next turn swings back. Over facets, which draw corners anew in every turn, less leaves higher ridges at sharp edges.
-const BACK: [f64; 2] = [0.4, 1.0];
+/// that are too low, and the next turn swings back.
+const BACK: [f64; 2] = [0.4, 0.3];
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
@@ -108,7 +110,7 @@ fn lay(
     // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
     let facets = usize::from(level.is_over_facets());
-    let fine_mm = (TOUCHES_RAD[facets] * options.radius_mm).min(TOUCHES[facets] * flat_mm).min(how.max_step_mm);
+    let touches_mm = |share: f64| (TOUCHES_RAD[facets] * options.radius_mm).min(share * flat_mm).min(how.max_step_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
     let bounds = Bounds {
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
@@ -120,10 +122,10 @@ fn lay(
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
         // Round thin edges of exact faces coarse turns run up the part in folds where they follow each bend: to find the end they need not.
-        step_mm: if facets == 0 { how.max_step_mm } else { fine_mm },
+        step_mm: if facets == 0 { how.max_step_mm } else { touches_mm(TOUCHES_SEARCH) },
         back: 1.0,
         evens_ways,
-        passes_burrs: false,
+        is_path: false,
     };
     let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);
     let progress = |from: f64, share: f64, way: f64| {
@@ -153,9 +155,9 @@ fn lay(
             let plain = search(options.scallop_mm);
             let up = March {
                 across: Across { bounds: room, ..plain.across },
-                step_mm: fine_mm,
+                step_mm: touches_mm(TOUCHES[facets]),
                 back: BACK[facets],
-                passes_burrs: true,
+                is_path: true,
                 ..plain
             };
             let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {

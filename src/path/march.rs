@@ -105,9 +105,9 @@ pub(super) struct March<'a> {
     pub(super) back: f64,
     /// Whether ways that scatter over facets are evened out along a turn.
     pub(super) evens_ways: bool,
-    /// Whether a place where a wall or an edge stops the ball is passed by where the turn goes on close to both sides of it: on a surface
-    /// over which turns went already it is a burr.
-    pub(super) passes_burrs: bool,
+    /// Whether the turns are those of the path, on a surface over which turns went already: a place where a wall or an edge stops the ball is a burr there,
+    /// and passed by where the turn goes on close to both sides of it.
+    pub(super) is_path: bool,
 }
 
 impl March<'_> {
@@ -254,7 +254,7 @@ impl March<'_> {
         if self.evens_ways {
             next = self.even_out(turn, &round, &along, &shares, next);
         }
-        if self.passes_burrs {
+        if self.is_path {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;

@@ -14,10 +14,11 @@ use crate::geometry::{Point, Vector};
 const STRAIGHT_RAD: f64 = 0.5;
 /// Turn of the normal in a step of a walk, rad.
 const STEP_RAD: f64 = 0.15;
-/// Ridges this near to the one asked for, as a share, are right.
-const GOOD: f64 = 5e-4;
-/// Ridges this near are right after one more step by the law of squares.
-const NEARLY: f64 = 0.02;
+/// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces and over facets, where touches lie nearer to one another and
+/// what a way is off by turns the next.
+const GOOD: [f64; 2] = [5e-4, 1e-4];
+/// Ways this near are right after one more step by the law of squares.
+const NEARLY: [f64; 2] = [0.02, 0.004];
 /// Tries of the law of squares: three do where the curvature is steady, more on facets.
 const MOST_TRIES: usize = 14;
 /// Steps of a walk before it is given up.
@@ -266,6 +267,7 @@ impl Across<'_> {
     }
 
     fn straight(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
+        let facets = usize::from(self.level.is_over_facets());
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut best: Option<Next> = None;
         let mut asked = guess_mm;
@@ -278,9 +280,9 @@ impl Across<'_> {
                 return self.stopped(from, &touch, asked);
             }
             let next = asked * factor.clamp(0.4, 2.5);
-            if (factor - 1.0).abs() <= NEARLY {
+            if (factor - 1.0).abs() <= NEARLY[facets] {
                 let (touch, way_mm) =
-                    if (factor - 1.0).abs() <= GOOD { (touch, way_mm) } else { self.beside(from, next)? };
+                    if (factor - 1.0).abs() <= GOOD[facets] { (touch, way_mm) } else { self.beside(from, next)? };
                 if !self.bounds.hold(&touch) {
                     return self.stopped(from, &touch, next);
                 }

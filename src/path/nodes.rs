@@ -22,8 +22,16 @@ const EVEN_WIDTH: f64 = 0.25;
 const EVEN_CAUTION: f64 = 1.0;
 /// Caution that is not needed: so much longer a way makes the ridge higher by not quite a hundredth.
 const FREE: f64 = 4e-3;
-/// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing.
+/// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing; ...
 const OVERRUN: f64 = 0.8;
+/// ... where corners are followed, in which another side is nearer by right.
+const OVERRUN_CORNERS: f64 = 0.96;
+/// A place between two sides of a turn that run towards one another is nearer to both of them than this share of its distance from the corner where they meet.
+const CORNER: f64 = 0.98;
+/// A way shorter than this share of the stepover on flat ground comes to no corner: it is that of a ramp's beginning.
+const LEAST_CORNER: f64 = 0.3;
+/// Halvings towards the last place in a corner that two sides cut.
+const CORNER_HALVINGS: usize = 8;
 /// Distance of touches in a corner between two sides, as a share of the usual step.
 const BRIDGE: f64 = 0.4;
 /// Tries to bring one of them back.
@@ -126,13 +134,23 @@ impl Overrun {
         kept
     }
 
-    /// The nearest place to `q` between two nodes of the turn, and as far as `look_mm` beyond them.
-    fn nearest(&self, [from, to]: [usize; 2], look_mm: f64, q: &Point) -> Option<Point> {
-        let lo = self.s_mm.partition_point(|s| *s < self.s_mm[self.first + from] - look_mm);
-        let hi = self.s_mm.partition_point(|s| *s <= self.s_mm[self.first + to] + look_mm);
-        let places =
-            self.turn[lo..hi].windows(2).map(|w| closest_on_segment(&w[0].touch.centre, &w[1].touch.centre, q));
-        places.min_by(|a, b| (a - q).norm_squared().total_cmp(&(b - q).norm_squared()))
+    /// The node between two of the turn that is farthest from `q`: there two sides meet that run towards one another.
+    fn farthest(&self, [from, to]: [usize; 2], q: &Point) -> usize {
+        let away = |k: &usize| (self.turn[self.first + k].touch.centre - q).norm_squared();
+        (from..=to).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(from)
+    }
+
+    /// The nearest places to `q` of the turn before its node `of` and after it, as far as `look_mm` beyond the nodes `from` and `to`.
+    fn sides(&self, [from, of, to]: [usize; 3], look_mm: f64, q: &Point) -> [Point; 2] {
+        let [from, of, to] = [from, of, to].map(|k| self.first + k);
+        let lo = self.s_mm.partition_point(|s| *s < self.s_mm[from] - look_mm);
+        let hi = self.s_mm.partition_point(|s| *s <= self.s_mm[to] + look_mm);
+        let nearest = |nodes: &[Node]| {
+            let places = nodes.windows(2).map(|w| closest_on_segment(&w[0].touch.centre, &w[1].touch.centre, q));
+            let least = places.min_by(|a, b| (a - q).norm_squared().total_cmp(&(b - q).norm_squared()));
+            least.unwrap_or(self.turn[of].touch.centre)
+        };
+        [nearest(&self.turn[lo..=of]), nearest(&self.turn[of..hi])]
     }
 }
 
@@ -153,9 +171,10 @@ impl March<'_> {
             let onward = along[a.0] + along[b.0];
             step.dot(&onward) <= 0.1 * step.norm() * onward.norm()
         };
+        let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
         let overruns = |chain: &Overrun, i: usize, node: &Node| {
             let way = (node.touch.centre - turn[i].touch.centre).norm();
-            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, OVERRUN * way)
+            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
         };
         let mut end = turn.len() - 1;
         let mut kept: Vec<(usize, Node)> = Vec::new();
@@ -171,7 +190,8 @@ impl March<'_> {
                 is_late = true;
                 chain = Overrun::of(before, turn, kept.iter().map(|k| k.1));
             }
-            let Some(node) = next[i].filter(|node| !overruns(&chain, i, node)) else { continue };
+            let reached = next[i].map(|node| self.beyond_corner(&chain, i, node));
+            let Some(node) = reached.filter(|node| !overruns(&chain, i, node)) else { continue };
             if !behind(kept.last().map_or((end, &turn[end]), |k| (k.0, &k.1)), (i, &node)) {
                 kept.push((i, node));
             } else if i == end {
@@ -206,6 +226,34 @@ impl March<'_> {
         Ok(self.bridged(&chain, turn[end], &kept))
     }
 
+    /// Whether the corners of a turn are covered and no more: two sides that run towards one another meet in a corner and cut more there than the place where they
+    /// meet, and the next turn need only come to within half a stepover of what they leave. Over facets there are such corners in every turn.
+    fn follows_corners(&self) -> bool {
+        self.is_path && self.across.level.is_over_facets()
+    }
+
+    /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the last place that the sides cut.
+    fn beyond_corner(&self, chain: &Overrun, i: usize, next: Node) -> Node {
+        let from = chain.turn[chain.first + i].touch.centre;
+        let way = next.touch.centre - from;
+        if !self.follows_corners() || next.stop.is_some() || way.norm() < LEAST_CORNER * self.flat_mm {
+            return next;
+        }
+        let sides = |q: &Point| chain.sides([i; 3], self.look_mm(), q).map(|side| (side - q).norm());
+        let [left, right] = sides(&next.touch.centre);
+        if left.max(right) > CORNER * way.norm() {
+            return next;
+        }
+        let (mut low, mut high) = (0.5, 1.0);
+        for _ in 0..CORNER_HALVINGS {
+            let middle = 0.5 * (low + high);
+            let [left, right] = sides(&(from + way * middle));
+            if left.min(right) <= 0.5 * way.norm() { low = middle } else { high = middle }
+        }
+        let touch = self.across.level.touch(&(from + way * (low + 0.5)), 0.5 * way.norm());
+        touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| Node { touch, ..next })
+    }
+
     /// The nodes kept after `first`, with more of them where others were left out: sides that run towards one another meet in a corner, and a
     /// straight way between the last nodes of the two would pass it by at more than a stepover.
     fn bridged(&self, chain: &Overrun, first: Node, kept: &[(usize, Node)]) -> Vec<Node> {
@@ -213,35 +261,57 @@ impl March<'_> {
         let mut from = 0;
         for (to, node) in kept {
             let last = nodes[nodes.len() - 1];
+            let mut node = *node;
             let way = node.touch.centre - last.touch.centre;
             let count = (way.norm() / (BRIDGE * self.step_mm)).ceil() as usize;
             // The place where one turn becomes the next may lie in such a corner, too.
             let is_gap = *to > from + 1 || way.norm() > FAR * self.step_mm;
             if is_gap && last.stop.is_none() && node.stop.is_none() {
+                let back = |touch: Touch| self.not_too_far(chain, [from, *to], touch);
+                let is_corner = *to > from + 1 && self.follows_corners();
+                if is_corner
+                    && nodes.len() > 1
+                    && let Some(touch) = back(last.touch)
+                {
+                    nodes.pop();
+                    nodes.push(Node { touch, ..last });
+                }
                 nodes.extend((1..count).filter_map(|k| {
                     let guess = last.touch.centre + way * (k as f64 / count as f64);
-                    let touch = self.not_too_far(chain, [from, *to], self.across.level.touch(&guess, way.norm())?)?;
-                    Some(Node { touch, ..*node })
+                    let touch = back(self.across.level.touch(&guess, way.norm())?)?;
+                    Some(Node { touch, ..node })
                 }));
+                if is_corner {
+                    node.touch = back(node.touch).unwrap_or(node.touch);
+                }
             }
-            nodes.push(*node);
+            nodes.push(node);
             from = *to;
         }
         nodes
     }
 
-    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the turn around two.
+    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the turn around two. Between two sides with the angle 2β between
+    /// the ways to them, that is to (1 + cos β)/2 of the stepover from each: half of it from what both leave.
     fn not_too_far(&self, chain: &Overrun, [from, to]: [usize; 2], touch: Touch) -> Option<Touch> {
         let level = self.across.level;
         let mut touch = touch;
         for _ in 0..BRIDGE_TRIES {
-            let near = chain.nearest([from, to], self.look_mm(), &touch.centre)?;
+            let q = touch.centre;
+            let of = chain.farthest([from, to], &q);
+            let sides = chain.sides([from, of, to], self.look_mm(), &q);
+            let [left, right] = sides.map(|side| side - q);
+            let corner_mm = CORNER * (chain.turn[chain.first + of].touch.centre - q).norm();
+            let is_corner = self.follows_corners() && left.norm().max(right.norm()) <= corner_mm;
+            let share = if is_corner { 0.5 + 0.5 * (0.5 * left.angle(&right)).cos() } else { 1.0 };
+            let near = if left.norm_squared() <= right.norm_squared() { sides[0] } else { sides[1] };
             let near = level.touch(&near, self.flat_mm)?.centre;
-            let ridge = ridge_height(level, &near, &touch.centre)?;
-            if ridge <= self.scallop_mm {
+            let ridge = ridge_height(level, &near, &q)?;
+            let most = self.scallop_mm * share * share;
+            if ridge <= most {
                 break;
             }
-            let guess = near + (touch.centre - near) * (self.scallop_mm / ridge).sqrt();
+            let guess = near + (q - near) * (most / ridge).sqrt();
             touch = level.touch(&guess, self.flat_mm)?;
         }
         Some(touch)
