@@ -73,7 +73,7 @@ pub struct Bounds<'a> {
 
 impl Bounds<'_> {
     /// No bounds.
-    const NONE: Bounds<'static> =
+    pub(super) const NONE: Bounds<'static> =
         Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, end_faces: &[] };
 
     /// Whether a touch is on a face that may not be touched.

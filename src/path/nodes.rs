@@ -239,16 +239,15 @@ impl March<'_> {
         if !self.follows_corners() || next.stop.is_some() || way.norm() < LEAST_CORNER * self.flat_mm {
             return next;
         }
-        let sides = |q: &Point| chain.sides([i; 3], self.look_mm(), q).map(|side| (side - q).norm());
-        let [left, right] = sides(&next.touch.centre);
-        if left.max(right) > CORNER * way.norm() {
+        let sides = |q: &Point| chain.sides([i; 3], self.look_mm(), q).map(|side| side - q);
+        if !are_round_a_corner(&sides(&next.touch.centre), way.norm()) {
             return next;
         }
         let (mut low, mut high) = (0.5, 1.0);
         for _ in 0..CORNER_HALVINGS {
             let middle = 0.5 * (low + high);
-            let [left, right] = sides(&(from + way * middle));
-            if left.min(right) <= 0.5 * way.norm() { low = middle } else { high = middle }
+            let is_cut = sides(&(from + way * middle)).iter().any(|side| side.norm() <= 0.5 * way.norm());
+            if is_cut { low = middle } else { high = middle }
         }
         let touch = self.across.level.touch(&(from + way * (low + 0.5)), 0.5 * way.norm());
         touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| Node { touch, ..next })
@@ -269,21 +268,18 @@ impl March<'_> {
             if is_gap && last.stop.is_none() && node.stop.is_none() {
                 let back = |touch: Touch| self.not_too_far(chain, [from, *to], touch);
                 let is_corner = *to > from + 1 && self.follows_corners();
-                if is_corner
-                    && nodes.len() > 1
-                    && let Some(touch) = back(last.touch)
-                {
-                    nodes.pop();
-                    nodes.push(Node { touch, ..last });
+                if is_corner {
+                    node.touch = back(node.touch).unwrap_or(node.touch);
+                    // The first node is the last of the turn before.
+                    if let Some(end) = nodes[1..].last_mut() {
+                        end.touch = back(end.touch).unwrap_or(end.touch);
+                    }
                 }
                 nodes.extend((1..count).filter_map(|k| {
                     let guess = last.touch.centre + way * (k as f64 / count as f64);
                     let touch = back(self.across.level.touch(&guess, way.norm())?)?;
                     Some(Node { touch, ..node })
                 }));
-                if is_corner {
-                    node.touch = back(node.touch).unwrap_or(node.touch);
-                }
             }
             nodes.push(node);
             from = *to;
@@ -300,11 +296,11 @@ impl March<'_> {
             let q = touch.centre;
             let of = chain.farthest([from, to], &q);
             let sides = chain.sides([from, of, to], self.look_mm(), &q);
-            let [left, right] = sides.map(|side| side - q);
-            let corner_mm = CORNER * (chain.turn[chain.first + of].touch.centre - q).norm();
-            let is_corner = self.follows_corners() && left.norm().max(right.norm()) <= corner_mm;
-            let share = if is_corner { 0.5 + 0.5 * (0.5 * left.angle(&right)).cos() } else { 1.0 };
-            let near = if left.norm_squared() <= right.norm_squared() { sides[0] } else { sides[1] };
+            let ways = sides.map(|side| side - q);
+            let corner_mm = (chain.turn[chain.first + of].touch.centre - q).norm();
+            let is_corner = self.follows_corners() && are_round_a_corner(&ways, corner_mm);
+            let share = if is_corner { 0.5 + 0.5 * (0.5 * ways[0].angle(&ways[1])).cos() } else { 1.0 };
+            let near = sides[usize::from(ways[1].norm_squared() < ways[0].norm_squared())];
             let near = level.touch(&near, self.flat_mm)?.centre;
             let ridge = ridge_height(level, &near, &q)?;
             let most = self.scallop_mm * share * share;
@@ -461,6 +457,11 @@ fn runs_to_the_left(stretch: &[Node]) -> bool {
     area.dot(&normals) < 0.0
 }
 
+/// Whether the ways from a place to the two sides of a turn are both shorter than that to the node between, `corner_mm`: the sides run towards one another.
+fn are_round_a_corner(ways: &[Vector; 2], corner_mm: f64) -> bool {
+    ways.iter().all(|way| way.norm() <= CORNER * corner_mm)
+}
+
 /// Whether two ways between touches cross, seen along the surface's normal there.
 fn cross([a, b]: [&Touch; 2], [c, d]: [&Touch; 2]) -> bool {
     let (one, other) = (b.centre - a.centre, d.centre - c.centre);
@@ -491,7 +492,13 @@ pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::level::LevelSet;
+    use super::super::neighbour::{Across, Bounds};
+    use super::super::stepover::flat_stepover_mm;
+    use super::super::tests::turned;
     use super::*;
+    use crate::geometry::allowance::Allowed;
 
     /// Nodes on the plane `z = 0` and on its other side.
     fn nodes(places: &[(f64, f64)], up: f64) -> Vec<Node> {
@@ -546,6 +553,44 @@ mod tests {
         assert_eq!((island[0], island[island.len() - 1]), ((0.0, 0.0), (20.0, 0.0)));
         for followed in [along(0.4, -3.0), along(1.5, 3.0), along(0.4, 0.3)] {
             assert_eq!(kept(&followed), followed);
+        }
+    }
+
+    #[test]
+    fn corners_are_covered_and_no_more() {
+        // A turn on the flat side of a bar, whose sides run towards one another at `half_rad` from the line between them, down at 0.
+        let blade = turned(4, &[1.0, 200.0], |_, s, c| [100.0 * c, 100.0 * s]);
+        let (radius_mm, scallop_mm) = (4.0, 0.01);
+        let level = LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm };
+        let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
+        let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
+        let march =
+            March { across, scallop_mm, flat_mm, step_mm: 0.25 * flat_mm, back: 0.3, evens_ways: false, is_path: true };
+        let (out, along) = (Vector::new(0.0, 1.0, 1.0).normalize(), Vector::new(0.0, -1.0, 1.0).normalize());
+        let on_side = |u: f64, v: f64| {
+            let guess = Point::new(100.0 + v, 0.0, 0.0) + out * (50f64.hypot(50.0) + radius_mm) + along * u;
+            Node { touch: level.touch(&guess, 1.0).unwrap(), way_mm: flat_mm, stop: None }
+        };
+        for half_rad in [0.6f64, 1.0, 1.3] {
+            let (sine, cosine) = half_rad.sin_cos();
+            let place = |k: i32| (0.25 * flat_mm * f64::from(k), 0.25 * flat_mm * f64::from(k.abs()));
+            let turn: Vec<Node> = (-12..=12).map(place).map(|(u, v)| on_side(u * sine, v * cosine)).collect();
+            let chain = Overrun::of(&[], &turn, std::iter::empty());
+            let up = |node: &Node| (node.touch.centre.x - 100.0) / flat_mm;
+            // Sides cut as far as half a stepover from them, 1 / sin of that over the corner.
+            let next = march.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
+            assert!((up(&next) - 0.5 * (1.0 / sine + 1.0)).abs() < 0.01, "{half_rad}: {}", up(&next));
+            // Where the sides' own neighbours meet, those of the places `gap` from the corner, is too far.
+            let gap = (4.0 * cosine / sine).ceil() as usize;
+            let met = on_side(0.0, flat_mm / sine).touch;
+            let back = march.not_too_far(&chain, [12 - gap, 12 + gap], met).unwrap().centre;
+            let near_mm = chain.sides([12; 3], march.look_mm(), &back).map(|side| (side - back).norm());
+            let near = near_mm[0].min(near_mm[1]) / flat_mm;
+            assert!((near - 0.5 * (1.0 + sine)).abs() < 0.01, "{half_rad}: {near}");
+            // Far from the corner a neighbour stays where it is.
+            let (u, v) = place(10);
+            let aside = on_side(u * sine - flat_mm * cosine, v * cosine + flat_mm * sine);
+            assert_eq!(march.beyond_corner(&chain, 22, aside).touch.centre, aside.touch.centre);
         }
     }
 
