@@ -123,6 +123,7 @@ fn lay(
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
         // Round thin edges of exact faces coarse turns run up the part in folds where they follow each bend: to find the end they need not.
         step_mm: if facets == 0 { how.max_step_mm } else { touches_mm(TOUCHES_SEARCH) },
+        round_mm: ring.length_mm,
         back: 1.0,
         evens_ways,
         is_path: false,
@@ -164,8 +165,8 @@ fn lay(
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;
             // Over the start height, near the tip, the surface may be lost to places that need not be cut: they are waited at lower down.
-            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
-            match lower.filter(|x| *x > start_x) {
+            let lower = laid.lost.map(|p| (p.x.min(highest) - WAITING * flat_mm).max(start_x));
+            match lower.filter(|x| *x < highest) {
                 Some(x) => highest = x,
                 None => break laid,
             }

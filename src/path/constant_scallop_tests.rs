@@ -205,7 +205,16 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
     let bounds = Bounds { x_mm: [0.0, 60.0], max_sin_lean: 1.0, end_faces: &[] };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
-    let march = March { across, scallop_mm: H, flat_mm, step_mm: 1.0, back: 1.0, evens_ways: false, is_path: false };
+    let march = March {
+        across,
+        scallop_mm: H,
+        flat_mm,
+        step_mm: 1.0,
+        round_mm: 100.0,
+        back: 1.0,
+        evens_ways: false,
+        is_path: false,
+    };
     let extent = |touches: &[Touch]| {
         let x = touches.iter().map(|t| t.contact.x);
         x.clone().fold(f64::NEG_INFINITY, f64::max) - x.fold(f64::INFINITY, f64::min)

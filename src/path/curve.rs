@@ -1,5 +1,6 @@
 //! A smooth curve through touches, on the level set, and places along it.
 
+use super::chords;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use crate::error::{Error, Result, Stage};
@@ -102,8 +103,9 @@ impl Curve<'_> {
         for i in 0..pieces {
             let length = (self.touches[i + 1].centre - self.touches[i].centre).norm();
             let bend = self.tangents[i].angle(&self.tangents[i + 1]);
+            let chord_mm = chords::tolerance_mm(self.level, &self.touches[i], &self.touches[i + 1], options);
             // The sagitta of a chord `c` where the curve turns by `bend` over `length` is c² bend / (8 length).
-            let bent = (0.9 * 8.0 * options.chord_mm * length / bend.max(1e-9)).sqrt();
+            let bent = (0.9 * 8.0 * chord_mm * length / bend.max(1e-9)).sqrt();
             total += length / bent.min(options.max_step_mm).max(1e-9);
             steps.push(total);
         }

@@ -26,7 +26,7 @@ const LEAST_PART: f64 = 0.05;
 /// Islands in the end that are narrower than so many stepovers of the turns that look for it are passed by. Never wider than two
 /// radii: so far apart are balls on both sides of a thin part.
 const ISLAND: f64 = 2.0;
-/// A turn so many times as long as the first runs to and fro beside places that the ball cannot follow.
+/// A turn so many times as long as the first, or as the ring at the start height, runs to and fro beside places that the ball cannot follow.
 const TOO_LONG: f64 = 5.0;
 /// A turn shorter than this share of the one before has lost a part of the way round.
 const TOO_SHORT: f64 = 0.6;
@@ -101,6 +101,8 @@ pub(super) struct March<'a> {
     pub(super) flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub(super) step_mm: f64,
+    /// Way round the part at the start height, mm: the end may run round no more than a corner of it.
+    pub(super) round_mm: f64,
     /// The share of what a place of a turn runs ahead of its neighbours by which it is brought back before the next turn is laid.
     pub(super) back: f64,
     /// Whether ways that scatter over facets are evened out along a turn.
@@ -196,7 +198,7 @@ impl March<'_> {
     ) -> Result<Laid> {
         let mut laid = Laid { turns, lost: None };
         let length_mm = |turn: &[Node]| arc_lengths(turn).last().copied().unwrap_or(0.0);
-        let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t));
+        let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t)).max(self.round_mm);
         while let Some((last, before)) = laid.turns.split_last_mut() {
             progress(last[0].touch.centre.x)?;
             match self.next_turn(before.last(), last) {

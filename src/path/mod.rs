@@ -26,7 +26,7 @@
 //!
 //! ## Guarantees
 //! Every location is within 1e-6 mm of the level set. The straight move between two locations stays within
-//! `chord_mm` of it, measured at its middle and, where it is long, at its quarters. The scallop between turns, measured at
+//! `chord_mm` of it, in smooth hollows of exact faces within a quarter of that, measured at its middle and, where it is long, at its quarters. The scallop between turns, measured at
 //! every location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
 //!
 //! ## Limits

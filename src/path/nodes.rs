@@ -564,8 +564,16 @@ mod tests {
         let level = LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm };
         let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
         let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
-        let march =
-            March { across, scallop_mm, flat_mm, step_mm: 0.25 * flat_mm, back: 0.3, evens_ways: false, is_path: true };
+        let march = March {
+            across,
+            scallop_mm,
+            flat_mm,
+            step_mm: 0.25 * flat_mm,
+            round_mm: 100.0,
+            back: 0.3,
+            evens_ways: false,
+            is_path: true,
+        };
         let (out, along) = (Vector::new(0.0, 1.0, 1.0).normalize(), Vector::new(0.0, -1.0, 1.0).normalize());
         let on_side = |u: f64, v: f64| {
             let guess = Point::new(100.0 + v, 0.0, 0.0) + out * (50f64.hypot(50.0) + radius_mm) + along * u;

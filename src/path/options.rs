@@ -18,7 +18,8 @@ pub struct PathOptions {
     pub stock_mm: f64,
     /// Greatest scallop between neighbouring turns, mm.
     pub scallop_mm: f64,
-    /// Greatest distance of the straight move between two locations from the exact path of ball centres, mm.
+    /// Greatest distance of the straight move between two locations from the exact path of ball centres, mm; in smooth hollows of exact
+    /// faces, where it leaves material standing, a quarter of it.
     pub chord_mm: f64,
     /// Greatest distance between two locations, mm.
     pub max_step_mm: f64,
