@@ -139,11 +139,11 @@ fn lay(
     let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
     let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
     let ring = level_ring.unwrap_or(ring.touches);
-    for coarser in tries {
+    for (k, coarser) in tries.iter().enumerate() {
         let open = options.region_x_mm[1].is_none();
         let lay_down = search(coarser * options.scallop_mm);
         down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
-        let Some(mut end) = lay_down.end_of(&down) else { continue };
+        let Some(mut end) = lay_down.end_of(&down, k + 1 == tries.len()) else { continue };
         end.reverse();
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
         let mut highest = start_x + HIGHEST * (start_x - end_x);

@@ -137,12 +137,17 @@ impl March<'_> {
     }
 
     /// The end as a closed curve, in the direction of the turns: the last turn where it runs along the end all the way, else the last but one,
-    /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends.
-    pub(super) fn end_of(&self, laid: &Laid) -> Option<Vec<Touch>> {
+    /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where turns follow one
+    /// another at the end already, while the rest is not, a finer search tells better where it is, unless this one `is_finest`; over facets evened ways do.
+    pub(super) fn end_of(&self, laid: &Laid, is_finest: bool) -> Option<Vec<Touch>> {
         if laid.is_at_the_end() {
             return Some(self.smooth_end(&laid.last()[1..]));
         }
-        let turn = laid.turns.len().checked_sub(2).map(|k| &laid.turns[k]).filter(|t| !is_ring(t))?;
+        let turn = laid.turns.len().checked_sub(2).filter(|k| *k > 0).map(|k| &laid.turns[k])?;
+        if is_ring(turn) {
+            let is_known = is_finest && !self.across.level.is_over_facets();
+            return is_known.then(|| self.smooth_end(&turn[1..]));
+        }
         let whole: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
         let along = curve::tangents(None, &whole, None);
         let left = ramp(turn, RAMP_STEPOVERS * self.flat_mm);
