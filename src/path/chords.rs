@@ -99,18 +99,18 @@ mod tests {
 
     #[test]
     fn chords_in_a_hollow_have_a_quarter_of_the_tolerance() {
-        let face = Face {
-            name: "wall".into(),
-            kind: SurfaceKind::Cylinder,
-            surface: cylinder(20.0, 40.0),
-            reversed: false,
-            loops: vec![],
-        };
-        let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.01, &Silent).unwrap();
-        let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm: 3.0 };
         let options = PathOptions { max_step_mm: 10.0, chord_mm: 0.001, ..PathOptions::new(3.0, 0.01) };
-        // Round the wall, and within it.
-        for (r, most_mm) in [(23.0f64, 0.001), (17.0, 0.00025)] {
+        // Round a wall, within it, and within one that is hardly rounder than the ball.
+        for (wall_mm, r, most_mm) in [(20.0, 23.0f64, 0.001), (20.0, 17.0, 0.00025), (5.0, 2.0, 0.001)] {
+            let face = Face {
+                name: "wall".into(),
+                kind: SurfaceKind::Cylinder,
+                surface: cylinder(wall_mm, 40.0),
+                reversed: false,
+                loops: vec![],
+            };
+            let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.01, &Silent).unwrap();
+            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm: 3.0 };
             let on_circle = |k: u32| {
                 let (s, c) = (f64::from(k) * 0.1).sin_cos();
                 level.touch(&Point::new(r * c, r * s, 20.0), 1.0).unwrap()

@@ -165,8 +165,8 @@ fn lay(
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;
             // Over the start height, near the tip, the surface may be lost to places that need not be cut: they are waited at lower down.
-            let lower = laid.lost.map(|p| (p.x.min(highest) - WAITING * flat_mm).max(start_x));
-            match lower.filter(|x| *x < highest) {
+            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
+            match lower.filter(|x| *x > start_x) {
                 Some(x) => highest = x,
                 None => break laid,
             }

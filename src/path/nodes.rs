@@ -473,7 +473,7 @@ fn cross([a, b]: [&Touch; 2], [c, d]: [&Touch; 2]) -> bool {
         && is_left(c, &other, a) != is_left(c, &other, b)
 }
 
-/// Whether a turn is closed: a ring, from which the first turn is laid.
+/// Whether a turn is closed: a ring, from which the first turn is laid, or one whose seam rests at the end of the region.
 pub(super) fn is_ring(turn: &[Node]) -> bool {
     turn.first().zip(turn.last()).is_some_and(|(a, b)| a.touch.centre == b.touch.centre)
 }
