@@ -94,11 +94,8 @@ fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
     for (region, end, count, least) in regions {
         let mut options = set(&["path.kind=constant-scallop", "path.scallop_mm=0.01"]);
         options.extend(set(region));
-        options.extend(["--axis", "0,0,1", "--until", "path"]);
-        let (out, run) = plan(&model, &options);
-        assert_eq!(run.status.code(), Some(0), "{}", String::from_utf8_lossy(&run.stderr));
-        let text = std::fs::read_to_string(out.path().join("out/toolpath.json")).expect("toolpath.json");
-        let path: Toolpath = serde_json::from_str(&text).expect("a toolpath");
+        options.extend(["--axis", "0,0,1"]);
+        let path = toolpath(&model, &options);
         assert!(path.end_reason.starts_with(end), "{region:?}: {}", path.end_reason);
         let length = |short: f64, long: f64, mm: f64| (short.min(mm), long.max(mm));
         let (shortest, longest) = path.turns.iter().fold((f64::INFINITY, 0.0), |(a, b), t| length(a, b, t.length_mm));
@@ -120,55 +117,47 @@ fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
 
 /// How far a cutter location is from the path of another plan, mm.
 struct Apart {
-    contact: [f64; 3],
+    contact: Point,
     /// Along the normal at its contact.
     normal: f64,
     whole: f64,
 }
 
-/// The path of a plan, model frame.
-struct Path3 {
-    contact: Vec<[f64; 3]>,
-    normal: Vec<[f64; 3]>,
-    centre: Vec<[f64; 3]>,
+/// Plans as far as the path.
+fn toolpath(model: &Path, options: &[&str]) -> Toolpath {
+    let (out, run) = plan(model, &[options, &["--until", "path"]].concat());
+    assert_eq!(run.status.code(), Some(0), "{}: {}", model.display(), String::from_utf8_lossy(&run.stderr));
+    let text = std::fs::read_to_string(out.path().join("out/toolpath.json")).expect("toolpath.json");
+    serde_json::from_str(&text).expect("a toolpath")
 }
 
-/// Plans a part of the corpus in a region.
-fn planned(file: &Path, region: &[&str]) -> Path3 {
-    let (out, run) = plan(file, &set(region));
-    assert_eq!(run.status.code(), Some(0), "{}: {}", file.display(), String::from_utf8_lossy(&run.stderr));
-    let folder = out.path().join("out");
-    let [contact, normal, centre] =
-        ["p", "n", "c"].map(|k| columns(&folder, ["x", "y", "z"].map(|a| format!("{k}{a}"))));
-    Path3 { contact, normal, centre }
+/// The cutter locations in a region of a part, model frame.
+fn located(model: &Path, region: &[&str]) -> Vec<CutterLocation> {
+    let to_model = read(model, None).model_from_blade;
+    let moved = |l: CutterLocation| CutterLocation {
+        centre: to_model * l.centre,
+        contact: to_model * l.contact,
+        normal: to_model * l.normal,
+        ..l
+    };
+    toolpath(model, &set(region)).locations.into_iter().map(moved).collect()
 }
 
-/// Three columns of a plan's cutter locations.
-fn columns(out: &Path, names: [String; 3]) -> Vec<[f64; 3]> {
-    let text = std::fs::read_to_string(out.join("cutter_locations.csv")).expect("cutter locations");
-    let mut rows = text.lines().filter(|l| !l.starts_with('#')).map(|l| l.split(',').collect::<Vec<_>>());
-    let head = rows.next().expect("a header");
-    let at = names.map(|name| head.iter().position(|h| **h == name).expect("a column"));
-    rows.map(|r| at.map(|k| r[k].parse().expect("a number"))).collect()
-}
-
-fn apart(from: &Path3, path: &Path3) -> Vec<Apart> {
-    let minus = |p: &[f64; 3], q: &[f64; 3]| [0, 1, 2].map(|k| p[k] - q[k]);
-    let dot = |p: &[f64; 3], q: &[f64; 3]| (0..3).map(|k| p[k] * q[k]).sum::<f64>();
-    // From a location to the polyline of the other path.
-    let off = |p: &[f64; 3]| {
-        let to = |w: &[[f64; 3]]| {
-            let (d, r) = (minus(&w[1], &w[0]), minus(p, &w[0]));
-            let s = (dot(&d, &r) / dot(&d, &d).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            [0, 1, 2].map(|k| r[k] - s * d[k])
+/// Every 23rd location of a path from another path.
+fn apart(from: &[CutterLocation], path: &[CutterLocation]) -> Vec<Apart> {
+    let off = |p: &Point| {
+        let to = |w: &[CutterLocation]| {
+            let (d, r) = (w[1].centre - w[0].centre, p - w[0].centre);
+            r - (d.dot(&r) / d.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) * d
         };
-        from.centre.windows(2).map(to).min_by(|v, w| dot(v, v).total_cmp(&dot(w, w))).unwrap_or([f64::MAX; 3])
+        let all = from.windows(2).map(to);
+        all.min_by(|v, w| v.norm_squared().total_cmp(&w.norm_squared())).expect("a path of two places")
     };
-    let one = |k: usize| {
-        let v = off(&path.centre[k]);
-        Apart { contact: path.contact[k], normal: dot(&v, &path.normal[k]).abs(), whole: dot(&v, &v).sqrt() }
+    let one = |l: &CutterLocation| {
+        let v = off(&l.centre);
+        Apart { contact: l.contact, normal: v.dot(&l.normal).abs(), whole: v.norm() }
     };
-    (0..path.centre.len()).step_by(23).map(one).collect()
+    path.iter().step_by(23).map(one).collect()
 }
 
 /// Prints the greatest, and others at shares of the sorted values; gives the greatest back.
@@ -193,7 +182,7 @@ fn told(what: &str, x: impl Iterator<Item = f64>) -> f64 {
 fn corpus_step_and_iges_give_the_same_locations() {
     let Some(folder) = blades() else { return };
     let [a, b] = ["step", "iges"].map(|kind| {
-        planned(&folder.join(format!("tblade3_case7288/case7288_rotor_hubwedge.{kind}")), &["region.end_mm=73"])
+        located(&folder.join(format!("tblade3_case7288/case7288_rotor_hubwedge.{kind}")), &["region.end_mm=73"])
     });
     let worst = told("STEP and IGES", apart(&a, &b).iter().map(|f| f.whole));
     assert!(worst < 0.001, "{worst} mm apart");
@@ -228,15 +217,17 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
         }
     }
     told("the table's points from the STEP", published.iter().map(|p| p.1));
-    let again = tempfile::tempdir().expect("temporary folder");
-    let path = again.path().join("again.dat");
+    let folder = tempfile::tempdir().expect("temporary folder");
+    let path = folder.path().join("again.dat");
     std::fs::write(&path, moved).expect("the table is written");
-    let sway = sides_apart(&read(&path, None), &faces, |p| p);
+    // A share of its vertices is enough: they lie on the faces, however coarse the facets.
+    let coarse = ModelOptions { deflection_mm: 0.015, ..ModelOptions::default() };
+    let again = model::load(&path, &coarse, &Silent).expect("the table is read");
+    let sway = sides_apart(&again, &faces, |p| p);
     told("the STEP between its own sections", sway.iter().map(|p| p.1));
     // By how much the published forms may differ about a place: at the sections (those on either side are within 3 mm) and, besides,
     // between them.
-    let differ = |c: &[f64; 3]| {
-        let c = Point::from(*c);
+    let differ = |c: &Point| {
         let near = |known: &[(Point, f64)], radius: f64| {
             let nearest =
                 known.iter().min_by(|a, b| (a.0 - c).norm().total_cmp(&(b.0 - c).norm())).map_or(f64::MAX, |p| p.1);
@@ -246,7 +237,7 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     };
 
     let region = ["region.start_mm=130", "region.end_mm=80"];
-    let (a, b) = (planned(&step, &region), planned(&table, &region));
+    let (a, b) = (located(&step, &region), located(&table, &region));
     let found = apart(&a, &b);
     told("cutter locations, along the normal", found.iter().map(|f| f.normal));
     // Along the surface the paths differ in their pitch, which follows the curvature.
