@@ -7,7 +7,7 @@ use crate::artifact::{Channel, Plan, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
-use crate::observe::{Observer, Warning};
+use crate::observe::{Observer, Recorder, Silent, Warning};
 use crate::output::RunFolder;
 use crate::output::manifest::Clock;
 use crate::path;
@@ -67,16 +67,18 @@ pub(super) fn plan(
         return Ok(None);
     }
     let (motion, leads, fixed_motion) = clock.time(Stage::Feed, || {
-        let (motion, leads) = match motion {
-            Some(known) => known,
-            None => {
-                let leads = leads::choose(setup, &toolpath, &schedule, observer)?;
-                leads::motion(setup, &toolpath, &schedule, leads, observer)?
-            }
+        let chosen = match &motion {
+            Some((_, leads)) => leads.clone(),
+            None => leads::choose(setup, &toolpath, &schedule, observer)?,
         };
-        // From the same leads, so that the two are compared under the same conditions.
-        let others = lead::for_schedule(&leads, &toolpath, &fixed);
-        let (fixed_motion, _) = leads::motion(setup, &toolpath, &fixed, others, observer)?;
+        // From the same leads, so that the two are compared under the same conditions. At the same time, since each takes one thread; what is
+        // to be said of it is said after what is to be said of the plan, however the two end.
+        let others = lead::for_schedule(&chosen, &toolpath, &fixed);
+        let told = Recorder::new(&Silent);
+        let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, chosen, observer), Ok);
+        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &told));
+        let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
+        told.warnings().into_iter().for_each(|w| observer.warn(w));
         Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
