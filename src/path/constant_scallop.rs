@@ -22,7 +22,8 @@
 //!   that would run backwards (a front that has folded) is left out.
 //! * **Meshes**: ridges over facets scatter about those of the part they stand for; where they would be too high, the way across is evened out along the turn.
 //! * Where the ball loses the surface on the way down, or places have come to the end and others never do, the end is drawn along the last turn but
-//!   one, which could be left everywhere. Where it loses the surface on the way up too, the turns are those laid down from the start.
+//!   one, which could be left everywhere. Where it loses the surface on the way up too, the helix ends at one of the turns not so far down, unless its end was asked
+//!   for; where that does not help, the turns are those laid down from the start.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -60,6 +61,10 @@ const BACK: [f64; 2] = [0.4, 0.3];
 const HIGHEST: f64 = 0.5;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
 const WAITING: f64 = 2.0;
+/// Where turns cannot be laid up from the end, they are from a turn not so far down: so many of those that looked for the end are left out ...
+const LEFT_OUT: [usize; 9] = [0, 1, 3, 5, 8, 12, 18, 27, 40];
+/// ... unless this share of the mean height from the start to the end is not cut then.
+const LEAST_DEPTH: f64 = 0.7;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
 
@@ -134,20 +139,10 @@ fn lay(
         observer.progress(Stage::Path, (from + share * done) as usize, 2000);
         observer.check(Stage::Path)
     };
-    let mut down = Laid { turns: Vec::new(), lost: None };
-    let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
-    let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
-    let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
-    let ring = level_ring.unwrap_or(ring.touches);
-    for (k, coarser) in tries.iter().enumerate() {
-        let open = options.region_x_mm[1].is_none();
-        let lay_down = search(coarser * options.scallop_mm);
-        down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
-        let Some(mut end) = lay_down.end_of(&down, k + 1 == tries.len()) else { continue };
-        end.reverse();
+    let lay_up = |end: &[Touch]| {
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
         let mut highest = start_x + HIGHEST * (start_x - end_x);
-        let laid = loop {
+        loop {
             let room = Bounds {
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
@@ -161,20 +156,51 @@ fn lay(
                 is_path: true,
                 ..plain
             };
-            let laid = up.lay(up.along(&end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
+            let laid = up.lay(up.along(end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;
             // Over the start height, near the tip, the surface may be lost to places that need not be cut: they are waited at lower down.
             let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
             match lower.filter(|x| *x > start_x) {
                 Some(x) => highest = x,
-                None => break laid,
+                None => return Ok(laid),
             }
-        };
-        if laid.lost.is_none() {
+        }
+    };
+    let mut down = Laid { turns: Vec::new(), lost: None };
+    let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
+    let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
+    let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
+    let ring = level_ring.unwrap_or(ring.touches);
+    for (k, coarser) in tries.iter().enumerate() {
+        let open = options.region_x_mm[1].is_none();
+        let lay_down = search(coarser * options.scallop_mm);
+        down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
+        let is_finest = k + 1 == tries.len();
+        let mut reason = end_reason(blade, &down, options);
+        let depth_mm = |end: &[Touch]| start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
+        // A finer search, or ways that are evened out, may find an end from which turns can be laid up. An end that was asked for stays.
+        let may_end_higher = is_finest && evens_ways == (facets == 1) && open && options.end_faces.is_empty();
+        let mut deepest_mm = 0.0;
+        let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
+        for left_out in ends {
+            let Some(mut end) = down.without_last(*left_out).and_then(|d| lay_down.end_of(&d, is_finest)) else {
+                continue;
+            };
+            deepest_mm = depth_mm(&end).max(deepest_mm);
+            if depth_mm(&end) < LEAST_DEPTH * deepest_mm {
+                break;
+            }
+            end.reverse();
+            let laid = lay_up(&end)?;
+            if let Some(lost) = laid.lost {
+                if *left_out == 0 {
+                    reason = format!("turns from farther down would lose the surface at {}", place(blade, &lost));
+                }
+                continue;
+            }
             let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
-            let reason = end_reason(blade, &down, options);
-            match finish(level, options, reversed, reason, observer) {
+            match finish(level, options, reversed, reason.clone(), observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
                 done => return done.map(|path| Helix { path, is_from_end: true }),
             }

@@ -153,9 +153,10 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         .into_par_iter()
         .map(|k| {
             let (upper, lower) = (&turns[k - 1], &turns[k]);
+            let s_mm = arc_lengths_mm(lower);
             let mut at = 0usize;
             let ridge = |t: &Touch| {
-                let near = nearest_forward(lower, &t.centre, &mut at)?;
+                let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
                 // Off the chord and onto the level set, as for the rings.
                 let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
                 ridge_height(level, &t.centre, &on_level.centre)
@@ -165,22 +166,73 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The nearest point of an open polyline of centres, sought near the last answer: both turns run alongside. `None`
-/// where it is an end of the polyline: the path goes on there, its nearest place is on another turn.
-fn nearest_forward(turn: &[Touch], q: &Point, at: &mut usize) -> Option<Point> {
-    let n = turn.len();
-    let window = 40 + n / 20;
-    let (lo, hi) = (at.saturating_sub(window), (*at + window).min(n - 1));
-    let mut best = (f64::INFINITY, turn.first()?.centre, lo, true);
-    for i in lo..hi {
-        let (a, b) = (turn[i].centre, turn[i + 1].centre);
-        let f = share_of_segment(&a, &b, q);
-        let p = a + (b - a) * f;
-        let dist = (q - p).norm_squared();
-        if dist < best.0 {
-            best = (dist, p, i, (i == 0 && f <= 0.0) || (i + 2 == n && f >= 1.0));
+fn arc_lengths_mm(turn: &[Touch]) -> Vec<f64> {
+    let steps = turn.windows(2).map(|w| (w[1].centre - w[0].centre).norm());
+    let sum = |s: &mut f64, step| {
+        *s += step;
+        Some(*s)
+    };
+    std::iter::once(0.0).chain(steps.scan(0.0, sum)).collect()
+}
+
+/// The nearest point of an open polyline of centres with these arc lengths; `at` is the segment of the last answer, and of this. `None` where it is an
+/// end of the polyline: the path goes on there, its nearest place is on another turn.
+fn nearest_between_ends(turn: &[Touch], s_mm: &[f64], q: &Point, at: &mut usize) -> Option<Point> {
+    let (n, before) = (turn.len(), *at);
+    let mut best = (f64::INFINITY, turn.first()?.centre, true);
+    let mut compare = |i: usize| {
+        let f = share_of_segment(&turn[i].centre, &turn[i + 1].centre, q);
+        let p = turn[i].centre + (turn[i + 1].centre - turn[i].centre) * f;
+        let away_mm = (q - p).norm();
+        if away_mm < best.0 {
+            *at = i;
+            best = (away_mm, p, (i == 0 && f <= 0.0) || (i + 2 == n && f >= 1.0));
+        }
+        best.0
+    };
+    if before + 1 < n {
+        compare(before);
+    }
+    let mut i = 0;
+    while i + 1 < n {
+        let nearest_mm = compare(i);
+        // Farther on by an arc length the polyline is nearer by no more than that.
+        let free_mm = (q - turn[i + 1].centre).norm() - nearest_mm;
+        i = s_mm.partition_point(|s| *s <= s_mm[i + 1] + free_mm).max(i + 2) - 1;
+    }
+    (!best.2).then_some(best.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Vector;
+
+    #[test]
+    fn the_nearest_place_is_that_of_all_segments_wherever_the_last_was() {
+        // A spiral with tongues: places that are near one another are far apart along it.
+        let at = |k: usize| {
+            let a = 0.02 * k as f64;
+            let r = 10.0 + 0.3 * a + 2.0 * (40.0 * a).sin();
+            Point::new(r * a.cos(), r * a.sin(), 0.1 * a)
+        };
+        let touch = |centre: Point| Touch { centre, contact: centre, normal: Vector::z(), face: 0 };
+        let turn: Vec<Touch> = (0..700).map(|k| touch(at(k))).collect();
+        let s_mm = arc_lengths_mm(&turn);
+        let mut last = 0;
+        for k in 0..500usize {
+            let (a, r) = (2.4 * k as f64, 15.0 * ((k * k % 97) as f64 / 97.0));
+            let q = Point::new(r * a.cos(), r * a.sin(), 0.3);
+            let away = |i: usize, f: f64| (turn[i].centre + (turn[i + 1].centre - turn[i].centre) * f - q).norm();
+            let all = (0..turn.len() - 1).map(|i| {
+                let f = share_of_segment(&turn[i].centre, &turn[i + 1].centre, &q);
+                (away(i, f), i, f)
+            });
+            let (away_mm, i, f) = all.fold((f64::INFINITY, 0, 0.0), |best, x| if x.0 < best.0 { x } else { best });
+            let is_end = i == 0 && f <= 0.0 || i + 2 == turn.len() && f >= 1.0;
+            let found = nearest_between_ends(&turn, &s_mm, &q, &mut last);
+            assert_eq!(found.is_none(), is_end, "{q}");
+            assert!(found.is_none_or(|p| ((p - q).norm() - away_mm).abs() < 1e-12), "{q}: {found:?}, {away_mm} mm");
         }
     }
-    *at = best.2;
-    (!best.3).then_some(best.1)
 }

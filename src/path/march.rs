@@ -56,6 +56,12 @@ impl Laid {
         self.turns.last().map_or(&[], Vec::as_slice)
     }
 
+    /// The turns but for so many at the end. `None` where there are no more.
+    pub(super) fn without_last(&self, count: usize) -> Option<Laid> {
+        let kept = self.turns.len().checked_sub(count).filter(|n| *n > 0)?;
+        Some(Laid { turns: self.turns[..kept].to_vec(), lost: self.lost.filter(|_| count == 0) })
+    }
+
     /// Whether the last turn runs along the end all the way: it is closed then.
     pub(super) fn is_at_the_end(&self) -> bool {
         self.turns.len() > 1 && self.last().iter().all(|n| n.stop.is_some())
