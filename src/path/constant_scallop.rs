@@ -63,7 +63,7 @@ const HIGHEST: f64 = 0.5;
 const WAITING: f64 = 2.0;
 /// Where turns cannot be laid up from the end, they are from a turn not so far down: so many of those that looked for the end are left out ...
 const LEFT_OUT: [usize; 9] = [0, 1, 3, 5, 8, 12, 18, 27, 40];
-/// ... unless this share of the mean height from the start to the end is not cut then.
+/// ... as long as this share of the mean way from the start height down to the end is cut.
 const LEAST_DEPTH: f64 = 0.7;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
@@ -184,9 +184,8 @@ fn lay(
         let mut deepest_mm = 0.0;
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
         for left_out in ends {
-            let Some(mut end) = down.without_last(*left_out).and_then(|d| lay_down.end_of(&d, is_finest)) else {
-                continue;
-            };
+            let kept = &down.turns[..down.turns.len().saturating_sub(*left_out)];
+            let Some(mut end) = lay_down.end_of(kept, is_finest) else { continue };
             deepest_mm = depth_mm(&end).max(deepest_mm);
             if depth_mm(&end) < LEAST_DEPTH * deepest_mm {
                 break;

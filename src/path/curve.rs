@@ -17,6 +17,16 @@ pub struct Curve<'a> {
     pub tangents: Vec<Vector>,
 }
 
+/// Arc lengths of a polyline at its points, mm.
+pub fn arc_lengths<'p>(points: impl Iterator<Item = &'p Point>) -> Vec<f64> {
+    let (mut s, mut last) = (0.0, None);
+    let length = |p: &'p Point| {
+        s += last.replace(p).map_or(0.0, |before| (p - before).norm());
+        s
+    };
+    points.map(length).collect()
+}
+
 /// Unit directions of the curve through touches, given those before the first and after the last where there are any: those
 /// of the parabola through three neighbours, within the tangent plane of the level set.
 pub fn tangents(before: Option<&Point>, touches: &[Touch], after: Option<&Point>) -> Vec<Vector> {

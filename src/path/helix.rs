@@ -2,16 +2,16 @@
 
 use rayon::prelude::*;
 
-use super::chords;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
 use super::rings::Stack;
 use super::stepover::{decisive_mm, ridge_height};
+use super::{chords, curve};
 use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
-use crate::geometry::triangle::share_of_segment;
+use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Observer;
 
 /// One turn, from ring `a` to ring `b`.
@@ -153,7 +153,7 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         .into_par_iter()
         .map(|k| {
             let (upper, lower) = (&turns[k - 1], &turns[k]);
-            let s_mm = arc_lengths_mm(lower);
+            let s_mm = curve::arc_lengths(lower.iter().map(|t| &t.centre));
             let mut at = 0usize;
             let ridge = |t: &Touch| {
                 let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
@@ -166,47 +166,30 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn arc_lengths_mm(turn: &[Touch]) -> Vec<f64> {
-    let steps = turn.windows(2).map(|w| (w[1].centre - w[0].centre).norm());
-    let sum = |s: &mut f64, step| {
-        *s += step;
-        Some(*s)
-    };
-    std::iter::once(0.0).chain(steps.scan(0.0, sum)).collect()
-}
-
 /// The nearest point of an open polyline of centres with these arc lengths; `at` is the segment of the last answer, and of this. `None` where it is an
 /// end of the polyline: the path goes on there, its nearest place is on another turn.
 fn nearest_between_ends(turn: &[Touch], s_mm: &[f64], q: &Point, at: &mut usize) -> Option<Point> {
-    let (n, before) = (turn.len(), *at);
-    let mut best = (f64::INFINITY, turn.first()?.centre, true);
-    let mut compare = |i: usize| {
-        let f = share_of_segment(&turn[i].centre, &turn[i + 1].centre, q);
-        let p = turn[i].centre + (turn[i + 1].centre - turn[i].centre) * f;
-        let away_mm = (q - p).norm();
-        if away_mm < best.0 {
-            *at = i;
-            best = (away_mm, p, (i == 0 && f <= 0.0) || (i + 2 == n && f >= 1.0));
-        }
-        best.0
-    };
-    if before + 1 < n {
-        compare(before);
-    }
+    let (first, last) = (turn.first()?.centre, turn.last()?.centre);
+    let on = |i: usize| closest_on_segment(&turn[i].centre, &turn[i + 1].centre, q);
+    let mut nearest = if *at + 1 < turn.len() { on(*at) } else { first };
     let mut i = 0;
-    while i + 1 < n {
-        let nearest_mm = compare(i);
+    while i + 1 < turn.len() {
+        let here = on(i);
+        if (q - here).norm() < (q - nearest).norm() {
+            (*at, nearest) = (i, here);
+        }
         // Farther on by an arc length the polyline is nearer by no more than that.
-        let free_mm = (q - turn[i + 1].centre).norm() - nearest_mm;
+        let free_mm = (q - turn[i + 1].centre).norm() - (q - nearest).norm();
         i = s_mm.partition_point(|s| *s <= s_mm[i + 1] + free_mm).max(i + 2) - 1;
     }
-    (!best.2).then_some(best.1)
+    (nearest != first && nearest != last).then_some(nearest)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Vector;
+    use crate::geometry::triangle::share_of_segment;
 
     #[test]
     fn the_nearest_place_is_that_of_all_segments_wherever_the_last_was() {
@@ -218,7 +201,7 @@ mod tests {
         };
         let touch = |centre: Point| Touch { centre, contact: centre, normal: Vector::z(), face: 0 };
         let turn: Vec<Touch> = (0..700).map(|k| touch(at(k))).collect();
-        let s_mm = arc_lengths_mm(&turn);
+        let s_mm = curve::arc_lengths(turn.iter().map(|t| &t.centre));
         let mut last = 0;
         for k in 0..500usize {
             let (a, r) = (2.4 * k as f64, 15.0 * ((k * k % 97) as f64 / 97.0));

@@ -56,16 +56,15 @@ impl Laid {
         self.turns.last().map_or(&[], Vec::as_slice)
     }
 
-    /// The turns but for so many at the end. `None` where there are no more.
-    pub(super) fn without_last(&self, count: usize) -> Option<Laid> {
-        let kept = self.turns.len().checked_sub(count).filter(|n| *n > 0)?;
-        Some(Laid { turns: self.turns[..kept].to_vec(), lost: self.lost.filter(|_| count == 0) })
-    }
-
     /// Whether the last turn runs along the end all the way: it is closed then.
     pub(super) fn is_at_the_end(&self) -> bool {
-        self.turns.len() > 1 && self.last().iter().all(|n| n.stop.is_some())
+        are_at_the_end(&self.turns)
     }
+}
+
+/// Whether the last of turns runs along the end all the way.
+fn are_at_the_end(turns: &[Vec<Node>]) -> bool {
+    matches!(turns, [_, .., last] if last.iter().all(|n| n.stop.is_some()))
 }
 
 /// What of the turns is not at the end yet.
@@ -145,11 +144,11 @@ impl March<'_> {
     /// The end as a closed curve, in the direction of the turns: the last turn where it runs along the end all the way, else the last but one,
     /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where turns follow one
     /// another at the end already, while the rest is not, a finer search tells better where it is, unless this one `is_finest`; over facets evened ways do.
-    pub(super) fn end_of(&self, laid: &Laid, is_finest: bool) -> Option<Vec<Touch>> {
-        if laid.is_at_the_end() {
-            return Some(self.smooth_end(&laid.last()[1..]));
+    pub(super) fn end_of(&self, turns: &[Vec<Node>], is_finest: bool) -> Option<Vec<Touch>> {
+        if are_at_the_end(turns) {
+            return turns.last().map(|last| self.smooth_end(&last[1..]));
         }
-        let turn = laid.turns.len().checked_sub(2).filter(|k| *k > 0).map(|k| &laid.turns[k])?;
+        let turn = turns.len().checked_sub(2).filter(|k| *k > 0).map(|k| &turns[k])?;
         if is_ring(turn) {
             let is_known = is_finest && !self.across.level.is_over_facets();
             return is_known.then(|| self.smooth_end(&turn[1..]));

@@ -480,14 +480,7 @@ pub(super) fn is_ring(turn: &[Node]) -> bool {
 
 /// Arc lengths of a turn at its nodes, mm.
 pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
-    let mut s = 0.0;
-    let steps = turn.windows(2).map(|w| (w[1].touch.centre - w[0].touch.centre).norm());
-    std::iter::once(0.0)
-        .chain(steps.map(|step| {
-            s += step;
-            s
-        }))
-        .collect()
+    curve::arc_lengths(turn.iter().map(|n| &n.touch.centre))
 }
 
 #[cfg(test)]
