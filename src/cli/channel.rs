@@ -133,17 +133,18 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     if let Some(b) = found.best_b_deg {
         row("widest at B", format!("{b}°"));
     }
-    let mm = |v: Option<f64>, none: &str| v.map_or_else(|| none.to_owned(), |v| format!("{v:.1} mm"));
-    let now_mm = format!(" (now {} mm)", tool.stickout_mm);
-    row("least stick-out that opens it", mm(found.least_stickout_mm, "none") + &now_mm);
+    let mm =
+        |v: Option<f64>, digits: usize, none: &str| v.map_or_else(|| none.to_owned(), |v| format!("{v:.digits$} mm"));
+    let now_mm = format!(" (now {:.1} mm)", tool.stickout_mm);
+    row("least stick-out that opens it", mm(found.least_stickout_mm, 1, "none") + &now_mm);
     let radii =
         found.holder_radii_mm.as_ref().map(|r| r.iter().map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(", "));
     row(
         "thickest holder that opens it",
         radii.map_or_else(|| "none, not even as thin as the shank".into(), |r| format!("radii {r} mm")),
     );
-    let now_mm = format!(" (now {} mm)", tool.shank_radius_mm);
-    row("thickest shank that opens it", mm(found.shank_radius_mm, "none, not even as thin as the ball") + &now_mm);
+    let now_mm = format!(" (now {:.2} mm)", tool.shank_radius_mm);
+    row("thickest shank that opens it", mm(found.shank_radius_mm, 2, "none, not even as thin as the ball") + &now_mm);
     if let Some(f) = &found.farthest {
         row("leads farthest", format!("B = {}°: to height {:.2} mm, turn {}", f.b_deg, f.height_mm, f.turn));
     }

@@ -103,7 +103,7 @@ pub fn check_among(
     report.gouge_mm = deepest.found_mm.max(0.0);
     report.checks.push(check);
     step(1)?;
-    scallop::check(&plan, blade, &part, &sweep, options, &mut report);
+    scallop::check(&plan, blade, &part, &sweep, options, &mut report, observer);
     step(2)?;
     let (checks, least) = clearance::check(&plan, blade, tool, options);
     report.clearance_mm = least;

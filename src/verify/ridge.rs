@@ -25,6 +25,9 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 const CUT: f64 = 0.25;
 /// Moves within so many times the distance of the two passes may cut a ridge down.
 const REACH_STEPOVERS: f64 = 2.5;
+/// Two passes as near as this share of the stepover on a plane leave a four-hundredth of its ridge; where one runs into the other the way from one to the other may
+/// be along them, and the circle of the two balls is then no ridge.
+const APART: f64 = 0.05;
 
 /// First and last turn, which have a neighbour on one side only.
 pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
@@ -41,18 +44,25 @@ pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -
     let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
     let rows: Vec<usize> = (0..n).step_by(every).filter(|row| counts(*row)).collect();
     let slack_mm = REACH_SLACK * scallop_mm;
-    let ridge = |row: usize| between(part, sweep, row, sweep.turns[row] + 1, every, slack_mm);
+    let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
+    let ridge = |row: usize| between(part, sweep, row, sweep.turns[row] + 1, every, apart_mm, slack_mm);
     sort(rows.into_par_iter().filter_map(ridge).collect())
 }
 
+/// How far apart two passes must be for a ridge between them to be measured, mm.
+pub(super) fn apart_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
+    APART * (8.0 * radius_mm * scallop_mm).sqrt()
+}
+
 /// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every` moves. `None` where the other turn
-/// has no pass beside this one, or no ball reaches the part under the ridge by more than `slack_mm`.
+/// has no pass beside this one that is at least `apart_mm` away, or no ball reaches the part under the ridge by more than `slack_mm`.
 pub(super) fn between(
     part: &Allowed,
     sweep: &Sweep,
     row: usize,
     other: u32,
     every: usize,
+    apart_mm: f64,
     slack_mm: f64,
 ) -> Option<Height> {
     let radius = sweep.radius_mm;
@@ -62,7 +72,7 @@ pub(super) fn between(
     // An end of the other turn is not its nearest pass.
     let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
     let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
-    if at_start || at_end || d < 1e-3 {
+    if at_start || at_end || d < apart_mm {
         return None;
     }
     let middle = c1 + (next.centre - c1) * 0.5;
@@ -131,7 +141,7 @@ mod tests {
         let part = Allowed::new(&blade.part, 0.0);
         let between_1_and_2 = |sweep: &Sweep| -> Vec<f64> {
             let rows = (0..path.locations.len()).filter(|r| sweep.turns[*r] == 1).step_by(10);
-            rows.filter_map(|row| between(&part, sweep, row, 2, 1, 0.0002)).map(|h| h.height_mm).collect()
+            rows.filter_map(|row| between(&part, sweep, row, 2, 1, 0.01, 0.0002)).map(|h| h.height_mm).collect()
         };
         let before = between_1_and_2(&Sweep::new(&path));
         assert!(before.len() > 10);
@@ -148,5 +158,26 @@ mod tests {
         // The ball of 5 mm leaves ridges of 6 µm between passes 0.5 mm apart; facets are farther off the round part than that.
         let lower: Vec<f64> = before.iter().zip(&after).filter(|(b, _)| **b > 0.01).map(|(b, a)| b - a).collect();
         assert!(lower.len() > 10 && lower.iter().all(|l| (0.005..0.0075).contains(l)), "{lower:?}");
+    }
+
+    #[test]
+    fn passes_that_run_into_one_another_leave_no_ridge() {
+        let (blade, path) = (sample::blade(), sample::plan(4, 180).toolpath);
+        let part = Allowed::new(&blade.part, 0.0);
+        // Before its end turn 2 comes onto turn 1, but for a hundredth of a millimetre.
+        let mut centres: Vec<_> = path.locations.iter().map(|l| l.centre).collect();
+        let turns: Vec<u32> = path.locations.iter().map(|l| l.turn).collect();
+        let last = |turn: u32| turns.partition_point(|t| *t <= turn) - 1;
+        let (one, two) = (last(1), last(2));
+        for k in 2..8 {
+            centres[two - k] = centres[one - k] + Vector::new(0.01, 0.0, 0.0);
+        }
+        let n = centres.len();
+        let sweep = Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(vec![true; n - 1]));
+        let apart = apart_mm(path.radius_mm, 0.006);
+        assert!((apart - 0.05 * (8.0 * path.radius_mm * 0.006).sqrt()).abs() < 1e-12);
+        assert!(between(&part, &sweep, one - 5, 2, 1, apart, 0.0002).is_none());
+        assert!(between(&part, &sweep, one - 5, 2, 1, 0.001, 0.0002).is_some());
+        assert!(between(&part, &sweep, one - 60, 2, 1, apart, 0.0002).is_some());
     }
 }

@@ -19,8 +19,10 @@ use super::sweep::Sweep;
 use super::uncut;
 use crate::artifact::report::{Check, Place};
 use crate::artifact::{Blade, CheckReport, Plan};
+use crate::error::Stage;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
+use crate::observe::{Observer, Warning};
 
 /// A height and where it was measured.
 #[derive(Clone, Copy, Debug)]
@@ -179,6 +181,7 @@ pub(super) fn check(
     sweep: &Sweep,
     options: &VerifyOptions,
     report: &mut CheckReport,
+    observer: &dyn Observer,
 ) {
     let (Band { heights: samples, lowest, uncut: unreached }, ridges) = measure(part, sweep, options, report);
     report.uncut_samples = unreached;
@@ -195,6 +198,9 @@ pub(super) fn check(
     report.ridge_p50_mm = percentile(&ridges, 0.50);
     report.ridge_p05_mm = percentile(&ridges, 0.05);
     report.limit = limit::measure(part, sweep, options.scallop_mm, options.surface_samples);
+    if let Some(message) = standing_out(plan, blade, &samples, options) {
+        observer.warn(Warning { stage: Stage::Verify, message });
+    }
     let limit = options.scallop_ratio * options.scallop_mm;
     let judge = |name: &str, quantity: &str, sorted: &[Height], enough: bool| {
         let p99 = percentile(sorted, 0.99);
@@ -227,6 +233,26 @@ pub(super) fn check(
         report.checks.push(judge("ridge", quantity, &ridges, true));
     }
     report.checks.push(ray_gouge(blade, sweep, lowest, samples.len(), options));
+}
+
+/// From so many times the scallop on, or the ratio that is allowed if that is more, single places are told of: the verdict rests on the 99th percentile.
+const STANDS_OUT: f64 = 1.5;
+
+/// In words, how much of the surface stands out and where the most; `None` where nothing does.
+fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyOptions) -> Option<String> {
+    let ratio = STANDS_OUT.max(options.scallop_ratio);
+    let over = sorted.len() - sorted.partition_point(|h| h.height_mm <= ratio * options.scallop_mm);
+    let highest = sorted.last().filter(|_| over > 0)?;
+    let p = blade.model_from_blade * highest.point;
+    Some(format!(
+        "{:.2} % of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
+        100.0 * over as f64 / sorted.len() as f64,
+        highest.height_mm,
+        plan.toolpath.locations[highest.row].turn,
+        p.x,
+        p.y,
+        p.z
+    ))
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.

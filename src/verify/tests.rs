@@ -374,6 +374,31 @@ fn plans_that_are_none_are_refused() {
 }
 
 #[test]
+fn a_single_place_that_stands_out_is_told_of() {
+    let warnings = |plan: Plan| {
+        let seen = crate::observe::Recorder::new(&Silent);
+        let part = blade(cylinder(), Rigid::identity());
+        let verdict = check(plan, &part, &tool(), &machine(), &options(), &seen).unwrap();
+        (failed(verdict.report()).join(" "), seen.warnings())
+    };
+    assert_eq!(warnings(plan(6, 720, 0.0, helix)), (String::new(), vec![]));
+    let mut p = plan(6, 720, 0.0, helix);
+    for l in &mut p.toolpath.locations[3 * 720 + 100..][..8] {
+        l.centre += l.normal * 0.02;
+    }
+    let contact = p.toolpath.locations[3 * 720 + 104].contact;
+    let (failed, warnings) = warnings(with_motion(p));
+    // Eight locations of 720 of one turn of four: by the 99th percentile all is well.
+    assert_eq!(failed, "");
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    let said = &warning.message;
+    assert!(said.contains("1.5 times the scallop") && said.contains("at turn "), "{said}");
+    let numbers = |text: &str| -> Vec<f64> { text.split(", ").map(|x| x.parse().unwrap()).collect() };
+    let at = numbers(said.split(['(', ')']).nth(1).unwrap());
+    assert!((Point::new(at[0], at[1], at[2]) - contact).norm() < 1.5, "{said} {contact}");
+}
+
+#[test]
 fn figures_do_not_depend_on_the_number_of_threads() {
     let blade = blade(cylinder(), Rigid::identity());
     let on = |threads: usize| {

@@ -23,6 +23,9 @@ done
 for control in siemens siemens-vector siemens-poly linuxcnc linuxcnc-feed; do
     "$bladewright" --quiet post $out/steam_root $out/fillet --control $control -o $out/joined
 done
-python3 tests/controls/rs274.py $out/*/*.ngc
+# Each reader is one thread.
+python3 tests/controls/rs274.py $out/*/*.ngc > $out-rs274.log 2>&1 &
+rs274=$!
 "$python" tests/controls/siemens.py $out/*/*.mpf
+wait $rs274 && cat $out-rs274.log || { cat $out-rs274.log; exit 1; }
 python3 tests/controls/kinematics.py "$positions" 10000
