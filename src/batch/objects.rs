@@ -41,7 +41,7 @@ impl Objects {
         if bucket.is_empty() {
             return Err(wrong(format!("{url} names no bucket")));
         }
-        // The client is built without a TLS of its own choosing, which takes minutes to compile; who has installed one before keeps it.
+        // The client has no TLS of its own (see Cargo.toml); one that is installed already stays.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let store = AmazonS3Builder::from_env().with_bucket_name(bucket).build();
         let store = store.map_err(|e| refused("open", url, e))?;

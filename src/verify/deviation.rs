@@ -36,6 +36,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use super::scallop::flat_stepover;
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::{Blade, Toolpath};
@@ -82,7 +83,7 @@ pub(super) struct Cut {
 impl Cut {
     /// A swept ball whose passes leave ridges of about `scallop_mm`.
     pub(super) fn new(sweep: Sweep, scallop_mm: f64) -> Self {
-        let stepover_mm = (8.0 * sweep.radius_mm * scallop_mm).sqrt();
+        let stepover_mm = flat_stepover(sweep.radius_mm, scallop_mm);
         Cut { sweep, stepover_mm, reach_mm: (REACH_STEPOVERS * stepover_mm).max(LEAST_REACH_MM) }
     }
 }

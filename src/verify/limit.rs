@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use super::ridge;
 use super::samples;
-use super::scallop::{REACH_SLACK, UNCUT, lift, percentile};
+use super::scallop::{REACH_SLACK, UNCUT, flat_stepover, lift, percentile};
 use super::sweep::Sweep;
 use crate::artifact::report::{LimitFigures, LimitSource};
 use crate::artifact::{Blade, Toolpath};
@@ -76,7 +76,7 @@ pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
 /// Area of the inner turns, mm², and `∬ dA / d` over it, mm (0 on a mesh).
 fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f64, f64) {
     let radius = sweep.radius_mm;
-    let reach = (2.5 * (8.0 * radius * scallop_mm).sqrt()).max(0.4);
+    let reach = (2.5 * flat_stepover(radius, scallop_mm)).max(0.4);
     let all = samples::near_path(part, sweep, reach, count);
     let share = |s: &samples::Sample| {
         let near = sweep.nearest(&(s.point + s.normal * radius), reach, |_| true)?;

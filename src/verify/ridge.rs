@@ -11,7 +11,7 @@
 
 use rayon::prelude::*;
 
-use super::scallop::{Height, REACH_SLACK, lift, sort};
+use super::scallop::{Height, REACH_SLACK, flat_stepover, lift, sort};
 use super::sweep::Sweep;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
@@ -49,13 +49,14 @@ pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -
     sort(rows.into_par_iter().filter_map(ridge).collect())
 }
 
-/// How far apart two passes must be for a ridge between them to be measured, mm.
+/// How far apart two passes must be to leave a ridge, mm.
 pub(super) fn apart_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
-    APART * (8.0 * radius_mm * scallop_mm).sqrt()
+    APART * flat_stepover(radius_mm, scallop_mm)
 }
 
 /// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every` moves. `None` where the other turn
-/// has no pass beside this one that is at least `apart_mm` away, or no ball reaches the part under the ridge by more than `slack_mm`.
+/// has no pass beside this one, or no ball reaches the part under the ridge by more than `slack_mm`; a height
+/// of 0 where the two are not `apart_mm` apart: what is cut twice counts as that.
 pub(super) fn between(
     part: &Allowed,
     sweep: &Sweep,
@@ -72,12 +73,16 @@ pub(super) fn between(
     // An end of the other turn is not its nearest pass.
     let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
     let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
-    if at_start || at_end || d < apart_mm {
+    if at_start || at_end {
         return None;
     }
     let middle = c1 + (next.centre - c1) * 0.5;
     let e = (next.centre - c1) / d;
     let foot = part.closest(&middle, 2.0 * radius)?.point;
+    let weight = d * stretch_mm(sweep, row, every);
+    if d < apart_mm {
+        return Some(Height { height_mm: 0.0, point: foot, row, weight });
+    }
     let g = (middle - foot) - e * (middle - foot).dot(&e);
     let g = g.try_normalize(1e-9)?;
     let side = e.cross(&g);
@@ -93,7 +98,6 @@ pub(super) fn between(
     let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
     // A ridge over a corner that no ball can reach is not one of the stepover's.
     let up = lift(part, &under.point, &under.normal, radius, slack_mm);
-    let weight = d * stretch_mm(sweep, row, every);
     (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
 }
 
@@ -176,8 +180,9 @@ mod tests {
         let sweep = Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(vec![true; n - 1]));
         let apart = apart_mm(path.radius_mm, 0.006);
         assert!((apart - 0.05 * (8.0 * path.radius_mm * 0.006).sqrt()).abs() < 1e-12);
-        assert!(between(&part, &sweep, one - 5, 2, 1, apart, 0.0002).is_none());
-        assert!(between(&part, &sweep, one - 5, 2, 1, 0.001, 0.0002).is_some());
-        assert!(between(&part, &sweep, one - 60, 2, 1, apart, 0.0002).is_some());
+        let height = |row, apart_mm| between(&part, &sweep, row, 2, 1, apart_mm, 0.0002).map(|h| h.height_mm);
+        assert_eq!(height(one - 5, apart), Some(0.0));
+        assert!(height(one - 5, 0.001).is_some_and(|h| h != 0.0));
+        assert!(height(one - 60, apart).is_some_and(|h| h > 0.0));
     }
 }

@@ -65,7 +65,7 @@ pub(super) fn sort(mut heights: Vec<Height>) -> Vec<Height> {
 }
 
 /// Stepover on a plane, the scale of all reaches here, mm.
-fn flat_stepover(radius: f64, scallop: f64) -> f64 {
+pub(super) fn flat_stepover(radius: f64, scallop: f64) -> f64 {
     (8.0 * radius * scallop).sqrt()
 }
 

@@ -11,7 +11,7 @@
 use rayon::prelude::*;
 
 use super::samples;
-use super::scallop::{REACH_SLACK, UNCUT};
+use super::scallop::{REACH_SLACK, UNCUT, flat_stepover};
 use super::sweep::Sweep;
 use crate::artifact::report::UncutPlace;
 use crate::geometry::Point;
@@ -23,7 +23,7 @@ const MOST_PUSHES: usize = 200;
 /// Places, and the area that each stands for, mm².
 pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (Vec<UncutPlace>, f64) {
     let radius = sweep.radius_mm;
-    let stepover = (8.0 * radius * scallop_mm).sqrt();
+    let stepover = flat_stepover(radius, scallop_mm);
     // A ball in a corner is as far as its radius from where it would touch the walls.
     let all = samples::near_path(part, sweep, radius + stepover, count);
     let place = |s: &samples::Sample| {

@@ -27,5 +27,6 @@ done
 python3 tests/controls/rs274.py $out/*/*.ngc > $out-rs274.log 2>&1 &
 rs274=$!
 "$python" tests/controls/siemens.py $out/*/*.mpf
-wait $rs274 && cat $out-rs274.log || { cat $out-rs274.log; exit 1; }
+wait $rs274 || { cat $out-rs274.log; exit 1; }
+cat $out-rs274.log
 python3 tests/controls/kinematics.py "$positions" 10000
