@@ -15,9 +15,17 @@ ci:
 corpus:
     cargo nextest run --release --run-ignored only corpus
 
-# Tools on the channel's walls touch nothing, a fifth of a degree outside what the channel names; with BLADEWRIGHT_BLADES real blades too
+# Tools on the channel's walls touch nothing, a fifth of a degree outside what the channel names
 walls:
-    cargo nextest run --release --run-ignored only --no-capture --test walls
+    cargo nextest run --release --run-ignored only --no-capture --test walls -E 'test(/^walls_of/)'
+
+# The same for the real blades in the folder BLADEWRIGHT_BLADES
+real-walls:
+    cargo nextest run --release --run-ignored only --no-capture --test walls -E 'test(/^real_walls_of/)'
+
+# Lints of the feature s3, whose client of object stores CI does not compile
+lint-s3:
+    cargo clippy --release --all-targets --features s3 -- -D warnings
 
 # What `inspect` and `plan` make of each of them, as a table
 corpus-table:

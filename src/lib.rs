@@ -31,6 +31,7 @@ pub mod channel;
 pub mod cli;
 pub mod error;
 pub mod feed;
+pub mod files;
 pub mod geometry;
 pub mod job;
 pub mod lead;

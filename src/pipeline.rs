@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Blade;
+use crate::artifact::program::Control;
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
 use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule};
@@ -108,20 +109,20 @@ impl Setup {
         let mut inputs = vec![manifest::input_of(&m.file, &bytes)];
         // A header of a section table has its points in files of their own.
         for file in crate::model::table::data_files(&m.file) {
-            inputs.push(manifest::input(&file)?);
+            inputs.push(manifest::input(&file, Stage::Model, "files of the table")?);
         }
         let options = model_options(m);
         let blade = model::load_bytes(&m.file, &bytes, &options, observer)?;
         let machine = match draft.machine_file() {
             Some(file) => {
-                inputs.push(manifest::input(file)?);
+                inputs.push(manifest::input(file, Stage::Machine, "machine.file")?);
                 Machine::load(file)?
             }
             None => Machine::demo()?,
         };
         let mut post_files = Vec::new();
         for file in draft.post_files() {
-            inputs.push(manifest::input(file)?);
+            inputs.push(manifest::input(file, Stage::Post, "post.files")?);
             post_files.push(Dialect::load(file)?);
         }
         let job = draft.complete(&blade)?;
@@ -138,7 +139,9 @@ impl Setup {
         };
         let obstacles = around::obstacles(&job, &blade, &mut inputs, observer)?;
         let end_faces = model::recognise::named::faces_of(&job.region.end_faces, &blade.part)?;
-        Ok(Setup { job, blade, machine, start_near, end_faces, post_files, obstacles, inputs })
+        let setup = Setup { job, blade, machine, start_near, end_faces, post_files, obstacles, inputs };
+        setup.check_program_names()?;
+        Ok(setup)
     }
 
     fn section_options(&self) -> SectionOptions {
@@ -234,10 +237,24 @@ impl Setup {
         }
     }
 
-    /// The dialects that programs are to be written in.
-    fn dialects(&self) -> Result<Vec<Dialect>> {
-        let built_in = self.job.post.control.iter().map(|c| Dialect::built_in(*c));
-        built_in.chain(self.post_files.iter().cloned().map(Ok)).collect()
+    /// The dialects that programs are to be written in, with the names of their controls or files.
+    fn dialects(&self) -> Result<Vec<(String, Dialect)>> {
+        let built_in = self.job.post.control.iter().map(|c| Ok((c.to_string(), Dialect::built_in(*c)?)));
+        let own = self.job.post.files.iter().map(|f| post_name(f)).zip(self.post_files.iter().cloned()).map(Ok);
+        built_in.chain(own).collect()
+    }
+
+    /// No two programs have the same file.
+    fn check_program_names(&self) -> Result<()> {
+        let dialects = self.dialects()?;
+        for (k, (name, dialect)) in dialects.iter().enumerate() {
+            let file = dialect.file_name();
+            if let Some((other, _)) = dialects[..k].iter().find(|(_, d)| d.file_name() == file) {
+                return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
+                    .advise("give the post file another name in `file`, or leave one of the two out"));
+            }
+        }
+        Ok(())
     }
 
     /// A checked plan as a program, and what reading the program back found.
@@ -250,6 +267,11 @@ impl Setup {
         let checks = verify::program::read_back(&program, verified.value(), blade, tool, machine)?;
         Ok((program, checks))
     }
+}
+
+/// What wrote a program, in the manifest: an own post file by its name, wherever it lies.
+pub fn post_name(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// Name and version of this program.
@@ -324,10 +346,11 @@ pub fn run_on(
     observer: &dyn Observer,
 ) -> Result<Outcome> {
     let recorder = Recorder::new(observer);
-    let mut folder = RunFolder::begin(out)?;
+    let programs = Control::ALL.iter().map(|c| Ok(Dialect::built_in(*c)?.file_name().to_owned()));
+    let mut folder = RunFolder::begin_run(out, programs.collect::<Result<_>>()?)?;
     let mut clock = Clock::default();
     let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
-    folder.add("job.resolved.toml", setup.job.to_toml()?)?;
+    folder.add_job(&setup.job.to_toml()?)?;
     let mut run = checking::Run { setup: &setup, course, folder: &mut folder, clock: &mut clock, observer: &recorder };
     let made = match repost::again(&mut run, earlier)? {
         Some(made) => made,
@@ -337,18 +360,21 @@ pub fn run_on(
         (Some(r), None) if !r.passed() => reuse::FINDINGS.to_owned(),
         (_, until) => until.map_or_else(|| reuse::GOOD.to_owned(), |s| format!("until {s}")),
     };
+    let job = serde_json::to_value(&setup.job)
+        .map_err(|e| Error::io(Stage::Output, format!("the job cannot be written as JSON: {e}")).caused_by(e))?;
     folder.add_json(
-        "manifest.json",
+        manifest::FILE,
         &Manifest {
             schema_version: SCHEMA_VERSION,
             program: program(),
             build: build().to_owned(),
             inputs: setup.inputs.clone(),
-            job: &setup.job,
+            job,
             stages: if course.timeless { Vec::new() } else { clock.records.clone() },
             warnings: recorder.warnings(),
             seal: made.seal,
             outputs: folder.hashes().clone(),
+            programs: folder.programs().clone(),
             status,
         },
     )?;
@@ -400,10 +426,10 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
 /// Writes all programs; the checks of their reading back. A program that does not come back as the plan is not written.
 fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Vec<Check>> {
     let mut found = Vec::new();
-    for dialect in setup.dialects()? {
+    for (name, dialect) in setup.dialects()? {
         let (program, checks) = setup.program(&dialect, verified)?;
         if checks.iter().all(|c| c.passed) {
-            folder.add(&program.file_name, program.text)?;
+            folder.add_program(&program.file_name, program.text, &name)?;
         }
         found.extend(checks);
     }
@@ -418,7 +444,7 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
 pub fn programs_again(setup: &Setup, verified: &Verified<Plan>, folder: &RunFolder) -> Result<Vec<Check>> {
     let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
     let mut found = Vec::new();
-    for dialect in setup.dialects()? {
+    for (_, dialect) in setup.dialects()? {
         let mut program = post::post(&dialect, verified, blade, tool, machine, &setup.post_options())?;
         match folder.existing(&program.file_name) {
             Some(text) => program.text = text,

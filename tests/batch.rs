@@ -141,6 +141,24 @@ fn only_what_changed_is_computed_and_stages_are_taken_over() {
         ends(&["batch", "family.toml", "-o", "out"], d, 0);
     }
     assert!(before == tree(&d.join("out")));
+    // An edit that leaves a file as long as it was is noticed, and what was edited is taken over into nothing.
+    let member = d.join("out/members/fillet_radius_mm-6_feed_mm_min-1000");
+    for (file, taken) in [("program.mpf", &all[..]), ("plan.json", &[]), ("manifest.json", &[])] {
+        let mut bytes = std::fs::read(member.join(file)).expect("readable");
+        let at = bytes.len() / 2 + bytes[bytes.len() / 2..].iter().position(u8::is_ascii_digit).expect("a digit");
+        bytes[at] = if bytes[at] == b'9' { b'1' } else { bytes[at] + 1 };
+        std::fs::write(member.join(file), bytes).expect("writable");
+        computed("out", 1);
+        assert_eq!(log("out"), taken, "{file}");
+        assert!(before == tree(&d.join("out")), "{file}");
+    }
+    // Programs that come to a member later stay, and the member is whole.
+    ends(&["post", &member.display().to_string(), "--control", "fanuc"], d, 0);
+    computed("out", 0);
+    assert!(member.join("program.nc").is_file());
+    std::fs::write(member.join("plan.json"), "").expect("writable");
+    computed("out", 1);
+    assert!(before == tree(&d.join("out")));
     // What is not as the earlier run left it is not taken over.
     let report = d.join("out/members/fillet_radius_mm-6_feed_mm_min-1000/report.html");
     let text = std::fs::read_to_string(&report).expect("readable");
@@ -202,9 +220,9 @@ fn exit_codes_of_bad_input() {
     assert_eq!(text.lines().count(), 5, "{text}");
 }
 
-/// A disk that fills up in the middle: a clear error, what is done is kept, and with room the rest is done. In a name space of its own
-/// where the system lets users make one.
+/// A disk that fills up in the middle: a clear error, what is done is kept, and with room the rest is done.
 #[test]
+#[ignore = "needs a disk of its own: a system that lets users make name spaces (unshare -rm)"]
 #[cfg(target_os = "linux")]
 fn a_full_disk_stops_and_is_taken_up_again() {
     let dir = tempfile::tempdir().expect("temporary folder");
@@ -222,12 +240,9 @@ fn a_full_disk_stops_and_is_taken_up_again() {
         .env("BLADEWRIGHT", env!("CARGO_BIN_EXE_bladewright"))
         .current_dir(d)
         .output();
-    let Ok(run) = run else { return eprintln!("there is no unshare here") };
+    let run = run.expect("this test needs `unshare` of util-linux");
     let (text, said) = (String::from_utf8_lossy(&run.stderr), String::from_utf8_lossy(&run.stdout));
-    if run.status.code() == Some(77) || text.contains("unshare") {
-        return eprintln!("no disk of its own may be made here: {text}");
-    }
-    assert!(run.status.success(), "{said}{text}");
+    assert!(run.status.success(), "a disk of its own, and a family on it: {said}{text}");
     assert!(said.contains("first 4") && text.contains("No space left"), "{said}{text}");
     let kept: usize = said.lines().nth(1).and_then(|l| l.trim().parse().ok()).expect("a number");
     assert!((1..4).contains(&kept), "{kept} of 4 members were done when the disk was full");

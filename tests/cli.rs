@@ -135,16 +135,15 @@ fn shell(script: &str, dir: &Path) -> Output {
         .expect("sh starts")
 }
 
-/// A disk that fills up while results are written: a clear error, exit code 4, nothing half-written left. Once as a limit on the
-/// size of files, which any user may set, and once as a real small disk where the system lets users make one.
+/// What a full disk says: that it is full, with exit code 4, and nothing half-written left. Here as a limit on the size of files, which any
+/// user may set.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_leaves_nothing_behind() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();
     // 8 blocks of 512 bytes hold job.resolved.toml, not sections.json; without the trap the signal would end the program.
-    let plan = "\"$BLADEWRIGHT\" --quiet plan \"$MODEL\" --set region.start_mm=7 --until section";
-    let limited = |out: &str| shell(&format!("trap '' XFSZ; ulimit -f 8; exec {plan} -o {out}"), d);
+    let limited = |out: &str| shell(&format!("trap '' XFSZ; ulimit -f 8; exec {SECTIONS} -o {out}"), d);
     std::fs::create_dir(d.join("old")).expect("writable");
     write(&d.join("old"), "sections.json", b"from before");
     let before = listing(d);
@@ -164,20 +163,28 @@ fn a_full_disk_leaves_nothing_behind() {
     assert_eq!(glb.status.code(), Some(4), "{}", String::from_utf8_lossy(&glb.stderr));
     assert!(String::from_utf8_lossy(&glb.stderr).contains("part.glb"));
     assert_eq!(before, listing(d), "something was left behind");
-    // A disk of 8 kB in a name space of its own.
-    let mount = "mkdir disk && mount -t tmpfs -o size=8k none disk";
+}
+
+/// Plans the prism as far as its sections.
+#[cfg(target_os = "linux")]
+const SECTIONS: &str = "\"$BLADEWRIGHT\" --quiet plan \"$MODEL\" --set region.start_mm=7 --until section";
+
+/// The same on a disk of 24 kB in a name space of its own.
+#[test]
+#[ignore = "needs a disk of its own: a system that lets users make name spaces (unshare -rm)"]
+#[cfg(target_os = "linux")]
+fn a_small_disk_that_is_full_is_left_empty() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let mount = "mkdir disk && mount -t tmpfs -o size=24k none disk";
     let real = shell(
         &format!(
-            "unshare -rm sh -c '{mount} && {{ {plan} -o disk/out; code=$?; ls -A disk; exit $code; }} || exit $?'"
+            "unshare -rm sh -c '{mount} && {{ {SECTIONS} -o disk/out; code=$?; ls -A disk; exit $code; }} || exit $?'"
         ),
         d,
     );
     let (text, left) = (String::from_utf8_lossy(&real.stderr), String::from_utf8_lossy(&real.stdout));
-    if text.contains("unshare") || text.contains("mount") {
-        eprintln!("no disk of its own may be made here: {text}");
-        return;
-    }
-    assert_eq!(real.status.code(), Some(4), "{text}");
+    assert_eq!(real.status.code(), Some(4), "a disk of its own, and a plan on it: {text}");
     assert!(text.contains("No space left"), "{text}");
     assert_eq!(left.trim(), "", "left on the full disk");
 }

@@ -1,5 +1,5 @@
 //! Real blades from the folder that `BLADEWRIGHT_BLADES` names. They are not part of the repository (their licences do not
-//! allow it); where the variable is not set, each test says so and passes. Slow: `cargo nextest run --release --run-ignored only corpus`.
+//! allow it); where the variable is not set, each test fails and says so. Slow: `cargo nextest run --release --run-ignored only corpus`.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -12,12 +12,8 @@ use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use bladewright::verify;
 
-fn blades() -> Option<PathBuf> {
-    let folder = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from);
-    if folder.is_none() {
-        eprintln!("BLADEWRIGHT_BLADES is not set: no real blades to test on");
-    }
-    folder
+fn blades() -> PathBuf {
+    std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from).expect("BLADEWRIGHT_BLADES names the folder of real blades")
 }
 
 /// Runs `plan` into the folder `out` of a temporary one.
@@ -46,7 +42,7 @@ fn plans(file: &str, options: &[&str]) {
 
 /// A plan ends with this exit code and says this.
 fn ends(file: &str, options: &[&str], code: i32, says: &str) {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let (_, run) = plan(&folder.join(file), options);
     let text = format!("{}{}", String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
     assert_eq!(run.status.code(), Some(code), "{file}\n{text}");
@@ -77,7 +73,7 @@ fn corpus_turbocharger_sector() {
 #[ignore = "real blades, see the file's head"]
 fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
     // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the one before, nor lie on it.
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let model = folder.join("turbocharger_turbine_sector.stl");
     let corner = "in the corner the ball meets a wall that leans over more than 60°";
     // Settings, why the path ends, more turns than, the least twentieth of the ridges over the scallop: over sharp edges larger balls cut down the ridges of other
@@ -183,7 +179,7 @@ fn told(what: &str, x: impl Iterator<Item = f64>) -> f64 {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_step_and_iges_give_the_same_locations() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let [a, b] = ["step", "iges"].map(|kind| {
         located(&folder.join(format!("tblade3_case7288/case7288_rotor_hubwedge.{kind}")), &set(&["region.end_mm=73"]))
     });
@@ -199,7 +195,7 @@ fn corpus_step_and_iges_give_the_same_locations() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_case7288_table_and_step_give_the_same_locations() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let folder = folder.join("tblade3_case7288");
     let (table, step) = (folder.join("blade3d.Case7-28-8.dat"), folder.join("case7288_rotor_blade.step"));
     let faces = read(&step, None);
@@ -260,7 +256,7 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_thin_blades_are_cut_once() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     // Where turns fold over one another near the end, a schedule fits only what lies above: half of the area.
     let fan = "fan_sections/fan_DERIVED_loft.step";
     // The end of the fan's turns runs round a corner of it, a fifth of the way round the blade: with few turns between they grow fast. With 0.06 the seam comes to the
@@ -311,7 +307,7 @@ fn corpus_fir_tree_blade_in_its_fillet() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_inspect_never_panics() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let mut open = vec![folder];
     while let Some(dir) = open.pop() {
         for entry in std::fs::read_dir(dir).expect("readable") {
@@ -379,7 +375,7 @@ fn sides_apart(table: &Blade, other: &Blade, turn: impl Fn(Point) -> Point) -> V
 
 /// The table read and lofted, against a loft or CAD model of the same blade that others made: greatest and mean distance, mm.
 fn agrees(table: &Path, unit: Option<Unit>, step: &str, turn: impl Fn(Point) -> Point, limits: [f64; 2]) {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let places = sides_apart(&read(table, unit), &read(&folder.join(step), None), turn);
     let mut d: Vec<f64> = places.into_iter().map(|p| p.1).collect();
     d.sort_by(f64::total_cmp);
@@ -397,12 +393,13 @@ fn agrees(table: &Path, unit: Option<Unit>, step: &str, turn: impl Fn(Point) -> 
 }
 
 /// A header in a folder of its own.
-fn header(text: &str) -> Option<(tempfile::TempDir, PathBuf)> {
-    let folder = blades()?;
+fn header(text: &str) -> (tempfile::TempDir, PathBuf) {
     let dir = tempfile::tempdir().expect("temporary folder");
     let path = dir.path().join("table.toml");
-    std::fs::write(&path, text.replace("FOLDER", &folder.to_string_lossy())).expect("header written");
-    Some((dir, path))
+    // Tables lie in the folder of their header or below it.
+    std::os::unix::fs::symlink(blades(), dir.path().join("blades")).expect("a link");
+    std::fs::write(&path, text.replace("FOLDER", "blades")).expect("header written");
+    (dir, path)
 }
 
 /// Cylindrical coordinates turn about x in the lofts that were derived from these tables, the other way round.
@@ -413,14 +410,14 @@ fn about_x(p: Point) -> Point {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_rotor37() {
-    let Some((_dir, path)) = header(ROTOR37) else { return };
+    let (_dir, path) = header(ROTOR37);
     agrees(&path, None, "rotor37/rotor37_DERIVED_loft_mm.step", about_x, [0.4, 0.03]);
 }
 
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_rotor37_curve() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let path = folder.join("rotor37/profile_R37.dat");
     // Another publication of the blade, hot against cold: tenths of a millimetre apart.
     agrees(&path, Some(Unit::Cm), "rotor37/rotor37_DERIVED_loft_mm.step", |p| p, [0.8, 0.2]);
@@ -429,7 +426,7 @@ fn corpus_table_rotor37_curve() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_hecc() {
-    let Some((_dir, path)) = header(HECC) else { return };
+    let (_dir, path) = header(HECC);
     agrees(
         &path,
         None,
@@ -442,7 +439,7 @@ fn corpus_table_hecc() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_fan() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     agrees(
         &folder.join("fan_sections/ori-sections.dat"),
         None,
@@ -455,14 +452,14 @@ fn corpus_table_fan() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_p4119() {
-    let Some((_dir, path)) = header(P4119) else { return };
+    let (_dir, path) = header(P4119);
     agrees(&path, None, "dtmb_p4119/p4119_DERIVED_loft_mm.step", |p| p, [0.06, 0.004]);
 }
 
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_case7288() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let table = folder.join("tblade3_case7288/blade3d.Case7-28-8.dat");
     // How far the published forms themselves are apart: the table's points from the published faces.
     let step = read(&folder.join("tblade3_case7288/case7288_rotor_blade.step"), None);
@@ -487,7 +484,7 @@ fn corpus_table_case7288() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_plan_of_tables() {
-    let Some((_dir, path)) = header(ROTOR37) else { return };
+    let (_dir, path) = header(ROTOR37);
     let options = set(&["region.start_mm=215", "region.end_mm=205", "tool.radius_mm=3"]);
     plans(&path.to_string_lossy(), &options);
     let case = "tblade3_case7288/blade3d.Case7-28-8.dat";
@@ -498,11 +495,11 @@ fn corpus_plan_of_tables() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_table_of_one_profile() {
-    let Some(folder) = blades() else { return };
+    let folder = blades();
     let e = model::load(&folder.join("LS89_profile_2d.txt"), &ModelOptions::default(), &Silent).err().expect("refused");
     assert!(["single profile", "two sections or more", "extrude"].iter().all(|w| e.to_string().contains(w)), "{e}");
     let text = "[sections]\nfiles = \"FOLDER/LS89_profile_2d.txt\"\nunit = \"m\"\n\
                 columns = [\"skip\", \"z\", \"x\", \"y\"]\nextrude = 0.1\n";
-    let Some((_dir, path)) = header(text) else { return };
+    let (_dir, path) = header(text);
     assert!(read(&path, None).diagnosis.closed);
 }

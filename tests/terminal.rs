@@ -4,15 +4,16 @@
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// Runs a command line on a terminal of its own; what was shown. `None` where there is no `script`.
-fn on_terminal(line: &str, no_color: bool, dir: &Path) -> Option<String> {
+/// Runs a command line on a terminal of its own; what was shown.
+fn on_terminal(line: &str, no_color: bool, dir: &Path) -> String {
     let mut c = Command::new("script");
     c.args(["-qec", line, "/dev/null"]).current_dir(dir).stdin(Stdio::null());
     c.env("BLADEWRIGHT", env!("CARGO_BIN_EXE_bladewright")).env("TERM", "xterm-256color").env_remove("NO_COLOR");
     if no_color {
         c.env("NO_COLOR", "1");
     }
-    Some(String::from_utf8_lossy(&c.output().ok()?.stdout).into_owned())
+    let run = c.output().expect("this test needs `script` of util-linux (Debian: bsdutils)");
+    String::from_utf8_lossy(&run.stdout).into_owned()
 }
 
 /// Escape sequences that change colour or weight of letters.
@@ -36,11 +37,11 @@ fn no_color_is_kept() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let plan = format!("\"$BLADEWRIGHT\" plan {} -o out --until path --set region.start_mm=7", model());
     for line in ["\"$BLADEWRIGHT\" plan", "\"$BLADEWRIGHT\" --help", "\"$BLADEWRIGHT\" verify nowhere", &plan] {
-        let Some(text) = on_terminal(line, true, dir.path()) else { return eprintln!("there is no `script` here") };
+        let text = on_terminal(line, true, dir.path());
         assert!(!text.is_empty() && !coloured(&text), "{line}: {text:?}");
     }
     // Where it is not asked for, there are colours: else the above would tell nothing.
-    let text = on_terminal("\"$BLADEWRIGHT\" plan", false, dir.path()).expect("script");
+    let text = on_terminal("\"$BLADEWRIGHT\" plan", false, dir.path());
     assert!(coloured(&text), "{text:?}");
 }
 
@@ -49,9 +50,9 @@ fn progress_is_for_terminals() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let args = ["plan", &model(), "-o", "out", "--until", "channel", "--set", "region.start_mm=7"];
     let line = format!("\"$BLADEWRIGHT\" {}", args.join(" "));
-    let Some(text) = on_terminal(&line, true, dir.path()) else { return eprintln!("there is no `script` here") };
+    let text = on_terminal(&line, true, dir.path());
     assert!(text.contains("path") && text.contains("(left ") && text.contains("/s"), "rate and time left: {text:?}");
-    let quiet = on_terminal(&line.replace("plan", "--quiet plan"), true, dir.path()).expect("script");
+    let quiet = on_terminal(&line.replace("plan", "--quiet plan"), true, dir.path());
     assert!(!quiet.contains("(left "), "{quiet:?}");
     let out = plain(&args, dir.path());
     let told = String::from_utf8_lossy(&out.stderr).into_owned() + &String::from_utf8_lossy(&out.stdout);

@@ -5,7 +5,7 @@
 //! along the channel; what the tool touches is asked of `verify`, which shares no code with the channel, on a mesh much finer than the one
 //! that the channel was planned on. Walls that the contact angle or an axis gives touch nothing when they are passed, and are only looked
 //! at from inside; so are those that the part gives only on the way to the next place. Minutes of work, and so not among the daily tests: `just walls`. The folder
-//! that `BLADEWRIGHT_BLADES` names adds real blades.
+//! that `BLADEWRIGHT_BLADES` names adds real blades: the tests `real_walls_…`.
 
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -138,10 +138,9 @@ fn of_the_project(file: &str) {
 }
 
 fn of_the_corpus(file: &str, settings: &[&str]) {
-    match std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from) {
-        Some(folder) => walls_are_where_the_tool_touches(&folder.join(file), settings),
-        None => eprintln!("BLADEWRIGHT_BLADES is not set: no real blades to test on"),
-    }
+    let folder = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from);
+    let folder = folder.expect("BLADEWRIGHT_BLADES names the folder of real blades");
+    walls_are_where_the_tool_touches(&folder.join(file), settings);
 }
 
 #[test]
@@ -170,21 +169,21 @@ fn walls_of_prism() {
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_case7288() {
+fn real_walls_of_case7288() {
     of_the_corpus("tblade3_case7288/case7288_rotor_hubwedge.step", &["region.end_mm=73"]);
     of_the_corpus("tblade3_case7288/case7288_rotor_blade.step", &[]);
 }
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_rotor37_and_fan() {
+fn real_walls_of_rotor37_and_fan() {
     of_the_corpus("rotor37/rotor37_DERIVED_loft_mm.step", &["tool.radius_mm=3"]);
     of_the_corpus("fan_sections/fan_DERIVED_loft.step", &[]);
 }
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_a_family() {
+fn real_walls_of_a_family() {
     for stage in ["stage1", "stage2", "stage4"] {
         of_the_corpus(&format!("turbodesigner_family/{stage}_rotor.step"), &["region.end_mm=1.5"]);
     }
@@ -192,20 +191,20 @@ fn walls_of_a_family() {
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_p4119() {
+fn real_walls_of_p4119() {
     of_the_corpus("dtmb_p4119/p4119_DERIVED_loft_mm.step", &[]);
 }
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_a_fir_tree_blade() {
+fn real_walls_of_a_fir_tree_blade() {
     let region = ["tool.radius_mm=1.4", "region.start_mm=40", "region.end_mm=21"];
     of_the_corpus("turbine_blade_firtree.igs", &region);
 }
 
 #[test]
 #[ignore = "minutes, see the file's head"]
-fn walls_of_what_is_measured_in_metres() {
+fn real_walls_of_what_is_measured_in_metres() {
     of_the_corpus("vki_blade_metres_open_shell.step", &["model.unit=m"]);
     of_the_corpus("turbine_blade_scan.stl", &["model.unit=m"]);
 }

@@ -10,12 +10,13 @@ use std::sync::Mutex;
 
 use super::members::{Member, Source};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::job::JobFile;
 use crate::model;
 use crate::pipeline;
 
 /// Raised when results of the same inputs are kept in another way.
-const LAYOUT: &str = "bladewright-family 1";
+const LAYOUT: &str = "bladewright-family 2";
 
 /// Size and hash of a file; `None`: it cannot be read, which is the member's trouble when its turn comes.
 type Content = Option<(u64, String)>;
@@ -30,9 +31,7 @@ impl Contents {
         if let Some(known) = lock().get(path) {
             return known.clone();
         }
-        let mut hasher = blake3::Hasher::new();
-        let read = std::fs::File::open(path).and_then(|mut f| std::io::copy(&mut f, &mut hasher));
-        let content = read.ok().map(|bytes| (bytes, hasher.finalize().to_hex().to_string()));
+        let content = files::hash(path, files::LONG).ok();
         lock().insert(path.to_path_buf(), content.clone());
         content
     }

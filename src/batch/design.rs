@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::job;
 use crate::make::{BladeDesign, Law, presets};
 
@@ -19,7 +20,7 @@ pub(super) fn load(given: &str, base: &Path) -> Result<BladeDesign> {
         return Ok(design);
     }
     let path = base.join(given);
-    let text = std::fs::read_to_string(&path).map_err(|e| {
+    let text = files::read_text(&path, files::SHORT).map_err(|e| {
         let names = presets::ALL.map(|(n, _)| n).join(", ");
         Error::io(Stage::Batch, format!("{given} is neither a preset nor a design file that can be read: {e}"))
             .advise(format!("presets: {names}"))

@@ -7,10 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::job::JobFile;
-
-/// Greatest size of a family file, bytes.
-const MAX_BYTES: u64 = 1 << 20;
 
 /// The family file. Exactly one of `models`, `table` and `design` says what the members are, or none, where the template names the
 /// model; `ranges` multiply them. A parameter is a key of the job (`tool.radius_mm`), of the generator's design
@@ -161,14 +159,13 @@ pub fn schema() -> schemars::Schema {
 /// # Errors
 /// `InputOutput` where it cannot be read; `Usage` with file, line and key where it is no family file.
 pub fn load(path: &Path) -> Result<FamilyFile> {
-    let io = |e: std::io::Error| {
-        Error::io(Stage::Batch, format!("the family file {} cannot be read: {e}", path.display())).caused_by(e)
-    };
-    if std::fs::metadata(path).map_err(io)?.len() > MAX_BYTES {
-        return Err(Error::usage(Stage::Batch, format!("{} is too large for a family file", path.display()))
-            .advise("a family file is a short TOML text; name models and tables in it"));
-    }
-    let bytes = std::fs::read(path).map_err(io)?;
+    let bytes = files::read(path, files::SHORT).map_err(|e| match e.kind() {
+        std::io::ErrorKind::FileTooLarge => {
+            Error::usage(Stage::Batch, format!("{} is too large for a family file", path.display()))
+                .advise("a family file is a short TOML text; name models and tables in it")
+        }
+        _ => Error::io(Stage::Batch, format!("the family file {} cannot be read: {e}", path.display())).caused_by(e),
+    })?;
     let text = String::from_utf8(bytes)
         .map_err(|e| Error::usage(Stage::Batch, format!("{} is not a text in UTF-8: {e}", path.display())))?;
     parse(&text, &path.display().to_string())

@@ -23,6 +23,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Mutex;
 
+use rayon::prelude::*;
+
 mod address;
 mod columns;
 mod crew;
@@ -133,7 +135,7 @@ pub fn run(family: &Family, out: &str, options: &Options, watch: &dyn Watch) -> 
     let store = place::open(out, family, &options.shard.label())?;
     let known = plan.known(&*store)?;
     let to_do: Vec<usize> =
-        plan.mine.iter().copied().filter(|k| plan.is_due(*k, known.get(k), options, &*store)).collect();
+        plan.mine.par_iter().copied().filter(|k| plan.is_due(*k, known.get(k), options, &*store)).collect();
     watch.begins(to_do.len(), plan.mine.len() - to_do.len());
     let made = Mutex::new(BTreeMap::new());
     let work = |k: usize, threads: usize| {

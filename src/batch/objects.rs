@@ -15,6 +15,7 @@ use tokio::runtime::{Builder, Runtime};
 use super::record::Record;
 use super::store::{RECORD, Store, trouble};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 
 /// An object store with a prefix.
 pub(super) struct Objects {
@@ -102,7 +103,7 @@ impl Store for Objects {
         self.delete(&object(RECORD))?;
         for file in record.files.keys().map(String::as_str).chain([RECORD]) {
             let path = folder.join(file);
-            let content = std::fs::read(&path).map_err(|e| trouble("cannot read", &path, e))?;
+            let content = files::read(&path, files::LONG).map_err(|e| trouble("cannot read", &path, e))?;
             if file == RECORD {
                 for gone in old.iter().flat_map(|o| o.files.keys()).filter(|f| !record.files.contains_key(*f)) {
                     self.delete(&object(gone))?;
@@ -135,7 +136,7 @@ mod tests {
         let mut record = Record::missing(name, "m", &BTreeMap::new());
         for (file, text) in files {
             std::fs::write(folder.join(file), text).unwrap();
-            record.files.insert((*file).into(), text.len() as u64);
+            record.files.insert((*file).into(), blake3::hash(text.as_bytes()).to_hex().to_string());
         }
         std::fs::write(folder.join(RECORD), serde_json::to_vec(&record).unwrap()).unwrap();
         record

@@ -6,6 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::picture::Picture;
 use crate::error::{Error, Stage};
+use crate::output::{
+    self,
+    manifest::{self, Manifest},
+};
 
 /// How a member ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,8 +60,8 @@ pub struct Record {
     pub parameters: BTreeMap<String, serde_json::Value>,
     /// Number of warnings.
     pub warnings: usize,
-    /// Its other files with their sizes, bytes.
-    pub files: BTreeMap<String, u64>,
+    /// Its other files with the BLAKE3 hashes of their content.
+    pub files: BTreeMap<String, String>,
     /// All figures of `summary.json`; absent without a plan.
     pub summary: Option<serde_json::Value>,
     /// The narrowest turn of the channel; absent without a plan.
@@ -82,6 +86,24 @@ impl Record {
             summary: None,
             picture: None,
         }
+    }
+
+    /// A file's content as it was when the member was finished; `None` where it has been changed since. What was entered in the manifest for files
+    /// that came later is left out.
+    pub(super) fn as_written(&self, file: &str, content: Vec<u8>) -> Option<Vec<u8>> {
+        let hash = self.files.get(file)?;
+        let fits = |content: &[u8]| blake3::hash(content).to_hex().as_str() == hash;
+        if fits(&content) {
+            return Some(content);
+        }
+        if file != manifest::FILE {
+            return None;
+        }
+        let mut manifest: Manifest = serde_json::from_slice(&content).ok()?;
+        manifest.outputs.retain(|name, _| self.files.contains_key(name));
+        manifest.programs.retain(|name, _| self.files.contains_key(name));
+        let content = output::json(&manifest).ok()?.into_bytes();
+        fits(&content).then_some(content)
     }
 
     /// The same member, failed.

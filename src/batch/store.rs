@@ -16,6 +16,8 @@ use std::time::{Duration, Instant};
 
 use super::record::Record;
 use crate::error::{Error, Result, Stage};
+use crate::files;
+use crate::output::sync;
 
 /// The last file of a member.
 pub(super) const RECORD: &str = "member.json";
@@ -36,7 +38,7 @@ pub(super) trait Store: Sync {
     fn left_over(&self, _name: &str) -> Option<Record> {
         None
     }
-    /// The files that a record tells of are there, as far as can be seen without reading them.
+    /// The files that a record tells of are there as they were written, as far as that can be seen without loading them from afar.
     fn whole(&self, _record: &Record) -> bool {
         true
     }
@@ -92,13 +94,14 @@ impl Folder {
     }
 
     fn has_all(&self, folder: &Path, record: &Record) -> bool {
-        record.files.iter().all(|(file, bytes)| std::fs::metadata(folder.join(file)).is_ok_and(|m| m.len() == *bytes))
+        let is_whole = |(name, hash): (&String, &String)| {
+            let path = folder.join(name);
+            let found = files::hash(&path, files::LONG);
+            found.is_ok_and(|(_, found)| found == *hash)
+                || files::read(&path, files::LONG).is_ok_and(|content| record.as_written(name, content).is_some())
+        };
+        record.files.iter().all(is_whole)
     }
-}
-
-/// Makes what was done in a folder last through a loss of power.
-pub(super) fn sync(folder: &Path) -> std::io::Result<()> {
-    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
 fn remove(folder: &Path) -> Result<()> {
@@ -111,7 +114,7 @@ fn remove(folder: &Path) -> Result<()> {
 impl Store for Folder {
     fn read(&self, path: &str) -> Result<Option<Vec<u8>>> {
         let path = self.root.join(path);
-        match std::fs::read(&path) {
+        match files::read(&path, files::LONG) {
             Ok(bytes) => Ok(Some(bytes)),
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(None),
             Err(e) => Err(trouble("cannot read", &path, e)),
@@ -176,7 +179,7 @@ impl Store for Folder {
     }
 
     fn left_over(&self, name: &str) -> Option<Record> {
-        let record: Record = serde_json::from_slice(&std::fs::read(self.work(name).join(RECORD)).ok()?).ok()?;
+        let record: Record = serde_json::from_slice(&files::read(&self.work(name).join(RECORD), files::LONG).ok()?).ok()?;
         self.has_all(&self.work(name), &record).then_some(record)
     }
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::members::{self, Member, Source};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::job::{self, JobFile};
 use crate::model::format::without_mark;
 
@@ -16,6 +17,9 @@ pub(super) struct Table {
     rows: Vec<(u64, Vec<String>)>,
 }
 
+/// Most bytes of a table of members.
+const MAX_BYTES: u64 = 256 << 20;
+
 fn usage(message: String) -> Error {
     Error::usage(Stage::Batch, message)
 }
@@ -23,7 +27,7 @@ fn usage(message: String) -> Error {
 /// Reads a table: a header, then rows; `#` starts a comment line.
 pub(super) fn read(path: &Path) -> Result<Table> {
     let shown = path.display();
-    let bytes = std::fs::read(path)
+    let bytes = files::read(path, MAX_BYTES)
         .map_err(|e| Error::io(Stage::Batch, format!("the table {shown} cannot be read: {e}")).caused_by(e))?;
     // Spreadsheets put a mark before UTF-8.
     let bytes = without_mark(&bytes);

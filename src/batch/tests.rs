@@ -244,7 +244,7 @@ fn tables_hold_every_figure_and_come_back() {
 fn a_page_cannot_be_broken_by_names() {
     let mut r = record("x</script><b>", serde_json::json!({ "turns": 1 }));
     r.reason = Some("<!-- </script>".into());
-    r.files.insert("report.html".into(), 1);
+    r.files.insert("report.html".into(), String::new());
     let page = page::html("a<b", &[r.clone()], &columns(&[r])).unwrap();
     assert_eq!(page.matches("</script>").count(), 2, "only its own");
     assert!(page.contains("members/x%3C%2Fscript%3E%3Cb%3E/report.html") && page.contains("<title>a&lt;b"));

@@ -1,5 +1,6 @@
 //! One member: made, planned, checked, written into its workshop, told in a record.
 
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,6 +12,7 @@ use super::record::{Record, Status};
 use super::store::{RECORD, Store, trouble};
 use crate::artifact::CheckReport;
 use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::files;
 use crate::job::{self, ModelKeys};
 use crate::make;
 use crate::observe::{Observer, Warning};
@@ -161,16 +163,17 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
         draft = draft.model_saved_as(Path::new(MODEL));
     }
     let own = work.old.filter(|r| r.status != Status::Failed).map(|r| r.name.as_str());
-    let earlier: Vec<Earlier> = own
-        .into_iter()
-        .chain(work.helper)
-        .filter_map(|name| {
-            let read = move |file: &str| work.store.read(&format!("members/{name}/{file}")).ok().flatten();
-            Earlier::open(Box::new(read) as ReadFile)
-        })
-        .collect();
+    let earlier: Vec<Earlier> = own.into_iter().chain(work.helper).filter_map(|name| earlier(work.store, name)).collect();
     let course = Course { timeless: true, ..Course::default() };
     pipeline::run_on(&draft, folder, course, &earlier, observer)
+}
+
+/// A finished member whose stages may be taken over. A file that is not as it was written is as good as gone.
+fn earlier<'a>(store: &'a dyn Store, name: &'a str) -> Option<Earlier<'a>> {
+    let read = move |file: &str| store.read(&format!("members/{name}/{file}")).ok().flatten();
+    let record: Record = serde_json::from_slice(&read(RECORD)?).ok()?;
+    let as_written = move |file: &str| record.as_written(file, read(file)?);
+    Earlier::open(Box::new(as_written) as ReadFile)
 }
 
 /// The record of a member that was planned.
@@ -204,11 +207,13 @@ fn finding(report: &CheckReport) -> Option<String> {
     Some(format!("{}: {} is {:.6} {}, limit {limit}{others}", c.name, c.quantity, c.worst, c.unit))
 }
 
-fn listing(folder: &Path) -> Result<std::collections::BTreeMap<String, u64>> {
-    let read = || -> std::io::Result<std::collections::BTreeMap<String, u64>> {
-        std::fs::read_dir(folder)?
-            .map(|e| e.and_then(|e| Ok((e.file_name().to_string_lossy().into_owned(), e.metadata()?.len()))))
-            .collect()
+/// The files of a folder with the hashes of their content.
+fn listing(folder: &Path) -> Result<BTreeMap<String, String>> {
+    let hashed = |e: std::fs::DirEntry| -> std::io::Result<(String, String)> {
+        Ok((e.file_name().to_string_lossy().into_owned(), files::hash(&e.path(), files::LONG)?.1))
+    };
+    let read = || -> std::io::Result<BTreeMap<String, String>> {
+        std::fs::read_dir(folder)?.map(|e| e.and_then(hashed)).collect()
     };
     read().map_err(|e| trouble("cannot read", folder, e))
 }

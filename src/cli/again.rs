@@ -9,6 +9,7 @@ use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::files;
 use crate::job;
 use crate::observe::Observer;
 use crate::output::{self, RunFolder, tables};
@@ -27,6 +28,7 @@ struct Finished {
 /// Reads the job, the model that it names and the plan, whose cutter locations are taken from `cutter_locations.csv`:
 /// that is the file other programs read, so that is what must be checked.
 fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
+    output::settle(out)?;
     let file = out.join("job.resolved.toml");
     if !file.is_file() {
         return Err(Error::io(
@@ -39,7 +41,7 @@ fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let setup = Setup::load(&draft, observer)?;
     let part = |name: &str| -> Result<String> {
         let path = out.join(name);
-        std::fs::read_to_string(&path)
+        files::read_text(&path, files::LONG)
             .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", path.display())).caused_by(e))
     };
     let mut plan: Plan = serde_json::from_str(&part("plan.json")?).map_err(|e| {
@@ -120,9 +122,9 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
             );
         }
     };
-    let dialect = match (&args.post_file, args.control) {
-        (Some(file), _) => Dialect::load(file)?,
-        (None, Some(control)) => Dialect::built_in(control)?,
+    let (name, dialect) = match (&args.post_file, args.control) {
+        (Some(file), _) => (pipeline::post_name(file), Dialect::load(file)?),
+        (None, Some(control)) => (control.to_string(), Dialect::built_in(control)?),
         (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
     };
     let mut done = Vec::with_capacity(args.runs.len());
@@ -145,7 +147,7 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         .advise("where words are rounded too much, write more digits in the post file"));
     }
     let mut folder = RunFolder::begin(out)?;
-    folder.add(&program.file_name, program.text)?;
+    folder.add_program(&program.file_name, program.text, &name)?;
     for file in folder.finish()? {
         sayln!("{}", file.display());
     }

@@ -183,7 +183,7 @@ fn parse_axis(text: &str) -> Result<Axis, String> {
 /// `inspect`.
 #[derive(Debug, clap::Args)]
 pub struct Inspect {
-    /// The model: STEP, OBJ or STL.
+    /// The model: STEP, IGES, OBJ, STL, PLY, glTF or a table of sections.
     pub model: PathBuf,
     /// How to read it.
     #[command(flatten)]

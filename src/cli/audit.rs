@@ -8,6 +8,7 @@ use super::progress::Terminal;
 use super::{again, inspect};
 use crate::artifact::program::Language;
 use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::files;
 use crate::geometry::Rigid;
 use crate::machine::Machine;
 use crate::model;
@@ -89,14 +90,7 @@ fn text(path: &Path) -> Result<String> {
     let io = |e: std::io::Error| {
         Error::io(Stage::Verify, format!("cannot read the program {}: {e}", path.display())).caused_by(e)
     };
-    let size = std::fs::metadata(path).map_err(io)?.len();
-    if size > MAX_BYTES {
-        return Err(Error::usage(
-            Stage::Verify,
-            format!("{} has {size} bytes, too many for a program", path.display()),
-        ));
-    }
-    let bytes = std::fs::read(path).map_err(io)?;
+    let bytes = files::read(path, MAX_BYTES).map_err(io)?;
     // Comments may be in any code page; the blocks themselves are ASCII.
     Ok(String::from_utf8_lossy(model::format::without_mark(&bytes)).into_owned())
 }

@@ -1,7 +1,7 @@
 //! `batch`: a family of blades.
 
 use std::collections::BTreeMap;
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::args::{Batch, BatchVerb};
-use super::out::sayln;
+use super::out::{self, sayln};
 use crate::batch::{self, Done, Effort, Family, Options, Record, Shard, Status, Watch};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Warning};
@@ -91,7 +91,7 @@ impl Screen {
             whole.set_style(style);
         }
         whole.set_message("family");
-        let stop = super::signals::stop_flag();
+        let stop = super::signals::stop_flag(super::signals::FAMILY);
         let lines = !quiet && !terminal;
         Screen {
             bars,
@@ -109,9 +109,7 @@ impl Screen {
     }
 
     fn say(&self, text: &str) {
-        self.bars.suspend(|| {
-            let _ = writeln!(std::io::stderr(), "{text}");
-        });
+        self.bars.suspend(|| out::told(text));
     }
 }
 
@@ -168,7 +166,7 @@ impl Drop for MemberBar<'_> {
 
 impl Observer for MemberBar<'_> {
     fn progress(&self, stage: Stage, done: usize, total: usize) {
-        self.bar.set_message(format!("{:<8} {}", stage.to_string(), self.name));
+        self.bar.set_message(format!("{:<8} {}", stage.to_string(), out::visible(&self.name)));
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
     }

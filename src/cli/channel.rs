@@ -31,7 +31,7 @@ pub fn run(args: &Channel, quiet: bool) -> Result<u8> {
 fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.job.out)?;
     let setup = Setup::load(&draft_of(&args.job)?, observer)?;
-    folder.add("job.resolved.toml", setup.job.to_toml()?)?;
+    folder.add_job_of_study(&setup.job.to_toml()?)?;
     let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;

@@ -25,7 +25,8 @@ pub fn run(args: &Compare, quiet: bool) -> Result<u8> {
 fn print(c: &Comparison) {
     let jerk = if c.limit_jerk { "velocity, acceleration and jerk" } else { "velocity and acceleration" };
     sayln!("{}: {} locations, {:.1} mm, feed {} mm/min", c.name, c.cutter_locations, c.path_length_mm, c.feed_mm_min);
-    sayln!("\nat the same constant feed:");
+    sayln!();
+    sayln!("at the same constant feed:");
     sayln!(
         "  {:<22} {:>9} {:>9} {:>11} {:>13} {:>9} {:>10} {:>9} {:>9}",
         "",
@@ -53,7 +54,8 @@ fn print(c: &Comparison) {
             z.acceleration
         );
     }
-    sayln!("\nmachining time in s at its own best feed ({jerk} limited), for multiples of the machine's limits:");
+    sayln!();
+    sayln!("machining time in s at its own best feed ({jerk} limited), for multiples of the machine's limits:");
     let heads: String = c.sweep.iter().map(|l| format!("{:>12}", format!("x{}", l.scale))).collect();
     sayln!("  {:<22}{heads}", "");
     let Some(first) = c.sweep.first() else { return };

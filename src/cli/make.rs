@@ -5,6 +5,7 @@ use std::path::Path;
 use super::args::Make;
 use super::out::sayln;
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::make::{self, BladeDesign};
 use crate::output::RunFolder;
 
@@ -28,7 +29,7 @@ fn design(given: &str) -> Result<(String, BladeDesign)> {
         return Ok((given.to_owned(), design));
     }
     let path = Path::new(given);
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    let text = files::read_text(path, files::SHORT).map_err(|e| {
         Error::io(Stage::Make, format!("{given} is neither a preset nor a design file that can be read: {e}"))
             .advise("presets: steam_root, compressor_twist, turbine_camber, prism")
             .caused_by(e)

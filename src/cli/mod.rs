@@ -15,7 +15,6 @@ mod plan;
 mod progress;
 mod signals;
 
-use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -30,7 +29,11 @@ pub fn run() -> ExitCode {
         Err(e) => {
             // Help and version are good ends; everything else is usage.
             let code = u8::from(e.use_stderr()) * 2;
-            let _ = e.print();
+            // What was typed is quoted in it, perhaps by a script from the names of files.
+            match std::env::args_os().any(|a| a.to_string_lossy().chars().any(char::is_control)) {
+                true => e.render().to_string().lines().for_each(out::told),
+                false => e.print().unwrap_or_default(),
+            }
             return ExitCode::from(code);
         }
     };
@@ -90,7 +93,8 @@ fn report(e: &Error) {
     if out::event(&told) {
         return;
     }
-    let advice = e.advice.as_ref().map(|a| format!("       {a}\n")).unwrap_or_default();
-    // Where not even the error can be told, the exit code still tells.
-    let _ = write!(std::io::stderr(), "error: {}: {}\n{advice}", e.stage, e.message);
+    out::told(&format!("error: {}: {}", e.stage, e.message));
+    if let Some(advice) = &e.advice {
+        out::told(&format!("       {advice}"));
+    }
 }

@@ -6,6 +6,7 @@ use super::args::{Faces, Job, Plan, Reading, Region};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::files;
 use crate::job::{self, Draft, JobFile};
 use crate::make::BladeDesign;
 use crate::model;
@@ -21,7 +22,7 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
     let outcome = pipeline::run(&draft, &args.job.out, course, &terminal);
     terminal.finish();
     let outcome = outcome?;
-    print(&outcome);
+    print(&outcome, args.until);
     let passed = outcome.report.as_ref().is_none_or(|r| r.passed());
     Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
 }
@@ -47,7 +48,7 @@ pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Res
 /// A job file; a design for `make` in its place is named as that.
 fn job_file(input: &Path) -> Result<JobFile> {
     let read = job::load(input);
-    let design = || std::fs::read_to_string(input).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
+    let design = || files::read_text(input, files::SHORT).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
     match (read, input.display()) {
         (Err(_), name) if design().is_some() => Err(Error::usage(
             Stage::Job,
@@ -87,9 +88,13 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     Ok(())
 }
 
-fn print(outcome: &Outcome) {
+fn print(outcome: &Outcome, until: Option<Stage>) {
     if let Some(summary) = &outcome.summary {
         print_summary(summary);
+    }
+    if let Some(until) = until {
+        let took: Vec<String> = outcome.stages.iter().map(|s| format!("{} {:.1} s", s.stage, s.seconds)).collect();
+        sayln!("stopped after {until}, as asked: {}", took.join(", "));
     }
     if let Some(report) = &outcome.report {
         super::again::print_failed(report);

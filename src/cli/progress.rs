@@ -28,6 +28,8 @@ pub struct Terminal {
 impl Terminal {
     /// A terminal observer; `quiet` shows no progress (warnings are still printed).
     pub fn new(quiet: bool) -> Self {
+        // Before anything is written: a reader of standard output that has gone to sleep must not keep the signals from being heard.
+        let stop = super::signals::stop_flag(super::signals::ONE_RUN);
         let bar = ProgressBar::new(1);
         let json = out::event(&serde_json::json!({ "event": "start", "program": crate::pipeline::program() }));
         if quiet || json || !std::io::stderr().is_terminal() {
@@ -38,7 +40,6 @@ impl Terminal {
         {
             bar.set_style(style);
         }
-        let stop = super::signals::stop_flag();
         Terminal { bar, shown: AtomicUsize::new(usize::MAX), told: Mutex::new(None), json, stop, quiet }
     }
 
@@ -84,7 +85,7 @@ impl Observer for Terminal {
         if self.json && out::event(&told) {
             return;
         }
-        self.bar.suspend(|| eprintln!("warning: {}: {}", warning.stage, warning.message));
+        self.bar.suspend(|| out::told(&format!("warning: {}: {}", warning.stage, warning.message)));
     }
 
     fn cancelled(&self) -> bool {

@@ -43,7 +43,7 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     let keys = typed.model.clone().unwrap_or_default();
     let Some(file) = keys.file.filter(|f| !f.is_empty()) else {
         return Err(Error::usage(Stage::Job, "model.file is missing: which blade is to be machined?")
-            .advise("name a STEP, OBJ or STL file"));
+            .advise("name a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections"));
     };
     let absolute = |file: &str| std::path::absolute(base_dir.join(file)).unwrap_or_else(|_| base_dir.join(file));
     let model = ModelJob {

@@ -4,24 +4,20 @@ use std::path::Path;
 
 use super::typed::{JobFile, ModelKeys};
 use crate::error::{Error, Result, Stage};
-
-/// Greatest size of a job file, bytes: a CAD file given by mistake is refused before it is read as text.
-const MAX_BYTES: u64 = 1 << 20;
+use crate::files;
 
 /// Reads a job file.
 ///
 /// # Errors
 /// `InputOutput` when the file cannot be read; `Usage` with file, line and key when it is not a job file.
 pub fn load(path: &Path) -> Result<JobFile> {
-    let io = |e: std::io::Error| {
-        Error::io(Stage::Job, format!("the job file {} cannot be read: {e}", path.display())).caused_by(e)
-    };
-    let size = std::fs::metadata(path).map_err(io)?.len();
-    if size > MAX_BYTES {
-        return Err(Error::usage(Stage::Job, format!("{} has {size} bytes, too many for a job file", path.display()))
-            .advise("a job file is a short TOML text; name the CAD file in it as model.file"));
-    }
-    let bytes = std::fs::read(path).map_err(io)?;
+    let bytes = files::read(path, files::SHORT).map_err(|e| match e.kind() {
+        std::io::ErrorKind::FileTooLarge => {
+            Error::usage(Stage::Job, format!("{} is too large for a job file", path.display()))
+                .advise("a job file is a short TOML text; name the CAD file in it as model.file")
+        }
+        _ => Error::io(Stage::Job, format!("the job file {} cannot be read: {e}", path.display())).caused_by(e),
+    })?;
     let text = String::from_utf8(bytes)
         .map_err(|e| Error::usage(Stage::Job, format!("{} is not a text in UTF-8: {e}", path.display())))?;
     parse(&text, &path.display().to_string())
@@ -65,7 +61,8 @@ impl JobFile {
         if keys.len() < 2 || keys.iter().any(|k| k.is_empty()) {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
-        self.set_value(&keys, read_value(value.trim())).map_err(bad)
+        let text = value.trim();
+        self.set_value(&keys, read_value(text)).map_err(|m| bad(no_number(text, &m).unwrap_or(m)))
     }
 
     /// Sets one key, given as the list of its parts, to a TOML value.
@@ -78,6 +75,24 @@ impl JobFile {
         *self = root.try_into().map_err(|e: toml::de::Error| e.message().trim().replace('\n', " "))?;
         Ok(())
     }
+}
+
+/// What is wrong with a text where a number is wanted; `None` where something else is wrong.
+fn no_number(text: &str, message: &str) -> Option<String> {
+    let wanted = ["expected f64", "expected u32", "expected u64", "expected usize"];
+    if !(message.contains("invalid type: string") && wanted.iter().any(|w| message.contains(w))) {
+        return None;
+    }
+    let point = text.replacen(',', ".", 1);
+    let bare = text.trim_end_matches(|c: char| c.is_alphabetic() || "°%²³/ ".contains(c));
+    let hint = if text.contains(',') && point.parse::<f64>().is_ok() {
+        format!(": write {point}, with a point")
+    } else if !bare.is_empty() && bare.parse::<f64>().is_ok() {
+        format!(": write {bare}, the unit is the key's")
+    } else {
+        String::new()
+    };
+    Some(format!("`{text}` is not a number{hint}"))
 }
 
 /// The text as a TOML value, or as a plain text where it is none.

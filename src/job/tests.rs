@@ -26,6 +26,22 @@ fn messages_name_line_key_and_what_is_allowed() {
 }
 
 #[test]
+fn a_text_in_place_of_a_number_is_told_as_that() {
+    let mut file = JobFile::default();
+    for (assignment, told) in [
+        ("tool.radius_mm=2,5", "`2,5` is not a number: write 2.5, with a point"),
+        ("tool.radius_mm=2mm", "`2mm` is not a number: write 2, the unit is the key's"),
+        ("machine.b_deg=5°", "`5°` is not a number: write 5, the unit is the key's"),
+        ("tool.radius_mm=wide", "`wide` is not a number"),
+    ] {
+        let e = file.set(assignment).unwrap_err();
+        assert!(e.message.ends_with(told) && e.message.contains(assignment), "{}", e.message);
+    }
+    // What is wrong otherwise is told in other words.
+    assert!(!file.set("schedule.kind=2mm").unwrap_err().message.contains("is not a number"));
+}
+
+#[test]
 fn set_changes_one_key_and_leaves_the_job_alone_on_errors() {
     let mut job = JobFile::from_model(Path::new("blade.step"));
     job.set("path.scallop_mm=0.02").unwrap();

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::chain::Chain;
 use super::config::{AxisLimits, AxisName, DEMO_TOML, Machine, Provenance, RotaryAxis};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -37,7 +38,7 @@ impl Machine {
     /// # Errors
     /// Kind `InputOutput` where the file cannot be read, else as [`Machine::from_toml`].
     pub fn load(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| {
+        let text = files::read_text(path, files::SHORT).map_err(|e| {
             Error::io(Stage::Machine, format!("cannot read the machine file {}: {e}", path.display())).caused_by(e)
         })?;
         Self::from_toml(&text, &path.display().to_string())

@@ -16,6 +16,7 @@ use nalgebra::Matrix4;
 use super::soup::Soup;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::geometry::Point;
 
 /// Nodes deeper than this are taken for circular.
@@ -111,16 +112,11 @@ fn buffer_bytes(path: &Path, buffer: &gltf::Buffer, blob: Option<&[u8]>) -> Said
 fn beside(path: &Path, uri: &str) -> Said<Vec<u8>> {
     let name = percent_decoded(uri).ok_or_else(|| format!("the name of a buffer, \"{uri}\", is damaged"))?;
     let relative = Path::new(&name);
-    if !relative.components().all(|c| matches!(c, std::path::Component::Normal(_) | std::path::Component::CurDir)) {
+    if !files::stays_below(relative) {
         return Err(format!("the buffer \"{uri}\" is not in the model's folder"));
     }
     let file = path.parent().unwrap_or(Path::new(".")).join(relative);
-    let missing = |e: std::io::Error| format!("the buffer {} cannot be read: {e}", file.display());
-    let size = std::fs::metadata(&file).map_err(missing)?.len();
-    if size > MOST_BYTES {
-        return Err(format!("the buffer {} has {size} bytes, too many for a blade", file.display()));
-    }
-    std::fs::read(&file).map_err(missing)
+    files::read(&file, MOST_BYTES).map_err(|e| format!("the buffer {} cannot be read: {e}", file.display()))
 }
 
 fn percent_decoded(uri: &str) -> Option<String> {

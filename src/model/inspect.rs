@@ -62,8 +62,8 @@ struct Lines {
 
 impl Lines {
     fn line(&mut self, key: &str, value: &str) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(self.text, "{key:<10} {value}");
+        // Writing to a String cannot fail. A line of a value would pass for one of ours.
+        let _ = writeln!(self.text, "{key:<10} {}", value.replace('\n', "\\n"));
     }
     fn list(&mut self, key: &str, values: impl IntoIterator<Item = String>) {
         for (k, value) in values.into_iter().enumerate() {

@@ -45,6 +45,7 @@ use std::path::Path;
 
 use crate::artifact::blade::{Blade, Unit};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::geometry::brep::{Brep, SurfaceKind};
 use crate::geometry::{Aabb, Point};
 use crate::observe::{Observer, Warning};
@@ -135,7 +136,7 @@ pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> R
 /// # Errors
 /// `InputOutput`: it cannot be read.
 pub fn file_bytes(path: &Path) -> Result<Vec<u8>> {
-    std::fs::read(path)
+    files::read(path, files::LONG)
         .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))
 }
 

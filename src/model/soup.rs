@@ -7,6 +7,7 @@ use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::nurbs::curve::FARTHEST_MM;
 
 /// Triangles with corners of their own, in groups.
 #[derive(Default)]
@@ -60,6 +61,15 @@ impl Soup {
         if let Some(t) = self.triangles.iter().position(|t| t.iter().flatten().any(|x| !x.is_finite())) {
             return Err(Error::io(Stage::Model, format!("{name}: triangle {t} has a coordinate that is not a number"))
                 .advise("repair or export the mesh again"));
+        }
+        let far = |t: &[[f64; 3]; 3]| t.iter().flatten().any(|x| !((x * mm_per_unit).abs() <= FARTHEST_MM));
+        if let Some((t, corners)) = self.triangles.iter().enumerate().find(|(_, t)| far(t)) {
+            let at = corners.iter().flatten().fold(0.0f64, |a, x| a.max(x.abs()));
+            return Err(Error::io(
+                Stage::Model,
+                format!("{name}: triangle {t} is out of all bounds, {at:.3e} of the file's units from the origin"),
+            )
+            .advise("repair or export the mesh again"));
         }
         let (mesh, dropped) = self.welded(mm_per_unit);
         let mut healed = heal(mesh, options);

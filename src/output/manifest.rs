@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::observe::Warning;
 
 /// Version of the files of a run; raised when a column or key changes its meaning.
@@ -32,9 +33,12 @@ pub struct Input {
     pub blake3: String,
 }
 
+/// The manifest's file.
+pub const FILE: &str = "manifest.json";
+
 /// The manifest.
-#[derive(Clone, Debug, serde::Serialize)]
-pub struct Manifest<J: serde::Serialize> {
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
+pub struct Manifest {
     /// See [`SCHEMA_VERSION`].
     pub schema_version: u32,
     /// Program and version.
@@ -43,29 +47,32 @@ pub struct Manifest<J: serde::Serialize> {
     pub build: String,
     /// Inputs with their hashes.
     pub inputs: Vec<Input>,
-    /// The resolved job.
-    pub job: J,
+    /// The resolved job, its keys by the alphabet: a manifest that is read and written again stays the same.
+    pub job: serde_json::Value,
     /// Stages in order.
     pub stages: Vec<StageRecord>,
     /// Warnings in order of stage.
     pub warnings: Vec<Warning>,
     /// Seal of the checks, see [`crate::verify::seal`]; absent where nothing was checked.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seal: Option<String>,
-    /// Files that the run wrote, but for this one, with the BLAKE3 hashes of their content.
+    /// Files of the run, but for this one, with the BLAKE3 hashes of their content: those that it wrote, and those that came to it later.
     pub outputs: BTreeMap<String, String>,
+    /// Its programs, and the control or own post file that wrote each.
+    #[serde(default)]
+    pub programs: BTreeMap<String, String>,
     /// `good`, `findings` or the stage up to which the run went.
     pub status: String,
 }
 
-/// Reads an input's size and hash.
+/// Reads an input's size and hash; `key`: where the job names it.
 ///
 /// # Errors
 /// Kind `InputOutput` where it cannot be read.
-pub fn input(path: &Path) -> Result<Input> {
-    let bytes = std::fs::read(path)
-        .map_err(|e| Error::io(Stage::Model, format!("cannot read {}: {e}", path.display())).caused_by(e))?;
-    Ok(input_of(path, &bytes))
+pub fn input(path: &Path, stage: Stage, key: &str) -> Result<Input> {
+    let (bytes, blake3) = files::hash(path, files::LONG)
+        .map_err(|e| Error::io(stage, format!("{key}: {} cannot be read: {e}", path.display())).caused_by(e))?;
+    Ok(Input { path: path.display().to_string(), bytes, blake3 })
 }
 
 /// Size and hash of an input that has been read.

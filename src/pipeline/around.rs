@@ -4,7 +4,7 @@ use super::Setup;
 use crate::artifact::channel::Width;
 use crate::artifact::{Blade, Obstacle, Plan};
 use crate::channel::{self, Surroundings};
-use crate::error::Result;
+use crate::error::{Result, Stage};
 use crate::job::Job;
 use crate::model;
 use crate::observe::Observer;
@@ -53,7 +53,7 @@ pub(super) fn obstacles(
 ) -> Result<Vec<Obstacle>> {
     let mut all = job.fixture.iter().map(|f| (false, f)).chain(job.stock.iter().map(|f| (true, f)));
     all.try_fold(Vec::new(), |mut out, (stock, f)| {
-        inputs.push(manifest::input(&f.file)?);
+        inputs.push(manifest::input(&f.file, Stage::Model, if stock { "stock.file" } else { "fixture.file" })?);
         let room = [f.clearance_mm, f.holder_clearance_mm];
         out.push(model::obstacle(&f.file, f.unit, stock, room, &blade.model_from_blade, observer)?);
         Ok(out)

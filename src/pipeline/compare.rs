@@ -128,6 +128,7 @@ pub fn compare(
     let mut folder = RunFolder::begin(out)?;
     let mut clock = Clock::default();
     let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
+    folder.add_job_of_study(&setup.job.to_toml()?)?;
     let mut toolpath = clock.time(Stage::Path, || path_as_asked(&setup, &recorder))?;
     let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &mut clock, &recorder)?;
     let (made, names) = all(&setup, &toolpath, &channel)?;
@@ -152,7 +153,6 @@ pub fn compare(
         schedules,
         sweep,
     };
-    folder.add("job.resolved.toml", setup.job.to_toml()?)?;
     folder.add_json("compare.json", &found)?;
     folder.add("compare.csv", table(&found, setup.machine.axis_names()))?;
     let curves: Vec<(&str, &Schedule)> = names.iter().map(String::as_str).zip(made.iter().map(|m| &m.0)).collect();

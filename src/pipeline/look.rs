@@ -81,6 +81,9 @@ pub(super) fn page(
 ) -> Result<()> {
     let verify = json_of(look.report)?;
     let compared = compared(folder, summary);
+    if compared.is_some() {
+        ["compare.json", "compare.csv", "compare.svg"].iter().for_each(|name| folder.keep(name));
+    }
     let fixed = look.baseline.map(fixed_lead_of);
     let others: Vec<report::Baseline> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
     let widths = if setup.job.channel.sweep_b { around::widths(setup, plan, observer)? } else { Vec::new() };

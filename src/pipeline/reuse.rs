@@ -122,12 +122,12 @@ impl<'a> Earlier<'a> {
     }
 
     fn plan(&self) -> Option<Plan> {
-        serde_json::from_slice(&(self.read)("plan.json")?).ok()
+        serde_json::from_slice(&self.file("plan.json")?).ok()
     }
 
     /// The checks of that run, without those of its programs.
     pub(super) fn checks(&self) -> Option<Checks> {
-        let mut report: CheckReport = serde_json::from_slice(&(self.read)("verify.json")?).ok()?;
+        let mut report: CheckReport = serde_json::from_slice(&self.file("verify.json")?).ok()?;
         report.checks.retain(|c| !c.name.starts_with("program-"));
         Some(Checks { report, seal: self.before.seal.clone()? })
     }

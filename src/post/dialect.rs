@@ -23,6 +23,7 @@ use serde::{Deserialize, Serialize};
 use super::template::{Line, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed};
 use crate::error::{Error, Result, Stage};
+use crate::files;
 
 /// What rotary words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -244,7 +245,7 @@ impl Dialect {
     /// # Errors
     /// Kind `InputOutput` where it cannot be read, else as [`Dialect::from_toml`].
     pub fn load(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| {
+        let text = files::read_text(path, files::SHORT).map_err(|e| {
             Error::io(Stage::Post, format!("cannot read the post file {}: {e}", path.display())).caused_by(e)
         })?;
         Self::from_toml(&text, &path.display().to_string())

@@ -7,6 +7,7 @@
 pub mod scallop;
 
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::geometry::{Point, Vector};
 
 /// A cylindrical stage of the holder.
@@ -56,7 +57,7 @@ impl Tool {
     /// # Errors
     /// Kind `InputOutput` where the file cannot be read, else as [`Tool::from_toml`].
     pub fn load(path: &std::path::Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| {
+        let text = files::read_text(path, files::SHORT).map_err(|e| {
             Error::io(Stage::Job, format!("cannot read the tool file {}: {e}", path.display())).caused_by(e)
         })?;
         Self::from_toml(&text, &path.display().to_string())

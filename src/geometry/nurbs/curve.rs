@@ -57,7 +57,7 @@ impl NurbsCurve {
 
 /// Control points farther away are damage, mm: squares of squares of what is nearer do not overflow. (The middle one of a half circle in one piece is
 /// 1e17 radii away.)
-const FARTHEST_MM: f64 = 1e50;
+pub const FARTHEST_MM: f64 = 1e50;
 /// Weights beyond these are damage, for the same reason.
 const WEIGHTS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
 

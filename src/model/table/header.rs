@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::files;
 
 /// What a job or design file never has at its top.
 #[derive(Debug, serde::Deserialize)]
@@ -180,6 +181,9 @@ pub fn files(header: &Path, names: &Names) -> Result<Vec<PathBuf>> {
 }
 
 fn matching(folder: &Path, pattern: &str) -> std::result::Result<Vec<PathBuf>, String> {
+    if !files::stays_below(Path::new(pattern)) {
+        return Err(format!("the file {pattern} is not in the header's folder"));
+    }
     let path = folder.join(pattern);
     if !pattern.contains(['*', '?']) {
         return if path.is_file() { Ok(vec![path]) } else { Err(format!("the file {} is not there", path.display())) };

@@ -29,6 +29,7 @@ use super::format::without_mark;
 use super::units::{self, Source};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::geometry::{Point, Vector};
 
 use columns::{Block, Columns, Rows};
@@ -86,8 +87,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
 
 /// Whether a TOML file is the header of a section table, rather than a job file.
 pub fn is_header_file(path: &Path) -> bool {
-    let small = std::fs::metadata(path).is_ok_and(|m| m.len() <= 1 << 20);
-    small && text_of(path).is_ok_and(|text| header::is_header(&text))
+    text_of(path, files::SHORT).is_ok_and(|text| header::is_header(&text))
 }
 
 /// The data files that a header names; none for other files and where they cannot be found, which [`read`] tells.
@@ -95,7 +95,7 @@ pub fn data_files(path: &Path) -> Vec<std::path::PathBuf> {
     if !is_header_file(path) {
         return Vec::new();
     }
-    let text = text_of(path).unwrap_or_default();
+    let text = text_of(path, files::SHORT).unwrap_or_default();
     header::parse(&text, "").and_then(|h| header::files(path, &h.files)).unwrap_or_default()
 }
 
@@ -121,19 +121,15 @@ fn short(path: &Path) -> String {
 }
 
 /// The text of a file without a byte-order mark.
-fn text_of(path: &Path) -> std::io::Result<String> {
-    Ok(String::from_utf8_lossy(without_mark(&std::fs::read(path)?)).into_owned())
+fn text_of(path: &Path, limit: u64) -> std::io::Result<String> {
+    Ok(String::from_utf8_lossy(without_mark(&files::read(path, limit)?)).into_owned())
 }
 
 /// Name and text of a data file.
 fn source(path: &Path) -> Result<(String, String)> {
-    let cannot =
-        |e: std::io::Error| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e);
-    let size = std::fs::metadata(path).map_err(cannot)?.len();
-    if size > MOST_BYTES {
-        return Err(Error::io(Stage::Model, format!("{} has {size} bytes, too many for a table", path.display())));
-    }
-    Ok((short(path), text_of(path).map_err(cannot)?))
+    let text = text_of(path, MOST_BYTES)
+        .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))?;
+    Ok((short(path), text))
 }
 
 /// Blocks of all files.
