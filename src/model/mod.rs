@@ -21,6 +21,7 @@ pub mod obj;
 pub mod openings;
 pub mod orient;
 pub mod ply;
+pub mod published;
 pub mod recognise;
 pub mod rescue;
 pub mod sew;

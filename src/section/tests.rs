@@ -301,7 +301,7 @@ fn oblique_sections_of_exact_faces_in_closed_form() {
         let mut found = 0;
         for share in [0.35, 0.5, 0.62] {
             let x = b.min.x + share * (b.max.x - b.min.x);
-            for outline in super::outline::outlines(&part, x).0 {
+            for outline in super::outline::outlines(&part, x).loops {
                 found += 1;
                 assert!(outline.off_part_mm < 1e-8, "{name}: {}", outline.off_part_mm);
                 for p in &outline.points {

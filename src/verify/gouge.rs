@@ -25,6 +25,9 @@ const SHORTEST_MM: f64 = 1e-5;
 /// Of deep cuts so much may be missed.
 const MISSED_SHARE: f64 = 0.02;
 
+/// What is said of a place that the part has otherwise than its file.
+const AS_PUBLISHED: &str = " as its file has it; sewing or healing moved it: sew the part in CAD, or take verify.gouge_mm as deep as that";
+
 /// The deepest gouge found, and a bound on what may lie between the samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gouge {
@@ -149,7 +152,8 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     }
     let at = part.closest(&g.centre, f64::INFINITY);
     let point = at.map(|c| blade.model_from_blade * c.point);
-    let face = at.map(|c| part.face_name(c.face)).unwrap_or_default();
+    let as_published = if part.nearest_is_published(&g.centre) { AS_PUBLISHED } else { "" };
+    let face = at.map(|c| format!("{}{as_published}", part.face_name(c.face))).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
     let inside = if inside { "the path lies inside the part; " } else { "" };
     let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
