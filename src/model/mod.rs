@@ -38,6 +38,8 @@ mod mesh_tests;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
+mod step_edge_tests;
+#[cfg(test)]
 mod step_tests;
 #[cfg(test)]
 mod tests;

@@ -217,3 +217,114 @@ pub fn triangles(read: &Mesh, healed: &Mesh) -> Option<Mesh> {
     }
     (!out.triangles.is_empty()).then_some(out)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use nalgebra::Vector4;
+
+    use super::*;
+    use crate::geometry::brep::SurfaceKind;
+    use crate::geometry::mesh::topology;
+    use crate::geometry::nurbs::NurbsSurface;
+    use crate::model::{SEW_MM, rescue};
+    use crate::observe::Silent;
+
+    /// Half sides of a block.
+    const HALF: [f64; 3] = [20.0, 5.0, 30.0];
+
+    /// A rectangle as a face without loops, from a corner along two sides.
+    fn rectangle(name: &str, corner: [f64; 3], u: [f64; 3], v: [f64; 3], reversed: bool) -> Face {
+        let at = |s: f64, t: f64| {
+            let p = [0, 1, 2].map(|k| corner[k] + s * u[k] + t * v[k]);
+            Vector4::new(p[0], p[1], p[2], 1.0)
+        };
+        let surface = NurbsSurface::bilinear([at(0.0, 0.0), at(0.0, 1.0), at(1.0, 0.0), at(1.0, 1.0)]);
+        Face { name: name.into(), kind: SurfaceKind::Plane, surface, reversed, loops: Vec::new() }
+    }
+
+    /// The block as six loose faces; the last one, y = 5, passes the edge x = 20 by `beyond`.
+    fn loose(beyond: f64) -> Brep {
+        let [a, b, c] = HALF;
+        let (x, y, z) = ([2.0 * a, 0.0, 0.0], [0.0, 2.0 * b, 0.0], [0.0, 0.0, 2.0 * c]);
+        let faces = vec![
+            rectangle("x+", [a, -b, -c], y, z, false),
+            rectangle("x-", [-a, -b, -c], y, z, true),
+            rectangle("z+", [-a, -b, c], x, y, false),
+            rectangle("z-", [-a, -b, -c], x, y, true),
+            rectangle("y-", [-a, -b, -c], x, z, false),
+            rectangle("y+", [-a, b, -c], [2.0 * a + beyond, 0.0, 0.0], z, true),
+        ];
+        Brep { faces, edges: Vec::new() }
+    }
+
+    #[test]
+    fn faces_that_fit_are_as_published() {
+        let (part, done) = rescue::part(loose(0.0), 0.05, &SEW_MM, &Silent).unwrap();
+        assert!(topology(&part.mesh).closed() && done.published.is_none());
+    }
+
+    /// Sewing cuts the strip away that passes the edge; the tool spares it.
+    #[test]
+    fn a_strip_that_sewing_cuts_away_still_belongs_to_the_part() {
+        const BEYOND: f64 = 0.015;
+        let (part, done) = rescue::part(loose(BEYOND), 0.05, &SEW_MM, &Silent).unwrap();
+        assert!(topology(&part.mesh).closed());
+        let published = done.published.unwrap();
+        assert_eq!(published.of, [Some(5)]);
+        assert!((published.moved_mm - BEYOND).abs() < 1e-6, "{}", published.moved_mm);
+        assert_eq!(published.moved_at.as_ref().unwrap().0, "y+");
+        let sewn = Part::from_brep(part.brep.unwrap(), 0.05, &Silent).unwrap();
+        let Prepared { part: strip, of, without } = published.part(&Rigid::identity(), 0.05, &Silent).unwrap();
+        assert!(without.is_empty());
+        let whole = sewn.clone().with_published(strip.unwrap(), of);
+        // What stands off the sewn part counts in the bounds that are taken from its mesh.
+        assert!((whole.deflection_mm - sewn.deflection_mm - BEYOND).abs() < 1e-6);
+        // Beside the strip the sewn part is farther, and only there.
+        let q = Point::new(23.0, 5.0, 1.0);
+        assert!((sewn.closest(&q, 10.0).unwrap().distance_mm - 3.0).abs() < 1e-9);
+        let near = whole.closest(&q, 10.0).unwrap();
+        assert!((near.distance_mm - (3.0 - BEYOND)).abs() < 1e-9 && near.face == 5);
+        assert!(whole.nearest_is_published(&q) && whole.closest(&q, 3.0 - 2.0 * BEYOND).is_none());
+        for q in [Point::new(3.0, 8.0, 1.0), Point::new(23.0, 1.0, 1.0), Point::new(-23.0, 5.0, 1.0)] {
+            assert!(!whole.nearest_is_published(&q));
+            assert_eq!(whole.closest(&q, 10.0).unwrap().distance_mm, sewn.closest(&q, 10.0).unwrap().distance_mm);
+        }
+    }
+
+    /// A wedge 0.01 mm thick is dropped as a sliver, but the tool spares it.
+    #[test]
+    fn a_face_that_was_dropped_still_belongs_to_the_part() {
+        let mut faces = loose(0.0);
+        faces.faces.push(rectangle("rib", [-20.0, 5.0, 3.0], [40.0, 0.0, 0.0], [0.0, 0.01, 0.0], false));
+        let (part, done) = rescue::part(faces, 0.05, &SEW_MM, &Silent).unwrap();
+        assert!(topology(&part.mesh).closed(), "{:?}", done.sewn);
+        let published = done.published.unwrap();
+        assert_eq!(published.of, [None]);
+        let Prepared { part: rib, of, .. } = published.part(&Rigid::identity(), 0.05, &Silent).unwrap();
+        let whole = Part::from_brep(part.brep.unwrap(), 0.05, &Silent).unwrap().with_published(rib.unwrap(), of);
+        let near = whole.closest(&Point::new(0.0, 8.0, 3.0), 10.0).unwrap();
+        assert!((near.distance_mm - 2.99).abs() < 1e-9 && near.face == 5);
+    }
+
+    #[test]
+    fn triangles_whose_corners_moved_are_kept() {
+        let p = |x: f64, y: f64, z: f64| Point::new(x, y, z);
+        let read = Mesh {
+            points: vec![p(0., 0., 0.), p(9., 0., 0.), p(0., 9., 0.), p(9., 0., 0.02), p(9., 9., 0.), p(0., 9., 0.)],
+            triangles: vec![[0, 1, 2], [3, 4, 5]],
+            ..Mesh::default()
+        };
+        let healed = Mesh {
+            points: vec![p(0., 0., 0.), p(9., 0., 0.), p(0., 9., 0.), p(9., 9., 0.)],
+            triangles: vec![[0, 1, 2], [1, 3, 2]],
+            ..Mesh::default()
+        };
+        let kept = triangles(&read, &healed).unwrap();
+        assert_eq!(kept.points, [p(9., 0., 0.02), p(9., 9., 0.), p(0., 9., 0.)]);
+        assert!(triangles(&healed, &healed).is_none());
+        let whole = Part::from_mesh(healed).with_published(Part::from_mesh(kept), vec![Some(0)]);
+        assert!((whole.closest(&p(9.0, 0.0, 3.0), 5.0).unwrap().distance_mm - 2.98).abs() < 1e-12);
+        assert!((whole.deflection_mm - 0.02).abs() < 1e-12);
+    }
+}
