@@ -1,6 +1,6 @@
 //! Boundary representation: NURBS faces trimmed by loops of shared edges.
 
-use super::Rigid;
+use super::{Point, Rigid};
 use super::nurbs::{NurbsCurve, NurbsSurface};
 
 /// The kind of surface that a face lay on in the file, before it was written as NURBS (all kinds are exact as NURBS).
@@ -34,6 +34,13 @@ pub struct Edge {
     pub curve: NurbsCurve,
     /// Parameter range.
     pub t: [f64; 2],
+}
+
+impl Edge {
+    /// The point at a share of its parameter range.
+    pub fn at(&self, share: f64) -> Point {
+        self.curve.point(self.t[0] + share * (self.t[1] - self.t[0]))
+    }
 }
 
 /// An edge as a loop uses it. A seam is used twice by one face, once in each sense.

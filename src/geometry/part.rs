@@ -1,5 +1,7 @@
 //! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
 
+use rayon::prelude::*;
+
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::exact::Exact;
@@ -22,11 +24,29 @@ pub struct Part {
     pub bvh: MeshBvh,
     /// Exact faces, if the model has them.
     pub brep: Option<Brep>,
-    /// Greatest distance between `mesh` and the exact part, mm; 0 where the model is a mesh.
+    /// Greatest distance between `mesh` and the part, mm: the exact faces, and what was published otherwise. 0 where the model is a mesh as its
+    /// file has it.
     pub deflection_mm: f64,
     /// What ties `mesh` to `brep`.
     tie: Tie,
+    /// Surface as its file has it, where that was changed to close the part.
+    published: Option<Box<Published>>,
 }
+
+/// Surface that belongs to the part besides its own: what sewing or healing moved or left out, as the file has it.
+#[derive(Clone)]
+struct Published {
+    part: Part,
+    /// The face or group of the part that each face or group of it is.
+    of: Vec<Option<u32>>,
+    /// How far it stands off the part's own surface, mm.
+    off_mm: f64,
+}
+
+/// Published surface counts where it is nearer than the part's own by more than this, mm: nearly all of it lies on that.
+const NEARER_MM: f64 = 1e-5;
+/// Places on each edge of published faces at which is measured how far they stand off the part.
+const EDGE_PLACES: usize = 32;
 
 /// Farther from the exact faces than so many times the deflection their mesh does not lie between them and a point.
 const FAR: f64 = 2.0;
@@ -89,7 +109,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None, published: None }
     }
 
     /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
@@ -113,22 +133,95 @@ impl Part {
 
     fn tied(tie: Tie, t: Tessellation) -> Self {
         let bvh = MeshBvh::new(&t.mesh);
-        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie }
+        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie, published: None }
+    }
+
+    /// The part with surface that its file has otherwise: distances are to both from here on, and how far it stands off the part, measured at
+    /// its corners and along its edges, counts as deflection. `of`: for each of its faces or groups the one of the part that it was.
+    #[must_use]
+    pub fn with_published(mut self, published: Part, of: Vec<Option<u32>>) -> Self {
+        let off = |p: &Point| self.own_closest(p, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
+        let off_mm = published.places().par_iter().map(off).reduce(|| 0.0, f64::max);
+        self.deflection_mm += off_mm;
+        self.published = Some(Box::new(Published { part: published, of, off_mm }));
+        self
+    }
+
+    /// Surface that belongs to the part as its file has it, where that was changed.
+    pub fn published(&self) -> Option<&Part> {
+        self.published.as_ref().map(|p| &p.part)
+    }
+
+    /// Corners of the mesh and places along the edges.
+    fn places(&self) -> Vec<Point> {
+        let edges = self.brep.iter().flat_map(|b| &b.edges);
+        let on = edges.flat_map(|e| (0..=EDGE_PLACES).map(|k| e.at(k as f64 / EDGE_PLACES as f64)));
+        self.mesh.points.iter().copied().chain(on).collect()
+    }
+
+    /// Places on the edges of the faces, or of the triangles where the part is a mesh, about `step_mm` apart at most.
+    pub fn along_edges(&self, step_mm: f64) -> Vec<Point> {
+        let count = |length_mm: f64| (length_mm / step_mm).ceil().clamp(1.0, 1e5) as usize;
+        if let Some(brep) = &self.brep {
+            return brep
+                .edges
+                .iter()
+                .flat_map(|e| {
+                    let chords = (0..EDGE_PLACES).map(|k| [k, k + 1].map(|k| e.at(k as f64 / EDGE_PLACES as f64)));
+                    let n = count(chords.map(|[a, b]| (b - a).norm()).sum());
+                    (0..=n).map(|k| e.at(k as f64 / n as f64)).collect::<Vec<_>>()
+                })
+                .collect();
+        }
+        let sides = (0..self.mesh.triangles.len()).flat_map(|t| {
+            let c = self.mesh.corners(t);
+            [[c[0], c[1]], [c[1], c[2]], [c[2], c[0]]]
+        });
+        sides
+            .flat_map(|[a, b]| {
+                let n = count((b - a).norm());
+                (0..=n).map(move |k| a + (b - a) * (k as f64 / n as f64))
+            })
+            .collect()
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
-    /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise.
+    /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise; on what was published otherwise where that is nearer.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
+        let own = self.own_closest(q, cap_mm);
+        let Some(published) = &self.published else { return own };
+        let within = own.map_or(cap_mm, |c| c.distance_mm - NEARER_MM);
+        if within <= 0.0 {
+            return own;
+        }
+        let Some(near) = published.part.closest(q, within) else { return own };
+        // What has no counterpart in the part lies beside something that it has.
+        let own = own.or_else(|| self.own_closest(q, f64::INFINITY))?;
+        Some(match published.of.get(near.face as usize).copied().flatten() {
+            Some(face) => Closest { face, triangle: own.triangle, ..near },
+            None => Closest { face: own.face, uv: own.uv, triangle: own.triangle, ..near },
+        })
+    }
+
+    /// Whether the nearest place of the part to `q` is on surface that its file has otherwise.
+    pub fn nearest_is_published(&self, q: &Point) -> bool {
+        let distance = |c: Option<Closest>| c.map_or(f64::INFINITY, |c| c.distance_mm);
+        distance(self.closest(q, f64::INFINITY)) < distance(self.own_closest(q, f64::INFINITY))
+    }
+
+    /// As [`Part::closest`] without what was published otherwise.
+    fn own_closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
         match (&self.brep, &self.tie) {
             (Some(brep), Tie::Exact(exact)) => exact.closest(brep, q, cap_mm),
             _ => self.closest_on_mesh(q, cap_mm),
         }
     }
 
-    /// The exact faces and the index of their pieces, where the part has them.
+    /// The exact faces and the index of their pieces, where they are all of the part: with surface that was published otherwise bounds keep to
+    /// the mesh and its deflection.
     pub fn exact(&self) -> Option<(&Brep, &Exact)> {
         match (&self.brep, &self.tie) {
-            (Some(brep), Tie::Exact(exact)) => Some((brep, exact)),
+            (Some(brep), Tie::Exact(exact)) if self.published.is_none() => Some((brep, exact)),
             _ => None,
         }
     }
@@ -171,7 +264,8 @@ impl Part {
             (Tie::Exact(exact), Some(b)) => Tie::Exact(Box::new(exact.moved(b, to_from))),
             (tie, _) => tie,
         };
-        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie }
+        let published = self.published.map(|p| Box::new(Published { part: p.part.moved(to_from), ..*p }));
+        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie, published }
     }
 
     /// The mirror image across the plane z = 0.
@@ -179,11 +273,19 @@ impl Part {
     /// # Errors
     /// See [`tessellate`]: a part of exact faces is meshed and indexed anew.
     pub fn mirrored(&self, observer: &dyn Observer) -> Result<Self> {
+        let whole = self.own_mirrored(observer)?;
+        let Some(published) = &self.published else { return Ok(whole) };
+        Ok(whole.with_published(published.part.mirrored(observer)?, published.of.clone()))
+    }
+
+    /// As [`Part::mirrored`] without what was published otherwise.
+    fn own_mirrored(&self, observer: &dyn Observer) -> Result<Self> {
         if let Some(brep) = &self.brep {
             let mirrored = brep.clone().mirrored();
+            let deflection_mm = self.deflection_mm - self.published.as_ref().map_or(0.0, |p| p.off_mm);
             return match self.tie {
-                Tie::Exact(_) => Part::from_brep(mirrored, self.deflection_mm, observer),
-                _ => Part::meshed(mirrored, self.deflection_mm, observer),
+                Tie::Exact(_) => Part::from_brep(mirrored, deflection_mm, observer),
+                _ => Part::meshed(mirrored, deflection_mm, observer),
             };
         }
         let mut mesh = self.mesh.clone();

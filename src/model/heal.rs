@@ -15,6 +15,7 @@
 
 use std::collections::BTreeMap;
 
+use super::published::{self, MOVED_MM};
 use super::wind;
 use crate::geometry::boundary;
 use crate::geometry::mesh::{Mesh, topology, weld};
@@ -42,12 +43,15 @@ pub struct Healed {
     pub mesh: Mesh,
     /// What was changed.
     pub notes: Vec<String>,
+    /// Triangles that are not as the file has them, as it has them.
+    pub published: Option<Mesh>,
 }
 
 /// Heals a mesh.
 pub fn heal(mesh: Mesh, options: &HealOptions) -> Healed {
     let mut notes = Vec::new();
-    let mut mesh = welded(mesh, options.weld_mm, &mut notes);
+    let read = mesh;
+    let mut mesh = welded(&read, options.weld_mm, &mut notes);
     let repeated = drop_repeated(&mut mesh);
     if repeated > 0 {
         notes.push(format!("{repeated} duplicate triangles were dropped"));
@@ -73,8 +77,15 @@ pub fn heal(mesh: Mesh, options: &HealOptions) -> Healed {
             notes.push(format!("no hole up to {most_mm} mm was found to close"));
         }
     }
+    let published = published::triangles(&read, &mesh);
+    if let Some(moved) = &published {
+        notes.push(format!(
+            "{} triangles had corners that moved by more than {MOVED_MM} mm: the tool spares them as the file has them too",
+            moved.triangles.len()
+        ));
+    }
     drop_unused_points(&mut mesh);
-    Healed { mesh, notes }
+    Healed { mesh, notes, published }
 }
 
 /// Open edges and edges with too many triangles.
@@ -83,25 +94,25 @@ fn faults(mesh: &Mesh) -> usize {
     t.open_edges + t.nonmanifold_edges
 }
 
-fn welded(mesh: Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
+fn welded(mesh: &Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
     let size = mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
     let mut best = None;
     if let Some(tolerance) = told_mm {
-        best = Some((weld(&mesh, tolerance), tolerance));
+        best = Some((weld(mesh, tolerance), tolerance));
     } else {
-        let mut least = faults(&mesh);
+        let mut least = faults(mesh);
         for tolerance in WELD.map(|w| w * size) {
             if least == 0 {
                 break;
             }
-            let closer = weld(&mesh, tolerance);
+            let closer = weld(mesh, tolerance);
             let now = faults(&closer);
             if now < least {
                 (least, best) = (now, Some((closer, tolerance)));
             }
         }
     }
-    let Some((closer, tolerance)) = best else { return mesh };
+    let Some((closer, tolerance)) = best else { return mesh.clone() };
     let merged = mesh.points.len() - closer.points.len();
     let lost = mesh.triangles.len() - closer.triangles.len();
     if merged > 0 {

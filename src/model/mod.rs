@@ -21,6 +21,7 @@ pub mod obj;
 pub mod openings;
 pub mod orient;
 pub mod ply;
+pub mod published;
 pub mod recognise;
 pub mod rescue;
 pub mod sew;
@@ -36,6 +37,8 @@ pub mod wind;
 mod mesh_tests;
 #[cfg(test)]
 mod sample;
+#[cfg(test)]
+mod step_edge_tests;
 #[cfg(test)]
 mod step_tests;
 #[cfg(test)]

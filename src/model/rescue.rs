@@ -6,6 +6,7 @@
 //! alone; one that fails is taken with its natural boundary where its edges run along that (its trimming then says nothing
 //! more), and is left out otherwise. A part with a face left out is open there and is refused for planning.
 
+use super::published::Published;
 use super::sew;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -27,6 +28,8 @@ pub struct Rescued {
     pub obstacle: Option<Error>,
     /// What sewing joined.
     pub sewn: sew::Sewn,
+    /// Faces that are not as the file has them.
+    pub published: Option<Published>,
     /// The deflection that was asked of the mesh in the end, mm.
     pub deflection_mm: f64,
 }
@@ -56,14 +59,15 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
                     )
                 };
                 let notes = first.map(note).into_iter().collect();
-                return Ok((part, Rescued { notes, sewn, deflection_mm: finer, ..Rescued::default() }));
+                let published = changed(&original, &part);
+                return Ok((part, Rescued { notes, sewn, published, deflection_mm: finer, ..Rescued::default() }));
             }
             Err(e) => e,
         };
         first.get_or_insert(e);
     }
     let first = first.unwrap_or_else(|| Error::io(Stage::Model, "there is no face to mesh"));
-    let mut brep = original;
+    let mut brep = original.clone();
     let sewn = sew::sew(&mut brep, sew_mm);
     let mut out = Rescued { sewn, deflection_mm, ..Rescued::default() };
     let mut keep = Vec::with_capacity(brep.faces.len());
@@ -94,7 +98,14 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
     }
     sew::sew(&mut brep, sew_mm);
     // Each face can be meshed alone; if not all together, the first error is still the one to tell.
-    Part::meshed(brep, deflection_mm, observer).map(|p| (p, out)).map_err(|_| first)
+    let part = Part::meshed(brep, deflection_mm, observer).map_err(|_| first)?;
+    out.published = changed(&original, &part);
+    Ok((part, out))
+}
+
+/// Faces that are not as the file has them.
+fn changed(original: &Brep, part: &Part) -> Option<Published> {
+    Published::find(original, part.brep.as_ref()?)
 }
 
 /// A B-rep of one face; edges keep their numbers.

@@ -5,6 +5,8 @@
 //! watertight. A face that cannot be converted exactly is an error that names it; so are entities that the reader had to
 //! drop where faces are missing because of them.
 
+mod edges;
+
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -16,16 +18,12 @@ use step_io::scene::{Solid, SurfaceKind as StepKind, SurfaceModel};
 use step_io::{Orientation, Report};
 
 use super::faces::FaceModel;
-use super::sew::{backwards, from_vertex};
 use super::units::Source;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 
-/// A curve that passes a vertex within this distance begins there, mm: far below any tessellation.
-const VERTEX_MM: f64 = 1e-6;
 /// Assemblies deeper than this are taken for circular.
 const DEEPEST: usize = 64;
 
@@ -225,8 +223,8 @@ struct Build<'a> {
     path: &'a Path,
     mm: f64,
     brep: Brep,
-    /// Edge of the B-rep by placed body and `EDGE_CURVE`.
-    edges: HashMap<(usize, EntityKey), usize>,
+    /// Edge of the B-rep by placed body and `EDGE_CURVE`; none for those without length.
+    edges: HashMap<(usize, EntityKey), Option<usize>>,
     placement: usize,
     bodies: usize,
 }
@@ -305,7 +303,7 @@ impl Build<'_> {
         let mut out = Vec::new();
         for (edge, orientation) in bound.oriented_edges() {
             let index = self.edge(&edge, face, to)?;
-            out.push(Coedge { edge: index, reversed: orientation == Orientation::Reversed });
+            out.extend(index.map(|edge| Coedge { edge, reversed: orientation == Orientation::Reversed }));
         }
         if bound.orientation() == Orientation::Reversed {
             out.reverse();
@@ -314,34 +312,21 @@ impl Build<'_> {
         Ok(out)
     }
 
-    fn edge(&mut self, edge: &StepEdge, face: &str, to: &Matrix4<f64>) -> Result<usize> {
+    /// Number of an edge in the B-rep; `None`: it has no length.
+    fn edge(&mut self, edge: &StepEdge, face: &str, to: &Matrix4<f64>) -> Result<Option<usize>> {
         let key = (self.placement, edge.key());
         if let Some(&index) = self.edges.get(&key) {
             return Ok(index);
         }
-        let nurbs = edge.to_nurbs().ok_or_else(|| {
-            Error::io(
-                Stage::Model,
-                format!("{}: an edge of {face} cannot be written as a NURBS curve", self.path.display()),
-            )
-            .advise("repair the body in CAD, or export it with another schema")
+        let found = edges::course(edge, self.mm, to).map_err(|why| {
+            Error::io(Stage::Model, format!("{}: an edge of {face} {why}", self.path.display()))
+                .advise("repair the body in CAD, or export it with another schema")
         })?;
-        let mut curve = curve(&nurbs, self.mm, to);
-        curve.validate().map_err(|e| self.bad(face, &e))?;
-        if let (Some(start), Some(end)) = (edge.start(), edge.end())
-            && start.key() == end.key()
-            && let Some(p) = start.point()
-        {
-            // The reader gives closed curves as the file does: from anywhere, and not yet in the edge's sense.
-            if !edge.same_sense() {
-                curve = backwards(&curve);
-            }
-            let vertex = Point::from(pole(&p.xyz(), 1.0, self.mm, to).xyz());
-            curve = from_vertex(curve, &vertex, VERTEX_MM);
-        }
-        let t = curve.domain();
-        self.brep.edges.push(Edge { curve, t });
-        let index = self.brep.edges.len() - 1;
+        let index = found.map(|curve| {
+            let t = curve.domain();
+            self.brep.edges.push(Edge { curve, t });
+            self.brep.edges.len() - 1
+        });
         self.edges.insert(key, index);
         Ok(index)
     }

@@ -11,38 +11,38 @@ use crate::observe::Silent;
 
 /// Entities of a file as it is written.
 #[derive(Default)]
-struct Sheet {
+pub(super) struct Sheet {
     lines: Vec<String>,
 }
 
 impl Sheet {
-    fn add(&mut self, text: impl AsRef<str>) -> usize {
+    pub(super) fn add(&mut self, text: impl AsRef<str>) -> usize {
         let id = self.lines.len() + 1;
         self.lines.push(format!("#{id}={};", text.as_ref()));
         id
     }
-    fn point(&mut self, p: [f64; 3]) -> usize {
+    pub(super) fn point(&mut self, p: [f64; 3]) -> usize {
         self.add(format!("CARTESIAN_POINT('',({:?},{:?},{:?}))", p[0], p[1], p[2]))
     }
-    fn direction(&mut self, p: [f64; 3]) -> usize {
+    pub(super) fn direction(&mut self, p: [f64; 3]) -> usize {
         self.add(format!("DIRECTION('',({:?},{:?},{:?}))", p[0], p[1], p[2]))
     }
-    fn frame(&mut self, origin: [f64; 3], z: [f64; 3], x: [f64; 3]) -> usize {
+    pub(super) fn frame(&mut self, origin: [f64; 3], z: [f64; 3], x: [f64; 3]) -> usize {
         let (o, z, x) = (self.point(origin), self.direction(z), self.direction(x));
         self.add(format!("AXIS2_PLACEMENT_3D('',#{o},#{z},#{x})"))
     }
-    fn vertex(&mut self, p: [f64; 3]) -> usize {
+    pub(super) fn vertex(&mut self, p: [f64; 3]) -> usize {
         let p = self.point(p);
         self.add(format!("VERTEX_POINT('',#{p})"))
     }
-    fn line(&mut self, (a, va): ([f64; 3], usize), (b, vb): ([f64; 3], usize)) -> usize {
+    pub(super) fn line(&mut self, (a, va): ([f64; 3], usize), (b, vb): ([f64; 3], usize)) -> usize {
         let d = self.direction([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
         let (v, p) = (self.add(format!("VECTOR('',#{d},1.0)")), self.point(a));
         let line = self.add(format!("LINE('',#{p},#{v})"));
         self.add(format!("EDGE_CURVE('',#{va},#{vb},#{line},.T.)"))
     }
     /// A face from a surface, its sense, and one loop of (edge, forward).
-    fn face(&mut self, surface: usize, sense: bool, edges: &[(usize, bool)]) -> usize {
+    pub(super) fn face(&mut self, surface: usize, sense: bool, edges: &[(usize, bool)]) -> usize {
         let flag = |b: bool| if b { ".T." } else { ".F." };
         let oriented: Vec<String> = edges
             .iter()
@@ -52,16 +52,16 @@ impl Sheet {
         let bound = self.add(format!("FACE_OUTER_BOUND('',#{ring},.T.)"));
         self.add(format!("ADVANCED_FACE('',(#{bound}),#{surface},{})", flag(sense)))
     }
-    fn list(ids: &[usize]) -> String {
+    pub(super) fn list(ids: &[usize]) -> String {
         ids.iter().map(|i| format!("#{i}")).collect::<Vec<_>>().join(",")
     }
     /// The file: these entities, a unit, and a product that owns the items.
-    fn file(mut self, unit: &str, items: &[usize]) -> String {
+    pub(super) fn file(mut self, unit: &str, items: &[usize]) -> String {
         let context = self.context(unit);
         self.product("part", context, items);
         self.text()
     }
-    fn context(&mut self, unit: &str) -> usize {
+    pub(super) fn context(&mut self, unit: &str) -> usize {
         let length = match unit {
             "inch" => {
                 let mm = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
@@ -81,7 +81,7 @@ impl Sheet {
         ))
     }
     /// A product whose shape is these items: (definition, representation).
-    fn product(&mut self, name: &str, context: usize, items: &[usize]) -> (usize, usize) {
+    pub(super) fn product(&mut self, name: &str, context: usize, items: &[usize]) -> (usize, usize) {
         let app = self.add("APPLICATION_CONTEXT('automotive design')");
         let pc = self.add(format!("PRODUCT_CONTEXT('',#{app},'mechanical')"));
         let product = self.add(format!("PRODUCT('{name}','{name}','',(#{pc}))"));
@@ -93,7 +93,7 @@ impl Sheet {
         self.add(format!("SHAPE_DEFINITION_REPRESENTATION(#{shape},#{rep})"));
         (definition, rep)
     }
-    fn text(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let mut out = String::from(
             "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n\
              FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n",
@@ -104,13 +104,13 @@ impl Sheet {
         out.push_str("ENDSEC;\nEND-ISO-10303-21;\n");
         out
     }
-    fn solid(&mut self, faces: &[usize]) -> usize {
+    pub(super) fn solid(&mut self, faces: &[usize]) -> usize {
         let shell = self.add(format!("CLOSED_SHELL('',({}))", Self::list(faces)));
         self.add(format!("MANIFOLD_SOLID_BREP('body',#{shell})"))
     }
 
     /// Faces of a bar of size 10 × 4 × 60 from the origin; `sense` tells for each whether its plane faces outward.
-    fn bar(&mut self, sense: [bool; 6]) -> Vec<usize> {
+    pub(super) fn bar(&mut self, sense: [bool; 6]) -> Vec<usize> {
         let size = [10.0, 4.0, 60.0];
         let corners: Vec<([f64; 3], usize)> = (0..8)
             .map(|k| {
@@ -156,7 +156,7 @@ impl Sheet {
     }
 
     /// Faces of a round of radius 3 and height 60 whose seam lies at `angle`, circles running with or against the edge.
-    fn round(&mut self, angle: f64, same_sense: bool) -> Vec<usize> {
+    pub(super) fn round(&mut self, angle: f64, same_sense: bool) -> Vec<usize> {
         let (c, s) = (3.0 * angle.cos(), 3.0 * angle.sin());
         let ends = [0.0, 60.0].map(|z| ([c, s, z], self.vertex([c, s, z])));
         let circles = [0.0, 60.0].map(|z| {

@@ -10,9 +10,11 @@ use std::path::Path;
 use super::faces::{FaceModel, Stacking};
 use super::heal::HealOptions;
 use super::orient;
+use super::published::{Prepared, Published};
 use super::recognise::areas::areas;
 use super::recognise::{self, Recognised};
 use super::rescue;
+use super::sew::listed;
 use super::soup::Soup;
 use super::units::{self, Guess, Source};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
@@ -22,7 +24,7 @@ use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
-use crate::observe::Observer;
+use crate::observe::{Observer, Warning};
 
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
 const NO_VOLUME: f64 = 1e-9;
@@ -48,6 +50,16 @@ pub struct Survey {
     pub face_names: Vec<String>,
     /// Why no plan may be made although a blade may have been found: a unit that was guessed, a part without volume.
     pub obstacle: Option<Error>,
+    /// Surface that the part has otherwise than its file, in the model frame.
+    pub published: Option<Changed>,
+}
+
+/// Surface as a file has it, where sewing or healing changed it.
+pub enum Changed {
+    /// Exact faces.
+    Faces(Published),
+    /// Triangles.
+    Triangles(Mesh),
 }
 
 impl Survey {
@@ -63,15 +75,42 @@ impl Survey {
     ///
     /// # Errors
     /// `InputOutput`: a unit that had to be guessed, a part without volume, no blade recognised.
-    pub fn into_blade(self, observer: &dyn Observer) -> Result<Blade> {
+    pub fn into_blade(mut self, observer: &dyn Observer) -> Result<Blade> {
         if let Some(e) = self.obstacle {
             return Err(e);
         }
         let found = self.found?;
+        let blade_from_model = found.model_from_blade.inverse();
         let part = match self.part.brep {
             // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
-            Some(brep) => Part::from_brep(brep.moved(&found.model_from_blade.inverse()), self.deflection_mm, observer)?,
+            Some(brep) => Part::from_brep(brep.moved(&blade_from_model), self.deflection_mm, observer)?,
             None => Part::from_mesh(found.mesh),
+        };
+        let part = match self.published {
+            None => part,
+            Some(Changed::Triangles(mesh)) => {
+                let of = mesh.face_of.iter().max().map_or(0, |f| f + 1);
+                let triangles = Part::from_mesh(mesh.moved(&blade_from_model));
+                part.with_published(triangles, (0..of).map(Some).collect())
+            }
+            Some(Changed::Faces(faces)) => {
+                let Prepared { part: published, of, without } =
+                    faces.part(&blade_from_model, self.deflection_mm, observer)?;
+                if !without.is_empty() {
+                    let message = format!(
+                        "{} cannot be followed as the file trims them, by up to {:.4} mm otherwise than sewn: gouge is measured there on the sewn part alone; \
+                         sew the part in CAD to be sure",
+                        listed(&without),
+                        faces.moved_mm
+                    );
+                    self.diagnosis.notes.push(message.clone());
+                    observer.warn(Warning { stage: Stage::Model, message });
+                }
+                match published {
+                    Some(published) => part.with_published(published, of),
+                    None => part,
+                }
+            }
         };
         Ok(Blade {
             name: self.name,
@@ -122,12 +161,18 @@ pub fn from_faces(
     }));
     let options = &ModelOptions { deflection_mm: rescued.deflection_mm, ..options.clone() };
     observer.progress(Stage::Model, 1, 3);
+    let mut published = rescued.published;
     if let Some(mut brep) = part.brep.take() {
         diagnosis.notes.extend(orient::orient(&mut brep, &mut part.mesh));
+        if let Some(faces) = &mut published {
+            faces.orient(&brep);
+            diagnosis.notes.push(faces.note());
+        }
         part.brep = Some(brep);
     }
     let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
     let mut survey = finish(path, (unit, source), part, names, diagnosis, obstacle, shape.stacking, options, observer)?;
+    survey.published = published.map(Changed::Faces);
     if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
         survey.diagnosis.notes.push(
             "openings between exact faces are not closed, close_holes_mm acts on meshes: an invented face would pass for the \
@@ -186,7 +231,10 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     observer.progress(Stage::Model, 1, 3);
     diagnosis.notes.extend(healed.notes);
     diagnosis.bodies = topology(&healed.mesh).components;
-    finish(path, (unit, source), Part::from_mesh(healed.mesh), names, diagnosis, obstacle, None, options, observer)
+    let part = Part::from_mesh(healed.mesh);
+    let mut survey = finish(path, (unit, source), part, names, diagnosis, obstacle, None, options, observer)?;
+    survey.published = healed.published.map(Changed::Triangles);
+    Ok(survey)
 }
 
 /// Diagnoses the mesh and looks for the blade.
@@ -232,6 +280,7 @@ fn finish(
         deflection_mm: options.deflection_mm,
         face_names,
         obstacle,
+        published: None,
     })
 }
 

@@ -17,8 +17,10 @@
 //! between a point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has fewer than about
 //! five points round it; which end is the leading edge where both are equally blunt.
 //!
-//! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible` where the mesh
-//! is open so that a section does not close.
+//! **Openings.** Where the part is open, gaps up to a thousandth of a section's length are bridged by straight lines; a section
+//! with a wider one is left out. Both are warnings: whether an opening matters for the tool is decided elsewhere.
+//!
+//! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible` where no section at all closes.
 
 mod altered;
 mod curvature;
@@ -61,21 +63,70 @@ impl Default for SectionOptions {
 /// `Cancelled`.
 pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
     let heights = heights(blade, options)?;
-    let sections: Vec<(Section, usize)> = heights
+    let cut: Vec<Cut> = heights
         .par_iter()
         .map(|&x_mm| {
             observer.check(Stage::Section)?;
-            section(&blade.part, x_mm, options.tolerance_mm)
+            Ok(section(&blade.part, x_mm, options.tolerance_mm))
         })
         .collect::<Result<_>>()?;
     observer.progress(Stage::Section, heights.len(), heights.len());
-    for (s, dropped) in sections.iter().filter(|s| s.1 > 0) {
-        observer.warn(Warning {
-            stage: Stage::Section,
-            message: format!("the section at {:.3} mm has {dropped} hole(s) or open chain(s), left out", s.x_mm),
-        });
+    if cut.iter().all(|c| c.section.is_none()) {
+        return Err(no_section(blade, &cut));
     }
-    Ok(sections.into_iter().map(|s| s.0).collect())
+    for message in cut.iter().flat_map(Cut::remarks) {
+        observer.warn(Warning { stage: Stage::Section, message });
+    }
+    Ok(cut.into_iter().filter_map(|c| c.section).collect())
+}
+
+/// What was found at a height.
+struct Cut {
+    x_mm: f64,
+    /// The section; none where no loop closes.
+    section: Option<Section>,
+    /// Holes and open chains that are left out.
+    dropped: usize,
+    /// Widest gap that was bridged, mm.
+    bridged_mm: f64,
+    /// Widest gap that was not, mm.
+    open_mm: f64,
+}
+
+impl Cut {
+    /// What is to be told.
+    fn remarks(&self) -> Vec<String> {
+        let Cut { x_mm, dropped, bridged_mm, open_mm, .. } = self;
+        let mut out = Vec::new();
+        if self.section.is_none() {
+            out.push(format!(
+                "there is no section at {x_mm:.3} mm: the part is open there, by {open_mm:.3} mm at the widest; the others are written"
+            ));
+        } else if *dropped > 0 {
+            out.push(format!("the section at {x_mm:.3} mm has {dropped} hole(s) or open chain(s), left out"));
+        }
+        if *bridged_mm > 0.0 {
+            out.push(format!(
+                "the section at {x_mm:.3} mm is drawn straight over gaps of the part, {bridged_mm:.3} mm at the widest"
+            ));
+        }
+        out
+    }
+}
+
+/// Why there is nothing to write.
+fn no_section(blade: &Blade, cut: &[Cut]) -> Error {
+    let (first, last) = (cut.first().map_or(0.0, |c| c.x_mm), cut.last().map_or(0.0, |c| c.x_mm));
+    let open_mm = cut.iter().map(|c| c.open_mm).fold(0.0, f64::max);
+    Error::infeasible(
+        Stage::Section,
+        format!("none of {} sections from {first:.3} to {last:.3} mm along the blade axis closes: the part is open there, by up to {open_mm:.3} mm", cut.len()),
+    )
+    .advise(if blade.part.brep.is_some() {
+        "sew or close the faces in CAD and export a solid"
+    } else {
+        "close the mesh, here with --set model.close_holes_mm=… (greatest extent of a hole) if it should be closed flat"
+    })
 }
 
 fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
@@ -109,15 +160,12 @@ fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
     Ok(out)
 }
 
-/// One section, and how many holes and open chains it leaves out.
-fn section(part: &Part, x_mm: f64, tolerance_mm: f64) -> Result<(Section, usize)> {
-    let (outlines, dropped) = outline::outlines(part, x_mm);
-    if outlines.is_empty() {
-        return Err(Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm has no closed loop"))
-            .advise("close the model's mesh"));
-    }
-    let loops = outlines.into_iter().map(|o| measured(o, tolerance_mm)).collect();
-    Ok((Section { x_mm, loops }, dropped))
+/// What a plane cuts out, measured.
+fn section(part: &Part, x_mm: f64, tolerance_mm: f64) -> Cut {
+    let outline::Outlines { loops, dropped, bridged_mm, open_mm } = outline::outlines(part, x_mm);
+    let loops: Vec<SectionLoop> = loops.into_iter().map(|o| measured(o, tolerance_mm)).collect();
+    let section = (!loops.is_empty()).then_some(Section { x_mm, loops });
+    Cut { x_mm, section, dropped, bridged_mm, open_mm }
 }
 
 /// A loop with everything that is measured on it; closed, counter-clockwise, at least three points.

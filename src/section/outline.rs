@@ -1,7 +1,7 @@
 //! The closed loops of a section, as exact as the part is.
 
 use crate::geometry::part::{Closest, Part};
-use crate::geometry::slice::slice;
+use crate::geometry::slice::{Loop, slice};
 use crate::geometry::{Point, Vector};
 
 /// Points that a loop of an exact part gets at least.
@@ -41,21 +41,79 @@ impl Outline {
     }
 }
 
-/// Outer loops at a height, the largest first, counter-clockwise; and how many holes and open chains there are besides.
-pub(super) fn outlines(part: &Part, x_mm: f64) -> (Vec<Outline>, usize) {
-    let loops = slice(&part.mesh, &part.bvh, x_mm);
-    let all = loops.len();
-    let mut outer: Vec<(f64, Vec<[f64; 2]>)> = loops
-        .into_iter()
-        .filter(|l| l.closed && l.points.len() >= 3 && l.area_mm2() > 0.0)
-        .map(|l| (l.area_mm2(), l.points))
-        .collect();
+/// What a plane cuts out of a part.
+pub(super) struct Outlines {
+    /// Outer loops, the largest first, counter-clockwise.
+    pub loops: Vec<Outline>,
+    /// Holes and open chains besides.
+    pub dropped: usize,
+    /// Widest gap in `loops` over which a straight line was drawn, mm.
+    pub bridged_mm: f64,
+    /// Widest gap that is too wide for that, mm.
+    pub open_mm: f64,
+}
+
+/// Gaps up to this share of the length of all open chains are bridged.
+const BRIDGED: f64 = 1e-3;
+
+/// Outer loops at a height.
+pub(super) fn outlines(part: &Part, x_mm: f64) -> Outlines {
+    let (closed, open): (Vec<Loop>, Vec<Loop>) = slice(&part.mesh, &part.bvh, x_mm).into_iter().partition(|l| l.closed);
+    let bridged = bridged(open);
+    let all = closed.len() + bridged.loops.len() + bridged.left;
+    let outer = closed.into_iter().chain(bridged.loops).filter(|l| l.points.len() >= 3 && l.area_mm2() > 0.0);
+    let mut outer: Vec<(f64, Vec<[f64; 2]>)> = outer.map(|l| (l.area_mm2(), l.points)).collect();
     outer.sort_by(|a, b| b.0.total_cmp(&a.0));
     let dropped = all - outer.len();
     let exact = part.brep.is_some();
     let loops =
         outer.into_iter().map(|(_, p)| if exact { refined(part, x_mm, &p) } else { distinct(Outline::polygon(p)) });
-    (loops.filter(|o| o.points.len() >= 3).collect(), dropped)
+    let loops = loops.filter(|o| o.points.len() >= 3).collect();
+    Outlines { loops, dropped, bridged_mm: bridged.widest_mm, open_mm: bridged.open_mm }
+}
+
+/// Open chains joined to loops.
+#[derive(Default)]
+struct Bridged {
+    loops: Vec<Loop>,
+    /// Chains that do not close.
+    left: usize,
+    widest_mm: f64,
+    open_mm: f64,
+}
+
+/// Joins the end of each chain to the nearest beginning, where that is near; all chains have the material on their left.
+fn bridged(mut open: Vec<Loop>) -> Bridged {
+    let most_mm = BRIDGED * open.iter().map(Loop::length_mm).sum::<f64>();
+    let mut out = Bridged::default();
+    while let Some(mut chain) = open.pop() {
+        let mut widest_mm = 0.0_f64;
+        while let (Some(&start), Some(&end)) = (chain.points.first(), chain.points.last()) {
+            let begin = |l: &Loop| l.points.first().map_or(f64::INFINITY, |p| distance(end, *p));
+            let other = (0..open.len()).min_by(|a, b| begin(&open[*a]).total_cmp(&begin(&open[*b])));
+            let next = other.filter(|k| begin(&open[*k]) < distance(end, start));
+            let gap_mm = next.map_or(distance(end, start), |k| begin(&open[k]));
+            widest_mm = widest_mm.max(gap_mm);
+            if gap_mm > most_mm {
+                break;
+            }
+            match next {
+                Some(k) => chain.points.extend(open.swap_remove(k).points),
+                None => {
+                    chain.closed = true;
+                    break;
+                }
+            }
+        }
+        if chain.closed {
+            out.widest_mm = out.widest_mm.max(widest_mm);
+            out.loops.push(chain);
+        } else {
+            out.open_mm = out.open_mm.max(widest_mm);
+            out.left += 1;
+        }
+    }
+    out
 }
 
 /// Denser, every point moved onto the exact part within the plane.

@@ -18,7 +18,7 @@ use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{cone, cylinder, torus};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
-use crate::observe::Silent;
+use crate::observe::{Recorder, Silent};
 
 const TOL: f64 = 0.002;
 
@@ -245,6 +245,49 @@ fn sections_of_a_prism_are_its_profile() {
     }
 }
 
+/// A prism that lacks one triangle of its wall: at height x the profile is open by a share x / 50 of `width_mm`.
+fn open_prism(width_mm: f64) -> Blade {
+    let mut profile = sampled(240, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]);
+    let far = [profile[60][0] - width_mm, profile[60][1]];
+    let next = (61..).find(|k| profile[*k][0] < far[0]).unwrap();
+    profile.splice(61..next, [far]);
+    let mut blade = prism(&profile, [0.0, 50.0]);
+    let n = profile.len() as u32;
+    let gone = blade.part.mesh.triangles.iter().position(|t| *t == [60, n + 61, n + 60]).unwrap();
+    blade.part.mesh.triangles.remove(gone);
+    blade.part = Part::from_mesh(blade.part.mesh);
+    blade
+}
+
+#[test]
+fn openings_are_bridged_or_told_and_do_not_refuse() {
+    let ear = Recorder::new(&Silent);
+    let options = SectionOptions { count: 5, ..SectionOptions::default() };
+    let of = |width_mm: f64| plan(&open_prism(width_mm), &options, &ear);
+    // 93 mm round, so gaps up to 0.09 mm are bridged: at 5, 15 and 25 mm.
+    let sections = of(0.15).unwrap();
+    assert_eq!(sections.iter().map(|s| s.x_mm).collect::<Vec<_>>(), [5.0, 15.0, 25.0]);
+    assert!(sections.iter().all(|s| (s.loops[0].area_mm2 - 160.0 * PI).abs() < 0.3));
+    let words: Vec<String> = ear.warnings().into_iter().map(|w| w.message).collect();
+    assert_eq!(words.len(), 5, "{words:?}");
+    assert!(
+        words.iter().any(|w| w.contains("at 25.000 mm is drawn straight over gaps of the part, 0.075 mm")),
+        "{words:?}"
+    );
+    assert!(
+        words.iter().any(|w| w.contains("no section at 45.000 mm: the part is open there, by 0.135 mm")),
+        "{words:?}"
+    );
+    // Nothing closes: the one case that refuses, with the reason.
+    let e = of(2.0).unwrap_err();
+    assert_eq!(e.kind, ErrorKind::Infeasible);
+    assert!(
+        e.message.contains("none of 5 sections from 5.000 to 45.000 mm") && e.message.contains("1.800 mm"),
+        "{}",
+        e.message
+    );
+}
+
 #[test]
 fn impossible_requests_are_usage_errors() {
     let blade = prism(&sampled(40, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]), [0.0, 50.0]);
@@ -301,7 +344,7 @@ fn oblique_sections_of_exact_faces_in_closed_form() {
         let mut found = 0;
         for share in [0.35, 0.5, 0.62] {
             let x = b.min.x + share * (b.max.x - b.min.x);
-            for outline in super::outline::outlines(&part, x).0 {
+            for outline in super::outline::outlines(&part, x).loops {
                 found += 1;
                 assert!(outline.off_part_mm < 1e-8, "{name}: {}", outline.off_part_mm);
                 for p in &outline.points {

@@ -25,6 +25,10 @@ const SHORTEST_MM: f64 = 1e-5;
 /// Of deep cuts so much may be missed.
 const MISSED_SHARE: f64 = 0.02;
 
+/// What is said of a place that the part has otherwise than its file.
+const AS_PUBLISHED: &str =
+    " as its file has it; sewing or healing moved it: sew the part in CAD, or take verify.gouge_mm as deep as that";
+
 /// The deepest gouge found, and a bound on what may lie between the samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gouge {
@@ -149,9 +153,14 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     }
     let at = part.closest(&g.centre, f64::INFINITY);
     let point = at.map(|c| blade.model_from_blade * c.point);
-    let face = at.map(|c| part.face_name(c.face)).unwrap_or_default();
+    let as_published = if part.nearest_is_published(&g.centre) { AS_PUBLISHED } else { "" };
+    let face = at.map(|c| format!("{}{as_published}", part.face_name(c.face))).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
     let inside = if inside { "the path lies inside the part; " } else { "" };
+    let advice = match !as_published.is_empty() && bound > options.gouge_mm {
+        true => ": sew or repair the part in CAD, or allow as much with verify.gouge_mm",
+        false => "",
+    };
     let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
     let check = Check {
         name: "gouge".into(),
@@ -163,15 +172,49 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         row: Some(g.segment),
         turn: sweep.turns.get(g.segment).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0)),
+        note: format!(
+            "{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}{advice}",
+            g.found_mm.max(0.0)
+        ),
     };
     (check, g)
 }
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::Vector;
+    use crate::geometry::brep::{Brep, Face, SurfaceKind};
+    use crate::geometry::exact::tests::{block, plane};
+    use crate::geometry::part::Part;
+    use crate::observe::Silent;
     use proptest::prelude::*;
+
+    /// A ball rolls round the edge x = 40, y = 10 of a block of which one face passes that edge by 0.015 mm in its file.
+    #[test]
+    fn what_sewing_cut_away_is_gouged() {
+        let part = Part::from_brep(block(Vector::new(40.0, 10.0, 60.0)), 0.02, &Silent).unwrap();
+        let strip = Face {
+            name: "y+".into(),
+            kind: SurfaceKind::Plane,
+            surface: plane(Point::new(0.0, 10.0, 0.0), Vector::x() * 40.015, Vector::z() * 60.0),
+            reversed: true,
+            loops: Vec::new(),
+        };
+        let strip = Part::from_brep(Brep { faces: vec![strip], edges: Vec::new() }, 0.02, &Silent).unwrap();
+        let centres: Vec<Point> = (0..=900)
+            .map(|k| f64::from(k) * 0.1_f64.to_radians())
+            .map(|a| Point::new(40.0 + 3.0 * a.cos(), 10.0 + 3.0 * a.sin(), 30.0))
+            .collect();
+        let sweep = Sweep::of(centres.clone(), centres, vec![0; 901], 3.0, None);
+        let as_sewn = measure(&Allowed::new(&part, 0.0), &sweep, 1e-4);
+        assert!(as_sewn.bound_mm < 1e-4, "{as_sewn:?}");
+        let whole = part.with_published(strip, vec![Some(3)]);
+        let as_published = measure(&Allowed::new(&whole, 0.0), &sweep, 1e-4);
+        assert!((as_published.found_mm - 0.015).abs() < 1e-9 && as_published.segment == 0, "{as_published:?}");
+        assert!(whole.nearest_is_published(&as_published.centre));
+    }
 
     proptest! {
         #[test]

@@ -232,7 +232,22 @@ pub(super) fn check(
     if blade.part.brep.is_some() {
         report.checks.push(judge("ridge", quantity, &ridges, true));
     }
-    report.checks.push(ray_gouge(blade, sweep, lowest, samples.len(), options));
+    let published = published_depths(part, sweep);
+    report.checks.push(ray_gouge(blade, sweep, lowest, samples.len(), &published, options));
+}
+
+/// Places on edges that sewing or healing moved are this far apart, mm, at most.
+const PUBLISHED_STEP_MM: f64 = 0.05;
+
+/// How deep places along the edges of surface that the part has otherwise than its file lie in the swept ball: there it stands out the most.
+fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
+    let Some(published) = part.published().filter(|_| part.stock_mm == 0.0) else { return Vec::new() };
+    let depth = |point: Point| {
+        let near = sweep.nearest(&point, sweep.radius_mm, |_| true)?;
+        let row = near.segment + usize::from(near.t > 0.5);
+        Some(Height { height_mm: near.distance_mm - sweep.radius_mm, point, row, weight: 1.0 })
+    };
+    sort(published.along_edges(PUBLISHED_STEP_MM).into_par_iter().filter_map(depth).collect())
 }
 
 /// From so many times the scallop on, or the ratio that is allowed if that is more, single places are told of: the verdict rests on the 99th percentile.
@@ -256,7 +271,20 @@ fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyO
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.
-fn ray_gouge(blade: &Blade, sweep: &Sweep, deepest: Option<Height>, samples: usize, options: &VerifyOptions) -> Check {
+fn ray_gouge(
+    blade: &Blade,
+    sweep: &Sweep,
+    deepest: Option<Height>,
+    samples: usize,
+    published: &[Height],
+    options: &VerifyOptions,
+) -> Check {
+    let deepest =
+        [deepest, published.first().copied()].into_iter().flatten().min_by(|a, b| a.height_mm.total_cmp(&b.height_mm));
+    let besides = match published.len() {
+        0 => String::new(),
+        n => format!(", and {n} on edges as the file has them, which sewing or healing moved"),
+    };
     let depth = deepest.map_or(0.0, |h| (-h.height_mm).max(0.0));
     let point = deepest.map(|h| blade.model_from_blade * h.point);
     Check {
@@ -269,6 +297,6 @@ fn ray_gouge(blade: &Blade, sweep: &Sweep, deepest: Option<Height>, samples: usi
         row: deepest.map(|h| h.row),
         turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!("{samples} samples"),
+        note: format!("{samples} samples{besides}"),
     }
 }

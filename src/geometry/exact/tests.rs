@@ -24,7 +24,7 @@ fn face(surface: NurbsSurface, reversed: bool, loops: Vec<Vec<Coedge>>) -> Face 
 }
 
 /// A plane through `o` along `u` and `v`.
-fn plane(o: Point, u: Vector, v: Vector) -> NurbsSurface {
+pub fn plane(o: Point, u: Vector, v: Vector) -> NurbsSurface {
     let h = |p: Point| Vector4::new(p.x, p.y, p.z, 1.0);
     NurbsSurface::bilinear([h(o), h(o + v), h(o + u), h(o + u + v)])
 }
@@ -54,7 +54,7 @@ pub fn can(radius: f64, height: f64) -> Brep {
 }
 
 /// A box of these sides with a corner at the origin; each face has edges of its own, which coincide in pairs.
-fn block(size: Vector) -> Brep {
+pub fn block(size: Vector) -> Brep {
     let mut brep = Brep::default();
     for axis in 0..3 {
         let [u, v] = [(axis + 1) % 3, (axis + 2) % 3].map(|k| {

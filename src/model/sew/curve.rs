@@ -65,21 +65,16 @@ pub fn ends(e: &Edge) -> [Point; 2] {
     e.t.map(|t| e.curve.point(t))
 }
 
-/// A point of an edge by the share of its parameter.
-pub fn at(e: &Edge, share: f64) -> Point {
-    e.curve.point(e.t[0] + share * (e.t[1] - e.t[0]))
-}
-
 /// Length of an edge by chords, mm: never more than the true one.
 pub fn length(e: &Edge) -> f64 {
-    (0..32).map(|k| (at(e, f64::from(k + 1) / 32.0) - at(e, f64::from(k) / 32.0)).norm()).sum()
+    (0..32).map(|k| (e.at(f64::from(k + 1) / 32.0) - e.at(f64::from(k) / 32.0)).norm()).sum()
 }
 
 /// Box of an edge from samples: it may miss extremes by [`slack`].
 pub fn hull(e: &Edge) -> Aabb {
-    let first = at(e, 0.0);
+    let first = e.at(0.0);
     (1..=BOX_SAMPLES).fold(Aabb { min: first, max: first }, |b, k| {
-        let p = at(e, f64::from(k) / f64::from(BOX_SAMPLES));
+        let p = e.at(f64::from(k) / f64::from(BOX_SAMPLES));
         Aabb { min: b.min.inf(&p), max: b.max.sup(&p) }
     })
 }
@@ -101,7 +96,7 @@ pub fn coincide(a: &Edge, b: &Edge, tolerance_mm: f64) -> Option<(bool, f64)> {
     // Places of one on the other, and one back: a curve may run along a part of another.
     let places = (1..8).map(|k| (a, b, f64::from(k) / 8.0)).chain([(b, a, 0.37), (b, a, 0.71)]);
     for (of, on, share) in places {
-        gap_mm = gap_mm.max(foot(&on.curve, on.t, &at(of, share)).1);
+        gap_mm = gap_mm.max(foot(&on.curve, on.t, &of.at(share)).1);
         if gap_mm > tolerance_mm {
             return None;
         }
@@ -110,7 +105,7 @@ pub fn coincide(a: &Edge, b: &Edge, tolerance_mm: f64) -> Option<(bool, f64)> {
         return Some((crossed < same, gap_mm));
     }
     // Closed edges: their ends say nothing, so the order of two points on the way does.
-    let place = |s: f64| (foot(&b.curve, b.t, &at(a, s)).0 - b.t[0]) / (b.t[1] - b.t[0]);
+    let place = |s: f64| (foot(&b.curve, b.t, &a.at(s)).0 - b.t[0]) / (b.t[1] - b.t[0]);
     // Over a third of the way round, taken on the short way, so that it does not matter where each begins.
     let step = (place(0.65) - place(0.35)).rem_euclid(1.0);
     Some((step > 0.5, gap_mm))

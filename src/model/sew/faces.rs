@@ -9,7 +9,7 @@ use crate::geometry::tessellate::loops::Seeds;
 use crate::geometry::tessellate::{Options, tessellate};
 use crate::observe::Silent;
 
-use super::curve::{at, foot, length};
+use super::curve::{foot, length};
 use super::{Match, face_of, uses};
 
 /// Sides of a surface that are nearer than this make it closed, mm.
@@ -71,7 +71,7 @@ fn is_whole(f: &Face, all: &[&Edge], tolerance_mm: f64) -> bool {
     let sides: Vec<&Edge> = natural.faces[0].loops.iter().flatten().map(|c| &natural.edges[c.edge]).collect();
     let [own, whole] = [all, &sides].map(|edges| edges.iter().map(|e| length(e)).sum::<f64>());
     let off = |q: &Point, edges: &[&Edge]| edges.iter().map(|e| foot(&e.curve, e.t, q).1).fold(f64::INFINITY, f64::min);
-    let along = |e: &&Edge| PLACES.iter().all(|s| off(&at(e, *s), &sides) <= WHOLE * whole);
+    let along = |e: &&Edge| PLACES.iter().all(|s| off(&e.at(*s), &sides) <= WHOLE * whole);
     let [u, v] = f.surface.domain();
     let between = |[a, b]: [f64; 2], s: f64| a + (b - a) * s;
     let mut inside = PLACES.iter().flat_map(|s| PLACES.map(|t| f.surface.point(between(u, *s), between(v, t))));
@@ -82,7 +82,7 @@ fn is_whole(f: &Face, all: &[&Edge], tolerance_mm: f64) -> bool {
 fn folded(all: &[&Edge], tolerance_mm: f64) -> bool {
     all.iter().enumerate().all(|(i, e)| {
         PLACES.iter().all(|s| {
-            let p = at(e, *s);
+            let p = e.at(*s);
             let others = all.iter().enumerate().filter(|(j, _)| *j != i);
             others.into_iter().any(|(_, o)| foot(&o.curve, o.t, &p).1 <= tolerance_mm)
         })

@@ -22,7 +22,7 @@ pub use curve::{backwards, from_vertex};
 
 use crate::geometry::Point;
 use crate::geometry::brep::Brep;
-use curve::{at, coincide, hull, slack};
+use curve::{coincide, hull, slack};
 
 /// What sewing did.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,7 +71,7 @@ impl Sewn {
 }
 
 /// The first few of a list.
-fn listed(all: &[String]) -> String {
+pub fn listed(all: &[String]) -> String {
     const MOST: usize = 6;
     let more = if all.len() > MOST { format!(" and {} more", all.len() - MOST) } else { String::new() };
     format!("{}{more}", all[..all.len().min(MOST)].join(", "))
@@ -117,7 +117,7 @@ pub fn sew(brep: &mut Brep, tolerances_mm: &[f64]) -> Sewn {
     drop_unused(brep);
     let open = open_edges(brep);
     out.open = open.len();
-    out.first_open = open.first().map(|e| at(&brep.edges[*e], 0.5));
+    out.first_open = open.first().map(|e| brep.edges[*e].at(0.5));
     out
 }
 

@@ -129,6 +129,12 @@ fn role(word: &str) -> Result<Option<(Role, Option<usize>)>, String> {
         "r" => Role::R,
         "theta" | "θ" => Role::Theta,
         "r*theta" | "rtheta" | "rθ" => Role::RTheta,
+        "thickness" | "thick" | "t" | "camber" => {
+            return Err(format!(
+                "the column \"{word}\" is that of a camber line with its thickness, which is not read: a section is needed as the points of its two \
+                 sides, as in columns = [\"x\", \"r*theta1\", \"r*theta2\", \"r\"]"
+            ));
+        }
         _ => {
             return Err(format!(
                 "the column \"{word}\" is not known: x, y, z, r, theta, r*theta, each with 1 or 2 for a side, and skip"
@@ -258,10 +264,28 @@ pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
         _ => 0,
     };
     let widths: Vec<usize> = text.lines().map(width).collect();
+    let most = widths.iter().copied().max().unwrap_or(0);
+    // Counts of points, in rows shorter than those of the points, part blocks.
+    let is_count =
+        |l: &str| matches!(line(l, false), Line::Numbers(r) if r.iter().all(|x| x.fract() == 0.0 && *x > 0.0));
+    let counts = text.lines().zip(&widths).map(|(l, w)| *w < most && is_count(l)).collect::<Vec<_>>();
+    let widths: Vec<usize> = widths.into_iter().zip(counts).map(|(w, count)| if count { 0 } else { w }).collect();
     let starts = widths.iter().enumerate().filter(|(k, w)| **w > 0 && (*k == 0 || widths[k - 1] == 0)).count();
     let mut rows = widths.iter().enumerate().filter(|(_, w)| **w > 0).map(|(k, w)| (k + 1, *w));
     let uneven = rows.next().and_then(|first| rows.find(|r| r.1 != first.1).map(|other| [first, other]));
     (starts, uneven)
+}
+
+/// The last three numbers of each row as points, whatever they mean: to see whether they are in order.
+pub fn points(text: &str) -> Vec<Point> {
+    let point = |l: &str| match line(l, false) {
+        Line::Numbers(row) if row.len() > 1 => {
+            let at = |k: usize| row.get(row.len().saturating_sub(3) + k).copied().unwrap_or(0.0);
+            Some(Point::new(at(0), at(1), at(2)))
+        }
+        _ => None,
+    };
+    text.lines().filter_map(point).collect()
 }
 
 #[cfg(test)]
@@ -276,8 +300,10 @@ mod tests {
     #[test]
     fn rows_of_different_length_are_told_with_their_lines() {
         assert_eq!(count_blocks("1 2 3\n4 5 6\n\ntext\n7 8 9\n"), (2, None));
-        assert_eq!(count_blocks("# head\n1 2 3\n\n4\n5 6\n7 8 9 10\n"), (2, Some([(2, 3), (5, 2)])));
+        assert_eq!(count_blocks("# head\n1 2 3.5\n\n4\n5 6.5\n7 8 9 10\n"), (2, Some([(2, 3), (5, 2)])));
         assert_eq!(count_blocks("none"), (0, None));
+        // Counts before the points of each section are no rows of other length.
+        assert_eq!(count_blocks("3 2\n0.5 1.5 2.5 9\n1.5 1 2 9\n3 1\n2.5 1 2 9\n"), (2, None));
     }
 
     #[test]
@@ -307,6 +333,7 @@ mod tests {
     fn columns_that_make_no_point_are_named() {
         for (names, heights, words) in [
             (&["x", "y", "q"][..], false, "\"q\" is not known"),
+            (&["x", "r*theta", "thickness", "r"], false, "a camber line with its thickness, which is not read"),
             (&["x", "y"], false, "lack z"),
             (&["x", "y", "z"], true, "lack no coordinate"),
             (&["x", "y", "y"], false, "y twice"),

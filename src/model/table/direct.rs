@@ -2,6 +2,7 @@
 
 use super::columns::{self, Columns, Line, Rows};
 use super::header::{Angle, Blocks, Header};
+use super::suspect;
 
 /// What a text is, by its content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,6 +134,9 @@ pub fn read(kind: Kind, text: &str, file: &str, header: &Header) -> Result<Table
                 format!(
                     "it holds rows of different length ({n} numbers in line {l}, {m} in line {k}), and nothing says what they mean"
                 )
+            }
+            (0 | 1, _) if suspect::unordered(&columns::points(text)) => {
+                "its points are in no order, from each to the next they go to and fro: sections are written once round, one after the other".to_owned()
             }
             (0 | 1, _) => {
                 "it is a single profile: one block of points, and nothing says where along the span it lies".to_owned()

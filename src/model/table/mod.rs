@@ -18,6 +18,7 @@ pub mod header;
 pub mod loft;
 pub mod outline;
 pub mod solid;
+pub mod suspect;
 
 #[cfg(test)]
 mod tests;
@@ -207,6 +208,13 @@ fn outlines(
             b.place
         ));
     }
+    if let Some(b) = flat.iter().find(|b| suspect::unordered(&b.points) || suspect::unordered(&b.other)) {
+        return Err(format!(
+            "the {} points from {} are in no order, from each to the next it goes to and fro: a section is written once round, or one side after the other",
+            b.points.len(),
+            b.place
+        ));
+    }
     let (blocks, flat) = if two { (blocks, flat) } else { split(blocks, flat) };
     let paired = !two && order(header, &flat)? == Order::Sides;
     let per_section = if paired { 2 } else { 1 };
@@ -239,6 +247,13 @@ fn outlines(
         out.push(outline);
     }
     let out = without_collapsed(out, notes)?;
+    for (place, found) in out.iter().filter_map(|o| Some((&o.place, o.standing_out()?))) {
+        let words = format!("in the section at {place} {}", found.words());
+        if found.spike {
+            return Err(format!("{words}: correct it or leave it out"));
+        }
+        notes.push(format!("{words}: is it right?"));
+    }
     let mut out = extruded(header, out, mm)?;
     if out.len() < 2 {
         return Err("this is a single profile: one section makes no blade".into());
