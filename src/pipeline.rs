@@ -21,7 +21,7 @@ use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::schedule::ScheduleOptions;
 use crate::section::{self, SectionOptions};
-use crate::verify::{self, Verdict, Verified, VerifyOptions};
+use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
 mod around;
@@ -211,7 +211,31 @@ impl Setup {
             holder_clearance_mm: c.holder_clearance_mm,
             resolution_mm: v.resolution_mm,
             surface_samples: v.surface_samples as usize,
+            asked: Some(self.asked()),
             ..VerifyOptions::default()
+        }
+    }
+
+    /// What a plan is to hold of the job.
+    fn asked(&self) -> Asked {
+        let (job, b_rad) = (&self.job, self.job.machine.b_deg.to_radians());
+        let (p, c) = (&job.path, &job.channel);
+        Asked {
+            kind: p.kind,
+            direction: p.direction,
+            radius_mm: job.tool.radius_mm,
+            stock_mm: p.stock_mm,
+            chord_mm: p.chord_mm,
+            start_mm: job.region.start_mm,
+            end_mm: job.region.end_mm,
+            max_lean_rad: p.max_lean_deg.to_radians(),
+            b_rad,
+            contact_rad: [c.contact_angle_min_deg, c.contact_angle_max_deg].map(f64::to_radians),
+            theta_limits_rad: self.machine.theta_limits(b_rad),
+            tolerance_rad: c.tolerance_deg.to_radians(),
+            schedule: job.schedule.kind,
+            feed_mm_min: job.feed.feed_mm_min,
+            lead_radius_mm: job.feed.lead_radius_mm,
         }
     }
 

@@ -24,7 +24,7 @@ const COARSE: usize = 400;
 const DEEPEST: u32 = 24;
 
 /// Points of a triangle are told apart to this where it is only asked whether it is touched, mm.
-const TOUCH_MM: f64 = 0.002;
+pub(super) const TOUCH_MM: f64 = 0.002;
 
 /// Distances beyond this are not measured, mm.
 const FAR_MM: f64 = 1000.0;
@@ -248,6 +248,21 @@ pub fn standing(
         }
     }
     let Nearest { found_mm, segment, triangle, point, .. } = best;
+    (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
+}
+
+/// As [`standing`], as far as a triangle is nearer than `limit_mm`; `None`: none is.
+pub(super) fn nearer(
+    part: &Part,
+    segments: &[Segment],
+    centre: &Point,
+    (b_rad, theta): (f64, f64),
+    limit_mm: f64,
+) -> Option<Standing> {
+    let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
+    let motion = Motion { part, track, segments, resolution: TOUCH_MM };
+    let (_, seen) = motion.least(&motion.place(0, 0.5, 0.5), limit_mm, u32::MAX, 0);
+    let Nearest { found_mm, segment, triangle, point, .. } = seen;
     (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
 }
 

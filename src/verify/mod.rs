@@ -16,6 +16,8 @@
 //! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
+//! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
+//! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
 //! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave.
 //!
@@ -24,6 +26,7 @@
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
 //! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
 
+mod asked;
 pub mod audit;
 mod clearance;
 mod deviation;
@@ -45,7 +48,10 @@ mod sweep;
 mod tests;
 mod uncut;
 mod verdict;
+mod walls;
+mod whole;
 
+pub use asked::Asked;
 pub use clearance::{Standing, standing};
 pub use deviation::deviation;
 pub use limit::limit;
@@ -122,6 +128,11 @@ pub fn check_among(
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
     report.checks.extend(limits::check(&plan, blade, tool, machine, options));
+    if let Some(asked) = &options.asked {
+        report.checks.extend(asked::check(&plan, blade, asked, options));
+        report.checks.extend(whole::check(&plan, blade, machine));
+        report.checks.extend(walls::check(&plan, blade, obstacles, tool, asked, options));
+    }
     step(4)?;
     Ok(Verdict::of(plan, report))
 }

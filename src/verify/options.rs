@@ -1,5 +1,7 @@
 //! Limits of the checks and how finely they look.
 
+use super::Asked;
+
 /// Limits and sampling of [`super::check`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VerifyOptions {
@@ -24,6 +26,8 @@ pub struct VerifyOptions {
     /// How far velocity and acceleration of an axis may exceed its limit, relative. Default 1e-4: rounding of times and
     /// positions.
     pub limit_tolerance: f64,
+    /// What else the job asks for; `None`: the plan is judged by itself.
+    pub asked: Option<Asked>,
     /// Number of surface samples over the machined band, about. Default 120 000.
     pub surface_samples: usize,
 }
@@ -40,6 +44,7 @@ impl Default for VerifyOptions {
             clearance_resolution_mm: 0.005,
             angle_tolerance_deg: 1e-6,
             limit_tolerance: 1e-4,
+            asked: None,
             surface_samples: 120_000,
         }
     }
