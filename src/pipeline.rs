@@ -7,7 +7,7 @@ use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
 use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule};
 use crate::channel::ChannelOptions;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Result, Stage};
 use crate::feed::{self, FeedOptions};
 use crate::job::{Draft, Job, ModelJob};
 use crate::machine::Machine;
@@ -24,6 +24,7 @@ use crate::section::{self, SectionOptions};
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
+pub mod again;
 mod around;
 mod checking;
 pub mod compare;
@@ -32,12 +33,14 @@ mod look;
 pub mod operations;
 mod paths;
 mod planning;
+mod programs;
 mod repost;
 pub mod reuse;
 mod schedules;
 mod sketch;
 
 pub use look::{plots, preview_again};
+pub use programs::programs_again;
 
 /// How far to go and what to do with a plan that fails its checks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -373,6 +376,7 @@ pub fn run_on(
             warnings: recorder.warnings(),
             seal: made.seal,
             outputs: folder.hashes().clone(),
+            later: Default::default(),
             status,
         },
     )?;
@@ -432,45 +436,6 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
         found.extend(checks);
     }
     Ok(found)
-}
-
-/// What reading the programs of a finished run back finds: the files as they are there; where one is not, what would be in it. Programs of a plan
-/// that failed its checks are judged where they were written all the same.
-///
-/// # Errors
-/// Those of [`post::post`].
-pub fn programs_again(setup: &Setup, verified: &Verified<Plan>, folder: &RunFolder) -> Result<Vec<Check>> {
-    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
-    let mut found = Vec::new();
-    for dialect in setup.dialects()? {
-        let mut program = post::post(&dialect, verified, blade, tool, machine, &setup.post_options())?;
-        match folder.existing(&program.file_name) {
-            Some(text) => program.text = text,
-            None if verified.forced() => continue,
-            None => {}
-        }
-        match verify::program::read_back(&program, verified.value(), blade, tool, machine) {
-            Ok(checks) => found.extend(checks),
-            Err(e) => found.push(unreadable(&program.file_name, &e)),
-        }
-    }
-    Ok(found)
-}
-
-/// A program that a control would not understand either.
-fn unreadable(file_name: &str, e: &Error) -> Check {
-    Check {
-        name: "program-readable".into(),
-        quantity: format!("{file_name}: lines that cannot be read"),
-        worst: 1.0,
-        limit: 0.0,
-        unit: "lines".into(),
-        passed: false,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note: e.message.clone(),
-    }
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

@@ -1,5 +1,7 @@
 //! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
 
+use std::sync::OnceLock;
+
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::exact::Exact;
@@ -26,7 +28,13 @@ pub struct Part {
     pub deflection_mm: f64,
     /// What ties `mesh` to `brep`.
     tie: Tie,
+    /// See [`Part::sharper`].
+    sharper: OnceLock<Option<Box<Part>>>,
 }
+
+/// How near the triangles of [`Part::sharper`] are, mm, as far as about so many do.
+const SHARP_MM: f64 = 0.001;
+const SHARP_MOST: usize = 250_000;
 
 /// Farther from the exact faces than so many times the deflection their mesh does not lie between them and a point.
 const FAR: f64 = 2.0;
@@ -89,7 +97,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None, sharper: OnceLock::new() }
     }
 
     /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
@@ -113,7 +121,7 @@ impl Part {
 
     fn tied(tie: Tie, t: Tessellation) -> Self {
         let bvh = MeshBvh::new(&t.mesh);
-        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie }
+        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie, sharper: OnceLock::new() }
     }
 
     /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
@@ -141,6 +149,23 @@ impl Part {
         let nearest = |p: &Point| self.closest_on_mesh(p, f64::INFINITY).and_then(|c| c.triangle);
         fine.finish(|p| nearest(p).unwrap_or(0));
         Some(fine)
+    }
+
+    /// The part by triangles that are nearer to its exact faces than its own mesh is, for distances that the mesh is too coarse to tell; they do
+    /// not fit together. Made when it is first asked for; `None` where the part has no exact faces, or its mesh is as near.
+    pub fn sharper(&self) -> Option<&Part> {
+        let make = || {
+            let fine = self.fine(SHARP_MM, SHARP_MOST).filter(|f| f.deflection_mm < 0.5 * self.deflection_mm)?;
+            let mut mesh = Mesh::default();
+            for (corners, parent) in fine.corners.iter().zip(&fine.parents) {
+                let first = mesh.points.len() as u32;
+                mesh.points.extend(corners);
+                mesh.triangles.push([first, first + 1, first + 2]);
+                mesh.face_of.push(self.mesh.face(*parent as usize));
+            }
+            Some(Box::new(Part { deflection_mm: fine.deflection_mm, ..Part::from_mesh(mesh) }))
+        };
+        self.sharper.get_or_init(make).as_deref()
     }
 
     /// Principal curvatures of the part at a point of it, signed towards its outward normal (negative where convex, as on
@@ -171,7 +196,7 @@ impl Part {
             (Tie::Exact(exact), Some(b)) => Tie::Exact(Box::new(exact.moved(b, to_from))),
             (tie, _) => tie,
         };
-        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie }
+        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie, sharper: OnceLock::new() }
     }
 
     /// The mirror image across the plane z = 0.

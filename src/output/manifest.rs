@@ -7,6 +7,8 @@ use std::time::Instant;
 use crate::error::{Error, Result, Stage};
 use crate::observe::Warning;
 
+use super::RunFolder;
+
 /// Version of the files of a run; raised when a column or key changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
 
@@ -32,9 +34,9 @@ pub struct Input {
     pub blake3: String,
 }
 
-/// The manifest.
-#[derive(Clone, Debug, serde::Serialize)]
-pub struct Manifest<J: serde::Serialize> {
+/// The manifest; `J` is the job.
+#[derive(Clone, Debug, serde::Serialize, serde::Deserialize)]
+pub struct Manifest<J> {
     /// See [`SCHEMA_VERSION`].
     pub schema_version: u32,
     /// Program and version.
@@ -50,12 +52,33 @@ pub struct Manifest<J: serde::Serialize> {
     /// Warnings in order of stage.
     pub warnings: Vec<Warning>,
     /// Seal of the checks, see [`crate::verify::seal`]; absent where nothing was checked.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seal: Option<String>,
     /// Files that the run wrote, but for this one, with the BLAKE3 hashes of their content.
     pub outputs: BTreeMap<String, String>,
+    /// Files that `verify`, `post` and `preview` wrote into the folder since, likewise.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub later: BTreeMap<String, String>,
     /// `good`, `findings` or the stage up to which the run went.
     pub status: String,
+}
+
+/// Name of the manifest's file.
+pub const FILE: &str = "manifest.json";
+
+/// The manifest that a text holds, its job as it stands there; `None`: it is none.
+pub fn read(text: &str) -> Option<Manifest<serde_json::Value>> {
+    serde_json::from_str(text).ok()
+}
+
+/// Adds to a folder the manifest of the run that is in it, with the files that are about to come into it; nothing where there is no manifest.
+///
+/// # Errors
+/// Kind `InputOutput` where it cannot be written.
+pub fn note_later(folder: &mut RunFolder) -> Result<()> {
+    let Some(mut manifest) = folder.existing(FILE).as_deref().and_then(read) else { return Ok(()) };
+    manifest.later.extend(folder.hashes().clone());
+    folder.add_json(FILE, &manifest)
 }
 
 /// Reads an input's size and hash.

@@ -56,6 +56,20 @@ impl RunFolder {
         std::fs::read_to_string(self.target.join(name)).ok()
     }
 
+    /// Content of a file that is in the folder; `None`: it is not there, or cannot be read.
+    pub fn content(&self, name: &str) -> Option<Vec<u8>> {
+        std::fs::read(self.target.join(name)).ok()
+    }
+
+    /// Names of the files that are in the folder, in order; those in folders of it, and hidden ones, are left out.
+    pub fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.target).into_iter().flatten().flatten();
+        let files = entries.filter(|e| e.path().is_file()).filter_map(|e| e.file_name().into_string().ok());
+        let mut out: Vec<String> = files.filter(|name| !name.starts_with('.')).collect();
+        out.sort();
+        out
+    }
+
     /// Adds a file.
     ///
     /// # Errors

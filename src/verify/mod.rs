@@ -52,7 +52,7 @@ mod walls;
 mod whole;
 
 pub use asked::Asked;
-pub use clearance::{Standing, standing};
+pub use clearance::{Standing, short_moves, standing};
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;
@@ -105,8 +105,9 @@ pub fn check_among(
     step(0)?;
     let sweep = sweep::Sweep::new(&plan.toolpath);
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    let (check, deepest) = gouge::check(blade, &part, &sweep, options);
-    report.gouge_mm = deepest.found_mm.max(0.0);
+    let (check, _) = gouge::check(blade, &part, &sweep, options);
+    // What is told is what was proven, not the best that was measured.
+    report.gouge_mm = check.worst;
     report.checks.push(check);
     step(1)?;
     scallop::check(&plan, blade, &part, &sweep, options, &mut report, observer);
@@ -145,7 +146,10 @@ pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut 
 }
 
 /// Every list has one row per location and every number is finite.
-fn well_formed(plan: &Plan) -> Result<()> {
+///
+/// # Errors
+/// `Usage`, naming the list or the row.
+pub fn well_formed(plan: &Plan) -> Result<()> {
     let n = plan.toolpath.locations.len();
     let bad = |what: String| Err(Error::usage(Stage::Verify, what));
     if n < 2 {
@@ -156,6 +160,7 @@ fn well_formed(plan: &Plan) -> Result<()> {
         ("schedule", plan.schedule.theta.len()),
         ("axis motion", plan.motion.position.len()),
         ("axis times", plan.motion.t_s.len()),
+        ("feeds", plan.motion.feed.len()),
     ] {
         if len != n {
             return bad(format!("the plan has {n} cutter locations but {len} rows of {name}"));
