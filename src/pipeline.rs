@@ -22,9 +22,10 @@ use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::schedule::ScheduleOptions;
 use crate::section::{self, SectionOptions};
-use crate::verify::{self, Verdict, Verified, VerifyOptions};
+use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions};
 use reuse::Earlier;
 
+pub mod again;
 mod around;
 mod checking;
 pub mod compare;
@@ -33,12 +34,14 @@ mod look;
 pub mod operations;
 mod paths;
 mod planning;
+mod programs;
 mod repost;
 pub mod reuse;
 mod schedules;
 mod sketch;
 
 pub use look::{plots, preview_again};
+pub use programs::programs_again;
 
 /// How far to go and what to do with a plan that fails its checks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -214,7 +217,31 @@ impl Setup {
             holder_clearance_mm: c.holder_clearance_mm,
             resolution_mm: v.resolution_mm,
             surface_samples: v.surface_samples as usize,
+            asked: Some(self.asked()),
             ..VerifyOptions::default()
+        }
+    }
+
+    /// What a plan is to hold of the job.
+    fn asked(&self) -> Asked {
+        let (job, b_rad) = (&self.job, self.job.machine.b_deg.to_radians());
+        let (p, c) = (&job.path, &job.channel);
+        Asked {
+            kind: p.kind,
+            direction: p.direction,
+            radius_mm: job.tool.radius_mm,
+            stock_mm: p.stock_mm,
+            chord_mm: p.chord_mm,
+            start_mm: job.region.start_mm,
+            end_mm: job.region.end_mm,
+            max_lean_rad: p.max_lean_deg.to_radians(),
+            b_rad,
+            contact_rad: [c.contact_angle_min_deg, c.contact_angle_max_deg].map(f64::to_radians),
+            theta_limits_rad: self.machine.theta_limits(b_rad),
+            tolerance_rad: c.tolerance_deg.to_radians(),
+            schedule: job.schedule.kind,
+            feed_mm_min: job.feed.feed_mm_min,
+            lead_radius_mm: job.feed.lead_radius_mm,
         }
     }
 
@@ -434,45 +461,6 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
         found.extend(checks);
     }
     Ok(found)
-}
-
-/// What reading the programs of a finished run back finds: the files as they are there; where one is not, what would be in it. Programs of a plan
-/// that failed its checks are judged where they were written all the same.
-///
-/// # Errors
-/// Those of [`post::post`].
-pub fn programs_again(setup: &Setup, verified: &Verified<Plan>, folder: &RunFolder) -> Result<Vec<Check>> {
-    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
-    let mut found = Vec::new();
-    for (_, dialect) in setup.dialects()? {
-        let mut program = post::post(&dialect, verified, blade, tool, machine, &setup.post_options())?;
-        match folder.existing(&program.file_name) {
-            Some(text) => program.text = text,
-            None if verified.forced() => continue,
-            None => {}
-        }
-        match verify::program::read_back(&program, verified.value(), blade, tool, machine) {
-            Ok(checks) => found.extend(checks),
-            Err(e) => found.push(unreadable(&program.file_name, &e)),
-        }
-    }
-    Ok(found)
-}
-
-/// A program that a control would not understand either.
-fn unreadable(file_name: &str, e: &Error) -> Check {
-    Check {
-        name: "program-readable".into(),
-        quantity: format!("{file_name}: lines that cannot be read"),
-        worst: 1.0,
-        limit: 0.0,
-        unit: "lines".into(),
-        passed: false,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note: e.message.clone(),
-    }
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

@@ -183,6 +183,7 @@ fn channel(theta: &[f64]) -> Channel {
         rows: theta.iter().map(row).collect(),
         narrowest_row: theta.len() / 3,
         chains: 1,
+        proven_at: Vec::new(),
     }
 }
 

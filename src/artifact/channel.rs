@@ -64,6 +64,9 @@ pub struct Channel {
     pub narrowest_row: usize,
     /// How many separate chains could be followed round the whole path.
     pub chains: usize,
+    /// Locations whose moves to the next the walls are proven for, since the tool came too near there with a schedule in walls that hold at locations.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub proven_at: Vec<usize>,
 }
 
 /// How wide the channel is at one B, over places on the path (the moves between them are not looked at).

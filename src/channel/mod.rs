@@ -157,7 +157,7 @@ impl<'a> Surroundings<'a> {
             bodies.push(Body { name: "part", mesh: &part.mesh, tree, profile });
         }
         for (o, tree) in self.obstacles.iter().zip(trees) {
-            let whole = Profile::new(tool, [o.clearance_mm, o.holder_clearance_mm], 0.0);
+            let whole = Profile::new(tool, [o.clearance_mm, o.holder_clearance_mm], o.part.deflection_mm);
             let profile = if o.cut_by_the_tool { whole.holder() } else { whole };
             bodies.push(Body { name: &o.name, mesh: &o.part.mesh, tree, profile });
         }
@@ -246,8 +246,9 @@ pub fn plan_among(
     let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
     let mut lifts = Vec::new();
-    if options.prove_moves {
-        let found = moves::lifts(&scene, &samples, &chosen, observer)?;
+    if options.prove_moves || !options.prove_at.is_empty() {
+        let wanted = |i: usize| options.prove_moves || options.prove_at.binary_search(&samples[i - 1].row).is_ok();
+        let found = moves::lifts(&scene, &samples, &chosen, wanted, observer)?;
         lifts = found.map_err(|i| reporter.closed_between(chosen[i], chosen[i + 1], i))?;
     }
     let mut rows = walls::rows(&samples, &moves::moved_in(&chosen, &lifts), &scene);
@@ -268,7 +269,14 @@ pub fn plan_among(
         );
         observer.warn(Warning { stage: Stage::Channel, message });
     }
-    Ok(Channel { b_rad: options.b_rad, tolerance_rad: options.tolerance_rad, rows, narrowest_row, chains: chain.count })
+    Ok(Channel {
+        b_rad: options.b_rad,
+        tolerance_rad: options.tolerance_rad,
+        rows,
+        narrowest_row,
+        chains: chain.count,
+        proven_at: options.prove_at.clone(),
+    })
 }
 
 /// Free intervals of all places within the rotary axis' limits, of the index with what it lies off the part as room.

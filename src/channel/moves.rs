@@ -26,11 +26,12 @@ pub(super) struct Lift {
     pub hi_by: Witness,
 }
 
-/// The lifts of all moves; the inner error is a move during which the channel closes.
+/// The lifts of the moves that are wanted, by the place where they end, none of the others; the inner error is a move during which the channel closes.
 pub(super) fn lifts(
     scene: &Scene,
     samples: &[Sample],
     chosen: &[&Free],
+    wanted: impl Fn(usize) -> bool + Sync,
     observer: &dyn Observer,
 ) -> Result<std::result::Result<Vec<Lift>, usize>> {
     let moves: Vec<usize> = (1..samples.len()).collect();
@@ -39,6 +40,9 @@ pub(super) fn lifts(
         let mut search = Search::new(scene);
         let one = |&i: &usize| {
             let (from, to) = ((&samples[i - 1], chosen[i - 1]), (&samples[i], chosen[i]));
+            if !wanted(i) {
+                return Some(Lift { lo: 0.0, hi: 0.0, lo_by: from.1.lo_by, hi_by: from.1.hi_by });
+            }
             lift(&mut search, scene, from, to, None)
         };
         Ok(moves.iter().map(one).collect())

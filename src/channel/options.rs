@@ -25,6 +25,8 @@ pub struct ChannelOptions {
     /// Prove that the walls hold at every time of the moves between places, and move them inwards where they do not. Takes
     /// milliseconds a move; otherwise walls are taken as straight between places.
     pub prove_moves: bool,
+    /// Locations, in order, whose moves to the next are proven even without `prove_moves`.
+    pub prove_at: Vec<usize>,
     /// Move the ends that the part binds out to where exact faces bind them, instead of keeping the deflection of their mesh as room;
     /// nothing changes where the part is a mesh. With `prove_moves` what the index of the part lies off it is kept as room instead, some ten-thousandths of the
     /// ball's radius where it is the finer one. Takes about a fifth of a millisecond of processor time a location.
@@ -44,6 +46,7 @@ impl Default for ChannelOptions {
             theta_limits_rad: None,
             tolerance_rad: 0.01f64.to_radians(),
             prove_moves: false,
+            prove_at: Vec::new(),
             exact_ends: false,
             max_step_mm: 1.5,
         }

@@ -1,6 +1,6 @@
 //! `verify`, `post`, `preview`: a finished run taken up again from its files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::args::{Format, Plot, Post, Preview};
 use super::out::{limit, sayln};
@@ -9,50 +9,24 @@ use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport, Plan};
 use crate::error::{Error, ErrorKind, Result, Stage};
-use crate::files;
-use crate::job;
 use crate::observe::Observer;
 use crate::output::{self, RunFolder, tables};
+use crate::pipeline::again::{Finished, read};
 use crate::pipeline::operations::{self, Done};
 use crate::pipeline::{self, Setup};
-use crate::post::Dialect;
+use crate::post::{self, Dialect, PostOptions};
 use crate::preview::{self, drawing};
 use crate::verify;
 
-/// A finished run.
-struct Finished {
+/// A finished run with its verdict: of the plan, and of the files that others read.
+struct Checked {
     setup: Setup,
-    plan: Plan,
+    verdict: verify::Verdict<Plan>,
+    without_programs: bool,
 }
 
-/// Reads the job, the model that it names and the plan, whose cutter locations are taken from `cutter_locations.csv`:
-/// that is the file other programs read, so that is what must be checked.
-fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
-    output::settle(out)?;
-    let file = out.join("job.resolved.toml");
-    if !file.is_file() {
-        return Err(Error::io(
-            Stage::Job,
-            format!("{} holds no finished run: job.resolved.toml is missing", out.display()),
-        )
-        .advise("give the folder that `plan … -o` wrote"));
-    }
-    let draft = job::resolve(job::load(&file)?, out)?;
-    let setup = Setup::load(&draft, observer)?;
-    let part = |name: &str| -> Result<String> {
-        let path = out.join(name);
-        files::read_text(&path, files::LONG)
-            .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", path.display())).caused_by(e))
-    };
-    let mut plan: Plan = serde_json::from_str(&part("plan.json")?).map_err(|e| {
-        Error::io(Stage::Output, format!("{} is damaged: {e}", out.join("plan.json").display())).caused_by(e)
-    })?;
-    tables::read_cutter_locations(&part("cutter_locations.csv")?, &setup.blade, &mut plan)?;
-    Ok(Finished { setup, plan })
-}
-
-fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdict<Plan>)> {
-    let Finished { setup, plan } = run;
+fn check(run: Finished, observer: &dyn Observer) -> Result<Checked> {
+    let Finished { setup, plan, checks, without_programs } = run;
     let verdict = verify::check_among(
         plan,
         &setup.blade,
@@ -62,7 +36,7 @@ fn check(run: Finished, observer: &dyn Observer) -> Result<(Setup, verify::Verdi
         &setup.verify_options(),
         observer,
     )?;
-    Ok((setup, verdict))
+    Ok(Checked { setup, verdict: verdict.and(checks), without_programs })
 }
 
 /// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
@@ -70,7 +44,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
     terminal.finish();
-    let (setup, verdict) = checked?;
+    let Checked { setup, verdict, without_programs } = checked?;
     if let Some((file, tolerance)) = map {
         let path = &verdict.value().toolpath;
         let map = verify::deviation(&setup.blade, path, tolerance)?;
@@ -79,7 +53,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let mut report = verdict.report().clone();
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = pipeline::accept(verdict, true) {
-        report.checks.extend(pipeline::programs_again(&setup, &verified, &folder)?);
+        report.checks.extend(pipeline::programs_again(&setup, &verified, &folder, without_programs)?);
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
@@ -129,8 +103,9 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     };
     let mut done = Vec::with_capacity(args.runs.len());
     let mut passed = true;
-    for run in &args.runs {
-        let (one, good) = checked(run, args.force, quiet)?;
+    for (k, run) in args.runs.iter().enumerate() {
+        let from_turn = args.from_turn.filter(|_| k + 1 == args.from_operation.unwrap_or(1));
+        let (one, good) = checked(run, from_turn, args.force, quiet)?;
         done.push(one);
         passed &= good;
     }
@@ -148,18 +123,19 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     }
     let mut folder = RunFolder::begin(out)?;
     folder.add_program(&program.file_name, program.text, &name)?;
-    for file in folder.finish()? {
-        sayln!("{}", file.display());
-    }
+    print_written(&folder.finish()?);
     Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
 }
 
-/// A finished run with its checks made again, and whether they passed.
-fn checked(run: &Path, force: bool, quiet: bool) -> Result<(Done, bool)> {
+/// A finished run with its checks made again, and whether they passed; a turn to go on with must be one of its own.
+fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Result<(Done, bool)> {
     let terminal = Terminal::new(quiet);
-    let checked = read(run, &terminal).and_then(|run| check(run, &terminal));
+    let checked = read(run, &terminal).and_then(|run| {
+        post::planned(&run.plan, &PostOptions { from_turn, ..run.setup.post_options() })?;
+        check(run, &terminal)
+    });
     terminal.finish();
-    let (setup, verdict) = checked?;
+    let Checked { setup, verdict, .. } = checked?;
     let report = verdict.report().clone();
     let Some(verified) = pipeline::accept(verdict, force) else {
         print_failed(&report);
@@ -176,24 +152,24 @@ fn checked(run: &Path, force: bool, quiet: bool) -> Result<(Done, bool)> {
 /// `preview`: preview.glb and report.html again.
 pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let written = read(&args.out, &terminal).and_then(|run| check(run, &terminal)).and_then(|(setup, verdict)| {
+    let written = read(&args.out, &terminal).and_then(|run| check(run, &terminal)).and_then(|run| {
         let mut folder = RunFolder::begin(&args.out)?;
-        pipeline::preview_again(&setup, &verdict, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
+        let budget = args.preview_budget.map(|b| b.0);
+        let (setup, verdict) = (&run.setup, &run.verdict);
+        pipeline::preview_again(setup, verdict, run.without_programs, budget, &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();
-    for file in written? {
-        sayln!("{}", file.display());
-    }
+    print_written(&written?);
     Ok(0)
 }
 
 /// `plot`: the report's plots as files.
 pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let drawn = read(&args.run, &terminal).and_then(|run| check(run, &terminal)).and_then(|(setup, verdict)| {
-        let turn = args.turn.unwrap_or(verdict.value().toolpath.turns.len() / 2);
-        pipeline::plots(&setup, &verdict, turn, &terminal)
+    let drawn = read(&args.run, &terminal).and_then(|run| check(run, &terminal)).and_then(|run| {
+        let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2);
+        pipeline::plots(&run.setup, &run.verdict, turn, &terminal)
     });
     terminal.finish();
     let mut folder = RunFolder::begin(&args.out.clone().unwrap_or_else(|| args.run.join("plots")))?;
@@ -205,10 +181,15 @@ pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
             folder.add(&format!("{name}.svg"), svg)?;
         }
     }
-    for file in folder.finish()? {
+    print_written(&folder.finish()?);
+    Ok(0)
+}
+
+/// Names the files that were written.
+fn print_written(files: &[PathBuf]) {
+    for file in files {
         sayln!("{}", file.display());
     }
-    Ok(0)
 }
 
 /// One line for each check that failed.

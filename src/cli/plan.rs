@@ -123,7 +123,8 @@ fn print_summary(s: &Summary) {
     }
     row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
-    row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
+    row("narrowest channel", format!("{:.2}° at location {}", s.channel_width_min_deg, s.channel_narrowest_row));
+    row("  without turning back", format!("{:.2}°", s.channel_monotone_min_deg));
     if let [used, fixed, ..] = &s.schedules[..] {
         sayln!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
         let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {

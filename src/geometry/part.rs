@@ -1,5 +1,7 @@
 //! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
 
+use std::sync::OnceLock;
+
 use rayon::prelude::*;
 
 use super::brep::Brep;
@@ -31,6 +33,8 @@ pub struct Part {
     tie: Tie,
     /// Surface as its file has it, where that was changed to close the part.
     published: Option<Box<Published>>,
+    /// See [`Part::sharper`].
+    sharper: OnceLock<Option<Box<Part>>>,
 }
 
 /// Surface that belongs to the part besides its own: what sewing or healing moved or left out, as the file has it.
@@ -47,6 +51,10 @@ struct Published {
 const NEARER_MM: f64 = 1e-5;
 /// Places on each edge of published faces at which is measured how far they stand off the part.
 const EDGE_PLACES: usize = 32;
+
+/// How near the triangles of [`Part::sharper`] are, mm, as far as about so many do.
+const SHARP_MM: f64 = 0.001;
+const SHARP_MOST: usize = 250_000;
 
 /// Farther from the exact faces than so many times the deflection their mesh does not lie between them and a point.
 const FAR: f64 = 2.0;
@@ -109,7 +117,7 @@ impl Part {
     /// A part that is a mesh.
     pub fn from_mesh(mesh: Mesh) -> Self {
         let bvh = MeshBvh::new(&mesh);
-        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None, published: None }
+        Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None, published: None, sharper: OnceLock::new() }
     }
 
     /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
@@ -133,7 +141,15 @@ impl Part {
 
     fn tied(tie: Tie, t: Tessellation) -> Self {
         let bvh = MeshBvh::new(&t.mesh);
-        Part { mesh: t.mesh, bvh, brep: Some(t.brep), deflection_mm: t.deflection_mm, tie, published: None }
+        Part {
+            mesh: t.mesh,
+            bvh,
+            brep: Some(t.brep),
+            deflection_mm: t.deflection_mm,
+            tie,
+            published: None,
+            sharper: OnceLock::new(),
+        }
     }
 
     /// The part with surface that its file has otherwise: distances are to both from here on, and how far it stands off the part, measured at
@@ -143,6 +159,7 @@ impl Part {
         let off = |p: &Point| self.own_closest(p, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
         let off_mm = published.places().par_iter().map(off).reduce(|| 0.0, f64::max);
         self.deflection_mm += off_mm;
+        self.sharper = OnceLock::new();
         self.published = Some(Box::new(Published { part: published, of, off_mm }));
         self
     }
@@ -236,6 +253,23 @@ impl Part {
         Some(fine)
     }
 
+    /// The part by triangles that are nearer to its exact faces than its own mesh is, for distances that the mesh is too coarse to tell; they do
+    /// not fit together. Made when it is first asked for; `None` where the part has no exact faces, or its mesh is as near.
+    pub fn sharper(&self) -> Option<&Part> {
+        let make = || {
+            let fine = self.fine(SHARP_MM, SHARP_MOST).filter(|f| f.deflection_mm < 0.5 * self.deflection_mm)?;
+            let mut mesh = Mesh::default();
+            for (corners, parent) in fine.corners.iter().zip(&fine.parents) {
+                let first = mesh.points.len() as u32;
+                mesh.points.extend(corners);
+                mesh.triangles.push([first, first + 1, first + 2]);
+                mesh.face_of.push(self.mesh.face(*parent as usize));
+            }
+            Some(Box::new(Part { deflection_mm: fine.deflection_mm, ..Part::from_mesh(mesh) }))
+        };
+        self.sharper.get_or_init(make).as_deref()
+    }
+
     /// Principal curvatures of the part at a point of it, signed towards its outward normal (negative where convex, as on
     /// a ball), with their directions. On an edge those of the face that the point names. `None` at a pole, and where the part
     /// is a mesh.
@@ -265,7 +299,7 @@ impl Part {
             (tie, _) => tie,
         };
         let published = self.published.map(|p| Box::new(Published { part: p.part.moved(to_from), ..*p }));
-        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie, published }
+        Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie, published, sharper: OnceLock::new() }
     }
 
     /// The mirror image across the plane z = 0.

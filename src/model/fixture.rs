@@ -7,17 +7,16 @@ use crate::artifact::Obstacle;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Rigid;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 
-/// Reads a fixture or stock in any format of a model; mm, in the frame of its file. Without a unit, what the file states, else
+/// Reads a fixture or stock in any format of a model, as a part of triangles alone; mm, in the frame of its file. Without a unit, what the file states, else
 /// mm.
 ///
 /// # Errors
 /// `InputOutput`: the file cannot be read; the mesh has holes, or its triangles do not wind alike: nobody could say what is
 /// inside it.
-pub fn fixture(path: &Path, unit: Option<Unit>, observer: &dyn Observer) -> Result<Mesh> {
+pub fn fixture(path: &Path, unit: Option<Unit>, observer: &dyn Observer) -> Result<Part> {
     let survey = survey(path, &ModelOptions { unit, ..ModelOptions::default() }, observer)?;
     let d = &survey.diagnosis;
     let name = path.display();
@@ -41,7 +40,10 @@ pub fn fixture(path: &Path, unit: Option<Unit>, observer: &dyn Observer) -> Resu
         )
         .advise("export it as a closed solid"));
     }
-    Ok(survey.part.mesh)
+    // The mesh alone decides; what it lies off exact faces is kept as room.
+    let mut part = Part::from_mesh(survey.part.mesh);
+    part.deflection_mm = survey.part.deflection_mm;
+    Ok(part)
 }
 
 /// Reads a fixture, or the stock, and moves it into the blade frame; `room_mm` is what taper and shank, and what the holder must
@@ -57,11 +59,11 @@ pub fn obstacle(
     model_from_blade: &Rigid,
     observer: &dyn Observer,
 ) -> Result<Obstacle> {
-    let mesh = fixture(path, unit, observer)?.moved(&model_from_blade.inverse());
+    let part = fixture(path, unit, observer)?.moved(&model_from_blade.inverse());
     let file = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     Ok(Obstacle {
         name: format!("{} {file}", if stock { "stock" } else { "fixture" }),
-        part: Part::from_mesh(mesh),
+        part,
         clearance_mm: room_mm[0],
         holder_clearance_mm: room_mm[1],
         cut_by_the_tool: stock,
@@ -95,7 +97,7 @@ mod tests {
     #[test]
     fn a_closed_cube_is_taken_and_an_open_one_is_not() {
         let whole = fixture(cube(12).path(), Some(Unit::Mm), &Silent).unwrap();
-        assert!((whole.volume_mm3() - 1000.0).abs() < 1e-9);
+        assert!((whole.mesh.volume_mm3() - 1000.0).abs() < 1e-9);
         let e = fixture(cube(11).path(), Some(Unit::Mm), &Silent).unwrap_err();
         assert_eq!(e.kind, ErrorKind::InputOutput);
         assert!(e.message.contains("a hole, the longest of 3 edges"), "{e}");

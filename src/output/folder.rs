@@ -109,6 +109,20 @@ impl RunFolder {
         files::read_text(&self.target.join(name), files::LONG).ok()
     }
 
+    /// Content of a file that is in the folder; `None`: it is not there, or cannot be read.
+    pub fn content(&self, name: &str) -> Option<Vec<u8>> {
+        files::read(&self.target.join(name), files::LONG).ok()
+    }
+
+    /// Names of the files that are in the folder, in order; those in folders of it, and hidden ones, are left out.
+    pub fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.target).into_iter().flatten().flatten();
+        let files = entries.filter(|e| e.path().is_file()).filter_map(|e| e.file_name().into_string().ok());
+        let mut out: Vec<String> = files.filter(|name| !name.starts_with('.')).collect();
+        out.sort();
+        out
+    }
+
     /// Adds a file.
     ///
     /// # Errors
@@ -116,8 +130,11 @@ impl RunFolder {
     pub fn add(&mut self, name: &str, content: impl AsRef<[u8]>) -> Result<()> {
         let to = self.target.join(name);
         if to.is_dir() {
-            return Err(Error::io(Stage::Output, format!("{} is a folder, a file is to be written there", to.display()))
-                .advise("move it away, or give another folder with -o"));
+            return Err(Error::io(
+                Stage::Output,
+                format!("{} is a folder, a file is to be written there", to.display()),
+            )
+            .advise("move it away, or give another folder with -o"));
         }
         let path = self.staging.file(name);
         let write = || -> std::io::Result<File> {
@@ -243,7 +260,7 @@ impl RunFolder {
 
     /// The manifest of the run in the folder, if it holds one.
     fn manifest(&self) -> Option<Manifest> {
-        serde_json::from_str(&self.existing(manifest::FILE)?).ok()
+        manifest::read(&self.existing(manifest::FILE)?)
     }
 
     /// Enters the files that come to a finished run in its manifest, where there is one.

@@ -65,6 +65,11 @@ pub struct Manifest {
     pub status: String,
 }
 
+/// The manifest that a text holds; `None`: it is none.
+pub fn read(text: &str) -> Option<Manifest> {
+    serde_json::from_str(text).ok()
+}
+
 /// Reads an input's size and hash; `key`: where the job names it.
 ///
 /// # Errors

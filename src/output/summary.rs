@@ -99,14 +99,17 @@ pub struct Summary {
     pub uncut_area_mm2: f64,
     /// Most that is left there, mm.
     pub uncut_height_mm: f64,
-    /// Deepest gouge, mm.
+    /// No gouge is deeper, mm: what the checks proved.
     pub gouge_mm: f64,
-    /// Least clearance of taper, shank and holder, mm.
+    /// Taper, shank and holder come no nearer to the part, mm: what the checks proved.
     pub clearance_mm: f64,
-    /// Narrowest width of the channel's monotone hull, degrees, and its cutter location.
+    /// Least width of the channel, degrees: `theta_max_deg` less `theta_min_deg` of `cutter_locations.csv`.
     pub channel_width_min_deg: f64,
-    /// Row of the narrowest place.
+    /// Cutter location of the narrowest place.
     pub channel_narrowest_row: usize,
+    /// Least width of the channel's monotone hull, degrees: what a schedule that never turns back has.
+    #[serde(default)]
+    pub channel_monotone_min_deg: f64,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
     /// All checks passed.
@@ -174,7 +177,9 @@ pub fn path_figures(path: &Toolpath, limit: LimitFigures, used: &LimitFigures) -
 /// The summary of a checked plan.
 pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<ScheduleFigures>) -> Summary {
     let path = &plan.toolpath;
-    let narrow = plan.channel.rows.get(plan.channel.narrowest_row);
+    let widths = plan.channel.rows.iter().map(|r| r.theta_max - r.theta_min).enumerate();
+    let (narrowest, width) = widths.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+    let hull = plan.channel.rows.get(plan.channel.narrowest_row);
     Summary {
         name: name.into(),
         turns: path.turns.len(),
@@ -197,8 +202,9 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         uncut_height_mm: report.uncut_height_mm,
         gouge_mm: report.gouge_mm,
         clearance_mm: report.clearance_mm,
-        channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
-        channel_narrowest_row: plan.channel.narrowest_row,
+        channel_width_min_deg: width.to_degrees(),
+        channel_narrowest_row: narrowest,
+        channel_monotone_min_deg: hull.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
         schedules,
         passed: report.passed(),
     }

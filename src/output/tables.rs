@@ -90,6 +90,66 @@ pub fn axes(plan: &Plan, names: [&str; 5]) -> String {
     out
 }
 
+/// Numbers that are the same but for rounding on the way through another program, relative to 1 or to their size.
+const SAME: f64 = 1e-9;
+
+/// A table that is not the one it should be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Difference {
+    /// Cells that differ, a header or a row that is missing or too many among them.
+    pub count: usize,
+    /// The first: its line, its column, and both values.
+    pub first: String,
+}
+
+/// Compares the text of a table with the one that its plan gives: header, number of rows, every cell. Lines that begin with `#` are passed over.
+pub fn difference(is: &str, want: &str) -> Difference {
+    let mut out = Difference::default();
+    let mut add = |says: String| {
+        if out.count == 0 {
+            out.first = says;
+        }
+        out.count += 1;
+    };
+    let rows = |text| str::lines(text).enumerate().filter(|(_, l): &(usize, &str)| !l.starts_with('#'));
+    let (mut read, mut made) = (rows(is), rows(want));
+    let (header, wanted) = (read.next().map_or("", |(_, l)| l.trim_end()), made.next().map_or("", |(_, l)| l));
+    if header != wanted {
+        add(format!("the header is `{}`, it must be `{wanted}`", start_of(header)));
+        return out;
+    }
+    let columns: Vec<&str> = wanted.split(',').collect();
+    loop {
+        match (read.next(), made.next()) {
+            (None, None) => return out,
+            (None, Some((_, row))) => add(format!("a row is missing: `{}`", start_of(row))),
+            (Some((n, row)), None) => add(format!("line {}: a row too many: `{}`", n + 1, start_of(row))),
+            (Some((n, row)), Some((_, by_plan))) => {
+                let (is, want) = (row.trim_end().split(','), by_plan.split(','));
+                if is.clone().count() != columns.len() {
+                    add(format!("line {}: {} cells, the header has {}", n + 1, is.count(), columns.len()));
+                    continue;
+                }
+                for ((is, want), column) in is.zip(want).zip(&columns) {
+                    if !is_same(is, want) {
+                        add(format!("line {}, column {column}: {}, by plan.json {want}", n + 1, start_of(is)));
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn is_same(is: &str, want: &str) -> bool {
+    let numbers = is.trim().parse::<f64>().ok().zip(want.parse::<f64>().ok());
+    is == want || numbers.is_some_and(|(a, b)| (a - b).abs() <= SAME * b.abs().max(1.0))
+}
+
+/// The beginning of a text from a file, fit to be shown.
+fn start_of(text: &str) -> String {
+    text.chars().take(120).map(|c| if c.is_control() { '?' } else { c }).collect()
+}
+
 /// Puts the cutter locations and angles of a `cutter_locations.csv` into a plan of as many rows.
 ///
 /// # Errors

@@ -3,7 +3,7 @@
 use super::reuse::Taken;
 use super::{Baseline, Course, Setup, leads, schedules};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{Channel, Plan, Toolpath};
+use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
@@ -12,7 +12,15 @@ use crate::output::RunFolder;
 use crate::output::manifest::Clock;
 use crate::path;
 use crate::schedule;
+use crate::verify;
 
+/// A motion with its leads.
+type Moved = (AxisMotion, [Lead; 2]);
+/// A schedule, with its motion where that is known.
+type Scheduled = (Schedule, Option<Moved>);
+
+/// How often walls are moved in for what happens between locations.
+const MOST_PROOFS: usize = 4;
 /// How often the helix is laid anew to end higher before the channel's error stands.
 const MOST_ENDS: usize = 12;
 
@@ -25,7 +33,6 @@ pub(super) fn plan(
     clock: &mut Clock,
     observer: &dyn Observer,
 ) -> Result<Option<(Plan, Baseline)>> {
-    let job = &setup.job;
     // Path and channel are those of any machine of the kind; a motion is not.
     if !matches!(course.until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;
@@ -38,7 +45,7 @@ pub(super) fn plan(
         folder.add_json("toolpath.json", &toolpath)?;
         return Ok(None);
     }
-    let channel = match known.channel {
+    let mut channel = match known.channel {
         Some(c) => c,
         None => channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?,
     };
@@ -50,16 +57,13 @@ pub(super) fn plan(
     let options = setup.schedule_options();
     let fixed =
         clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
-    let (schedule, motion) = match (job.schedule.kind, known.schedule) {
-        (_, Some(s)) => (s, known.motion),
-        (ScheduleKind::Time, None) => {
-            let found = clock.time(Stage::Schedule, || schedules::least_time(setup, &toolpath, &channel, observer))?;
-            (found.0, Some(found.1))
-        }
-        (kind, None) => {
-            (clock.time(Stage::Schedule, || schedule::plan(kind, &toolpath, &channel, &options, observer))?, None)
-        }
+    let (mut schedule, mut motion) = match known.schedule {
+        Some(s) => (s, known.motion),
+        None => clock.time(Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
     };
+    if !schedule.kind.is_wall() {
+        keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), clock, observer)?;
+    }
     if course.ends_at(Stage::Schedule) {
         folder.add_json("toolpath.json", &toolpath)?;
         folder.add_json("channel.json", &channel)?;
@@ -83,6 +87,58 @@ pub(super) fn plan(
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
     Ok(Some((Plan { toolpath, channel, schedule, motion, leads }, baseline)))
+}
+
+/// The schedule of the job, and its motion where that was found along with it.
+fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn Observer) -> Result<Scheduled> {
+    match setup.job.schedule.kind {
+        ScheduleKind::Time => {
+            schedules::least_time(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
+        }
+        kind => Ok((schedule::plan(kind, path, channel, &setup.schedule_options(), observer)?, None)),
+    }
+}
+
+/// The channel's walls hold at the locations; between two of them the tool may come nearer for a moment. Where it does by the schedule, the walls of these moves are
+/// proven and moved in, and the schedule is made anew. Where there is no channel or no schedule then, all stays as it was: the checks tell.
+fn keep_clear(
+    setup: &Setup,
+    path: &Toolpath,
+    channel: &mut Channel,
+    (schedule, motion): (&mut Schedule, &mut Option<Moved>),
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<()> {
+    let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
+    for _ in 0..MOST_PROOFS {
+        let short = clock.time(Stage::Channel, || {
+            let (theta, b_rad) = (&schedule.theta, channel.b_rad);
+            Ok(verify::short_moves(path, theta, b_rad, &setup.blade, &setup.obstacles, tool, &verify))
+        })?;
+        if short.is_empty() {
+            return Ok(());
+        }
+        rows.extend(short);
+        rows.sort_unstable();
+        rows.dedup();
+        let narrower = |exact_ends: bool| {
+            let options = channel::ChannelOptions { prove_at: rows.clone(), exact_ends, ..setup.channel_options() };
+            let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
+            channel::plan_among(&around, tool, path, &options, &Silent)
+        };
+        let found = clock.time(Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
+        let made = found.and_then(|c| {
+            let made = clock.time(Stage::Schedule, || scheduled(setup, path, &c, &Silent))?;
+            Ok((c, made))
+        });
+        match made {
+            Ok((c, made)) => (*channel, (*schedule, *motion)) = (c, made),
+            Err(e) if e.kind == ErrorKind::Infeasible => return Ok(()),
+            Err(e) => return Err(e),
+        }
+        observer.check(Stage::Schedule)?;
+    }
+    Ok(())
 }
 
 /// The path of the job; says so where it ends before the height that the job asks for.

@@ -209,6 +209,12 @@ pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) 
     let Some((rank, run, plan)) = found.iter().find_map(|(r, e)| Some((*r, e, e.plan()?))) else {
         return Taken::default();
     };
+    // Walls that were moved in for a schedule are those of no other.
+    let own = rank == 1 && !plan.channel.proven_at.is_empty();
+    if own && setup.job.region.end_mm.is_none() {
+        return Taken::default();
+    }
+    let rank = if own { 0 } else { rank };
     let stages: Vec<Stage> = STAGES[..=rank].to_vec();
     for w in run.before.warnings.iter().filter(|w| stages.contains(&w.stage)) {
         observer.warn(w.clone());

@@ -52,7 +52,7 @@ fn thinned(path: &Toolpath, kept: &[usize]) -> Option<Toolpath> {
 fn of(channel: &Channel, kept: &[usize]) -> Option<Channel> {
     let rows = kept.iter().map(|k| channel.rows.get(*k).cloned()).collect::<Option<Vec<_>>>()?;
     let narrowest_row = kept.partition_point(|k| *k < channel.narrowest_row).min(rows.len().checked_sub(1)?);
-    Some(Channel { rows, narrowest_row, ..*channel })
+    Some(Channel { rows, narrowest_row, ..channel.clone() })
 }
 
 /// Values at all locations from those at some, straight over the arc length between.

@@ -67,7 +67,7 @@ pub(super) fn channel(limits: &[[f64; 2]]) -> Channel {
         let k = rows.len() - 1 - i;
         rows[k].hull_max = rows[k].hull_max.min(rows[k + 1].hull_max);
     }
-    Channel { b_rad: 0.1, tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1 }
+    Channel { b_rad: 0.1, tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new() }
 }
 
 /// A blade's turn: θ runs fast round two edges and slowly along two sides; `dip` makes the forward limit of the

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Obstacle, Plan};
+use crate::artifact::{Blade, Obstacle, Plan, Toolpath};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::tool::{self, Segment, Tool};
@@ -22,9 +22,16 @@ const CHUNK: usize = 128;
 const COARSE: usize = 400;
 /// Halvings of one move at most.
 const DEEPEST: u32 = 24;
+/// The same where it is only asked whether it falls short.
+const DEEPEST_SHORT: u32 = 10;
 
 /// Points of a triangle are told apart to this where it is only asked whether it is touched, mm.
-const TOUCH_MM: f64 = 0.002;
+pub(super) const TOUCH_MM: f64 = 0.002;
+
+/// Share of large distances that may be missed.
+const SHARE: f64 = 0.02;
+/// The same, and the least that is told apart, mm, where a clearance is only just kept or missed.
+const CLOSELY: (f64, f64) = (0.001, 0.0005);
 
 /// Distances beyond this are not measured, mm.
 const FAR_MM: f64 = 1000.0;
@@ -81,13 +88,15 @@ struct Motion<'a> {
     track: Track<'a>,
     segments: &'a [Segment],
     resolution: f64,
+    /// Share of a distance that may be missed, where that is more.
+    share: f64,
 }
 
 impl<'a> Motion<'a> {
-    /// What may be missed where the least distance is `found`: the resolution, or a fiftieth of large distances, a tenth of depths: a
+    /// What may be missed where the least distance is `found`: the resolution, or a share of large distances, a tenth of depths: a
     /// collision need not be told more finely.
     fn may_miss(&self, found: f64) -> f64 {
-        self.resolution.max(0.02 * found).max(-0.1 * found)
+        self.resolution.max(self.share * found).max(-0.1 * found)
     }
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
@@ -195,17 +204,109 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Least distance between `segments` of the tool and the part over the plan's motion, to `resolution_mm` (or a
-/// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
-pub(super) fn measure(plan: &Plan, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
-    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
-    let (theta, b_rad) = (&plan.schedule.theta, &[plan.channel.b_rad]);
-    measure_track(Track { centres: &centres, theta, b_rad, wanted: None }, part, segments, resolution_mm)
+impl Motion<'_> {
+    /// Whether something comes nearer than `limit_mm` at any time of a move, as far as can be told apart.
+    fn falls_short(&self, row: usize, limit_mm: f64) -> bool {
+        let mut open = vec![(0.0, 1.0, 0)];
+        let mut hint = u32::MAX;
+        while let Some((t0, t1, depth)) = open.pop() {
+            let (lower, seen) = self.least(&self.place(row, t0, t1), limit_mm, hint, row);
+            if seen.found_mm < limit_mm - self.resolution
+                || (lower < limit_mm - self.resolution && depth >= DEEPEST_SHORT)
+            {
+                return true;
+            }
+            if lower < limit_mm - self.resolution {
+                hint = seen.triangle;
+                let mid = 0.5 * (t0 + t1);
+                open.extend([(mid, t1, depth + 1), (t0, mid, depth + 1)]);
+            }
+        }
+        false
+    }
 }
 
-/// As [`measure`], over any motion of at least two rows.
+/// Moves between two locations on which the tool comes nearer to the part, or to what stands around it, than is asked for, by their first location: where a motion
+/// keeps the clearance at its locations and not between them.
+pub fn short_moves(
+    path: &Toolpath,
+    theta: &[f64],
+    b_rad: f64,
+    blade: &Blade,
+    obstacles: &[Obstacle],
+    tool: &Tool,
+    options: &VerifyOptions,
+) -> Vec<usize> {
+    let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
+    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let part = (&blade.part, options.clearance_mm, options.holder_clearance_mm, true);
+    let around = obstacles.iter().map(|o| (&o.part, o.clearance_mm, o.holder_clearance_mm, !o.cut_by_the_tool));
+    let mut out = Vec::new();
+    for (part, room, holder_room, whole) in std::iter::once(part).chain(around) {
+        let groups = [(&cutter, room), (&holder, holder_room)];
+        for (segments, asked) in groups.into_iter().skip(usize::from(!whole)).filter(|(s, _)| !s.is_empty()) {
+            let limit = options.least_clearance(asked);
+            let ((share, resolution), b_rad) = (CLOSELY, &[b_rad]);
+            let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
+                let track = Track { centres: &centres, theta, b_rad, wanted: None };
+                let motion = Motion { part: on, track, segments, resolution, share };
+                let short = |row: &usize| motion.falls_short(*row, limit + on.deflection_mm);
+                moves.into_par_iter().filter(short).collect()
+            };
+            let mut short = among(part, (0..centres.len().saturating_sub(1)).collect());
+            if let Some(sharper) = part.sharper().filter(|_| !short.is_empty()) {
+                short = among(sharper, short);
+            }
+            out.extend(short);
+        }
+    }
+    out.sort_unstable();
+    out.dedup();
+    out
+}
+
+/// How near a motion comes to a part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kept {
+    /// The nearest place.
+    pub near: Nearest,
+    /// Face of the part there.
+    pub face: Option<u32>,
+    /// No point of the tool is nearer to the part, mm.
+    pub least_mm: f64,
+    /// The part is known to this, mm.
+    pub known_mm: f64,
+}
+
+/// How near `segments` come to a part. Where the part's mesh is too coarse to tell whether `limit_mm` is kept, by triangles that are nearer to its exact
+/// faces, and more closely.
+pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f64, options: &VerifyOptions) -> Kept {
+    let of = |on: &Part, (near, bound_mm): (Nearest, f64)| Kept {
+        near,
+        face: (near.triangle != u32::MAX).then(|| on.mesh.face(near.triangle as usize)),
+        least_mm: bound_mm - on.deflection_mm,
+        known_mm: on.deflection_mm,
+    };
+    let first = of(part, measure_track(track, part, segments, options.clearance_resolution_mm));
+    if first.least_mm >= limit_mm || first.near.found_mm + first.known_mm < limit_mm {
+        return first;
+    }
+    let (on, (share, resolution)) = (part.sharper().unwrap_or(part), CLOSELY);
+    let motion = Motion { part: on, track, segments, resolution, share };
+    let near = motion.whole();
+    of(on, (near, near.found_mm - motion.may_miss(near.found_mm)))
+}
+
+/// The motion of a plan along its path.
+fn track_of<'a>(plan: &'a Plan, centres: &'a [Point]) -> Track<'a> {
+    let b_rad = std::slice::from_ref(&plan.channel.b_rad);
+    Track { centres, theta: &plan.schedule.theta, b_rad, wanted: None }
+}
+
+/// Least distance between `segments` of the tool and the part over a motion of at least two rows, to `resolution_mm` (or a
+/// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
 pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
-    let motion = Motion { part, track, segments, resolution: resolution_mm };
+    let motion = Motion { part, track, segments, resolution: resolution_mm, share: SHARE };
     let near = motion.whole();
     let bound = near.found_mm - motion.may_miss(near.found_mm);
     (near, bound)
@@ -235,7 +336,7 @@ pub fn standing(
     resolution_mm: f64,
 ) -> Option<Standing> {
     let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
-    let motion = Motion { part, track, segments, resolution: resolution_mm };
+    let motion = Motion { part, track, segments, resolution: resolution_mm, share: SHARE };
     let place = motion.place(0, 0.5, 0.5);
     let mut best = Nearest::far(FAR_MM);
     loop {
@@ -251,9 +352,24 @@ pub fn standing(
     (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
 }
 
+/// As [`standing`], as far as a triangle is nearer than `limit_mm`; `None`: none is.
+pub(super) fn nearer(
+    part: &Part,
+    segments: &[Segment],
+    centre: &Point,
+    (b_rad, theta): (f64, f64),
+    limit_mm: f64,
+) -> Option<Standing> {
+    let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
+    let motion = Motion { part, track, segments, resolution: TOUCH_MM, share: SHARE };
+    let (_, seen) = motion.least(&motion.place(0, 0.5, 0.5), limit_mm, u32::MAX, 0);
+    let Nearest { found_mm, segment, triangle, point, .. } = seen;
+    (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
+}
+
 /// The moves of a motion in the middle of which some triangle is nearer than `limit_mm`.
 pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f64) -> Vec<usize> {
-    let motion = Motion { part, track, segments, resolution: 0.0 };
+    let motion = Motion { part, track, segments, resolution: 0.0, share: SHARE };
     let touches = |row: &usize| {
         let place = motion.place(*row, 0.5, 0.5);
         let mut met = false;
@@ -282,80 +398,78 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOpt
     let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
     let groups =
         [("clearance", cutter, options.clearance_mm), ("holder-clearance", holder, options.holder_clearance_mm)];
+    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
     let mut least = f64::INFINITY;
     let mut checks = Vec::new();
     for (name, segments, asked) in groups {
         if segments.is_empty() {
             continue;
         }
-        let (near, bound) = measure(plan, &blade.part, &segments, options.clearance_resolution_mm);
-        let check = judge(name, &near, bound, asked, plan, blade, &segments);
-        least = least.min(near.found_mm - blade.part.deflection_mm);
-        checks.push(check);
+        let limit = options.least_clearance(asked);
+        let kept = kept(track_of(plan, &centres), &blade.part, &segments, limit, options);
+        let place = kept.face.map(|f| blade.part.face_name(f));
+        let to = place.unwrap_or_else(|| format!("nothing within {FAR_MM} mm"));
+        let quantity = "least distance of the tool without its ball to the part, between locations too";
+        checks.push(judge(name, quantity, &to, &kept, (asked, limit), plan, blade, &segments));
+        least = least.min(kept.least_mm);
     }
     (checks, if least.is_finite() { least } else { FAR_MM })
 }
 
-/// The check of one fixture, or of the stock, of which only the holder keeps clear.
+/// The checks of one fixture, or of the stock, of which only the holder keeps clear.
 pub(super) fn check_obstacle(
     plan: &Plan,
     blade: &Blade,
     obstacle: &Obstacle,
     tool: &Tool,
     options: &VerifyOptions,
-) -> Option<Check> {
-    let all = tool.segments().into_iter();
-    let segments: Vec<Segment> = all.filter(|s| !obstacle.cut_by_the_tool || s.name.starts_with("holder")).collect();
-    if segments.is_empty() || obstacle.part.mesh.triangles.is_empty() {
-        return None;
+) -> Vec<Check> {
+    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
+    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let cutter = if obstacle.cut_by_the_tool { Vec::new() } else { cutter };
+    let groups = [("taper and shank", cutter, obstacle.clearance_mm), ("holder", holder, obstacle.holder_clearance_mm)];
+    let mut out = Vec::new();
+    for (who, segments, asked) in groups {
+        if segments.is_empty() || obstacle.part.mesh.triangles.is_empty() {
+            continue;
+        }
+        let limit = options.least_clearance(asked);
+        let kept = kept(track_of(plan, &centres), &obstacle.part, &segments, limit, options);
+        let quantity = format!("least distance of {who} to {}, between locations too", obstacle.name);
+        out.push(judge("obstacle-clearance", &quantity, &obstacle.name, &kept, (asked, limit), plan, blade, &segments));
     }
-    let (near, bound) = measure(plan, &obstacle.part, &segments, options.clearance_resolution_mm);
-    let asked = obstacle.clearance_mm.min(obstacle.holder_clearance_mm);
-    let mut check = judge("obstacle-clearance", &near, bound, asked, plan, blade, &segments);
-    let who = segments.get(near.segment).map_or("nothing", |s| s.name.as_str());
-    check.quantity = format!("least distance of the tool without its ball to {}, between locations too", obstacle.name);
-    check.worst = bound;
-    check.passed = bound >= 0.0;
-    check.note = format!(
-        "{who} to {}; measured {:.6}, nowhere less than {bound:.6}; asked for {asked}",
-        obstacle.name, near.found_mm
-    );
-    Some(check)
+    out
 }
 
+#[allow(clippy::too_many_arguments)]
 fn judge(
     name: &str,
-    near: &Nearest,
-    bound_mm: f64,
-    asked: f64,
+    quantity: &str,
+    to: &str,
+    kept: &Kept,
+    (asked, limit): (f64, f64),
     plan: &Plan,
     blade: &Blade,
     segments: &[Segment],
 ) -> Check {
-    let part = &blade.part;
-    // Triangles may lie outside the exact part or inside it by the deflection.
-    let worst = bound_mm - part.deflection_mm;
+    let near = &kept.near;
     let point = blade.model_from_blade * near.point;
-    let found = near.triangle != u32::MAX;
-    let who = segments.get(near.segment).map(|s| s.name.as_str()).unwrap_or_default();
-    let place = if found {
-        format!("{who} to {}", part.face_name(part.mesh.face(near.triangle as usize)))
-    } else {
-        format!("nothing within {FAR_MM} mm")
-    };
+    let found = kept.face.is_some();
+    let who = segments.get(near.segment).filter(|_| found).map_or("", |s| s.name.as_str());
+    let place = if found { format!("{who} to {to}") } else { to.to_owned() };
     Check {
         name: name.into(),
-        quantity: "least distance of the tool without its ball to the part, between locations too".into(),
-        worst,
-        limit: 0.0,
+        quantity: quantity.into(),
+        worst: kept.least_mm,
+        limit,
         unit: "mm".into(),
-        passed: worst >= 0.0,
+        passed: kept.least_mm >= limit,
         row: found.then_some(near.row),
         turn: found.then(|| plan.toolpath.locations[near.row].turn),
         point_mm: found.then_some([point.x, point.y, point.z]),
         note: format!(
-            "{place}; measured {:.6}, part known to {:.6}, nowhere less than {worst:.6}; asked for {asked}",
-            near.found_mm, part.deflection_mm
+            "{place}; measured {:.6}, known to {:.6}, nowhere less than {:.6}; asked for {asked}",
+            near.found_mm, kept.known_mm, kept.least_mm
         ),
     }
 }

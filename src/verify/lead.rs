@@ -4,7 +4,7 @@
 //! is looked at with the same measures as the path: the swept ball ([`super::gouge`]), taper and shank, holder
 //! ([`super::clearance`]), continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence for both.
 
-use super::clearance::{self, Nearest, Track};
+use super::clearance::{self, Kept, Track};
 use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
@@ -69,9 +69,10 @@ impl Way {
         Way { centres, theta }
     }
 
-    fn least(&self, part: &Part, segments: &[Segment], room: &Room) -> (Nearest, f64) {
+    /// How near segments come to a part, of which they are to keep `limit_mm`.
+    fn least(&self, part: &Part, segments: &[Segment], limit_mm: f64, room: &Room) -> Kept {
         let track = Track { centres: &self.centres, theta: &self.theta, b_rad: &[room.b_rad], wanted: None };
-        clearance::measure_track(track, part, segments, room.options.clearance_resolution_mm)
+        clearance::kept(track, part, segments, limit_mm, room.options)
     }
 
     fn gouge(&self, room: &Room) -> gouge::Gouge {
@@ -79,13 +80,6 @@ impl Way {
         let sweep = Sweep::of(self.centres.clone(), self.centres.clone(), turns, room.tool.radius_mm, None);
         let part = Allowed::new(&room.blade.part, room.stock_mm);
         gouge::measure(&part, &sweep, room.options.resolution_mm)
-    }
-
-    /// Nearest distance of some segments at the location itself, mm.
-    fn at_foot(&self, part: &Part, segments: &[Segment], room: &Room) -> f64 {
-        let two = |v: &[Point]| v.first().map_or_else(Vec::new, |p| vec![*p; 2]);
-        let theta: Vec<f64> = self.theta.first().map_or_else(Vec::new, |t| vec![*t; 2]);
-        Way { centres: two(&self.centres), theta }.least(part, segments, room).1
     }
 }
 
@@ -98,28 +92,28 @@ fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
 /// Something to keep clear of.
 struct Body<'a> {
     part: &'a Part,
-    deflection_mm: f64,
     obstacle: Option<&'a Obstacle>,
 }
 
 impl Body<'_> {
-    /// Segments that keep clear of it, and by how much.
-    fn asks(&self, mut segments: Vec<Segment>, asked_mm: f64) -> (Vec<Segment>, f64) {
-        let Some(o) = self.obstacle else { return (segments, asked_mm) };
-        segments.retain(|s| !o.cut_by_the_tool || s.name.starts_with("holder"));
-        (segments, o.clearance_mm.min(o.holder_clearance_mm))
+    /// Segments that keep clear of it, and by how much: taper and shank, and the holder.
+    fn asks(&self, room: &Room) -> [(Vec<Segment>, f64); 2] {
+        let [(mut cutter, clearance_mm), (holder, holder_mm)] = groups(room);
+        let Some(o) = self.obstacle else { return [(cutter, clearance_mm), (holder, holder_mm)] };
+        cutter.retain(|_| !o.cut_by_the_tool);
+        [(cutter, o.clearance_mm), (holder, o.holder_clearance_mm)]
     }
 
-    fn named(&self, near: &Nearest) -> String {
-        self.obstacle.map_or_else(|| face(self.part, near), |o| o.name.clone())
+    fn named(&self, face: Option<u32>) -> String {
+        let of_part = || face.map_or_else(|| "nothing".to_owned(), |f| self.part.face_name(f));
+        self.obstacle.map_or_else(of_part, |o| o.name.clone())
     }
 }
 
 /// The part and all that stands around it.
 fn bodies<'a>(room: &'a Room) -> impl Iterator<Item = Body<'a>> {
-    let (part, deflection_mm) = (&room.blade.part, room.blade.part.deflection_mm);
-    let others = room.obstacles.iter().map(|o| Body { part: &o.part, deflection_mm: 0.0, obstacle: Some(o) });
-    let all = std::iter::once(Body { part, deflection_mm, obstacle: None }).chain(others);
+    let others = room.obstacles.iter().map(|o| Body { part: &o.part, obstacle: Some(o) });
+    let all = std::iter::once(Body { part: &room.blade.part, obstacle: None }).chain(others);
     all.filter(|b| !b.part.mesh.triangles.is_empty())
 }
 
@@ -130,8 +124,7 @@ fn groups(room: &Room) -> [(Vec<Segment>, f64); 2] {
     [(cutter, room.options.clearance_mm), (holder, room.options.holder_clearance_mm)]
 }
 
-/// What stands in the way of a lead, in words; `None`: there is room. The tool keeps the clearance that is asked for, or that which it has at
-/// the location itself where that is less.
+/// What stands in the way of a lead, in words; `None`: there is room: the tool keeps the clearance that is asked for.
 pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option<String> {
     let way = Way::new(lead, foot, inwards, room);
     let part = Allowed::new(&room.blade.part, room.stock_mm);
@@ -148,29 +141,20 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
         }
     }
     for body in bodies(room) {
-        for (segments, asked_mm) in groups(room) {
-            let (segments, asked_mm) = body.asks(segments, asked_mm);
+        for (segments, asked_mm) in body.asks(room) {
             if segments.is_empty() {
                 continue;
             }
-            let (near, bound_mm) = way.least(body.part, &segments, room);
-            let slack_mm = 2.0 * room.options.clearance_resolution_mm;
-            let at_foot = || way.at_foot(body.part, &segments, room);
-            let kept_mm = asked_mm.min(if bound_mm < asked_mm { at_foot() } else { asked_mm }) - slack_mm;
-            if bound_mm < kept_mm.max(body.deflection_mm) {
-                let who = segments.get(near.segment).map_or("tool", |s| s.name.as_str());
-                return Some(format!("the {who} would come within {bound_mm:.3} mm of {}", body.named(&near)));
+            let limit_mm = room.options.least_clearance(asked_mm);
+            let kept = way.least(body.part, &segments, limit_mm, room);
+            if kept.least_mm < limit_mm {
+                let who = segments.get(kept.near.segment).map_or("tool", |s| s.name.as_str());
+                let what = body.named(kept.face);
+                return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
             }
         }
     }
     lead.is_arc().then(|| off_travel(lead, room)).flatten()
-}
-
-fn face(part: &Part, near: &Nearest) -> String {
-    match near.triangle {
-        u32::MAX => "nothing".into(),
-        t => part.face_name(part.mesh.face(t as usize)),
-    }
 }
 
 /// An axis that would leave its travel on the arc.
@@ -189,14 +173,11 @@ pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];
     let names = ["lead-clearance", "lead-holder-clearance"];
-    for (name, (segments, asked_mm)) in names.into_iter().zip(groups(room)) {
-        let part = Body { part: &room.blade.part, deflection_mm: room.blade.part.deflection_mm, obstacle: None };
-        out.extend((!segments.is_empty()).then(|| nearest(name, &ways, &part, &segments, asked_mm, plan, room)));
-    }
-    for body in bodies(room).filter(|b| b.obstacle.is_some()) {
-        let (segments, asked_mm) = body.asks(room.tool.segments(), 0.0);
-        let none = segments.is_empty();
-        out.extend((!none).then(|| nearest("lead-obstacle", &ways, &body, &segments, asked_mm, plan, room)));
+    for body in bodies(room) {
+        let names = if body.obstacle.is_some() { ["lead-obstacle"; 2] } else { names };
+        for (name, (segments, asked_mm)) in names.into_iter().zip(body.asks(room)) {
+            out.extend((!segments.is_empty()).then(|| nearest(name, &ways, &body, &segments, asked_mm, plan, room)));
+        }
     }
     if plan.leads.iter().any(Lead::is_arc) {
         out.extend([placed(plan, room), within_travel(plan, room), within_limits(plan, room)]);
@@ -256,16 +237,17 @@ fn nearest(
     plan: &Plan,
     room: &Room,
 ) -> Check {
-    let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(body.part, segments, room)));
-    let worst = found.reduce(|a, b| if b.2.1 < a.2.1 { b } else { a });
-    let (which, row, near, bound) = worst.map_or(("", 0, None, 0.0), |(w, r, (n, b))| (w, r, Some(n), b));
-    let worst = bound - body.deflection_mm;
-    let who = near.and_then(|n| segments.get(n.segment)).map_or("", |s| s.name.as_str());
-    let what = near.map_or_else(String::new, |n| body.named(&n));
+    let limit = room.options.least_clearance(asked_mm);
+    let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(body.part, segments, limit, room)));
+    let worst = found.reduce(|a, b| if b.2.least_mm < a.2.least_mm { b } else { a });
+    let (which, row, kept) = worst.map_or(("", 0, None), |(w, r, k)| (w, r, Some(k)));
+    let worst = kept.map_or(0.0, |k| k.least_mm);
+    let who = kept.and_then(|k| segments.get(k.near.segment)).map_or("", |s| s.name.as_str());
+    let what = kept.map_or_else(String::new, |k| body.named(k.face));
     let quantity = "least distance of the tool without its ball on the ways onto the path and off it";
     let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {asked_mm}");
-    let check = bare(name, quantity, worst, 0.0, "mm", worst >= 0.0, note);
-    at(check, row, near.map(|n| n.point), plan, room.blade)
+    let check = bare(name, quantity, worst, limit, "mm", worst >= limit, note);
+    at(check, row, kept.map(|k| k.near.point), plan, room.blade)
 }
 
 /// The axes place ball centre and tool axis where the leads have them.

@@ -16,6 +16,8 @@
 //! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
+//! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
+//! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
 //! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave.
 //!
@@ -24,6 +26,7 @@
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
 //! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
 
+mod asked;
 pub mod audit;
 mod clearance;
 mod deviation;
@@ -45,8 +48,11 @@ mod sweep;
 mod tests;
 mod uncut;
 mod verdict;
+mod walls;
+mod whole;
 
-pub use clearance::{Standing, standing};
+pub use asked::Asked;
+pub use clearance::{Standing, short_moves, standing};
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;
@@ -99,8 +105,9 @@ pub fn check_among(
     step(0)?;
     let sweep = sweep::Sweep::new(&plan.toolpath);
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    let (check, deepest) = gouge::check(blade, &part, &sweep, options);
-    report.gouge_mm = deepest.found_mm.max(0.0);
+    let (check, _) = gouge::check(blade, &part, &sweep, options);
+    // What is told is what was proven, not the best that was measured.
+    report.gouge_mm = check.worst;
     report.checks.push(check);
     step(1)?;
     scallop::check(&plan, blade, &part, &sweep, options, &mut report, observer);
@@ -122,6 +129,11 @@ pub fn check_among(
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
     report.checks.extend(limits::check(&plan, blade, tool, machine, options));
+    if let Some(asked) = &options.asked {
+        report.checks.extend(asked::check(&plan, blade, asked, options));
+        report.checks.extend(whole::check(&plan, blade, machine));
+        report.checks.extend(walls::check(&plan, blade, obstacles, tool, asked, options));
+    }
     step(4)?;
     Ok(Verdict::of(plan, report))
 }
@@ -134,7 +146,10 @@ pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut 
 }
 
 /// Every list has one row per location and every number is finite.
-fn well_formed(plan: &Plan) -> Result<()> {
+///
+/// # Errors
+/// `Usage`, naming the list or the row.
+pub fn well_formed(plan: &Plan) -> Result<()> {
     let n = plan.toolpath.locations.len();
     let bad = |what: String| Err(Error::usage(Stage::Verify, what));
     if n < 2 {
@@ -145,6 +160,7 @@ fn well_formed(plan: &Plan) -> Result<()> {
         ("schedule", plan.schedule.theta.len()),
         ("axis motion", plan.motion.position.len()),
         ("axis times", plan.motion.t_s.len()),
+        ("feeds", plan.motion.feed.len()),
     ] {
         if len != n {
             return bad(format!("the plan has {n} cutter locations but {len} rows of {name}"));

@@ -260,14 +260,20 @@ fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyO
     let highest = sorted.last().filter(|_| over > 0)?;
     let p = blade.model_from_blade * highest.point;
     Some(format!(
-        "{:.2} % of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
-        100.0 * over as f64 / sorted.len() as f64,
+        "{} % of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
+        two_digits(100.0 * over as f64 / sorted.len() as f64),
         highest.height_mm,
         plan.toolpath.locations[highest.row].turn,
         p.x,
         p.y,
         p.z
     ))
+}
+
+/// A number above 0 with two digits that count, or whole: a small share is not nothing.
+fn two_digits(x: f64) -> String {
+    let decimals = (1.0 - x.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{x:.decimals$}")
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.

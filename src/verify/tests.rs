@@ -124,6 +124,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             rows: theta.iter().map(row).collect(),
             narrowest_row: 0,
             chains: 1,
+            proven_at: Vec::new(),
         },
         schedule: Schedule {
             kind: ScheduleKind::Fixed,

@@ -1,0 +1,131 @@
+//! The programs of a finished run, read back from its folder.
+
+use super::{Setup, leads};
+use crate::artifact::program::{Control, Language};
+use crate::artifact::report::Check;
+use crate::artifact::{Plan, Program};
+use crate::error::Result;
+use crate::output::RunFolder;
+use crate::post::Dialect;
+use crate::verify::program::guess;
+use crate::verify::{self, Verified};
+
+/// Ends of names that programs have and nothing else in the folder of a run.
+const PROGRAMS: [&str; 16] =
+    ["apt", "arc", "cls", "cnc", "eia", "gcode", "h", "i", "iso", "mpf", "nc", "ngc", "pgm", "prg", "spf", "tap"];
+/// Ends of names that programs do not have, though words in them may look like those of one.
+const NO_PROGRAMS: [&str; 22] = [
+    "csv", "glb", "gltf", "html", "iges", "igs", "jpg", "json", "log", "md", "obj", "parquet", "pdf", "ply", "png",
+    "step", "stl", "stp", "svg", "toml", "txt", "zip",
+];
+
+/// What reading the programs of a finished run back finds: those that its job asks for, and every other file in its folder that is a program. One
+/// that the job asks for and that is not there is a finding, unless none was to be written: `none_expected`.
+///
+/// # Errors
+/// Those of the dialects.
+pub fn programs_again(
+    setup: &Setup,
+    verified: &Verified<Plan>,
+    folder: &RunFolder,
+    none_expected: bool,
+) -> Result<Vec<Check>> {
+    let dialects: Vec<Dialect> = setup.dialects()?.into_iter().map(|(_, dialect)| dialect).collect();
+    let mut found = Vec::new();
+    for dialect in &dialects {
+        let name = dialect.file_name();
+        match folder.content(name) {
+            Some(content) => found.extend(one(setup, name, &content, dialect, verified.value())),
+            None if none_expected || verified.forced() => {}
+            None => found.push(absent(name)),
+        }
+    }
+    for name in folder.names().iter().filter(|n| dialects.iter().all(|d| d.file_name() != n.as_str())) {
+        let Some(content) = folder.content(name) else { continue };
+        found.extend(other(setup, name, &content, &dialects, verified)?);
+    }
+    Ok(found)
+}
+
+/// A program that a dialect wrote of a plan.
+fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, plan: &Plan) -> Vec<Check> {
+    read_back(setup, name, content, dialect.name(), dialect.language(), plan)
+}
+
+fn read_back(setup: &Setup, name: &str, content: &[u8], control: &str, language: Language, plan: &Plan) -> Vec<Check> {
+    let Ok(text) = String::from_utf8(content.to_vec()) else {
+        return vec![unreadable(name, "it is not a text in UTF-8".into())];
+    };
+    let program = Program { control: control.to_owned(), file_name: name.to_owned(), language, text };
+    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
+    match verify::program::read_back(&program, plan, blade, tool, machine) {
+        Ok(checks) => checks,
+        Err(e) => vec![unreadable(name, e.message)],
+    }
+}
+
+/// A file beside the programs that the job asks for; empty: it is no program.
+fn other(
+    setup: &Setup,
+    name: &str,
+    content: &[u8],
+    asked: &[Dialect],
+    verified: &Verified<Plan>,
+) -> Result<Vec<Check>> {
+    let built_in = Control::ALL.into_iter().map(Dialect::built_in).collect::<Result<Vec<_>>>()?;
+    let dialect = |name: &str| asked.iter().chain(&built_in).find(|d| d.file_name() == name);
+    if let Some(dialect) = dialect(name) {
+        return Ok(one(setup, name, content, dialect, verified.value()));
+    }
+    if name.starts_with("from_operation_") {
+        let why =
+            "it goes on within a program of several runs, which this plan cannot judge: take it out of the folder";
+        return Ok(vec![unreadable(name, why.into())]);
+    }
+    let rest = name.strip_prefix("from_turn_").and_then(|n| n.split_once('.'));
+    let rest = rest.and_then(|(turn, rest)| Some((turn.parse::<usize>().ok()?, dialect(rest)?)));
+    if let Some((turn, dialect)) = rest {
+        return Ok(match leads::restart(setup, verified, turn) {
+            Ok(left) => one(setup, name, content, dialect, left.value()),
+            Err(e) => vec![unreadable(name, e.message)],
+        });
+    }
+    let end = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase()).unwrap_or_default();
+    if NO_PROGRAMS.contains(&end.as_str()) {
+        return Ok(Vec::new());
+    }
+    let guessed = std::str::from_utf8(content).ok().and_then(guess);
+    Ok(match guessed {
+        Some(g) => read_back(setup, name, content, g.why, g.language, verified.value()),
+        None if PROGRAMS.contains(&end.as_str()) => {
+            vec![unreadable(name, "nobody knows how it is to be read: take it out of the folder".into())]
+        }
+        None => Vec::new(),
+    })
+}
+
+/// A program that a control would not understand either, or that nobody can judge.
+fn unreadable(file_name: &str, why: String) -> Check {
+    let quantity = format!("{file_name}: lines that cannot be read");
+    finding("program-readable", quantity, "lines", format!("{file_name}: {why}"))
+}
+
+fn absent(file_name: &str) -> Check {
+    let note = format!("{file_name} is not in the folder, the job asks for it: write it with `post`, or plan again");
+    finding("program-absent", "programs that the job asks for and that are not there".into(), "", note)
+}
+
+fn finding(name: &str, quantity: String, unit: &str, note: String) -> Check {
+    Check {
+        name: name.into(),
+        quantity,
+        worst: 1.0,
+        limit: 0.0,
+        unit: unit.into(),
+        passed: false,
+        row: None,
+        turn: None,
+        point_mm: None,
+        note,
+    }
+}

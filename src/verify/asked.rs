@@ -1,0 +1,221 @@
+//! What the job asks for, against the plan: the region, the tool, the scallop and all that a plan holds of its job.
+//!
+//! Planning makes a plan from its job, so these checks pass then. They are for plans that are read from files: a plan of another job is a good plan by
+//! itself, and leaves uncut what its job did not ask for.
+//!
+//! | check | measured |
+//! | --- | --- |
+//! | `job` | values of the plan that are not those of the job |
+//! | `job-region` | how far the path ends before the heights that the job asks for, or goes beyond them |
+//! | `job-feed` | feed of the ball centre between two locations, from their distance and their times |
+//!
+//! **Limits**: a path may end higher than asked for where the wall leans too far, the ball loses the surface or comes to an edge, a face or a corner. Of these
+//! reasons only the lean is measured here; any other is repeated in the note.
+
+use super::options::VerifyOptions;
+use crate::artifact::report::Check;
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::{CutterLocation, Direction, PathKind, Turn};
+use crate::artifact::{Blade, Plan, Toolpath};
+
+/// What a plan holds of its job. Lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// How turns lie.
+    pub kind: PathKind,
+    /// Climb or conventional milling.
+    pub direction: Direction,
+    /// Radius of the ball.
+    pub radius_mm: f64,
+    /// Stock that stays on the part.
+    pub stock_mm: f64,
+    /// Chord tolerance.
+    pub chord_mm: f64,
+    /// Height of the first ball centres.
+    pub start_mm: f64,
+    /// Height of the last ones; `None`: as far down as the tool comes.
+    pub end_mm: Option<f64>,
+    /// Greatest lean of the wall, rad.
+    pub max_lean_rad: f64,
+    /// Angle of the head, rad.
+    pub b_rad: f64,
+    /// Least and greatest angle between tool axis and surface normal, rad.
+    pub contact_rad: [f64; 2],
+    /// Limits of θ from those of the rotary axis, rad; `None`: it turns without end.
+    pub theta_limits_rad: Option<[f64; 2]>,
+    /// Tolerance of the channel's ends, rad.
+    pub tolerance_rad: f64,
+    /// How the schedule is made.
+    pub schedule: ScheduleKind,
+    /// Greatest feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Radius of the leads; 0: straight.
+    pub lead_radius_mm: f64,
+}
+
+/// Values that JSON and arithmetic in radians keep.
+const SAME: f64 = 1e-9;
+/// A path ends at the height that was asked for within so many chord tolerances: turns are smooth curves through places at that height.
+const CHORDS: f64 = 10.0;
+/// ... and at its beginning, which slants with the end, within so many stepovers on flat ground.
+const STEPOVERS: f64 = 3.0;
+/// A wall that ends the path leans by the greatest lean, but for this, rad: places of a turn are some tenths of a stepover apart.
+const LEAN_RAD: f64 = 0.1;
+/// Feeds from rounded times and straight distances may be so much higher, relative.
+const FEED: f64 = 1e-4;
+
+/// The checks of this module.
+pub(super) fn check(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) -> Vec<Check> {
+    vec![values(plan, asked, options), region(plan, blade, asked, options), feed(plan, blade, asked)]
+}
+
+/// A check without a place.
+pub(super) fn bare(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Check {
+    let worst = if worst.is_finite() { worst } else { f64::MAX };
+    Check {
+        name: name.into(),
+        quantity: quantity.into(),
+        worst,
+        limit,
+        unit: unit.into(),
+        passed: worst <= limit,
+        row: None,
+        turn: None,
+        point_mm: None,
+        note,
+    }
+}
+
+/// The check at a location.
+pub(super) fn placed(check: Check, row: usize, plan: &Plan, blade: &Blade) -> Check {
+    let location = plan.toolpath.locations.get(row);
+    let point = location.map(|l| blade.model_from_blade * l.centre);
+    Check { row: Some(row), turn: location.map(|l| l.turn), point_mm: point.map(|p| [p.x, p.y, p.z]), ..check }
+}
+
+/// Single values.
+fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
+    let (path, channel) = (&plan.toolpath, &plan.channel);
+    let mut wrong = Vec::new();
+    let mut number = |key: &str, is: f64, want: f64| {
+        if !((is - want).abs() <= SAME * (1.0 + want.abs())) {
+            wrong.push(format!("{key} is {is} in plan.json, the job asks for {want}"));
+        }
+    };
+    number("tool.radius_mm", path.radius_mm, asked.radius_mm);
+    number("path.scallop_mm", path.scallop_mm, options.scallop_mm);
+    number("path.stock_mm", path.stock_mm, asked.stock_mm);
+    number("path.chord_mm", path.chord_mm, asked.chord_mm);
+    number("machine.b_deg", channel.b_rad.to_degrees(), asked.b_rad.to_degrees());
+    number("channel.tolerance_deg", channel.tolerance_rad.to_degrees(), asked.tolerance_rad.to_degrees());
+    if path.kind != asked.kind {
+        wrong.push(format!("path.kind is {} in plan.json, the job asks for {}", path.kind.name(), asked.kind.name()));
+    }
+    if plan.schedule.kind != asked.schedule {
+        let (is, want) = (plan.schedule.kind, asked.schedule);
+        wrong.push(format!("schedule.kind is {is:?} in plan.json, the job asks for {want:?}").to_lowercase());
+    }
+    for (name, lead) in ["lead-in", "lead-out"].into_iter().zip(&plan.leads) {
+        let most = asked.lead_radius_mm;
+        if lead.is_arc() && !(lead.radius_mm > 0.0 && lead.radius_mm <= most * (1.0 + SAME)) {
+            wrong.push(format!("the {name} has radius {} in plan.json, feed.lead_radius_mm is {most}", lead.radius_mm));
+        } else if !lead.is_arc() && most > 0.0 && lead.reason.is_empty() {
+            wrong.push(format!("the {name} is no arc in plan.json, without a reason; feed.lead_radius_mm is {most}"));
+        }
+    }
+    let quantity = "values of the plan that are not those of the job";
+    bare("job", quantity, wrong.len() as f64, 0.0, "", wrong.join("; "))
+}
+
+/// Heights of a turn's ball centres: least, mean, greatest.
+fn heights(locations: &[CutterLocation], turn: &Turn) -> [f64; 3] {
+    let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
+    let (lo, hi) =
+        of.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), l| (a.min(l.centre.x), b.max(l.centre.x)));
+    [lo, of.iter().map(|l| l.centre.x).sum::<f64>() / of.len() as f64, hi]
+}
+
+/// The heights that the path covers.
+fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) -> Check {
+    let path = &plan.toolpath;
+    let quantity = "how far the path ends before the heights that the job asks for, or goes beyond them";
+    let unit = "mm";
+    let (Some(first), Some(last)) = (path.turns.first(), path.turns.last()) else {
+        let note = "plan.json has no turns".into();
+        return bare("job-region", quantity, f64::MAX, 0.0, unit, note);
+    };
+    let climbs = asked.direction == Direction::Climb;
+    let (upper, lower) = if climbs { (first, last) } else { (last, first) };
+    let (top, bottom) = (heights(&path.locations, upper), heights(&path.locations, lower));
+    let (r, h) = (asked.radius_mm, options.scallop_mm);
+    let room = STEPOVERS * 2.0 * (h * (2.0 * r - h)).max(0.0).sqrt();
+    let close = CHORDS * asked.chord_mm;
+    // How far over what is allowed, and what to say of it.
+    let mut found: Vec<(f64, usize, String)> = Vec::new();
+    let (hi, lo) = (top[2], bottom[0]);
+    let start = asked.start_mm;
+    let says = format!("the path begins between heights {:.3} and {hi:.3}, region.start_mm is {start}", top[0]);
+    found.push((start - hi - close, upper.first, says.clone()));
+    found.push((top[0] - start - room, upper.first, says));
+    if let Some(end) = asked.end_mm {
+        let reason = if ends_as_asked(path) { String::new() } else { format!(", since {}", path.end_reason) };
+        let says = format!("the path ends at height {lo:.3}, region.end_mm is {end}{reason}");
+        found.push((end - lo - close, lower.first, says.clone()));
+        if ends_as_asked(path) {
+            found.push((lo - end - close, lower.first, says.clone()));
+            found.push((
+                bottom[1] - end - room,
+                lower.first,
+                format!("{says}, the mean of its last turn is {:.3}", bottom[1]),
+            ));
+        } else if path.end_reason.starts_with("the wall leans over more than") {
+            let leans = leans(&path.locations, lower);
+            let short = if leans >= asked.max_lean_rad - LEAN_RAD { f64::NEG_INFINITY } else { lo - end };
+            found.push((short, lower.first, format!("{says}; the wall leans by {:.1}° there", leans.to_degrees())));
+        }
+    }
+    let [a, b] = path.region_x_mm;
+    let claimed = (a.max(b) - hi).abs().max((a.min(b) - lo).abs());
+    found.push((
+        claimed - close,
+        lower.first,
+        format!("plan.json says that it goes from {a:.3} to {b:.3}, its locations from {hi:.3} to {lo:.3}"),
+    ));
+    let down = heights(&path.locations, first)[1] - heights(&path.locations, last)[1];
+    let wrong_way = if climbs { -down } else { down };
+    found.push((
+        if path.turns.len() > 1 { wrong_way } else { 0.0 },
+        0,
+        format!("the path runs {:.3} mm the wrong way for {:?} milling", wrong_way, asked.direction),
+    ));
+    let worst = found.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let (over, row, says) = worst.unwrap_or_default();
+    let note = if over > 0.0 { says } else { format!("heights {hi:.3} to {lo:.3}: {}", path.end_reason) };
+    let check = bare("job-region", quantity, over.max(0.0), 0.0, unit, note);
+    placed(check, row, plan, blade)
+}
+
+fn ends_as_asked(path: &Toolpath) -> bool {
+    path.end_reason == Toolpath::END_OF_REGION
+}
+
+/// Greatest lean of the wall towards the tip along a turn, rad.
+fn leans(locations: &[CutterLocation], turn: &Turn) -> f64 {
+    let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
+    of.iter().map(|l| l.normal.x).fold(-1.0, f64::max).clamp(-1.0, 1.0).asin()
+}
+
+/// The greatest feed.
+fn feed(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
+    let rows: Vec<_> = plan.rows().collect();
+    let speeds = rows.windows(2).map(|w| (w[1].centre - w[0].centre).norm() / (w[1].t_s - w[0].t_s) * 60.0);
+    let worst = speeds.enumerate().fold((0.0f64, 0), |best, (row, v)| {
+        let v = if v >= 0.0 { v } else { f64::MAX };
+        if v > best.0 { (v, row) } else { best }
+    });
+    let limit = asked.feed_mm_min * (1.0 + FEED);
+    let quantity = "greatest feed of the ball centre, from locations and times";
+    let row = worst.1.saturating_sub(plan.leads[0].centres.len()).min(plan.toolpath.locations.len().saturating_sub(1));
+    let note = format!("the job asks for at most {}", asked.feed_mm_min);
+    placed(bare("job-feed", quantity, worst.0, limit, "mm/min", note), row, plan, blade)
+}

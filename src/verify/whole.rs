@@ -1,0 +1,213 @@
+//! A plan agrees with itself: turns with locations, contacts with centres, the motion's columns with its positions and times.
+//!
+//! The other checks rest on some of these numbers and pass over the rest; a plan that is read from a file is judged by all of them, since others read them.
+//!
+//! | check | measured |
+//! | --- | --- |
+//! | `plan-turns` | locations whose turn, or whose length along turn and path, is not what follows from the ball centres |
+//! | `plan-contacts` | distance of contacts from the centre less the ball's radius along the normal, and from the part with its stock |
+//! | `plan-motion` | velocities, accelerations and jerks against positions and times; feeds against lengths and times; rest at both ends |
+//!
+//! Velocities are the integral of accelerations and positions that of velocities. With a jerk of at most `J` the trapezoidal rule over a step `h` is off by at most
+//! `J h³/12` for positions and `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other. Jerks may jump between locations;
+//! their root mean square is compared with that of the accelerations' difference quotients.
+
+use rayon::prelude::*;
+
+use super::asked::{bare, placed};
+use crate::artifact::report::Check;
+use crate::artifact::toolpath::CutterLocation;
+use crate::artifact::{AxisMotion, Blade, Plan};
+use crate::geometry::Point;
+use crate::machine::Machine;
+
+/// Lengths that follow from sums of thousands of distances, mm.
+const LENGTH_MM: f64 = 1e-6;
+/// Contacts lie on the part within this, mm: what the distance to exact faces is good for.
+const CONTACT_MM: f64 = 1e-4;
+/// Contacts farther off are so far off, mm.
+const FAR_MM: f64 = 1.0;
+/// Feeds are of arcs on the leads, lengths of their chords; relative.
+const FEED: f64 = 1e-3;
+/// Jerks on the safe side of their limit by the solver's tolerance.
+const JERK: f64 = 1.01;
+/// What rounding leaves of velocities and accelerations, relative to their limits.
+const ROUNDING: f64 = 1e-6;
+/// Root mean squares of jerks and of difference quotients are alike within this factor.
+const ALIKE: f64 = 3.0;
+
+/// The checks of this module.
+pub(super) fn check(plan: &Plan, blade: &Blade, machine: &Machine) -> Vec<Check> {
+    vec![turns(plan, blade), contacts(plan, blade), motion(plan, blade, machine)]
+}
+
+/// Findings in a list, of which the first is told.
+#[derive(Default)]
+struct Found {
+    count: usize,
+    first: Option<(usize, String)>,
+}
+
+impl Found {
+    fn add(&mut self, row: usize, says: impl FnOnce() -> String) {
+        self.count += 1;
+        self.first.get_or_insert_with(|| (row, says()));
+    }
+
+    /// `row` of a number in a column that is not what it should be.
+    fn number(&mut self, row: usize, column: &str, is: f64, want: f64, slack: f64) {
+        if !((is - want).abs() <= slack) {
+            self.add(row, || format!("plan.json, location {row}: {column} is {is}, by the others it is {want}"));
+        }
+    }
+
+    fn check(self, name: &str, quantity: &str, plan: &Plan, blade: &Blade) -> Check {
+        let (row, note) = self.first.map_or((None, String::new()), |(row, says)| (Some(row), says));
+        let check = bare(name, quantity, self.count as f64, 0.0, "", note);
+        row.map_or(check.clone(), |row| placed(check, row, plan, blade))
+    }
+}
+
+/// Turns and lengths.
+fn turns(plan: &Plan, blade: &Blade) -> Check {
+    let (locations, turns) = (&plan.toolpath.locations, &plan.toolpath.turns);
+    let mut found = Found::default();
+    let mut next = 0;
+    for (k, turn) in turns.iter().enumerate() {
+        if turn.first != next || turn.count == 0 || next + turn.count > locations.len() {
+            let is = format!("turn {k} has locations {} to {}", turn.first, turn.first + turn.count);
+            found.add(next.min(locations.len() - 1), || format!("plan.json: {is}, the one before ends at {next}"));
+            break;
+        }
+        let of = &locations[turn.first..turn.first + turn.count];
+        let base = of[0].s_mm;
+        for (i, l) in of.iter().enumerate() {
+            found.number(turn.first + i, "turn", f64::from(l.turn), k as f64, 0.0);
+            found.number(turn.first + i, "turn_s_mm", l.turn_s_mm, l.s_mm - base, LENGTH_MM);
+        }
+        next += turn.count;
+        let end = locations.get(next).or(locations.last()).map_or(base, |l| l.s_mm);
+        found.number(turn.first, "length_mm of the turn", turn.length_mm, end - base, LENGTH_MM);
+    }
+    if next != locations.len() && found.count == 0 {
+        found.add(next, || format!("plan.json: turns end at location {next}, there are {}", locations.len()));
+    }
+    for (k, pair) in locations.windows(2).enumerate() {
+        let step = (pair[1].centre - pair[0].centre).norm();
+        found.number(k + 1, "s_mm", pair[1].s_mm, pair[0].s_mm + step, LENGTH_MM * (1.0 + step));
+    }
+    let quantity = "locations whose turn or length is not what follows from turns and ball centres";
+    found.check("plan-turns", quantity, plan, blade)
+}
+
+/// Contacts and normals.
+fn contacts(plan: &Plan, blade: &Blade) -> Check {
+    let path = &plan.toolpath;
+    let off = |l: &CutterLocation| {
+        let along = (l.centre - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
+        let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
+        along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))
+    };
+    let all: Vec<f64> = path.locations.par_iter().map(off).collect();
+    let worst = all.iter().enumerate().fold((0.0f64, 0), |best, (row, off)| {
+        let off = if off.is_nan() { f64::MAX } else { *off };
+        if off > best.0 { (off, row) } else { best }
+    });
+    let quantity = "distance of a contact from the part with its stock, or from the ball along its normal";
+    let says = |l: &CutterLocation| {
+        let want = l.centre - l.normal * path.radius_mm;
+        let [is, want] = [l.contact, want].map(|p| format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z));
+        format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
+    };
+    let note = path.locations.get(worst.1).filter(|_| worst.0 > CONTACT_MM).map_or(String::new(), says);
+    placed(bare("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note), worst.1, plan, blade)
+}
+
+/// All rows of the motion, leads and path, and the ball centre at each.
+fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
+    let [before, after] = &plan.leads;
+    let mut out = AxisMotion::default();
+    for m in [&before.motion, &plan.motion, &after.motion] {
+        out.t_s.extend(&m.t_s);
+        out.feed.extend(&m.feed);
+        out.position.extend(&m.position);
+        out.velocity.extend(&m.velocity);
+        out.acceleration.extend(&m.acceleration);
+        out.jerk.extend(&m.jerk);
+    }
+    (out, plan.rows().map(|r| r.centre).collect())
+}
+
+/// Derivatives and feeds.
+fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
+    let (m, centres) = all_rows(plan);
+    let n = m.t_s.len();
+    let mut found = Found::default();
+    let lengths = [m.feed.len(), m.velocity.len(), m.acceleration.len(), m.jerk.len(), centres.len()];
+    let quantity = "numbers of the motion that are not what follows from positions and times";
+    if lengths.iter().any(|l| *l != n) {
+        found.add(0, || {
+            format!("plan.json: {n} times, but {lengths:?} feeds, velocities, accelerations, jerks and centres")
+        });
+        return found.check("plan-motion", quantity, plan, blade);
+    }
+    let last = plan.toolpath.locations.len().saturating_sub(1);
+    let row = |k: usize| k.saturating_sub(plan.leads[0].centres.len()).min(last);
+    let names = machine.axis_names();
+    for (axis, limit) in machine.limits().iter().enumerate() {
+        let (unit, name) = (if axis < 3 { 1.0 } else { 1f64.to_degrees() }, names[axis]);
+        let jerk = JERK * limit.jerk;
+        let (still, steady) = (ROUNDING * limit.velocity, ROUNDING * limit.acceleration);
+        for k in 0..n - 1 {
+            let h = m.t_s[k + 1] - m.t_s[k];
+            let [(q0, v0, a0), (q1, v1, a1)] =
+                [k, k + 1].map(|i| (m.position[i][axis], m.velocity[i][axis], m.acceleration[i][axis]));
+            let (mean_v, mean_a) = ((q1 - q0) / h, (v1 - v0) / h);
+            let says = |what: &str, is: f64, want: f64| {
+                let at = format!("plan.json, location {}", row(k));
+                format!(
+                    "{at}: the {what} of axis {name} is {} in the mean of its columns, by the one before {}",
+                    is * unit,
+                    want * unit
+                )
+            };
+            if !((mean_v - 0.5 * (v0 + v1)).abs() <= jerk * h * h / 12.0 + still) {
+                found.add(row(k), || says("velocity", 0.5 * (v0 + v1), mean_v));
+            }
+            if !((mean_a - 0.5 * (a0 + a1)).abs() <= jerk * h / 4.0 + steady) {
+                found.add(row(k), || says("acceleration", 0.5 * (a0 + a1), mean_a));
+            }
+        }
+        let square = |v: &mut dyn Iterator<Item = f64>| (v.map(|x| x * x).sum::<f64>() / n as f64).sqrt();
+        let is = square(&mut m.jerk.iter().map(|j| j[axis]));
+        let mean = |k: usize| (m.acceleration[k + 1][axis] - m.acceleration[k][axis]) / (m.t_s[k + 1] - m.t_s[k]);
+        let want = square(&mut (0..n - 1).map(mean));
+        if !(is <= ALIKE * want + ROUNDING * limit.jerk && want <= ALIKE * is + ROUNDING * limit.jerk) {
+            found.add(0, || {
+                format!(
+                    "plan.json: the root mean square of axis {name}'s jerk is {}, by its accelerations {}",
+                    is * unit,
+                    want * unit
+                )
+            });
+        }
+        for k in [0, n - 1] {
+            found.number(
+                row(k),
+                &format!("velocity of axis {name} at the end of the way"),
+                m.velocity[k][axis] * unit,
+                0.0,
+                still * unit,
+            );
+        }
+    }
+    found.number(0, "t_s of the first row", m.t_s[0], 0.0, 0.0);
+    let (first, end) = (plan.motion.t_s.first().unwrap_or(&0.0), plan.motion.t_s.last().unwrap_or(&0.0));
+    found.number(0, "time_s", plan.motion.time_s, end - first, 1e-9 * (1.0 + end.abs()));
+    for k in 1..n {
+        // Lead rows are arcs, whose length is a little more than the chord.
+        let want = (centres[k] - centres[k - 1]).norm() / (m.t_s[k] - m.t_s[k - 1]);
+        found.number(row(k), "feed_mm_s", m.feed[k], want, FEED * want);
+    }
+    found.check("plan-motion", quantity, plan, blade)
+}
