@@ -13,7 +13,9 @@ use bladewright::observe::Silent;
 use bladewright::verify;
 
 fn blades() -> PathBuf {
-    std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from).expect("BLADEWRIGHT_BLADES names the folder of real blades")
+    std::env::var_os("BLADEWRIGHT_BLADES")
+        .map(PathBuf::from)
+        .expect("BLADEWRIGHT_BLADES names the folder of real blades")
 }
 
 /// Runs `plan` into the folder `out` of a temporary one.

@@ -46,8 +46,7 @@ fn model() -> String {
 /// Names of everything in a folder, hidden things too.
 fn names(dir: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(dir).expect("readable");
-    let mut all: Vec<String> =
-        entries.map(|e| e.expect("entry").file_name().to_string_lossy().into_owned()).collect();
+    let mut all: Vec<String> = entries.map(|e| e.expect("entry").file_name().to_string_lossy().into_owned()).collect();
     all.sort();
     all
 }
@@ -105,7 +104,8 @@ fn a_new_run_takes_the_place_of_the_old_one() {
 
     // A run that stops early leaves nothing of a whole one.
     ends(&plan(&model, "out", &["--until", "path"]), d, 0);
-    let wanted = ["job.resolved.toml", "manifest.json", "notes.txt", "plots", "program.nc", "sections.json", "toolpath.json"];
+    let wanted =
+        ["job.resolved.toml", "manifest.json", "notes.txt", "plots", "program.nc", "sections.json", "toolpath.json"];
     assert_eq!(names(&out), wanted);
 
     // And one that finds no plan leaves all as it is.

@@ -101,7 +101,10 @@ fn what_files_say_does_not_steer_the_terminal() {
         }
     }
     let (_, text) = run(&["inspect", &hostile_step], d);
-    assert!(text.contains("x\\u{1b}]0;OWNED\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}.step"), "what is hidden is shown: {text}");
+    assert!(
+        text.contains("x\\u{1b}]0;OWNED\\u{7}\\u{1b}[2J\\u{9b}31m\\u{202e}.step"),
+        "what is hidden is shown: {text}"
+    );
     let (code, text) = run(&["inspect", "group.obj", HOSTILE], d);
     assert_eq!(code, Some(2));
     is_plain(&text);
@@ -121,12 +124,12 @@ fn pipes_and_devices_are_refused_at_once() {
     let put = |name: &str, text: &str| std::fs::write(d.join(name), text).expect("writable");
     put("buffer.gltf", "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"pipe.bin\",\"byteLength\":4}]}");
     put("table.toml", "[sections]\nfiles = \"pipe.csv\"\ncolumns = [\"x\", \"y\", \"z\"]\n");
-    put("family.toml", "models = \"*.stl\"\n[template]\ntable = \"pipe.csv\"\n");
     put("rows.toml", "design = \"prism\"\ntable = \"pipe.csv\"\n");
     put("tool.toml", "radius_mm = 3\ntaper_deg = 0\nshank_radius_mm = 3\nstickout_mm = 50\nholder = []\n");
     put("good.nc", "G94 G1 X1 Y1 Z1 F5\nM30\n");
     let set = |key: &str, file: &str| format!("{key}={}", d.join(file).display());
-    let (machine, zero, post) = (set("machine.file", "pipe.toml"), set("machine.file", "zero.toml"), "post.files=[\"pipe.toml\"]");
+    let (machine, zero, post) =
+        (set("machine.file", "pipe.toml"), set("machine.file", "zero.toml"), "post.files=[\"pipe.toml\"]");
     let refused: [&[&str]; 14] = [
         &["inspect", "pipe.step"],
         &["inspect", "zero.step"],
@@ -174,7 +177,8 @@ fn meshes_without_bound_are_refused() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();
     for (far, unit) in [("1e308", "mm"), ("-1e200", "m"), ("1e51", "mm"), ("1e48", "m")] {
-        std::fs::write(d.join("far.obj"), obj("a").replacen("v 30 10 60", &format!("v 30 10 {far}"), 1)).expect("writable");
+        std::fs::write(d.join("far.obj"), obj("a").replacen("v 30 10 60", &format!("v 30 10 {far}"), 1))
+            .expect("writable");
         let (code, text) = run(&["inspect", "far.obj", "--unit", unit], d);
         assert_eq!(code, Some(4), "{far}: {text}");
         assert!(text.contains("out of all bounds") && !text.contains("NaN"), "{text}");

@@ -17,9 +17,10 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "machine" => &["numerics", "geometry", "artifact", "tool", "files"],
         "model" | "make" | "section" | "path" | "channel" | "schedule" | "lead" | "feed" | "verify" | "job" => STAGE,
         "post" | "preview" | "output" => WRITER,
-        "batch" => {
-            &["numerics", "geometry", "artifact", "tool", "machine", "model", "make", "job", "output", "pipeline", "files"]
-        }
+        "batch" => &[
+            "numerics", "geometry", "artifact", "tool", "machine", "model", "make", "job", "output", "pipeline",
+            "files",
+        ],
         // `sample` is a made-up plan for unit tests only.
         "pipeline" | "cli" | "lib" | "main" | "sample" => return None,
         _ => panic!("src/{room} has no place in the layering: give it one in tests/layering.rs"),

@@ -179,7 +179,8 @@ impl Store for Folder {
     }
 
     fn left_over(&self, name: &str) -> Option<Record> {
-        let record: Record = serde_json::from_slice(&files::read(&self.work(name).join(RECORD), files::LONG).ok()?).ok()?;
+        let record: Record =
+            serde_json::from_slice(&files::read(&self.work(name).join(RECORD), files::LONG).ok()?).ok()?;
         self.has_all(&self.work(name), &record).then_some(record)
     }
 }

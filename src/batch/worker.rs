@@ -163,7 +163,8 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
         draft = draft.model_saved_as(Path::new(MODEL));
     }
     let own = work.old.filter(|r| r.status != Status::Failed).map(|r| r.name.as_str());
-    let earlier: Vec<Earlier> = own.into_iter().chain(work.helper).filter_map(|name| earlier(work.store, name)).collect();
+    let earlier: Vec<Earlier> =
+        own.into_iter().chain(work.helper).filter_map(|name| earlier(work.store, name)).collect();
     let course = Course { timeless: true, ..Course::default() };
     pipeline::run_on(&draft, folder, course, &earlier, observer)
 }

@@ -141,14 +141,14 @@ mod tests {
     fn nothing_steers_the_terminal() {
         let hostile = "x\u{1b}]0;OWNED\u{7}\r\n\u{9b}2J\u{7f}\u{202e}a\u{2066}b\u{2028}";
         let shown = visible(hostile);
-        assert_eq!(
-            shown,
-            "x\\u{1b}]0;OWNED\\u{7}\\u{d}\\u{a}\\u{9b}2J\\u{7f}\\u{202e}a\\u{2066}b\\u{2028}"
-        );
+        assert_eq!(shown, "x\\u{1b}]0;OWNED\\u{7}\\u{d}\\u{a}\\u{9b}2J\\u{7f}\\u{202e}a\\u{2066}b\\u{2028}");
         assert_eq!(visible("S–θ 3° µm²\tüß 鋼"), "S–θ 3° µm²\tüß 鋼");
         let json = escaped_json(&serde_json::json!({ hostile: [hostile] }).to_string());
         assert!(!json.chars().any(super::steers), "{json}");
-        assert_eq!(serde_json::from_str::<serde_json::Value>(&json).ok(), Some(serde_json::json!({ hostile: [hostile] })));
+        assert_eq!(
+            serde_json::from_str::<serde_json::Value>(&json).ok(),
+            Some(serde_json::json!({ hostile: [hostile] }))
+        );
     }
 
     #[test]

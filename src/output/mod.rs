@@ -12,8 +12,8 @@ pub mod tables;
 use std::path::Path;
 
 pub use folder::RunFolder;
-pub(crate) use staging::sync;
 use staging::Staging;
+pub(crate) use staging::sync;
 
 use crate::error::{Error, Result, Stage};
 

@@ -78,7 +78,8 @@ impl Staging {
             Ok(()) => Err(e),
             Err(second) => {
                 let left = self.folder.keep();
-                let told = format!("{e}; and what was there before could not be put back from {}: {second}", left.display());
+                let told =
+                    format!("{e}; and what was there before could not be put back from {}: {second}", left.display());
                 Err(io::Error::new(e.kind(), told))
             }
         }
