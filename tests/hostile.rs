@@ -124,7 +124,6 @@ fn pipes_and_devices_are_refused_at_once() {
     let put = |name: &str, text: &str| std::fs::write(d.join(name), text).expect("writable");
     put("buffer.gltf", "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"pipe.bin\",\"byteLength\":4}]}");
     put("table.toml", "[sections]\nfiles = \"pipe.csv\"\ncolumns = [\"x\", \"y\", \"z\"]\n");
-    put("family.toml", "models = \"*.stl\"\n[template]\ntable = \"pipe.csv\"\n");
     put("rows.toml", "design = \"prism\"\ntable = \"pipe.csv\"\n");
     put("tool.toml", "radius_mm = 3\ntaper_deg = 0\nshank_radius_mm = 3\nstickout_mm = 50\nholder = []\n");
     put("good.nc", "G94 G1 X1 Y1 Z1 F5\nM30\n");

@@ -176,15 +176,18 @@ impl RunFolder {
         self.add(name, content)
     }
 
-    /// Adds the job of a study: of `compare` or `channel`. It may stand beside a run of the same job only.
+    /// Adds the job of a study: of `compare` or `channel`. It may stand beside a run of the same job only, and takes the place of studies of another.
     ///
     /// # Errors
     /// Kind `Usage` where the folder holds a run of another job; `InputOutput`.
     pub fn add_job_of_study(&mut self, job: &str) -> Result<()> {
-        if self.manifest().is_some() && self.existing(JOB).is_none_or(|there| there != job) {
-            let place = self.target.display();
-            return Err(Error::usage(Stage::Output, format!("{place} holds a run of another job"))
-                .advise("give another folder with -o"));
+        if self.existing(JOB).is_none_or(|there| there != job) {
+            if self.manifest().is_some() {
+                let place = self.target.display();
+                return Err(Error::usage(Stage::Output, format!("{place} holds a run of another job"))
+                    .advise("give another folder with -o"));
+            }
+            self.replaces = Some(Vec::new());
         }
         self.add(JOB, job)
     }
@@ -303,3 +306,6 @@ fn is_by_us(path: &Path) -> bool {
     open().is_some_and(|f| f.take(HEAD).read_to_end(&mut head).is_ok())
         && String::from_utf8_lossy(&head).to_lowercase().contains(BY_US)
 }
+
+#[cfg(test)]
+mod tests;

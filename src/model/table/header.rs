@@ -186,7 +186,7 @@ fn matching(folder: &Path, pattern: &str) -> std::result::Result<Vec<PathBuf>, S
     }
     let path = folder.join(pattern);
     if !pattern.contains(['*', '?']) {
-        return if path.is_file() { Ok(vec![path]) } else { Err(format!("the file {} is not there", path.display())) };
+        return if path.exists() { Ok(vec![path]) } else { Err(format!("the file {} is not there", path.display())) };
     }
     let (dir, name) = (path.parent().unwrap_or(folder), path.file_name().map(|n| n.to_string_lossy().into_owned()));
     let name = name.unwrap_or_default();
