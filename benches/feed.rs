@@ -1,11 +1,14 @@
 //! The feed beside other programs, and all schedules and the feed for 100,000 cutter locations.
 //!
-//! `cargo bench --bench feed [-- --locations=5000 --model=models/steam_root.step]`.
+//! `cargo bench --bench feed [-- --locations=5000 --model=models/steam_root.step --rough]`.
 //!
 //! First a helix about an ellipse with the rotary axis following the normal, so that it rushes at the edges: its axis positions are written
 //! to a file, with the limits in its first line, and the variable `BLADEWRIGHT_PEERS` may hold commands, one on each line, that plan
 //! the fastest motion through the same positions; each is run by the shell with the file's name in `FEED_SAMPLES`, and what it prints is
 //! printed beside ours (`tests/motion/peers.py`: toppra and copp). Then the table of seconds.
+//!
+//! With `--rough` instead: helices about a cylinder with noise on ball centres and angles, as meshes and probes give them; seconds of wall time,
+//! peak memory of the process so far, the motion, and the share by which none is proved to be faster.
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -51,7 +54,11 @@ fn ellipse(n: usize) -> (Toolpath, Schedule) {
             normal,
         });
     }
-    let path = Toolpath {
+    (along(locations), following(theta))
+}
+
+fn along(locations: Vec<CutterLocation>) -> Toolpath {
+    Toolpath {
         kind: PathKind::default(),
         radius_mm: 8.0,
         stock_mm: 0.0,
@@ -62,8 +69,11 @@ fn ellipse(n: usize) -> (Toolpath, Schedule) {
         planned_scallop_mm: 0.01,
         turns: Vec::new(),
         locations,
-    };
-    let schedule = Schedule {
+    }
+}
+
+fn following(theta: Vec<f64>) -> Schedule {
+    Schedule {
         kind: ScheduleKind::Fixed,
         theta,
         pieces: Vec::new(),
@@ -72,8 +82,80 @@ fn ellipse(n: usize) -> (Toolpath, Schedule) {
         peak_rate: 0.0,
         peak_acceleration: 0.0,
         quality: Quality::default(),
+    }
+}
+
+/// What is rough about a path.
+struct Noise {
+    /// Greatest deviation of a ball centre, mm, and of θ, rad.
+    centre_mm: f64,
+    theta: f64,
+    /// Locations that deviate together, as on a facet.
+    facet: usize,
+    /// Steps are shorter by up to so many powers of ten.
+    uneven: f64,
+}
+
+/// A helix about a cylinder of radius 20 mm in steps of 0.07 mm.
+fn rough_helix(n: usize, noise: &Noise) -> (Toolpath, Schedule) {
+    let mut state = 88_172_645_463_325_252u64;
+    let mut random = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
-    (path, schedule)
+    let (mut s_mm, mut phi, mut off) = (0.0, 0.0f64, [0.0; 3]);
+    let mut theta = Vec::with_capacity(n);
+    let mut locations: Vec<CutterLocation> = Vec::with_capacity(n);
+    for i in 0..n {
+        if i % noise.facet == 0 {
+            off = [random(), random(), random()];
+        }
+        phi += 0.07 / 20.0 * 10f64.powf(-noise.uneven * (0.5 + 0.5 * random()).powi(3));
+        let r = 28.0 + noise.centre_mm * off[0];
+        let centre = Point::new(0.3 * phi / TAU + noise.centre_mm * off[1], r * phi.cos(), r * phi.sin());
+        theta.push(phi + 0.3 * (2.0 * phi).sin() + noise.theta * off[2]);
+        s_mm += locations.last().map_or(0.0, |l| (centre - l.centre).norm());
+        let normal = Vector::new(0.0, phi.cos(), phi.sin());
+        let contact = Point::new(centre.x, 20.0 * phi.cos(), 20.0 * phi.sin());
+        locations.push(CutterLocation { turn: 0, turn_s_mm: s_mm, s_mm, centre, contact, normal });
+    }
+    (along(locations), following(theta))
+}
+
+/// Greatest memory that the process has held so far, MB, where the system tells.
+fn peak_mb() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find(|l| l.starts_with("VmHWM"));
+    line.and_then(|l| l.split_whitespace().nth(1)?.parse::<f64>().ok()).unwrap_or(f64::NAN) / 1024.0
+}
+
+fn rough(out: &mut String, n: usize) -> Result<(), String> {
+    let machine = Machine::demo().map_err(|e| e.message)?;
+    let of = |centre_um: f64, theta_mrad: f64, facet: usize, uneven: f64| {
+        (centre_um, theta_mrad, Noise { centre_mm: 1e-3 * centre_um, theta: 1e-3 * theta_mrad, facet, uneven })
+    };
+    let cases =
+        [of(0.0, 0.0, 1, 0.0), of(1.0, 0.0, 1, 0.0), of(5.0, 0.5, 1, 0.0), of(5.0, 0.5, 5, 1.0), of(10.0, 1.0, 7, 2.0)];
+    for (centre_um, theta_mrad, noise) in cases {
+        let (path, schedule) = rough_helix(n, &noise);
+        let start = Instant::now();
+        let options = FeedOptions::new(2000.0, 5f64.to_radians(), 60.0);
+        let (m, gap) = feed::plan_with_bound(&path, &schedule, &machine, &options, &Silent).map_err(|e| e.message)?;
+        let _ = writeln!(
+            out,
+            "{n} locations, {centre_um} um and {theta_mrad} mrad, facets of {}, uneven {}: {:.2} s, {:.0} MB so far, motion of {:.2} s, \
+             none faster by more than {:.2} %",
+            noise.facet,
+            noise.uneven,
+            start.elapsed().as_secs_f64(),
+            peak_mb(),
+            m.time_s,
+            100.0 * gap.unwrap_or(0.0)
+        );
+    }
+    Ok(())
 }
 
 /// Axis limits alone: nothing else slows the motion.
@@ -214,10 +296,13 @@ fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let model = option("--model=").map_or_else(|| root.join("models/steam_root.step"), Into::into);
     let mut out = String::new();
-    for done in [beside_peers(&mut out, n), table(&mut out, &model)] {
-        if let Err(e) = done {
-            let _ = writeln!(out, "{e}");
-        }
+    let done = if arguments.iter().any(|a| a == "--rough") {
+        vec![rough(&mut out, n)]
+    } else {
+        vec![beside_peers(&mut out, n), table(&mut out, &model)]
+    };
+    for e in done.into_iter().filter_map(Result::err) {
+        let _ = writeln!(out, "{e}");
     }
     let _ = std::io::stdout().write_all(out.as_bytes());
 }

@@ -11,27 +11,33 @@
 //! it. Limits of jerk, `|bracket| ≤ J / √x`, are not convex: `1/√x` is convex in `x`, so its tangent lies below it, and with
 //! the tangent in its place the limit is convex and a little too strict. The tangent is taken anew at every iterate
 //! of the interior-point method ([`crate::numerics::stages`]), so at the end nothing is lost by it (sequential convexification as
-//! in "TOPP3", with the sequence folded into the iterations). The time `∫ ds/√x` is convex.
+//! in "TOPP3", with the sequence folded into the iterations); its bend counts in the second derivative of the Lagrangian, without which
+//! rough paths would take hundreds of iterations. The time `∫ ds/√x` is convex.
 //!
-//! The iterates never leave the limits: they begin with a profile within them (`start` module; one always exists, since ever
-//! slower every limit is kept), and what keeps the tangents keeps the limits. So there is always an answer, whenever the solver ends.
+//! The iterates do not leave the limits: they begin with a profile within them (`start` module; one always exists, since ever
+//! slower every limit is kept), and what keeps the tangents keeps the limits. The path is searched in stretches (`search` module); one
+//! whose search has left the limits keeps the profile that it began with. So there is always an answer.
+//!
+//! How far it is from the fastest is proved by multipliers (`bound` module), on rough paths those of a convex problem that allows more
+//! (`relaxed` module).
 //!
 //! From and to rest jerk along the path is constant over the outermost cells, `x = 3/2 h u` at their inner ends, with the solver's choice of
 //! `u` there.
 
 use crate::numerics::spline::CubicSpline;
+use crate::observe::Observer;
 
+mod bound;
 mod cells;
-mod model;
+mod relaxed;
+mod rows;
+mod search;
 mod start;
+mod window;
 
 pub(super) use cells::Limits;
 use cells::{Cell, Units};
-
-/// Where the limits are exceeded within cells in which speed changes much, those are tightened and the search is made again, so often …
-const AGAIN: usize = 2;
-/// … and if ṡ² is too great by more than this share; what is less is taken out of the whole.
-const SMALL_EXCESS: f64 = 5e-4;
+use rows::Problem;
 
 /// Speed along the path on a grid of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,56 +53,38 @@ pub(super) struct Smooth {
     /// du/ds after each point of the grid but the last; of the first and last cell, where jerk along the path is constant
     /// instead: that jerk.
     pub w: Vec<f64>,
-    /// Iterations of the solver.
-    pub iterations: usize,
-    /// By how much of its time it may be from the least that the solver can find, as a share.
+    /// No profile on this grid that keeps the limits takes less time by more than this share; proved.
     pub gap: f64,
 }
 
-/// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` only where derivatives of the curve are too
-/// great for numbers.
-pub(super) fn fastest(curve: &CubicSpline, limits: &Limits, feed: f64, cap: &[f64]) -> Option<Smooth> {
+/// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` where derivatives of the curve are too great for
+/// numbers, or when the user has asked to stop.
+pub(super) fn fastest(
+    curve: &CubicSpline,
+    limits: &Limits,
+    feed: f64,
+    cap: &[f64],
+    observer: &dyn Observer,
+) -> Option<Smooth> {
     let grid = cells::grid(curve.abscissae());
     let units = Units::of(&grid, feed, limits);
     let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(curve, w, cap, limits, units)).collect();
     let scaled = units.scaled(limits);
     let (first, last) = (cells.first()?, cells.last()?);
     let ends = [first, last].map(|c| [c.h, c.end_from_rest(&scaled)]);
-    let mut inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?.to_vec();
-    let begin = start::profile(&inner, ends, &scaled)?;
-    let mut found = model::fastest(&inner, ends, &scaled, begin)?;
-    for _ in 0..AGAIN {
-        let over: Vec<f64> = inner.iter().zip(&found.v).map(|(c, v)| c.excess(v, &scaled)).collect();
-        let most = over.iter().fold(0.0f64, |m, o| m.max(*o));
-        if most <= 1.0 + SMALL_EXCESS {
-            break;
-        }
-        for (c, o) in inner.iter_mut().zip(over) {
-            c.share /= o.max(1.0).powf(1.5);
-        }
-        let slower = 1.0 / (most * 1.1);
-        let begin = found.v.iter().map(|v| v.map(|x| slower * x)).collect();
-        let before = found.iterations;
-        found = model::fastest(&inner, ends, &scaled, begin)?;
-        found.iterations += before;
-    }
+    let inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?;
+    let begin = start::profile(inner, ends, &scaled)?;
+    let problem = Problem { inner, ends, limits: &scaled };
+    let found = search::fastest(&problem, &begin, observer)?;
     let mut out = assemble(&grid, &cells, &found, units);
-    slow_down(&mut out, &inner, &scaled, units);
+    slow_down(&mut out, inner, &scaled, units);
     out.t.iter().chain(&out.x).all(|v| v.is_finite()).then_some(out)
 }
 
-fn assemble(grid: &[(f64, usize)], cells: &[Cell], found: &model::Fastest, units: Units) -> Smooth {
+fn assemble(grid: &[(f64, usize)], cells: &[Cell], found: &search::Fastest, units: Units) -> Smooth {
     let (rate, l, acceleration) = (units.rate(), units.length, units.acceleration());
     let s: Vec<f64> = grid.iter().map(|g| g.0).collect();
-    let mut out = Smooth {
-        s,
-        x: vec![0.0],
-        u: vec![0.0],
-        t: vec![0.0],
-        w: Vec::new(),
-        iterations: found.iterations,
-        gap: found.gap,
-    };
+    let mut out = Smooth { s, x: vec![0.0], u: vec![0.0], t: vec![0.0], w: Vec::new(), gap: 1.0 - found.least };
     let mut t = 0.0;
     for (i, c) in cells.iter().enumerate() {
         // In an end cell x = 3/2 h u at its inner end, reached in √(6 h/u) = 3 h/√x with jerk u over that time.
@@ -150,6 +138,7 @@ fn slow_down(out: &mut Smooth, inner: &[Cell], limits: &Limits, units: Units) {
     }
     if over > 1.0 {
         let (slower, last) = (over.sqrt(), out.w.len() - 1);
+        out.gap = 1.0 - (1.0 - out.gap) / slower;
         out.x.iter_mut().for_each(|x| *x /= over);
         out.u.iter_mut().for_each(|u| *u /= over);
         out.t.iter_mut().for_each(|t| *t *= slower);
@@ -158,3 +147,6 @@ fn slow_down(out: &mut Smooth, inner: &[Cell], limits: &Limits, units: Units) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

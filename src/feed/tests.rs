@@ -318,6 +318,79 @@ fn angles_as_rough_as_those_of_facets_are_followed_within_jerk() {
     assert!(m.time_s > without.time_s && m.time_s < 6.0 * without.time_s, "{} {}", m.time_s, without.time_s);
 }
 
+/// Patches of noise of very different size, at steps that are up to a hundred times shorter than others.
+fn patches(n: usize) -> Vec<(f64, Point, f64)> {
+    let mut out: Vec<(f64, Point, f64)> = Vec::new();
+    let (mut f, mut s_mm) = (0.0f64, 0.0);
+    for i in 0..n {
+        let wild = |k: f64| (i as f64 * k).sin();
+        f += 0.1 / 20.0 * 10f64.powf(-2.0 * (0.5 + 0.5 * wild(12.9898)).powi(3));
+        let amplitude = 10f64.powf(2.0 * ((i / 400) as f64 * 1.7).sin() - 1.0);
+        let facet = (i / 7) as f64;
+        let r = 20.0 + 0.02 * amplitude * (facet * 78.233).sin();
+        let p = Point::new(0.05 * f + 0.02 * amplitude * (facet * 37.719).sin(), r * f.cos(), 0.6 * r * f.sin());
+        s_mm += out.last().map_or(0.0, |(_, q, _)| (p - q).norm());
+        out.push((s_mm, p, f + 0.005 * amplitude * (facet * 93.989).sin()));
+    }
+    out
+}
+
+#[test]
+fn what_is_said_of_a_rough_path_is_known() {
+    let (p, s) = path(&patches(2500));
+    let machine = Machine::demo().unwrap();
+    let o = FeedOptions { limit_jerk: true, ..options(2000.0) };
+    let told = crate::observe::Recorder::new(&Silent);
+    let m = plan(&p, &s, &machine, &o, &told).unwrap();
+    assert_differences_within_limits(&m, &machine);
+    let (same, gap) = plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap();
+    assert_eq!(same, m);
+    let gap = gap.unwrap();
+    assert!(gap > LARGE_GAP && gap < 0.6, "{gap}");
+    let said = told.warnings();
+    assert!(said.len() == 1 && said[0].message.contains(&format!("by more than {:.1} %", 100.0 * gap)), "{said:?}");
+}
+
+#[test]
+fn on_a_smooth_path_little_is_left_between_the_motion_and_its_bound() {
+    let machine = Machine::demo().unwrap();
+    let (p, s) = path(&wavy(4000, 0.1, 2.0));
+    let o = FeedOptions { limit_jerk: true, ..options(3000.0) };
+    let (m, gap) = plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap();
+    let gap = gap.unwrap();
+    assert!((0.0..0.01).contains(&gap), "{gap}");
+    // Whatever keeps the limits of jerk keeps the others, too.
+    let without = plan(&p, &s, &machine, &options(3000.0), &Silent).unwrap();
+    assert!(m.time_s * (1.0 - gap) < m.time_s && without.time_s < 1.001 * m.time_s);
+}
+
+#[test]
+fn one_thread_and_eight_find_the_same_motion() {
+    let machine = Machine::demo().unwrap();
+    let mut points = wavy(2500, 0.07, 1.0);
+    points.iter_mut().enumerate().for_each(|(i, p)| p.2 += 2e-4 * (i as f64 * 12.9898).sin());
+    let (p, s) = path(&points);
+    let o = FeedOptions { limit_jerk: true, ..options(2000.0) };
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap())
+    };
+    assert_eq!(with(1), with(8));
+}
+
+#[test]
+fn whoever_asks_to_stop_gets_no_motion() {
+    struct Stop;
+    impl Observer for Stop {
+        fn cancelled(&self) -> bool {
+            true
+        }
+    }
+    let (p, s) = path(&wavy(100, 0.1, 2.0));
+    let o = FeedOptions { limit_jerk: true, ..options(3000.0) };
+    assert_eq!(plan(&p, &s, &Machine::demo().unwrap(), &o, &Stop).unwrap_err().kind, ErrorKind::Cancelled);
+}
+
 #[test]
 fn the_contact_point_is_not_to_outrun_the_feed() {
     // Inside a circle of radius 3 with a ball of radius 1, the contact runs 1.5 times as fast as the centre.

@@ -20,6 +20,10 @@
 //! threads (there is one). Not guaranteed: that rows hold where no trajectory satisfies all: [`Solution::excess`] tells
 //! by how much the worst row is missed.
 
+mod dense;
+
+use dense::{first_state, invert_controls};
+
 /// One inequality `g · v ≤ most`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row<const V: usize> {
@@ -50,12 +54,13 @@ impl<const X: usize, const V: usize> Default for Stage<X, V> {
 
 /// Changes stages between iterations; `()` changes nothing.
 pub trait Model<const X: usize, const V: usize> {
-    /// Brings stage `index` up to date at `v`; the number of rows must stay.
-    fn refresh(&self, index: usize, v: &[f64; V], stage: &mut Stage<X, V>);
+    /// Brings stage `index` up to date at `v`, where its rows have these multipliers (before the first step there are none); the number
+    /// of rows must stay.
+    fn refresh(&self, index: usize, v: &[f64; V], multipliers: &[f64], stage: &mut Stage<X, V>);
 }
 
 impl<const X: usize, const V: usize> Model<X, V> for () {
-    fn refresh(&self, _: usize, _: &[f64; V], _: &mut Stage<X, V>) {}
+    fn refresh(&self, _: usize, _: &[f64; V], _: &[f64], _: &mut Stage<X, V>) {}
 }
 
 /// Options of [`solve`].
@@ -139,6 +144,8 @@ struct Gain<const X: usize, const V: usize> {
 struct Work<const X: usize, const V: usize> {
     first: Vec<usize>,
     slack: Vec<f64>,
+    /// 1/slack.
+    inverse: Vec<f64>,
     multiplier: Vec<f64>,
     residual: Vec<f64>,
     d_slack: Vec<f64>,
@@ -147,6 +154,11 @@ struct Work<const X: usize, const V: usize> {
     /// Right-hand sides, then `p` of the cost to go in the state's places.
     side: Vec<[f64; V]>,
     d: Vec<[f64; V]>,
+    /// Slack × multiplier and their changes' product, over all rows.
+    products: f64,
+    second: f64,
+    /// Greatest amount by which a row is missed.
+    excess: f64,
 }
 
 /// Solves; `start` must follow the dynamics (for the last stage only its own state and controls count).
@@ -164,7 +176,7 @@ pub fn solve<const X: usize, const V: usize>(
     }
     let mut v = start.to_vec();
     for (i, s) in stages.iter_mut().enumerate() {
-        model.refresh(i, &v[i], s);
+        model.refresh(i, &v[i], &[], s);
     }
     let mut w = Work::new(stages, &v, options);
     let rows = w.slack.len();
@@ -179,10 +191,9 @@ pub fn solve<const X: usize, const V: usize>(
     };
     let (mut stationarity, mut before) = (1.0, f64::INFINITY);
     for iteration in 0..options.iterations {
-        let mu = w.mean_product();
-        let excess = w.residuals(stages, &v);
-        (out.iterations, out.complementarity, out.excess) = (iteration, mu, excess);
-        let enough = mu < options.tolerance && excess <= options.excess && stationarity < 1e-6;
+        let mu = w.products / rows.max(1) as f64;
+        (out.iterations, out.complementarity, out.excess) = (iteration, mu, w.excess);
+        let enough = mu < options.tolerance && w.excess <= options.excess && stationarity < 1e-6;
         // Whoever is within the limits already goes on while every step gains much.
         let gains = options.interior && mu < FAST * before && mu > LEAST * options.tolerance;
         if rows > 0 && enough && !gains || rows == 0 && iteration > 1 {
@@ -190,44 +201,31 @@ pub fn solve<const X: usize, const V: usize>(
             break;
         }
         before = mu;
-        let begun = w.factor(stages).and_then(|()| w.step(stages, &v, 0.0, false, options));
+        let begun = w.factor(stages).and_then(|()| w.step(stages, &v, None, options));
         if begun.is_none() && options.interior {
             break;
         }
-        begun?;
-        let length = w.length(1.0);
-        let predicted = w.predicted(length);
-        let ratio = if mu > 0.0 { predicted / mu } else { 0.0 };
-        let centre = mu * ratio * ratio * ratio;
-        let stepped = w.step(stages, &v, centre, true, options);
+        let length = begun?.length(1.0);
+        let centre = mu * w.left(length).powi(3);
+        let stepped = w.step(stages, &v, Some(centre), options);
         if options.interior && !(stepped.is_some() && w.d.iter().flatten().all(|x| x.is_finite())) {
             break;
         }
-        stepped?;
-        let length = w.length(if mu < 1e-6 { 0.999 } else { 0.99 });
-        for (a, d) in v.iter_mut().zip(&w.d) {
-            for k in 0..V {
-                a[k] += length * d[k];
-            }
-        }
-        for k in 0..rows {
-            w.slack[k] += length * w.d_slack[k];
-            w.multiplier[k] += length * w.d_multiplier[k];
-        }
+        let length = stepped?.length(if mu < 1e-6 { 0.999 } else { 0.99 });
         stationarity *= 1.0 - length;
-        if !v.iter().all(|a| a.iter().all(|x| x.is_finite())) {
-            return None;
-        }
         for i in 0..n {
+            for k in 0..V {
+                v[i][k] += length * w.d[i][k];
+            }
             let gain = &w.gains[i];
             for a in 0..X {
                 out.costates[i][a] = w.side[i][a] + (0..X).map(|b| gain.cost[a][b] * w.d[i][b]).sum::<f64>();
             }
-            model.refresh(i, &v[i], &mut stages[i]);
         }
-        if options.interior {
-            w.follow(stages, &v);
+        if !v.iter().all(|a| a.iter().all(|x| x.is_finite())) {
+            return None;
         }
+        w.go(stages, &v, model, length, options);
         if length < 1e-9 {
             break;
         }
@@ -247,10 +245,12 @@ impl<const X: usize, const V: usize> Work<X, V> {
             first.push(slack.len());
         }
         let multiplier = slack.iter().map(|t| options.barrier / t).collect();
+        let inverse = slack.iter().map(|t| 1.0 / t).collect();
         let (m, n) = (slack.len(), stages.len());
-        Work {
+        let mut out = Work {
             first,
             slack,
+            inverse,
             multiplier,
             residual: vec![0.0; m],
             d_slack: vec![0.0; m],
@@ -258,37 +258,55 @@ impl<const X: usize, const V: usize> Work<X, V> {
             gains: vec![Gain { cost: [[0.0; X]; X], feedback: [[0.0; X]; V], inverse: [[0.0; V]; V] }; n],
             side: vec![[0.0; V]; n],
             d: vec![[0.0; V]; n],
-        }
-    }
-
-    fn mean_product(&self) -> f64 {
-        let sum: f64 = self.slack.iter().zip(&self.multiplier).map(|(t, l)| t * l).sum();
-        sum / self.slack.len().max(1) as f64
-    }
-
-    /// Slacks are what the rows leave, but for rounding.
-    fn follow(&mut self, stages: &[Stage<X, V>], v: &[[f64; V]]) {
+            products: 0.0,
+            second: 0.0,
+            excess: 0.0,
+        };
         for (i, s) in stages.iter().enumerate() {
-            for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let room = r.most - dot(&r.g, &v[i]);
-                if room > 0.0 {
-                    self.slack[k] = room;
-                }
+            out.look(i, s, &v[i], false);
+        }
+        out
+    }
+
+    /// Makes a step of a length along what was found, in the multipliers and the slacks; the trajectory has made it.
+    fn go(
+        &mut self,
+        stages: &mut [Stage<X, V>],
+        v: &[[f64; V]],
+        model: &impl Model<X, V>,
+        length: f64,
+        options: &Options,
+    ) {
+        (self.products, self.excess) = (0.0, 0.0);
+        for (i, s) in stages.iter_mut().enumerate() {
+            let rows = self.first[i]..self.first[i + 1];
+            for k in rows.clone() {
+                self.slack[k] += length * self.d_slack[k];
+                self.multiplier[k] += length * self.d_multiplier[k];
             }
+            model.refresh(i, &v[i], &self.multiplier[rows], s);
+            self.look(i, s, &v[i], options.interior);
         }
     }
 
-    /// Residuals of the rows; the greatest amount by which a row is missed.
-    fn residuals(&mut self, stages: &[Stage<X, V>], v: &[[f64; V]]) -> f64 {
-        let mut worst = 0.0f64;
-        for (i, s) in stages.iter().enumerate() {
-            for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let room = r.most - dot(&r.g, &v[i]);
-                self.residual[k] = room - self.slack[k];
-                worst = worst.max(-room);
+    /// What the rows of a stage leave; `follow`: that is their slack, but for rounding.
+    fn look(&mut self, i: usize, s: &Stage<X, V>, v: &[f64; V], follow: bool) {
+        for (k, r) in (self.first[i]..).zip(&s.rows) {
+            let room = r.most - dot(&r.g, v);
+            if follow && room > 0.0 {
+                self.slack[k] = room;
             }
+            self.residual[k] = room - self.slack[k];
+            self.inverse[k] = 1.0 / self.slack[k];
+            self.products += self.slack[k] * self.multiplier[k];
+            self.excess = self.excess.max(-room);
         }
-        worst
+    }
+
+    /// The share of slack × multiplier that the predictor leaves after a step of a length.
+    fn left(&self, length: f64) -> f64 {
+        let left = (1.0 - length) * self.products + length * length * self.second;
+        if self.products > 0.0 { left / self.products } else { 0.0 }
     }
 
     /// The backward recursion on `H + Gᵀ (λ/t) G`.
@@ -297,7 +315,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
         for (i, s) in stages.iter().enumerate().rev() {
             let mut m = s.hessian;
             for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let weight = self.multiplier[k] / self.slack[k];
+                let weight = self.multiplier[k] * self.inverse[k];
                 for a in 0..V {
                     let g = weight * r.g[a];
                     if g != 0.0 {
@@ -331,7 +349,8 @@ impl<const X: usize, const V: usize> Work<X, V> {
                 }
             }
             for a in X..V {
-                m[a][a] += if last { 1.0 } else { 1e-13 };
+                // A control that nothing asks for stays.
+                m[a][a] += if m[a][a] > 0.0 { 1e-13 } else { 1.0 };
             }
             let gain = &mut self.gains[i];
             gain.inverse = invert_controls::<X, V>(&m)?;
@@ -351,15 +370,15 @@ impl<const X: usize, const V: usize> Work<X, V> {
         Some(())
     }
 
-    /// A Newton step towards slack × multiplier = `centre`, with the second-order term of the step before if asked.
+    /// A Newton step towards slack × multiplier = `centre`, with the second-order term of the step before; without a centre, the
+    /// predictor: towards 0, to first order.
     fn step(
         &mut self,
         stages: &[Stage<X, V>],
         v: &[[f64; V]],
-        centre: f64,
-        correct: bool,
+        centre: Option<f64>,
         options: &Options,
-    ) -> Option<()> {
+    ) -> Option<Reach> {
         let n = stages.len();
         let mut next = [0.0; X];
         for (i, s) in stages.iter().enumerate().rev() {
@@ -368,10 +387,11 @@ impl<const X: usize, const V: usize> Work<X, V> {
                 g[a] += dot(&s.hessian[a], &v[i]);
             }
             for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let target = self.target(k, centre, correct);
-                let force = target / self.slack[k] - self.multiplier[k] / self.slack[k] * self.residual[k];
-                for a in 0..V {
-                    g[a] += force * r.g[a];
+                let force = (self.target(k, centre) - self.multiplier[k] * self.residual[k]) * self.inverse[k];
+                if force != 0.0 {
+                    for a in 0..V {
+                        g[a] += force * r.g[a];
+                    }
                 }
             }
             if i + 1 < n {
@@ -392,7 +412,9 @@ impl<const X: usize, const V: usize> Work<X, V> {
             }
             self.side[i] = side;
         }
-        let mut x = first_state::<X, V>(&self.gains[0].cost, &self.side[0], options)?;
+        let mut x = first_state::<X, V>(&self.gains[0].cost, &self.side[0], &options.fixed)?;
+        let mut reach = Reach::default();
+        self.second = 0.0;
         for (i, s) in stages.iter().enumerate() {
             let mut d = [0.0; V];
             d[..X].copy_from_slice(&x);
@@ -403,112 +425,41 @@ impl<const X: usize, const V: usize> Work<X, V> {
                 x[c] = dot(&s.dynamics[c], &d);
             }
             for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let target = self.target(k, centre, correct);
                 let d_slack = self.residual[k] - dot(&r.g, &d);
-                self.d_multiplier[k] = (target - self.multiplier[k] * (self.slack[k] + d_slack)) / self.slack[k];
-                self.d_slack[k] = d_slack;
+                let (t, y) = (self.slack[k], self.multiplier[k]);
+                let d_multiplier = (self.target(k, centre) - y * (t + d_slack)) * self.inverse[k];
+                (self.d_slack[k], self.d_multiplier[k]) = (d_slack, d_multiplier);
+                self.second += d_slack * d_multiplier;
+                reach.bind(t, d_slack);
+                reach.bind(y, d_multiplier);
             }
             self.d[i] = d;
         }
-        Some(())
+        Some(reach)
     }
 
-    fn target(&self, k: usize, centre: f64, correct: bool) -> f64 {
-        if correct { centre - self.d_slack[k] * self.d_multiplier[k] } else { centre }
-    }
-
-    /// The share `most` of the longest step that keeps slacks and multipliers positive, at most 1.
-    fn length(&self, most: f64) -> f64 {
-        let mut length = 1.0f64;
-        for k in 0..self.slack.len() {
-            if self.d_slack[k] < 0.0 {
-                length = length.min(-most * self.slack[k] / self.d_slack[k]);
-            }
-            if self.d_multiplier[k] < 0.0 {
-                length = length.min(-most * self.multiplier[k] / self.d_multiplier[k]);
-            }
-        }
-        length
-    }
-
-    fn predicted(&self, length: f64) -> f64 {
-        let mut sum = 0.0;
-        for k in 0..self.slack.len() {
-            sum += (self.slack[k] + length * self.d_slack[k]) * (self.multiplier[k] + length * self.d_multiplier[k]);
-        }
-        sum / self.slack.len().max(1) as f64
+    fn target(&self, k: usize, centre: Option<f64>) -> f64 {
+        centre.map_or(0.0, |c| c - self.d_slack[k] * self.d_multiplier[k])
     }
 }
 
-/// The inverse of the controls' block of a matrix whose lower half is given; at most two controls.
-fn invert_controls<const X: usize, const V: usize>(m: &[[f64; V]; V]) -> Option<[[f64; V]; V]> {
-    let mut out = [[0.0; V]; V];
-    match V - X {
-        0 => {}
-        1 => {
-            out[X][X] = 1.0 / m[X][X];
-            if !(m[X][X] > 0.0 && out[X][X].is_finite()) {
-                return None;
-            }
-        }
-        2 => {
-            let (a, b, c) = (m[X][X], m[X + 1][X], m[X + 1][X + 1]);
-            let rest = c - b * b / a;
-            if !(a > 0.0 && rest > 0.0 && (a * rest).is_finite()) {
-                return None;
-            }
-            out[X + 1][X + 1] = 1.0 / rest;
-            out[X][X + 1] = -b / (a * rest);
-            out[X + 1][X] = out[X][X + 1];
-            out[X][X] = (1.0 + b * b / (a * rest)) / a;
-        }
-        _ => return None,
-    }
-    Some(out)
+/// How far a step can be gone: `1/most` with positive numbers kept positive.
+#[derive(Clone, Copy, Default)]
+struct Reach {
+    most: f64,
 }
 
-/// The change of the first state that minimises the cost to go: `P x = −p` over its free components.
-fn first_state<const X: usize, const V: usize>(cost: &[[f64; X]; X], side: &[f64; V], o: &Options) -> Option<[f64; X]> {
-    let mut a = *cost;
-    let mut b = [0.0; X];
-    for i in 0..X {
-        b[i] = if o.fixed[i] { 0.0 } else { -side[i] };
-        for j in 0..X {
-            if o.fixed[i] || o.fixed[j] {
-                a[i][j] = f64::from(u8::from(i == j));
-            }
+impl Reach {
+    fn bind(&mut self, value: f64, change: f64) {
+        if -change > self.most * value {
+            self.most = -change / value;
         }
     }
-    // Cholesky; a component that nothing holds stays where it is.
-    let size = (0..X).fold(0.0f64, |m, i| m.max(a[i][i]));
-    let mut held = [true; X];
-    for j in 0..X {
-        for k in 0..j {
-            a[j][j] -= a[j][k] * a[j][k];
-        }
-        held[j] = a[j][j] > 1e-15 * size;
-        let root = if held[j] { a[j][j].sqrt() } else { 1.0 };
-        a[j][j] = root;
-        for i in j + 1..X {
-            for k in 0..j {
-                a[i][j] -= a[i][k] * a[j][k];
-            }
-            a[i][j] = if held[j] { a[i][j] / root } else { 0.0 };
-        }
+
+    /// The share `most` of the longest step, at most 1.
+    fn length(self, most: f64) -> f64 {
+        if self.most > most { most / self.most } else { 1.0 }
     }
-    for i in 0..X {
-        for k in 0..i {
-            b[i] -= a[i][k] * b[k];
-        }
-        b[i] = if held[i] { b[i] / a[i][i] } else { 0.0 };
-    }
-    for i in (0..X).rev() {
-        for k in i + 1..X {
-            b[i] -= a[k][i] * b[k];
-        }
-        b[i] /= a[i][i];
-    }
-    b.iter().all(|x| x.is_finite()).then_some(b)
 }
 
 #[cfg(test)]

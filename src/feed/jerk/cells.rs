@@ -26,8 +26,6 @@ pub(super) struct Cell {
     pub q3: [f64; AXES],
     /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight between.
     pub cap: [f64; 2],
-    /// Share of the limits of jerk that the Bernstein coefficients may use, see [`jensen`].
-    pub share: f64,
 }
 
 /// Units: speed² by `speed`², arc length by `length`.
@@ -88,15 +86,7 @@ pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits:
         q2: [[0.0; 2]; AXES],
         q3: [0.0; AXES],
         cap: [cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed); 2],
-        share: 1.0,
     };
-    let whole = curve.abscissae();
-    let near = (from - whole[0]).min(whole[whole.len() - 1] - w[1].0);
-    if near > 0.0 {
-        // As fast as x may change: like s^(4/3) from rest.
-        let x = |s: f64| s.powf(4.0 / 3.0);
-        out.share = 1.0 / jensen([x(near), x(near) + 2.0 / 3.0 * h * near.cbrt(), x(near + h)]);
-    }
     let own = out.cap[0];
     for k in 0..AXES {
         let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
@@ -138,14 +128,18 @@ fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
 
 /// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times this over the whole cell: the mean of
 /// `1/√x` is greater than that of the mean, the more so the more x changes.
-fn jensen(x: [f64; 3]) -> f64 {
-    let mut most = 1.0f64;
-    for f in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875] {
+pub(super) fn jensen(x: [f64; 3]) -> f64 {
+    let (low, high) = (x[0].min(x[1]).min(x[2]), x[0].max(x[1]).max(x[2]));
+    let inverse = x.map(|x| 1.0 / x.sqrt());
+    let at = |f: f64| {
         let b: [f64; 3] = [(1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f];
-        let mean = |g: &dyn Fn(f64) -> f64| b[0] * g(x[0]) + b[1] * g(x[1]) + b[2] * g(x[2]);
-        most = most.max(mean(&|x| 1.0 / x.sqrt()) * mean(&|x| x).sqrt());
+        dot(&b, &inverse) * dot(&b, &x).sqrt()
+    };
+    if high < 2.0 * low {
+        // What is greater between these places is greater by less than a tenth.
+        return 1.0 + 1.1 * (at(0.25).max(at(0.5)).max(at(0.75)) - 1.0);
     }
-    most
+    (1..8).map(|k| at(0.125 * f64::from(k))).fold(1.0, f64::max)
 }
 
 impl Cell {
