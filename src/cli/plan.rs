@@ -60,7 +60,7 @@ fn job_file(input: &Path) -> Result<JobFile> {
     }
 }
 
-/// `--unit`, `--axis`, `--region` and `--faces` as keys of the job.
+/// `--unit`, `--axis`, `--body`, `--region` and `--faces` as keys of the job.
 fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     if let Some(unit) = reading.unit {
         let name = serde_json::to_string(&unit)
@@ -72,6 +72,7 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
         file.set(&format!("model.axis=[{x:?}, {y:?}, {z:?}]"))?;
     }
     let keys = file.model.get_or_insert_default();
+    keys.body = reading.body.or(keys.body);
     for region in &reading.region {
         match region {
             Region::Airfoil(heights) => keys.airfoil_mm = Some(*heights),
@@ -88,6 +89,7 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
 }
 
 fn print(outcome: &Outcome) {
+    sayln!("tool: {} ({})", outcome.tool.in_words(), outcome.tool.why);
     if let Some(summary) = &outcome.summary {
         print_summary(summary);
     }
@@ -118,7 +120,7 @@ fn print_summary(s: &Summary) {
     }
     row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
-    row("narrowest channel", format!("{:.2}°", s.channel_width_min_deg));
+    row("narrowest without turning back", format!("{:.2}°", s.channel_width_min_deg));
     if let [used, fixed, ..] = &s.schedules[..] {
         sayln!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
         let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {

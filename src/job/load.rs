@@ -45,6 +45,9 @@ pub fn parse(text: &str, name: &str) -> Result<JobFile> {
     })
 }
 
+/// What is said of a text in the place of a number.
+const NUMBERS: [&str; 3] = ["expected f64", "expected u32", "expected u64"];
+
 impl JobFile {
     /// A job for one model, defaults for the rest.
     pub fn from_model(path: &Path) -> Self {
@@ -65,7 +68,18 @@ impl JobFile {
         if keys.len() < 2 || keys.iter().any(|k| k.is_empty()) {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
-        self.set_value(&keys, read_value(value.trim())).map_err(bad)
+        let value = read_value(value.trim());
+        let is_text = value.is_str();
+        self.set_value(&keys, value).map_err(|m| {
+            let hint = if is_text && NUMBERS.iter().any(|n| m.contains(n)) {
+                ": numbers have a point and no unit, as in 2.5"
+            } else if m.contains("expected a sequence") {
+                ": this is a list, name its first entry by 0, as in fixture.0.file=vice.stl"
+            } else {
+                ""
+            };
+            bad(m + hint)
+        })
     }
 
     /// Sets one key, given as the list of its parts, to a TOML value.
@@ -100,7 +114,10 @@ pub fn insert(at: &mut toml::Value, keys: &[&str], value: toml::Value) -> std::r
     };
     match at {
         toml::Value::Table(table) => {
-            let entry = table.entry(first.to_string()).or_insert_with(|| toml::Value::Table(Default::default()));
+            let empty = toml::Value::Table(Default::default());
+            // A list that is not there yet begins with the entry that is named.
+            let empty = if rest.first() == Some(&"0") { toml::Value::Array(vec![empty]) } else { empty };
+            let entry = table.entry(first.to_string()).or_insert(empty);
             insert(entry, rest, value)
         }
         toml::Value::Array(list) => {

@@ -244,14 +244,11 @@ fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyO
     let over = sorted.len() - sorted.partition_point(|h| h.height_mm <= ratio * options.scallop_mm);
     let highest = sorted.last().filter(|_| over > 0)?;
     let p = blade.model_from_blade * highest.point;
+    let percent = 100.0 * over as f64 / sorted.len() as f64;
+    let share = if percent < 0.005 { "under 0.01 %".to_owned() } else { format!("{percent:.2} %") };
     Some(format!(
-        "{:.2} % of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
-        100.0 * over as f64 / sorted.len() as f64,
-        highest.height_mm,
-        plan.toolpath.locations[highest.row].turn,
-        p.x,
-        p.y,
-        p.z
+        "{share} of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
+        highest.height_mm, plan.toolpath.locations[highest.row].turn, p.x, p.y, p.z
     ))
 }
 
