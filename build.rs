@@ -1,12 +1,12 @@
 //! Names the build: a hash of everything in this package that a result follows from. Two builds of one version that would compute
 //! different things are told apart by it, on any machine that builds the same sources it is the same.
 //!
-//! In it: `src`, the viewer's bundle, the built-in machine and posts, and `Cargo.lock`, which pins the dependencies.
+//! In it: `src`, the viewer's bundle, the built-in machine, posts and tools, and `Cargo.lock`, which pins the dependencies.
 
 use std::path::{Path, PathBuf};
 
 /// What the build is made of, relative to the package.
-const PARTS: [&str; 5] = ["src", "viewer/dist", "models/machines", "models/posts", "Cargo.lock"];
+const PARTS: [&str; 6] = ["src", "viewer/dist", "models/machines", "models/posts", "models/tools", "Cargo.lock"];
 
 fn main() -> std::io::Result<()> {
     let mut files = Vec::new();

@@ -10,7 +10,7 @@ use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule
 use crate::channel::ChannelOptions;
 use crate::error::{Error, Result, Stage};
 use crate::feed::{self, FeedOptions};
-use crate::job::{Draft, Job, ModelJob};
+use crate::job::{Chosen, Draft, Job, ModelJob};
 use crate::machine::Machine;
 use crate::model::openings::{self, Reach};
 use crate::model::{self, ModelOptions};
@@ -29,6 +29,7 @@ pub mod again;
 mod around;
 mod checking;
 pub mod compare;
+mod doubts;
 mod leads;
 mod look;
 pub mod operations;
@@ -68,6 +69,8 @@ impl Course {
 pub struct Outcome {
     /// Files written, in order.
     pub files: Vec<PathBuf>,
+    /// The tool of the job, and why it is this one.
+    pub tool: Chosen,
     /// Figures, where the run went far enough.
     pub summary: Option<Summary>,
     /// What the checks found, where the run went far enough.
@@ -84,6 +87,8 @@ pub struct Outcome {
 pub struct Setup {
     /// The job, complete.
     pub job: Job,
+    /// Its tool, and why it is this one.
+    pub tool: Chosen,
     /// The blade.
     pub blade: Blade,
     /// The machine.
@@ -128,8 +133,14 @@ impl Setup {
             inputs.push(manifest::input(file, Stage::Post, "post.files")?);
             post_files.push(Dialect::load(file)?);
         }
-        let job = draft.complete(&blade)?;
+        let (job, tool) = draft.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
+        for message in &tool.warnings {
+            observer.warn(Warning { stage: Stage::Job, message: message.clone() });
+        }
         machine.check_lean(job.machine.b_deg.to_radians())?;
+        if let Some(message) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
+            observer.warn(Warning { stage: Stage::Feed, message });
+        }
         if let Some(model) = inputs.first_mut() {
             model.path = job.model.file.display().to_string();
         }
@@ -142,7 +153,7 @@ impl Setup {
         };
         let obstacles = around::obstacles(&job, &blade, &mut inputs, observer)?;
         let end_faces = model::recognise::named::faces_of(&job.region.end_faces, &blade.part)?;
-        let setup = Setup { job, blade, machine, start_near, end_faces, post_files, obstacles, inputs };
+        let setup = Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, inputs };
         setup.check_program_names()?;
         Ok(setup)
     }
@@ -320,6 +331,7 @@ fn model_options(m: &ModelJob) -> ModelOptions {
         deflection_mm: m.deflection_mm,
         weld_mm: m.weld_mm,
         close_holes_mm: m.close_holes_mm,
+        body: m.body,
         airfoil_mm: m.airfoil_mm,
         platform_mm: m.platform_mm,
         airfoil_faces: m.airfoil_faces.clone(),
@@ -406,7 +418,7 @@ pub fn run_on(
         },
     )?;
     let Made { summary, report, plan, taken, .. } = made;
-    Ok(Outcome { files: folder.finish()?, summary, report, plan, stages: clock.records, taken })
+    Ok(Outcome { files: folder.finish()?, tool: setup.tool, summary, report, plan, stages: clock.records, taken })
 }
 
 /// What the stages after the model came to.

@@ -91,7 +91,10 @@ fn bad_models_are_named() {
     let text = String::from_utf8_lossy(&out.stdout);
     assert_eq!(out.status.code(), Some(0));
     assert!(text.contains("4 open edges in 1 opening") && text.contains("160.000 mm long"), "{text}");
-    fails(&["plan", "small.stl", "--set", "tool.radius_mm=8", "-o", "out"], d, 3, &["smaller than"]);
+    fails(&["plan", "small.stl", "--axis", "z", "--set", "tool.radius_mm=8", "-o", "out"], d, 3, &["smaller than"]);
+    write(d, "cube.stl", cube_stl(10.0, 6).as_bytes());
+    let none = ["no blade was recognised", "no section looks like an airfoil", "--axis"];
+    fails(&["plan", "cube.stl", "--unit", "mm", "-o", "out"], d, 3, &none);
 }
 
 #[test]
@@ -225,6 +228,8 @@ fn plan_verify_post_and_preview_of_the_prism() {
             String::from_utf8_lossy(&out.stderr),
             String::from_utf8_lossy(&out.stdout)
         );
+        // Nobody asked for the baseline that the summary compares with.
+        assert!(!String::from_utf8_lossy(&out.stderr).contains("fixed"), "{}", String::from_utf8_lossy(&out.stderr));
     }
     let (one, two) = (contents(&d.join("1")), contents(&d.join("2")));
     let names: Vec<&str> = one.iter().map(|(n, _)| n.as_str()).collect();
@@ -454,6 +459,16 @@ fn stages_can_be_stopped_after() {
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
     let names: Vec<String> = contents(&dir.path().join("out")).into_iter().map(|(n, _)| n).collect();
     assert_eq!(names, ["job.resolved.toml", "sections.json", "toolpath.json"]);
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert!(said.starts_with("tool: ball R 4 mm, taper 4°, shank 12 mm, stick-out "), "{said}");
+    // A feed that no axis reaches is told; and so is a ball that is too large.
+    let options = ["feed.feed_mm_min=200000", "tool.radius_mm=10", "region.start_mm=15"].map(|o| ["--set", o]).concat();
+    let out = bladewright(&[&["plan", &model, "-o", "fast", "--until", "section"][..], &options].concat(), dir.path());
+    let told = String::from_utf8_lossy(&out.stderr).into_owned();
+    for words in ["more than the machine's linear axes reach together", "the ball of 10 mm is too large for this blade"]
+    {
+        assert!(told.contains(words), "`{words}` is not in {told}");
+    }
 }
 
 /// With the tool square to the blade axis the cone comes down on the platform before the ball does: the helix ends above, and

@@ -207,8 +207,86 @@ fn a_wheel_is_said_to_be_no_single_blade() {
         let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
         let found = survey(&obj(&turned(&wheel(), &by))).found;
         let e = found.err().expect("a wheel is refused");
-        assert!(e.to_string().contains("no single blade"), "{e}");
+        assert!(e.to_string().contains("no single blade was found: the part is a wheel of 5 blades about"), "{e}");
+        assert!(seed != 0 || e.to_string().contains("about +X of the model through (0.00, "), "{e}");
     }
+}
+
+/// Two blades of different size in one file: each can be chosen, the whole part stays, and a body that is not there is an error that lists them.
+#[test]
+fn a_body_of_an_assembly_is_chosen_by_its_number() {
+    let (mut points, mut triangles) = PLAIN.mesh();
+    let small = Airfoil { span: 60.0, chord: 20.0, ..PLAIN }.mesh();
+    let base = points.len();
+    points.extend(small.0.iter().map(|p| Point3::new(p.z, p.x + 200.0, p.y)));
+    triangles.extend(small.1.iter().map(|t| t.map(|v| v + base)));
+    let text = obj(&(points, triangles));
+    let read = |body| {
+        let options = ModelOptions { body, ..ModelOptions::default() };
+        model::survey_bytes(Path::new("part.obj"), text.as_bytes(), &options, &Silent)
+    };
+    for (body, along) in [(1, Vector3::z()), (2, Vector3::x())] {
+        let survey = read(Some(body)).expect("read");
+        assert_eq!((axis(&survey).0, survey.bodies.len()), (along, 2));
+        let found = survey.found.as_ref().expect("found");
+        assert_eq!(found.mesh.triangles.len(), survey.part.mesh.triangles.len(), "the whole part stays");
+        let own = found.regions.part_x_mm;
+        assert!((own[1] - own[0] - if body == 1 { 100.0 } else { 60.0 }).abs() < 0.5, "{own:?}");
+    }
+    let whole = read(None).expect("read");
+    let told = match &whole.found {
+        Ok(_) => whole.diagnosis.notes.join("\n"),
+        Err(e) => e.to_string(),
+    };
+    assert!(told.contains("--body") && told.contains("2 bodies"), "{told}");
+    let text = model::inspect_text(&whole);
+    assert!(text.contains("assembly") && text.contains("1: ") && text.contains("an airfoil along"), "{text}");
+    for wrong in [0, 3] {
+        let e = read(Some(wrong)).err().expect("refused");
+        assert!(e.to_string().contains(&format!("there is no body {wrong}; the model has 2: 1 (")), "{e}");
+    }
+}
+
+/// An axis that contradicts what is found is told with both; one that is merely near it is not.
+#[test]
+fn an_axis_that_contradicts_the_part_is_told() {
+    let told = |axis: &str| report("turbine_camber.obj", &["--unit", "mm", axis]);
+    let text = told("--axis=-z");
+    assert!(
+        text.contains("was given as -Z of the model; without --axis +Z of the model is found, the opposite"),
+        "{text}"
+    );
+    let text = told("--axis=x");
+    assert!(text.contains("was given as +X of the model; without --axis +Z of the model is found, 90° away"), "{text}");
+    for axis in ["--axis=z", "--axis=0.1,0,1"] {
+        assert!(!told(axis).contains("without --axis"), "{axis}");
+    }
+    // Planned along it all the same, the refusal names the axis as its cause.
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let out = Command::new(env!("CARGO_BIN_EXE_bladewright"))
+        .args(["--quiet", "plan", "--unit", "mm", "--axis", "x", "--until", "path", "-o", "out"])
+        .arg(model("turbine_camber.obj"))
+        .current_dir(dir.path())
+        .output()
+        .expect("the command starts");
+    let error = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(3), "{error}");
+    let refusal = error.split("error: ").nth(1).unwrap_or_default();
+    assert!(refusal.contains("without --axis +Z of the model is found"), "{error}");
+    assert!(refusal.contains("the axis is the likely cause"), "{error}");
+}
+
+/// Where only one side of the airfoil is named, the message names the other, and following it finds the airfoil.
+#[test]
+fn a_side_that_was_not_named_is_named() {
+    for options in [&["--axis", "z", "--faces", "airfoil=2"][..], &["--faces", "airfoil=2"]] {
+        let text = report("compressor_twist.obj", &[&["--unit", "mm"], options].concat());
+        for words in ["no airfoil was found on face 2", "the rest lies on", "--faces airfoil=1,2"] {
+            assert!(text.contains(words), "{options:?}: `{words}` is not in\n{text}");
+        }
+    }
+    let text = report("compressor_twist.obj", &["--unit", "mm", "--axis", "z", "--faces", "airfoil=1,2"]);
+    assert!(text.contains("airfoil: x ="), "{text}");
 }
 
 /// A blade with root, platform and fillet: the same axis to a tenth of a degree, and the same heights, in any position.

@@ -105,6 +105,9 @@ pub struct Diagnosis {
     /// This is the mirror image of what the file holds, across z = 0 of the blade frame, made to plan in.
     #[serde(skip)]
     pub mirrored: bool,
+    /// What speaks against the blade axis that was given.
+    #[serde(skip)]
+    pub axis_against: Option<String>,
     /// What was changed or looks odd.
     pub notes: Vec<String>,
 }

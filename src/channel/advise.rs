@@ -49,6 +49,16 @@ pub struct Advice {
     pub places: usize,
 }
 
+impl Advice {
+    /// Neither another B nor any one change of the tool that was tried opens the channel.
+    pub fn opens_nothing(&self) -> bool {
+        self.b_ranges_deg.is_empty()
+            && self.least_stickout_mm.is_none()
+            && self.holder_radii_mm.is_none()
+            && self.shank_radius_mm.is_none()
+    }
+}
+
 /// How far a channel leads before it closes.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Farthest {

@@ -222,6 +222,6 @@ fn advice_for(ends: &[Binding]) -> String {
             Binding::Free => {}
         }
     }
-    add("try another B (`bladewright advise` says which) or a smaller ball radius");
+    add("`bladewright advise` looks whether another B, stick-out, holder or shank opens it");
     out.join("; ")
 }

@@ -101,6 +101,9 @@ pub struct Reading {
     /// Blade axis from root to tip, in the model's frame.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_axis)]
     pub axis: Option<Axis>,
+    /// The body to plan, by its number as inspect prints it, where the model has several; the tool keeps clear of all of them.
+    #[arg(long, value_name = "N")]
+    pub body: Option<u32>,
     /// Where a region lies, mm along the blade axis: airfoil=LO,HI or platform=TOP; may be given more than once.
     #[arg(long, value_name = "NAME=HEIGHTS", value_parser = parse_region)]
     pub region: Vec<Region>,

@@ -13,7 +13,6 @@ use crate::error::Result;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::output::{self, RunFolder};
-use crate::path;
 use crate::pipeline::Setup;
 use crate::preview::plot;
 
@@ -32,7 +31,7 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.job.out)?;
     let setup = Setup::load(&draft_of(&args.job)?, observer)?;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
-    let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;
     folder.add("channel_intervals.csv", table(&toolpath, &intervals, &setup.blade.part))?;
@@ -112,7 +111,7 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let setup = Setup::load(&draft_from(&args.input, &args.reading, &args.set)?, observer)?;
-    let toolpath = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let angles = setup.angles_b(ANGLES_DEG);
     let found = channel::advise(&around, tool, &toolpath, &options, &angles, observer)?;
@@ -147,6 +146,12 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     row("thickest shank that opens it", mm(found.shank_radius_mm, 2, "none, not even as thin as the ball") + &now_mm);
     if let Some(f) = &found.farthest {
         row("leads farthest", format!("B = {}°: to height {:.2} mm, turn {}", f.b_deg, f.height_mm, f.turn));
+    }
+    if now.monotone_deg.is_none_or(|w| w < 0.0) && found.opens_nothing() {
+        let end = found.farthest.as_ref().map_or_else(String::new, |f| {
+            format!(": end the region above height {:.2} mm (region.end_mm) with B = {}°", f.height_mm, f.b_deg)
+        });
+        row("none of these alone opens it", format!("machine less of the blade, or take another tool{end}"));
     }
     sayln!("looked at {} locations of the path; a plan with these values proves the moves between them", found.places);
     if let Some(out) = &args.out {

@@ -29,7 +29,7 @@ fn options(args: &Inspect) -> ModelOptions {
 
 /// How a model is to be read, as typed.
 pub(super) fn reading(r: &Reading) -> ModelOptions {
-    let mut o = ModelOptions { unit: r.unit, axis: r.axis.map(|a| a.0), ..ModelOptions::default() };
+    let mut o = ModelOptions { unit: r.unit, axis: r.axis.map(|a| a.0), body: r.body, ..ModelOptions::default() };
     for region in &r.region {
         match region {
             Region::Airfoil(heights) => o.airfoil_mm = Some(*heights),

@@ -61,7 +61,7 @@ fn job_file(input: &Path) -> Result<JobFile> {
     }
 }
 
-/// `--unit`, `--axis`, `--region` and `--faces` as keys of the job.
+/// `--unit`, `--axis`, `--body`, `--region` and `--faces` as keys of the job.
 fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     if let Some(unit) = reading.unit {
         let name = serde_json::to_string(&unit)
@@ -73,6 +73,7 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
         file.set(&format!("model.axis=[{x:?}, {y:?}, {z:?}]"))?;
     }
     let keys = file.model.get_or_insert_default();
+    keys.body = reading.body.or(keys.body);
     for region in &reading.region {
         match region {
             Region::Airfoil(heights) => keys.airfoil_mm = Some(*heights),
@@ -89,6 +90,7 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
 }
 
 fn print(outcome: &Outcome, until: Option<Stage>) {
+    sayln!("tool: {} ({})", outcome.tool.in_words(), outcome.tool.why);
     if let Some(summary) = &outcome.summary {
         print_summary(summary);
     }

@@ -6,22 +6,13 @@ use super::resolved::{
     ChannelJob, FeedJob, FixtureJob, Job, MOST_LEAN_DEG, MachineJob, ModelJob, PathJob, PostJob, RegionJob,
     ScheduleJob, SectionJob, TINY, VerifyJob, check_ranges,
 };
-use super::typed::{FixtureKeys, JobFile, RegionReference, ToolKeys};
+use super::tool::{self, Chosen};
+use super::typed::{FixtureKeys, JobFile, RegionReference};
 use crate::artifact::Blade;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::PathKind;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
-use crate::geometry::slice::slice;
-use crate::tool::{HolderStage, Tool};
-
-/// Ball radii that cutters are sold with, mm.
-const STANDARD_RADII_MM: [f64; 15] = [0.25, 0.3, 0.4, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
-
-/// Holders for the smallest cutters are about this long, mm: they bring the spindle clear of the table, below which many
-/// machines' Z does not go.
-const LEAST_HOLDER_MM: f64 = 40.0;
 
 /// A job that is settled as far as it can be without the blade: enough to read the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +44,7 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
         deflection_mm: keys.deflection_mm.unwrap_or(0.01),
         weld_mm: keys.weld_mm,
         close_holes_mm: keys.close_holes_mm,
+        body: keys.body,
         airfoil_mm: keys.airfoil_mm,
         platform_mm: keys.platform_mm,
         airfoil_faces: keys.airfoil_faces.unwrap_or_default(),
@@ -70,6 +62,9 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None, base_dir })
 }
 
+/// Finer scallops than this ask for chords below what positions of a program can say.
+const LEAST_SCALLOP_MM: f64 = 2.5e-4;
+
 /// Values that are wrong on any blade are refused before the model is read.
 fn early_checks(typed: &JobFile) -> Result<()> {
     let tool = typed.tool.clone().unwrap_or_default();
@@ -79,6 +74,7 @@ fn early_checks(typed: &JobFile) -> Result<()> {
         ("tool.shank_radius_mm", tool.shank_radius_mm.unwrap_or(1.0), TINY, 1000.0),
         ("tool.stickout_mm", tool.stickout_mm.unwrap_or(1.0), TINY, 10_000.0),
         ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), TINY, 10.0),
+        ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), LEAST_SCALLOP_MM, 10.0),
         ("path.chord_mm", path.chord_mm.unwrap_or(0.001), 1e-5, 1.0),
     ])
 }
@@ -107,16 +103,26 @@ impl Draft {
     /// Settles the rest from the blade.
     ///
     /// # Errors
-    /// `Usage` naming the key when a value lies outside its limits; `Infeasible` when no tool fits by itself.
+    /// As [`Draft::settle`].
     pub fn complete(&self, blade: &Blade) -> Result<Job> {
+        self.settle(blade).map(|(job, _)| job)
+    }
+
+    /// As [`Draft::complete`], with what is to be said of the tool.
+    ///
+    /// # Errors
+    /// `Usage` naming the key when a value lies outside its limits; `Infeasible` when no tool fits by itself.
+    pub fn settle(&self, blade: &Blade) -> Result<(Job, Chosen)> {
         let t = self.typed.clone();
         let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
         let (schedule, verify) = (t.schedule.unwrap_or_default(), t.verify.unwrap_or_default());
         let post = t.post.unwrap_or_default();
         let feed = t.feed.unwrap_or_default();
-        let tool = complete_tool(&t.tool.unwrap_or_default(), blade)?;
-        let radius = tool.radius_mm;
-        let region = complete_region(&t.region.unwrap_or_default(), blade, radius)?;
+        let typed_region = typed_region(&t.region.unwrap_or_default(), blade)?;
+        let chosen = tool::complete(&t.tool.unwrap_or_default(), blade, typed_region.start_mm, typed_region.end_mm)?;
+        let (tool, radius) = (chosen.tool.clone(), chosen.tool.radius_mm);
+        let start_mm = typed_region.start_mm.unwrap_or_else(|| default_start(blade, radius));
+        let region = RegionJob { start_mm, end_mm: typed_region.end_mm, end_faces: typed_region.end_faces };
         let max_lean_deg = if region.end_faces.is_empty() { 60.0 } else { MOST_LEAN_DEG };
         let (kind, scallop_mm) =
             (path.kind.unwrap_or_else(|| default_kind(blade, &region)), path.scallop_mm.unwrap_or(0.01));
@@ -192,7 +198,7 @@ impl Draft {
             stock,
         };
         job.validate()?;
-        Ok(job)
+        Ok((job, chosen))
     }
 
     /// A fixture or the stock; `room` is what the channel keeps from the part.
@@ -210,42 +216,15 @@ impl Draft {
     }
 }
 
-/// The tool: what was typed, else
-/// * ball radius: the largest standard one not above 7 % of the chord near the platform (about half the thickness of
-///   usual profiles: larger balls no longer follow the edges' neighbourhood and the platform's fillet) that fits
-///   into the concave side there with a tenth to spare;
-/// * taper 4°: slim enough for the concave side, three times as stiff as a straight neck of the ball's size;
-/// * shank 1.5 ball radii, holder of twice the shank's radius, five shank diameters long, but not below [`LEAST_HOLDER_MM`]: usual
-///   proportions of shrink-fit holders;
-/// * stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform
-///   whatever the angle of the tool.
-fn complete_tool(keys: &ToolKeys, blade: &Blade) -> Result<Tool> {
-    let radius_mm = match keys.radius_mm {
-        Some(r) => r,
-        None => default_radius(blade)?,
-    };
-    let taper_deg = keys.taper_deg.unwrap_or(4.0);
-    let straight = taper_deg <= 0.0;
-    let shank_radius_mm = keys.shank_radius_mm.unwrap_or(if straight { radius_mm } else { 1.5 * radius_mm });
-    let reach = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
-    let stickout_mm = keys.stickout_mm.unwrap_or_else(|| up_to_five(1.1 * reach + 2.0 * radius_mm));
-    let holder = keys.holder.clone().unwrap_or_else(|| {
-        let length_mm = (10.0 * shank_radius_mm).max(LEAST_HOLDER_MM);
-        vec![HolderStage { radius_mm: 2.0 * shank_radius_mm, length_mm }]
-    });
-    let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
-    tool.validate()?;
-    Ok(tool)
+/// The region as far as it was typed, in the blade frame.
+struct TypedRegion {
+    start_mm: Option<f64>,
+    end_mm: Option<f64>,
+    end_faces: Vec<String>,
 }
 
-/// Rounded up to a multiple of 5 mm (of 0.5 mm below 5 mm): tools are set by such steps.
-fn up_to_five(x: f64) -> f64 {
-    let unit = if x < 5.0 { 0.5 } else { 5.0 };
-    (x / unit).ceil() * unit
-}
-
-/// Where the root region begins and ends by itself, see [`RegionJob`].
-fn complete_region(keys: &super::typed::RegionKeys, blade: &Blade, radius_mm: f64) -> Result<RegionJob> {
+/// The region as typed, its heights in the blade frame.
+fn typed_region(keys: &super::typed::RegionKeys, blade: &Blade) -> Result<TypedRegion> {
     let zero = match keys.reference.unwrap_or_default() {
         RegionReference::Blade => 0.0,
         RegionReference::Platform => blade.regions.platform_x_mm.ok_or_else(|| {
@@ -260,10 +239,9 @@ fn complete_region(keys: &super::typed::RegionKeys, blade: &Blade, radius_mm: f6
             if (lo..=hi).contains(&x) { Ok(Some(x)) } else { Err(outside(key, x, lo, hi)) }
         }
     };
-    let start = typed("region.start_mm", keys.start_mm)?;
+    let start_mm = typed("region.start_mm", keys.start_mm)?;
     let end_mm = typed("region.end_mm", keys.end_mm)?;
-    let end_faces = keys.end_faces.clone().unwrap_or_default();
-    Ok(RegionJob { start_mm: start.unwrap_or_else(|| default_start(blade, radius_mm)), end_mm, end_faces })
+    Ok(TypedRegion { start_mm, end_mm, end_faces: keys.end_faces.clone().unwrap_or_default() })
 }
 
 fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
@@ -275,52 +253,6 @@ fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
 fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
     let [a, b] = blade.regions.airfoil_x_mm;
     a + (0.3 * (b - a)).max(3.0 * radius_mm).min(40.0).min(0.9 * (b - a))
-}
-
-/// See [`complete_tool`].
-fn default_radius(blade: &Blade) -> Result<f64> {
-    let [a, b] = blade.regions.airfoil_x_mm;
-    let chord = chord_mm(blade, a + 0.15 * (b - a));
-    let mut fitting = STANDARD_RADII_MM.iter().rev().copied().filter(|r| *r <= SHARE_OF_CHORD * chord);
-    if let Some(radius_mm) = fitting.find(|r| room(blade, r / 0.9).share >= MOST_OF_WALL) {
-        return Ok(radius_mm);
-    }
-    let least_mm = STANDARD_RADII_MM[0];
-    let why = if least_mm > SHARE_OF_CHORD * chord {
-        format!(
-            "the smallest, of {least_mm} mm, is more than {:.0} % of the airfoil's chord, {chord:.3} mm at height {:.3} mm",
-            100.0 * SHARE_OF_CHORD,
-            a + 0.15 * (b - a)
-        )
-    } else {
-        no_room(blade, least_mm)
-    };
-    Err(Error::infeasible(Stage::Job, format!("no standard ball fits the airfoil: {why}"))
-        .advise(
-            "give tool.radius_mm; look whether the surface folds over itself there, and check unit, axis and where the airfoil is (--unit, --axis, \
-             --region airfoil=LO,HI)",
-        ))
-}
-
-/// Where a ball lacks room, and by how much.
-fn no_room(blade: &Blade, radius_mm: f64) -> String {
-    let Room { share, heights_mm: [lo, hi], tightest } = room(blade, radius_mm / 0.9);
-    let tightest = tightest.map_or_else(String::new, |(p, left_mm)| {
-        let p = blade.model_from_blade * p;
-        format!(
-            "; laid on the wall at ({:.3}, {:.3}, {:.3}) mm in the model, a ball of {:.3} mm has its centre {left_mm:.3} mm from the part",
-            p.x,
-            p.y,
-            p.z,
-            radius_mm / 0.9
-        )
-    });
-    format!(
-        "the smallest, of {radius_mm} mm, has room with a tenth to spare at {:.1} % of the places tried on the wall between the heights \
-         {lo:.3} and {hi:.3} mm, {:.0} % are asked{tightest}",
-        100.0 * share,
-        100.0 * MOST_OF_WALL
-    )
 }
 
 /// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take up what its facets do to each, and on a scan the
@@ -337,66 +269,4 @@ fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
         PathKind::ConstantScallop => (0.04 * scallop_mm).min(0.001),
         PathKind::ConstantHeight | PathKind::IsoParametric => 0.001,
     }
-}
-
-/// Greatest distance between two points of the largest loop at height `x_mm`, mm; 0 where there is none.
-fn chord_mm(blade: &Blade, x_mm: f64) -> f64 {
-    let loops = slice(&blade.part.mesh, &blade.part.bvh, x_mm);
-    let longest = loops.into_iter().max_by(|a, b| a.length_mm().total_cmp(&b.length_mm()));
-    let points = longest.map(|l| l.points).unwrap_or_default();
-    // Extents over 90 directions are within 0.02 % of the diameter and cost linear time.
-    let extent = |k: usize| {
-        let (s, c) = (k as f64 * std::f64::consts::PI / 90.0).sin_cos();
-        let along = points.iter().map(|p| c * p[0] + s * p[1]);
-        let (lo, hi) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
-        if hi >= lo { hi - lo } else { 0.0 }
-    };
-    (0..90).map(extent).fold(0.0, f64::max)
-}
-
-/// Balls of more than this share of the chord are not tried.
-const SHARE_OF_CHORD: f64 = 0.07;
-/// Share of the wall near the platform that a ball is to touch without cutting elsewhere.
-const MOST_OF_WALL: f64 = 0.99;
-
-/// How much room a ball has on the airfoil near the platform.
-struct Room {
-    /// Share of the places tried where it cuts nothing, 0 where none was tried.
-    share: f64,
-    /// The heights between which places were tried, mm.
-    heights_mm: [f64; 2],
-    /// Where it touches when its centre comes nearest to the part, blade frame, and how near that is, mm; none where it is clear.
-    tightest: Option<(Point, f64)>,
-}
-
-/// Lays a ball on the middles of triangles: it has room where its centre is no nearer than its radius to the whole part.
-fn room(blade: &Blade, radius_mm: f64) -> Room {
-    let [a, b] = blade.regions.airfoil_x_mm;
-    let (lo, hi) = (a + radius_mm.min(0.3 * (b - a)), default_start(blade, radius_mm).max(a + 0.35 * (b - a)));
-    let mesh = &blade.part.mesh;
-    let all: Vec<usize> = (0..mesh.triangles.len())
-        .filter(|&t| {
-            let [p, q, r] = mesh.corners(t);
-            let x = (p.x + q.x + r.x) / 3.0;
-            lo <= x && x <= hi && mesh.normal(t).x.abs() < 0.5
-        })
-        .collect();
-    let every = (all.len() / 2000).max(1);
-    let (mut tried, mut clear) = (0usize, 0usize);
-    let mut tightest: Option<(Point, f64)> = None;
-    for &t in all.iter().step_by(every) {
-        let [p, q, r] = mesh.corners(t);
-        let touch = p + ((q - p) + (r - p)) / 3.0;
-        let near = blade.part.closest_on_mesh(&(touch + mesh.normal(t) * radius_mm), radius_mm);
-        tried += 1;
-        // Facets of a coarse mesh bend by a few hundredths of the radius without being a pocket.
-        match near.filter(|c| c.distance_mm <= 0.97 * radius_mm) {
-            None => clear += 1,
-            Some(c) if tightest.is_none_or(|(_, least)| c.distance_mm < least) => {
-                tightest = Some((touch, c.distance_mm))
-            }
-            Some(_) => {}
-        }
-    }
-    Room { share: clear as f64 / tried.max(1) as f64, heights_mm: [lo, hi], tightest }
 }

@@ -62,7 +62,7 @@ impl JobFile {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
         let text = value.trim();
-        self.set_value(&keys, read_value(text)).map_err(|m| bad(no_number(text, &m).unwrap_or(m)))
+        self.set_value(&keys, read_value(text)).map_err(|m| bad(hint(text, &m).unwrap_or(m)))
     }
 
     /// Sets one key, given as the list of its parts, to a TOML value.
@@ -77,8 +77,11 @@ impl JobFile {
     }
 }
 
-/// What is wrong with a text where a number is wanted; `None` where something else is wrong.
-fn no_number(text: &str, message: &str) -> Option<String> {
+/// What is wrong with a text where a number or a list is wanted; `None` where something else is wrong.
+fn hint(text: &str, message: &str) -> Option<String> {
+    if message.contains("expected a sequence") {
+        return Some(format!("{message}: this is a list, name its first entry by 0, as in fixture.0.file=vice.stl"));
+    }
     let wanted = ["expected f64", "expected u32", "expected u64", "expected usize"];
     if !(message.contains("invalid type: string") && wanted.iter().any(|w| message.contains(w))) {
         return None;
@@ -115,7 +118,10 @@ pub fn insert(at: &mut toml::Value, keys: &[&str], value: toml::Value) -> std::r
     };
     match at {
         toml::Value::Table(table) => {
-            let entry = table.entry(first.to_string()).or_insert_with(|| toml::Value::Table(Default::default()));
+            let empty = toml::Value::Table(Default::default());
+            // A list that is not there yet begins with the entry that is named.
+            let empty = if rest.first() == Some(&"0") { toml::Value::Array(vec![empty]) } else { empty };
+            let entry = table.entry(first.to_string()).or_insert(empty);
             insert(entry, rest, value)
         }
         toml::Value::Array(list) => {

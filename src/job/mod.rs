@@ -11,8 +11,10 @@ mod axis;
 mod defaults;
 mod load;
 mod resolved;
+mod room;
 #[cfg(test)]
 mod tests;
+mod tool;
 mod typed;
 
 pub use axis::AxisChoice;
@@ -21,6 +23,7 @@ pub use load::{insert, load, parse, read_value};
 pub use resolved::{
     ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
 };
+pub use tool::Chosen;
 pub use typed::{
     ChannelKeys, FeedKeys, JobFile, MachineKeys, ModelKeys, PathKeys, PostKeys, RegionKeys, RegionReference,
     ScheduleKeys, SectionKeys, ToolKeys, VerifyKeys,

@@ -82,6 +82,9 @@ pub struct ModelJob {
     /// Greatest extent of a hole of a mesh that is closed, mm. Default, left out: none, since a hole may be meant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub close_holes_mm: Option<f64>,
+    /// The body to plan. Default, left out: the blade is looked for on all of the part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<u32>,
     /// Heights of the airfoil, mm. Default, left out: found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub airfoil_mm: Option<[f64; 2]>,

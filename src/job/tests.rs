@@ -72,6 +72,18 @@ fn set_changes_one_key_and_leaves_the_job_alone_on_errors() {
         assert!(e.message.contains(bad), "{e}");
         assert_eq!(job, before);
     }
+    for (bad, hint) in [
+        ("tool.radius_mm=2,5", "as in 2.5"),
+        ("tool.radius_mm=2mm", "as in 2.5"),
+        ("fixture.file=v.stl", "fixture.0.file"),
+    ] {
+        let e = job.set(bad).unwrap_err();
+        assert!(e.message.contains(hint), "{e}");
+        assert_eq!(job, before);
+    }
+    let mut fixed = before.clone();
+    fixed.set("fixture.0.file=v.stl").unwrap();
+    assert_eq!(fixed.fixture.unwrap()[0].file.as_deref(), Some("v.stl"));
     let e = job.set("path.scalop_mm=1").unwrap_err();
     assert!(e.message.contains("scallop_mm"), "{e}");
 }
@@ -86,6 +98,7 @@ fn missing_model_and_impossible_values_are_refused_before_the_model_is_read() {
         ("[tool]\nradius_mm = nan", "tool.radius_mm"),
         ("[path]\nscallop_mm = 0", "path.scallop_mm"),
         ("[path]\nscallop_mm = -0.01", "path.scallop_mm"),
+        ("[path]\nscallop_mm = 0.000001", "path.scallop_mm"),
         ("[path]\nchord_mm = inf", "path.chord_mm"),
     ] {
         let e = kind(&format!("model.file = \"a.stl\"\n{text}"));
@@ -197,12 +210,47 @@ mod with_blade {
         assert!(a.tool.stickout_mm > 30.0 && a.region.start_mm == 30.0);
     }
 
-    /// Where no ball fits, the message says where and by how much.
+    fn settle(text: &str, blade: &Blade) -> (Job, Chosen) {
+        let typed = parse(&format!("model.file = \"a.stl\"\n{text}"), "t").unwrap();
+        resolve(typed, Path::new("/b")).unwrap().settle(blade).unwrap()
+    }
+
+    /// The default tool is one of the catalogue's, whatever the part asks for, and what it leaves is told.
     #[test]
-    fn a_wall_without_room_is_told_with_the_place() {
-        let e = complete("", &lens(2.0, 2.7)).unwrap_err().to_string();
-        assert!(e.contains("0.25 mm, is more than 7 % of the airfoil's chord, 2.000 mm at height 15.000 mm"), "{e}");
-        // Two columns a fifth of a millimetre apart: a ball of 0.278 mm laid on the middle of one has its centre in the other.
+    fn a_default_tool_can_be_bought_and_says_what_it_leaves() {
+        let (job, chosen) = settle("", &lens(60.0, 80.0));
+        assert!(chosen.warnings.is_empty(), "{:?}", chosen.warnings);
+        assert!(chosen.why.contains("7 % of the chord") && chosen.in_words().contains("ball R 4 mm"), "{chosen:?}");
+        let tool = job.tool;
+        assert_eq!((tool.shank_radius_mm, tool.holder[0].radius_mm, tool.holder[1].radius_mm), (6.0, 14.0, 16.0));
+        // An airfoil for a ball that nobody sells.
+        let (job, chosen) = settle("", &lens(2.0, 2.7));
+        assert_eq!((job.tool.radius_mm, job.tool.shank_radius_mm, job.tool.holder[0].radius_mm), (0.5, 3.0, 12.0));
+        assert!(chosen.warnings[0].contains("0.14 mm, 7 % of its chord of 2.000 mm at height 15.0 mm"), "{chosen:?}");
+        // A small airfoil far inside a wide part: no slender needle, but the smallest ball that is sold long enough.
+        let mut wide = lens(20.0, 27.0);
+        let n = wide.part.mesh.points.len() as u32;
+        let mut mesh = wide.part.mesh.clone();
+        mesh.points.extend([[0.0, 90.0, 0.0], [0.0, 89.0, 0.0], [0.0, 90.0, 1.0]].map(Point::from));
+        mesh.triangles.push([n, n + 1, n + 2]);
+        wide.part = Part::from_mesh(mesh);
+        let (job, chosen) = settle("", &wide);
+        assert!(job.tool.radius_mm == 2.0 && job.tool.stickout_mm <= 20.0 * job.tool.shank_radius_mm, "{:?}", job.tool);
+        assert!(chosen.warnings[0].contains("2 mm is the smallest that is sold long enough"), "{chosen:?}");
+        // Wider than anything that is sold.
+        for p in &mut wide.part.mesh.points {
+            p.y *= 10.0;
+        }
+        let (job, chosen) = settle("", &wide);
+        assert!(job.tool.stickout_mm <= 320.0 && chosen.warnings.iter().any(|w| w.contains("at most, which is taken")));
+        let (job, _) = settle("tool.stickout_mm = 700", &wide);
+        assert_eq!(job.tool.stickout_mm, 700.0, "what was asked for stays");
+    }
+
+    /// A slit is told with its place and has no say; nor has damage of a mesh.
+    #[test]
+    fn slits_and_damage_have_no_say_in_the_tool() {
+        // Two columns a fifth of a millimetre apart.
         let mut blade = lens(60.0, 80.0);
         let up = blade.part.mesh.points.iter().map(|p| p.z).fold(0.0, f64::max);
         let n = blade.part.mesh.points.len() as u32;
@@ -211,15 +259,47 @@ mod with_blade {
         mesh.triangles.extend(blade.part.mesh.triangles.iter().map(|t| t.map(|k| k + n)));
         blade.part = Part::from_mesh(mesh);
         blade.model_from_blade = Rigid::translation(1000.0, 0.0, 0.0);
-        let e = complete("", &blade).unwrap_err().to_string();
-        for words in [
-            " % of the places tried on the wall between the heights 0.278 and 35.000 mm, 99 % are asked",
-            "mm from the part",
-            "at (10",
-        ] {
-            assert!(e.contains(words), "{words} is not in {e}");
+        let told = settle("", &blade).1.warnings.join("\n");
+        for words in ["not even a ball of 0.5 mm has room", "tightest at (10"] {
+            assert!(told.contains(words), "{words} is not in {told}");
         }
         assert!(complete("tool.radius_mm = 0.25", &blade).is_ok());
+        // Many tiny triangles lie on the wall upside down: a quarter of all triangles, and next to no area.
+        let whole = lens(60.0, 80.0);
+        let mut damaged = whole.clone();
+        let mut mesh = whole.part.mesh.clone();
+        for k in 0..3000 {
+            let base = mesh.points.len() as u32;
+            let at = Point::new(10.0 + 0.005 * f64::from(k), 5.0, 5.69);
+            mesh.points.extend([at, Point::new(at.x + 0.001, at.y, at.z), Point::new(at.x, at.y - 0.001, at.z)]);
+            mesh.triangles.push([base, base + 1, base + 2]);
+        }
+        damaged.part = Part::from_mesh(mesh);
+        assert_eq!(settle("", &damaged).0.tool, settle("", &whole).0.tool);
+    }
+
+    /// The ball is smaller than the fillet; one that is too large is told, with what it leaves and what would fit.
+    #[test]
+    fn the_fillet_has_its_say_in_the_ball() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.obj");
+        let options = crate::model::ModelOptions { unit: Some(Unit::Mm), ..Default::default() };
+        let blade = crate::model::load(&file, &options, &crate::observe::Silent).unwrap();
+        let (job, chosen) = settle("", &blade);
+        assert!(job.tool.radius_mm == 2.5 && chosen.warnings.is_empty(), "{chosen:?}");
+        let (_, chosen) = settle("tool.radius_mm = 20", &blade);
+        let told = chosen.warnings.join("\n");
+        for words in [
+            "the ball of 20 mm is too large for this blade",
+            "% of the fillet",
+            "a ball of 2.5 mm would",
+            "second operation",
+        ] {
+            assert!(told.contains(words), "{words} is not in {told}");
+        }
+        // Where the region ends above the fillet, it is no matter.
+        let top = blade.regions.fillet_x_mm.unwrap()[1];
+        let (job, _) = settle(&format!("region.end_mm = {}\nregion.start_mm = {}", top + 0.5, top + 12.0), &blade);
+        assert!(job.tool.radius_mm > 2.5, "{:?}", job.tool);
     }
 
     /// Along a wall nothing but the walls of the moves keeps the tool from the part between two locations.

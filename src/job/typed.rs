@@ -82,6 +82,8 @@ keys! {
         weld_mm: f64,
         /// Holes of a mesh up to this extent are closed, mm; default: none.
         close_holes_mm: f64,
+        /// The body to plan, by its number as `inspect` prints it; default: the blade is looked for on all of the part.
+        body: u32,
         /// Heights between which the airfoil lies, mm along the blade axis; default: found.
         airfoil_mm: [f64; 2],
         /// Height of the platform's top, mm along the blade axis; default: found.

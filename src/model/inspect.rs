@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use super::bodies::{Body, LISTED};
+use super::recognise::{self, wheel};
 use super::survey::Survey;
 use crate::artifact::blade::{Area, Diagnosis};
 
@@ -20,6 +22,12 @@ pub fn inspect_text(survey: &Survey) -> String {
     out.line("format", &d.format);
     out.line("unit", &d.unit_reason);
     out.line("bodies", &d.bodies.to_string());
+    if let [_, _, ..] = survey.bodies[..] {
+        let one = |(k, b): (usize, &Body)| format!("{}: {}{}", k + 1, b.in_words(), kind(b));
+        let more = survey.bodies.len().saturating_sub(LISTED);
+        let rest = (more > 0).then(|| format!("and {more} more"));
+        out.list("assembly", survey.bodies.iter().take(LISTED).enumerate().map(one).chain(rest));
+    }
     let faces: Vec<String> = d.faces.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
     out.line("faces", &faces.join(", "));
     let triangles = mesh.triangles.len();
@@ -48,6 +56,12 @@ pub fn inspect_text(survey: &Survey) -> String {
     }
     out.list("notes", d.notes.iter().cloned());
     out.text
+}
+
+/// What a body of an assembly is, where that can be told.
+fn kind(body: &Body) -> String {
+    let wheel = wheel::wheel(&body.mesh).map(|w| w.in_words());
+    wheel.or_else(|| recognise::looks_like_airfoil(&body.mesh)).map_or_else(String::new, |k| format!(": {k}"))
 }
 
 /// By about how much a figure is wrong, if anything that its last digit shows: an estimate, not a bound.

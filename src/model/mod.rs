@@ -10,6 +10,7 @@
 //! `InputOutput` with a sentence that says what and where, never a panic. Limits: one blade per file. An open part is read;
 //! [`openings::check`] decides whether an opening matters for the tool.
 
+pub mod bodies;
 pub mod faces;
 mod fixture;
 pub mod format;
@@ -70,6 +71,8 @@ pub struct ModelOptions {
     pub unit: Option<Unit>,
     /// Blade axis from root to tip, any length, model frame; `None`: found.
     pub axis: Option<[f64; 3]>,
+    /// The body to look for the blade on, from 1, as [`bodies`] numbers them; `None`: all of the part.
+    pub body: Option<u32>,
     /// Greatest distance between exact faces and the mesh made of them, mm; more for parts of some metres.
     pub deflection_mm: f64,
     /// Vertices of a mesh this near to one another are the same, mm; `None`: found.
@@ -86,6 +89,13 @@ pub struct ModelOptions {
     pub platform_faces: Vec<String>,
 }
 
+impl ModelOptions {
+    /// Whether the user says what is the airfoil, so that nothing else is to be doubted.
+    pub fn names_airfoil(&self) -> bool {
+        self.axis.is_some() || self.airfoil_mm.is_some() || !self.airfoil_faces.is_empty()
+    }
+}
+
 impl Default for ModelOptions {
     fn default() -> Self {
         // A hundredth is well below usual form tolerances and keeps a blade at some 100 000 triangles; contact and
@@ -93,6 +103,7 @@ impl Default for ModelOptions {
         ModelOptions {
             unit: None,
             axis: None,
+            body: None,
             deflection_mm: 0.01,
             weld_mm: None,
             close_holes_mm: None,

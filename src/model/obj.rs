@@ -1,12 +1,18 @@
-//! Wavefront OBJ. Groups and objects become the mesh's groups; texture, normals, materials, points and lines are ignored; polygons
+//! Wavefront OBJ, through `tobj`. Groups and objects become the mesh's groups; texture, normals, materials, points and lines are ignored; polygons
 //! are cut into triangles from their first corner.
 //!
-//! Our own reader of this small format: it says in which line a file is damaged, and never gives up on one in another way.
+//! `tobj` is given what a mesh is made of only ([`bare`]): it takes a line of three points for a triangle, divides vertices by their weights, and
+//! refuses colours or texture coordinates of an unusual number. Where it refuses the rest, a second look names the damaged line ([`damage`]).
 
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use super::soup::Soup;
 use crate::error::{Error, Result, Stage};
+
+/// The name that `tobj` gives to what has none.
+const UNNAMED: &str = "unnamed_object";
 
 /// Reads an OBJ.
 ///
@@ -14,58 +20,29 @@ use crate::error::{Error, Result, Stage};
 /// `InputOutput`, with the line: a vertex without three numbers, a face with what is no corner or with a vertex that is not there.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
+    let (bare, weighted) = bare(&text);
+    let options =
+        tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
+    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user gets a sentence.
+    let parsed = catch_unwind(AssertUnwindSafe(|| {
+        tobj::load_obj_buf(&mut bare.as_bytes(), &options, |_| Ok((Vec::new(), Default::default())))
+    }));
+    let models = match parsed {
+        Ok(Ok((models, _))) => models,
+        Ok(Err(e)) => return Err(damage(path, &text, &e.to_string())),
+        Err(_) => return Err(damage(path, &text, "the parser gave up on it")),
+    };
     let mut soup = Soup { format: "OBJ".into(), ..Soup::default() };
-    let mut vertices: Vec<[f64; 3]> = Vec::new();
-    let mut weighted = 0usize;
-    // Vertices may come after the faces that name them: triangles are numbers at first, with their lines.
-    let mut triangles: Vec<([u32; 3], u32)> = Vec::new();
-    let mut corners: Vec<u32> = Vec::new();
-    // A group begins with its first face: names without faces are no groups.
-    let mut name = Some("");
-    for (number, line) in text.lines().enumerate() {
-        let mut words = line.split_ascii_whitespace();
-        match words.next() {
-            Some("v") => {
-                let (p, weight) = vertex(words).ok_or_else(|| bad_line(path, number, line))?;
-                vertices.push(p);
-                weighted += usize::from(weight != 1.0);
-            }
-            Some("f") => {
-                corners.clear();
-                for word in words {
-                    corners.push(corner(word, vertices.len()).ok_or_else(|| bad_line(path, number, line))?);
-                }
-                if let [first, rest @ ..] = corners.as_slice() {
-                    for pair in rest.windows(2) {
-                        if let Some(name) = name.take() {
-                            soup.begin_group(name);
-                        }
-                        triangles.push(([*first, pair[0], pair[1]], number as u32));
-                        soup.group_of.push(soup.groups.len() as u32 - 1);
-                    }
-                }
-            }
-            Some(keyword @ ("o" | "g")) => name = Some(line.trim_start()[keyword.len()..].trim()),
-            _ => {}
-        }
-    }
-    soup.triangles.reserve(triangles.len());
-    for (ids, number) in triangles {
-        let [a, b, c] = ids.map(|i| vertices.get(i as usize).copied());
-        match (a, b, c) {
-            (Some(a), Some(b), Some(c)) => soup.triangles.push([a, b, c]),
-            _ => {
-                let most = ids.iter().max().map_or(0, |i| u64::from(*i) + 1);
-                return Err(Error::io(
-                    Stage::Model,
-                    format!(
-                        "{}, line {}: the face names vertex {most}, but there are {}",
-                        path.display(),
-                        number + 1,
-                        vertices.len()
-                    ),
-                )
-                .advise("the file was cut off or damaged: export the mesh again"));
+    for model in models.iter().filter(|m| !m.mesh.indices.is_empty()) {
+        soup.begin_group(if model.name == UNNAMED { "" } else { &model.name });
+        let corner = |i: u32| match model.mesh.positions.get(3 * i as usize..3 * i as usize + 3) {
+            Some([x, y, z]) => Some([*x, *y, *z]),
+            _ => None,
+        };
+        for t in model.mesh.indices.chunks_exact(3) {
+            match (corner(t[0]), corner(t[1]), corner(t[2])) {
+                (Some(a), Some(b), Some(c)) => soup.push([a, b, c]),
+                _ => return Err(damage(path, &text, "a face names a vertex that is not there")),
             }
         }
     }
@@ -76,15 +53,70 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
-/// Three coordinates, and the fourth number if it is the last: a weight. The format has it for rational curves and surfaces, whose control points
-/// are not divided by it either; polygons have no use for it. More numbers are colours.
-fn vertex<'a>(mut words: impl Iterator<Item = &'a str>) -> Option<([f64; 3], f64)> {
-    let mut next = || words.next()?.parse::<f64>().ok();
-    let p = [next()?, next()?, next()?];
-    match (words.next(), words.next()) {
-        (Some(w), None) => Some((p, w.parse().ok()?)),
-        _ => Some((p, 1.0)),
+/// The lines that a mesh is made of: vertices with their three coordinates, faces with the numbers of their vertices, names of groups. And how many vertices have a weight: a fourth number that is the last, and not 1. The format has it for rational curves and surfaces,
+/// whose control points are not divided by it either; polygons have no use for it. More numbers are colours.
+fn bare(text: &str) -> (String, usize) {
+    let mut out = String::with_capacity(text.len());
+    let mut weighted = 0;
+    for line in text.lines() {
+        let mut words = line.split_ascii_whitespace();
+        // Writing to a String cannot fail.
+        let _ = match words.next() {
+            Some("v") => {
+                let (p, rest): (Vec<&str>, Vec<&str>) = (words.by_ref().take(3).collect(), words.collect());
+                // What is no number is left for the parser to refuse.
+                let weight = if let [w] = rest[..] { w.parse::<f64>().map_err(|_| w) } else { Ok(1.0) };
+                weighted += usize::from(weight.is_ok_and(|w| w != 1.0));
+                writeln!(out, "v {} {}", p.join(" "), weight.err().unwrap_or_default())
+            }
+            Some("f") => {
+                let corners: Vec<&str> = words.map(|w| w.split('/').next().unwrap_or(w)).collect();
+                if corners.is_empty() { Ok(()) } else { writeln!(out, "f {}", corners.join(" ")) }
+            }
+            Some("o" | "g") => writeln!(out, "{}", line.trim_start()),
+            _ => Ok(()),
+        };
     }
+    (out, weighted)
+}
+
+/// What is the matter with a file that the parser refused, with the first line that is damaged; in the parser's words where no line is.
+fn damage(path: &Path, text: &str, said: &str) -> Error {
+    let vertices = text.lines().filter(|l| l.split_ascii_whitespace().next() == Some("v")).count();
+    let mut before = 0;
+    for (number, line) in text.lines().enumerate() {
+        let mut words = line.split_ascii_whitespace();
+        match words.next() {
+            Some("v") if vertex(words.clone()).is_none() => return bad_line(path, number, line),
+            Some("v") => before += 1,
+            Some("f") => {
+                let corners: Option<Vec<u32>> = words.map(|w| corner(w, before)).collect();
+                let Some(corners) = corners else { return bad_line(path, number, line) };
+                let most = corners.iter().max().map_or(0, |i| *i as usize + 1);
+                if most > vertices {
+                    return Error::io(
+                        Stage::Model,
+                        format!(
+                            "{}, line {}: the face names vertex {most}, but there are {vertices}",
+                            path.display(),
+                            number + 1
+                        ),
+                    )
+                    .advise("the file was cut off or damaged: export the mesh again");
+                }
+            }
+            _ => {}
+        }
+    }
+    Error::io(Stage::Model, format!("{} cannot be read as OBJ: {said}", path.display())).advise("export the mesh again")
+}
+
+/// Whether these are three coordinates; a fourth number that is the last is a weight.
+fn vertex<'a>(words: impl Iterator<Item = &'a str>) -> Option<()> {
+    let words: Vec<&str> = words.collect();
+    let numbers = if words.len() == 4 { 4 } else { 3 };
+    let p = words.get(..numbers)?;
+    p.iter().all(|w| w.parse::<f64>().is_ok()).then_some(())
 }
 
 /// The vertex that a corner (`7`, `7/1`, `7//3`, `7/1/3`; negative: counted back from the last one) names, from 0.
@@ -147,6 +179,22 @@ mod tests {
         assert_eq!(named, (vec!["Tip end".into(), "hub".into()], vec![0, 0, 1]));
     }
 
+    /// What `tobj` would make something else of: a line of three points, colours of some vertices only, texture of one coordinate, materials between faces.
+    #[test]
+    fn what_a_mesh_has_no_use_for_changes_nothing() {
+        let plain = soup(&format!("{SQUARE}g hub\nf 1 2 3 4\n")).unwrap();
+        let text = format!(
+            "mtllib a.mtl\nusemtl\nvt 0.5\nvn 1\nvp 1 2\n{SQUARE}l 1 2 3\np 1 2 3\nf\nl 1/1 2/1 3/1 4/1\n g hub\nusemtl x\nf 1/1/1 2/9/9 3 4//7\ns off\n\
+             curv 0 1 1 2\nf 1 2\nf 3\n"
+        );
+        let with = soup(&text).unwrap();
+        assert_eq!((with.triangles, with.groups), (plain.triangles, plain.groups));
+        let many = soup(&format!("{SQUARE}v 2 2 0\nf 1 2 3 5 4\nf -5 -4 -3\n")).unwrap();
+        let [a, b, c, e, d] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [2., 2., 0.], [0., 1., 0.]];
+        assert_eq!(many.triangles, [[a, b, c], [a, c, e], [a, e, d], [a, b, c]], "a fan from the first corner");
+        assert!(soup("").unwrap().triangles.is_empty() && soup("\u{0}\u{1}garbage\n").unwrap().triangles.is_empty());
+    }
+
     #[test]
     fn damage_is_told_with_its_line() {
         for (text, words) in [
@@ -158,6 +206,7 @@ mod tests {
             ("v 0 0 0\nf -2 1 1\n", ["line 2", "does not belong"]),
             ("v 0 0 0\nv 1 0 0\n\nf 1 2 9\n", ["line 4", "names vertex 9, but there are 2"]),
             ("f 1 2 99999999999\n", ["line 1", "does not belong"]),
+            ("v 0 0 0\ng a\nf 1 1 2\ng b\nv 1 0 0\n", ["cannot be read as OBJ", "a.obj"]),
         ] {
             let e = soup(text).err().unwrap().to_string();
             assert!(words.iter().all(|w| e.contains(w)), "{text:?}: {e}");

@@ -7,11 +7,13 @@
 
 use std::path::Path;
 
+use super::bodies::{self, Body};
 use super::faces::{FaceModel, Stacking};
 use super::heal::HealOptions;
 use super::orient;
 use super::published::{Prepared, Published};
 use super::recognise::areas::areas;
+use super::recognise::wheel::{self, Wheel};
 use super::recognise::{self, Recognised};
 use super::rescue;
 use super::sew::listed;
@@ -19,7 +21,7 @@ use super::soup::Soup;
 use super::units::{self, Guess, Source};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
@@ -50,6 +52,8 @@ pub struct Survey {
     pub face_names: Vec<String>,
     /// Why no plan may be made although a blade may have been found: a unit that was guessed, a part without volume.
     pub obstacle: Option<Error>,
+    /// Bodies of the part, by their numbers from 1; empty where it is one piece.
+    pub bodies: Vec<Body>,
     /// Surface that the part has otherwise than its file, in the model frame.
     pub published: Option<Changed>,
 }
@@ -259,10 +263,34 @@ fn finish(
     }
     // As many openings as pieces, or more: each piece is a sheet.
     let sheets = diagnosis.pieces > 1 && diagnosis.openings.len() >= diagnosis.pieces;
-    let found = recognised(&part.mesh, &face_names, options, stacking.as_ref(), sheets);
+    let bodies = if diagnosis.pieces > 1 { bodies::bodies(&part.mesh) } else { Vec::new() };
+    let own = chosen(&bodies, options.body)?;
+    let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
+    let wheel = wheel::wheel(looked_at);
+    let found = match &wheel {
+        Some(w) if !options.names_airfoil() => Err(is_wheel(w)),
+        _ => recognised(looked_at, &face_names, options, stacking.as_ref(), sheets && own.is_none()),
+    };
+    let found = on_whole(found, own, &part.mesh, &bodies);
+    if let (Ok(_), Some(w)) = (&found, &wheel) {
+        diagnosis.notes.push(format!(
+            "the part is {}: the helix goes round one blade, the others stand in the tool's way",
+            w.in_words()
+        ));
+    }
+    if let (Ok(found), None, [_, _, ..]) = (&found, own, &bodies[..]) {
+        diagnosis.notes.extend(assembly(found, part.brep.is_some(), &bodies));
+    }
     observer.progress(Stage::Model, 2, 3);
     if let Ok(found) = &found {
-        diagnosis.notes.extend(found.doubts.iter().cloned());
+        diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
+        diagnosis.axis_against = found.against.clone();
+        if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
+            let e = Error::infeasible(Stage::Model, message);
+            obstacle.get_or_insert_with(|| {
+                e.advise("if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)")
+            });
+        }
         let [lo, hi] = found.regions.part_x_mm;
         let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
         let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
@@ -281,7 +309,70 @@ fn finish(
         face_names,
         obstacle,
         published: None,
+        bodies,
     })
+}
+
+/// The body that the user chose.
+///
+/// # Errors
+/// `Usage`: there is no such body.
+fn chosen(bodies: &[Body], number: Option<u32>) -> Result<Option<&Body>> {
+    let Some(number) = number.filter(|n| *n != 1 || bodies.len() > 1) else { return Ok(None) };
+    let body = (number as usize).checked_sub(1).and_then(|k| bodies.get(k));
+    body.map(Some).ok_or_else(|| {
+        Error::usage(
+            Stage::Model,
+            match bodies.len() {
+                0 | 1 => format!("there is no body {number}; the model is one body"),
+                n => format!("there is no body {number}; the model has {n}: {}", bodies::list(bodies)),
+            },
+        )
+        .advise("give --body (model.body) one of these numbers, or leave it out")
+    })
+}
+
+/// A wheel is no blade.
+fn is_wheel(wheel: &Wheel) -> Error {
+    Error::io(Stage::Model, format!("no single blade was found: the part is {}", wheel.in_words()))
+        .advise("export one blade with its piece of the hub")
+}
+
+/// What was recognised on a body, with the mesh of the whole part; an error with the bodies to choose from.
+fn on_whole(found: Result<Recognised>, own: Option<&Body>, mesh: &Mesh, bodies: &[Body]) -> Result<Recognised> {
+    match found {
+        Ok(mut found) => {
+            if own.is_some() {
+                found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
+            }
+            Ok(found)
+        }
+        Err(mut e) if own.is_none() && bodies.len() > 1 && e.kind != ErrorKind::Usage => {
+            e.advice = Some(format!(
+                "the model has {} bodies, choose the blade's with --body: {}",
+                bodies.len(),
+                bodies::list(bodies)
+            ));
+            Err(e)
+        }
+        Err(e) => Err(e),
+    }
+}
+
+/// What is said of a model of several bodies: on which the airfoil was found.
+fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<String> {
+    let areas = areas(found, is_exact);
+    let airfoil_mm2 = |b: &Body| -> f64 {
+        let own = b.triangles.iter().map(|t| *t as usize).filter(|t| areas.get(*t) == Some(&Area::Airfoil));
+        own.map(|t| found.mesh.triangle_area_mm2(t)).sum()
+    };
+    let (number, body) = bodies.iter().enumerate().max_by(|a, b| airfoil_mm2(a.1).total_cmp(&airfoil_mm2(b.1)))?;
+    Some(format!(
+        "the model is an assembly of {} bodies; the airfoil was found on body {} ({}), and the tool keeps clear of all of them; --body chooses another",
+        bodies.len(),
+        number + 1,
+        body.in_words()
+    ))
 }
 
 /// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings are closed for the search;

@@ -121,6 +121,7 @@ fn lay(
         x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
         max_sin_lean: options.max_lean_rad.sin(),
         end_faces: &options.end_faces,
+        rim: level.rim,
     };
     let search = |scallop_mm| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
@@ -147,6 +148,7 @@ fn lay(
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
                 end_faces: &[],
+                rim: None,
             };
             let plain = search(options.scallop_mm);
             let up = March {
@@ -208,7 +210,7 @@ fn lay(
     let reason = end_reason(blade, &down, options);
     if down.turns.len() < 2 {
         return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"))
-            .advise("start higher with region.start_mm, or take a smaller ball"));
+            .advise(rings::no_turn_advice(down.lost.is_some())));
     }
     finish(level, options, down.turns, reason, observer).map(|path| Helix { path, is_from_end: false })
 }
@@ -229,6 +231,7 @@ fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> String {
         Some(Stop::Face(p, face)) => {
             format!("the ball comes to face {}, which ends the region, at {}", face + 1, place(blade, &p))
         }
+        Some(Stop::Rim(p)) => rings::ends_without_platform(blade, &p),
         Some(Stop::Corner(p)) => format!(
             "in the corner the ball meets a wall that leans over more than {:.0}° at {}",
             options.max_lean_rad.to_degrees(),

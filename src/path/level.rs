@@ -1,5 +1,6 @@
 //! Points of the `R` level set of the distance to the whole part, sought along its gradient or within a plane.
 
+use super::rim::Rim;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 
@@ -38,6 +39,8 @@ pub struct LevelSet<'a> {
     pub part: Allowed<'a>,
     /// Level, mm: the ball's radius.
     pub radius_mm: f64,
+    /// Where the airfoil ends without a platform.
+    pub rim: Option<&'a Rim>,
 }
 
 /// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance in use.

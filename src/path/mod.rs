@@ -49,6 +49,7 @@ mod march;
 mod neighbour;
 mod nodes;
 mod options;
+mod rim;
 mod ring;
 mod rings;
 mod seed;
@@ -66,6 +67,7 @@ use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
 use level::LevelSet;
+use rim::Rim;
 
 /// Lays the helix.
 ///
@@ -82,7 +84,9 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
-    let level = LevelSet { part: Allowed::new(&blade.part, options.stock_mm), radius_mm: options.radius_mm };
+    let rim = Rim::of(blade, options.radius_mm, options.stock_mm);
+    let part = Allowed::new(&blade.part, options.stock_mm);
+    let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref() };
     let start_x = start_height(blade, options);
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -98,7 +102,8 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
 /// As [`plan`].
 pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
     validate(blade, options)?;
-    let level = LevelSet { part: Allowed::new(&blade.part, options.stock_mm), radius_mm: options.radius_mm };
+    let part = Allowed::new(&blade.part, options.stock_mm);
+    let level = LevelSet { part, radius_mm: options.radius_mm, rim: None };
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
 }

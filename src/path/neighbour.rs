@@ -7,6 +7,7 @@
 //! a corner (one smaller than the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
 use super::level::{LevelSet, Touch};
+use super::rim::Rim;
 use super::stepover::ridge_over_creases;
 use crate::geometry::{Point, Vector};
 
@@ -56,6 +57,8 @@ pub enum Stop {
     Edge(Point),
     /// A face that ends the region, with the contact on it.
     Face(Point, u32),
+    /// The rim at which the airfoil ends without a platform, with the contact there.
+    Rim(Point),
     /// Two walls at once, of which the farther one leans over too much: its contact.
     Corner(Point),
 }
@@ -69,12 +72,14 @@ pub struct Bounds<'a> {
     pub max_sin_lean: f64,
     /// One flag for each face or group that may not be touched; what is missing may be.
     pub end_faces: &'a [bool],
+    /// The rim that may not be touched.
+    pub rim: Option<&'a Rim>,
 }
 
 impl Bounds<'_> {
     /// No bounds.
     pub(super) const NONE: Bounds<'static> =
-        Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, end_faces: &[] };
+        Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, end_faces: &[], rim: None };
 
     /// Whether a touch is on a face that may not be touched.
     fn is_on_end_face(&self, t: &Touch) -> bool {
@@ -86,12 +91,20 @@ impl Bounds<'_> {
         (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x)
             && t.normal.x.abs() <= self.max_sin_lean
             && !self.is_on_end_face(t)
+            && !self.is_at_rim(t)
+    }
+
+    /// Whether a touch is at the rim that may not be touched.
+    fn is_at_rim(&self, t: &Touch) -> bool {
+        self.rim.is_some_and(|r| r.is_near(&t.contact))
     }
 
     /// Why the path stops between two touches, the second of which is out of bounds.
     fn why(&self, inside: &Touch, outside: &Touch) -> Stop {
         if self.is_on_end_face(outside) {
             Stop::Face(outside.contact, outside.face)
+        } else if self.is_at_rim(outside) {
+            Stop::Rim(outside.contact)
         } else if outside.normal.x.abs() <= self.max_sin_lean {
             Stop::Height
         } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {

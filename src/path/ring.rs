@@ -23,6 +23,8 @@ pub struct Ring {
 pub enum Broken {
     /// The wall leans over more than allowed at this contact.
     Leans(Point),
+    /// The airfoil ends here without a platform.
+    Rim(Point),
     /// The level set could not be followed from here.
     Lost(Point),
     /// The curve did not come back to its start.
@@ -150,6 +152,9 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
         let here = touches[touches.len() - 1];
         if here.cos_lean() < how.min_cos_lean {
             return Err(Broken::Leans(here.contact));
+        }
+        if level.rim.is_some_and(|r| r.is_near(&here.contact)) {
+            return Err(Broken::Rim(here.contact));
         }
         let next = advance(level, &here, &mut step, how).ok_or(Broken::Lost(here.centre))?;
         let moved = (next.centre - here.centre).norm();

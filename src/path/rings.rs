@@ -108,10 +108,17 @@ fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Br
     let Some(broken) = end else { return Ok(Stack { rings, end_reason: Toolpath::END_OF_REGION.into() }) };
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {
-        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"))
-            .advise("start higher with region.start_mm, or take a smaller ball"));
+        let lost = matches!(broken, Broken::Lost(_));
+        return Err(
+            Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}")).advise(no_turn_advice(lost))
+        );
     }
     Ok(Stack { rings, end_reason: why })
+}
+
+/// What to do where no turn fits: a smaller ball helps where the ball lost the surface, not where the wall leans.
+pub(super) fn no_turn_advice(lost: bool) -> &'static str {
+    if lost { "start higher with region.start_mm, or take a smaller ball" } else { "start higher with region.start_mm" }
 }
 
 fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
@@ -121,11 +128,17 @@ fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
             options.max_lean_rad.to_degrees(),
             place(blade, p)
         ),
+        Broken::Rim(p) => ends_without_platform(blade, p),
         Broken::Lost(p) => {
             format!("a ball of radius {} mm cannot follow the airfoil at {}", options.radius_mm, place(blade, p))
         }
         Broken::Open(p) => format!("the path round the airfoil does not close at {}", place(blade, p)),
     }
+}
+
+/// Why turns end at the rim of an airfoil.
+pub(super) fn ends_without_platform(blade: &Blade, at: &Point) -> String {
+    format!("the airfoil ends there, without a platform, at {}", place(blade, at))
 }
 
 /// The ring at the start height, beginning at its base point.
@@ -140,11 +153,14 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
     };
     let touch = seed::first_touch(level, &airfoil, x_mm)
         .ok_or_else(|| too_tight("other parts of the blade are in the way all round".into()))?;
-    let ring = ring::trace(level, touch, how).map_err(|b| {
-        too_tight(match b {
-            Broken::Leans(p) => format!("the wall leans over too much at {}", place(blade, &p)),
-            Broken::Lost(p) | Broken::Open(p) => format!("its path is blocked at {}", place(blade, &p)),
-        })
+    let ring = ring::trace(level, touch, how).map_err(|b| match b {
+        // No ball stands up a wall that leans.
+        Broken::Leans(_) | Broken::Rim(_) => Error::infeasible(
+            Stage::Path,
+            format!("no turn goes round the airfoil at height {x_mm:.3} mm: {}", describe(blade, &b, options)),
+        )
+        .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm"),
+        Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, &p))),
     })?;
     if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
         return Err(too_tight(format!("it touches another body at {}", place(blade, &p))));

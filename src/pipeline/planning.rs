@@ -7,7 +7,7 @@ use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
-use crate::observe::{Observer, Recorder, Silent, Warning};
+use crate::observe::{Observer, Silent, Warning};
 use crate::output::RunFolder;
 use crate::output::manifest::Clock;
 use crate::path;
@@ -55,8 +55,10 @@ pub(super) fn plan(
         return Ok(None);
     }
     let options = setup.schedule_options();
+    // What a baseline that nobody asked for does wrong is no warning: its figures stand in the summary. Where it is the job's own schedule it is
+    // planned again below, and warns.
     let fixed =
-        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, observer))?;
+        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent))?;
     let (mut schedule, mut motion) = match known.schedule {
         Some(s) => (s, known.motion),
         None => clock.time(Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
@@ -75,14 +77,11 @@ pub(super) fn plan(
             Some((_, leads)) => leads.clone(),
             None => leads::choose(setup, &toolpath, &schedule, observer)?,
         };
-        // From the same leads, so that the two are compared under the same conditions. At the same time, since each takes one thread; what is
-        // to be said of it is said after what is to be said of the plan, however the two end.
+        // From the same leads, so that the two are compared under the same conditions. At the same time, since each takes one thread.
         let others = lead::for_schedule(&chosen, &toolpath, &fixed);
-        let told = Recorder::new(&Silent);
         let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, chosen, observer), Ok);
-        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &told));
+        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &Silent));
         let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
-        told.warnings().into_iter().for_each(|w| observer.warn(w));
         Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
@@ -143,7 +142,7 @@ fn keep_clear(
 
 /// The path of the job; says so where it ends before the height that the job asks for.
 pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
-    let path = path::plan(&setup.blade, &setup.path_options(), observer)?;
+    let path = setup.path(observer)?;
     if let Some(end_mm) = setup.job.region.end_mm
         && path.end_reason != Toolpath::END_OF_REGION
     {

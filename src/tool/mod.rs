@@ -4,6 +4,7 @@
 //! tangentially at `z = R sin τ` with radius `R cos τ` (τ: taper half-angle), grows to the shank radius, goes on as a
 //! cylinder up to the stick-out and is followed by the holder's stages.
 
+pub mod catalogue;
 pub mod scallop;
 
 use crate::error::{Error, Result, Stage};

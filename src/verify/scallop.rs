@@ -259,21 +259,12 @@ fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyO
     let over = sorted.len() - sorted.partition_point(|h| h.height_mm <= ratio * options.scallop_mm);
     let highest = sorted.last().filter(|_| over > 0)?;
     let p = blade.model_from_blade * highest.point;
+    let percent = 100.0 * over as f64 / sorted.len() as f64;
+    let share = if percent < 0.005 { "under 0.01 %".to_owned() } else { format!("{percent:.2} %") };
     Some(format!(
-        "{} % of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
-        two_digits(100.0 * over as f64 / sorted.len() as f64),
-        highest.height_mm,
-        plan.toolpath.locations[highest.row].turn,
-        p.x,
-        p.y,
-        p.z
+        "{share} of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
+        highest.height_mm, plan.toolpath.locations[highest.row].turn, p.x, p.y, p.z
     ))
-}
-
-/// A number above 0 with two digits that count, or whole: a small share is not nothing.
-fn two_digits(x: f64) -> String {
-    let decimals = (1.0 - x.log10().floor()).clamp(0.0, 12.0) as usize;
-    format!("{x:.decimals$}")
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.

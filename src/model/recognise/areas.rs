@@ -141,6 +141,8 @@ mod tests {
             mesh,
             regions,
             doubts: Vec::new(),
+            against: None,
+            unlike: None,
             outline,
             fillet: Vec::new(),
         }

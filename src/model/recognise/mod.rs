@@ -13,6 +13,7 @@
 pub mod areas;
 pub mod caps;
 pub mod foot;
+pub mod given;
 pub mod named;
 pub mod regions;
 pub mod rotor;
@@ -20,6 +21,7 @@ pub mod run;
 pub mod search;
 pub mod shape;
 pub mod stitch;
+pub mod wheel;
 
 use super::ModelOptions;
 use super::faces::Stacking;
@@ -45,10 +47,20 @@ pub struct Recognised {
     pub regions: Regions,
     /// What the user should know.
     pub doubts: Vec<String>,
+    /// What speaks against the axis that was given.
+    pub against: Option<String>,
+    /// Why this is hardly a blade: no section looks like an airfoil.
+    pub unlike: Option<String>,
     /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z, blade frame, mm.
     pub outline: Vec<(f64, [f64; 4])>,
     /// Upper and lower ends of a fillet at places round the airfoil, blade frame, where its foot climbs; else empty.
     pub fillet: Vec<[Point; 2]>,
+}
+
+/// The search without what the user said: for telling what a body is.
+pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
+    let found = search::search(mesh, None).ok()?;
+    (found.run.likeness >= PARTLY).then(|| format!("an airfoil along {}", words(&found.run.direction)))
 }
 
 /// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the part comes from one.
@@ -63,9 +75,13 @@ pub fn recognise(
 ) -> Result<Recognised> {
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
-    let mut doubts = Vec::new();
+    let (mut doubts, mut against) = (Vec::new(), None);
     let (mut run, reason) = match options.axis {
-        Some(a) => given(mesh, a, airfoil)?,
+        Some(a) => {
+            let given = given::given(mesh, a, airfoil, stacking)?;
+            against = given.against;
+            (given.run, given.reason)
+        }
         None => {
             let found = match stacking {
                 Some(s) => search::stacked(mesh, s, airfoil)?,
@@ -75,11 +91,21 @@ pub fn recognise(
             (found.run, found.reason)
         }
     };
+    let mut unlike = None;
     if run.likeness < DOUBTFUL {
+        unlike = Some(format!(
+            "no blade was recognised: no section looks like an airfoil (likeness {:.2}, from {DOUBTFUL} on it would be one)",
+            run.likeness
+        ));
         doubts.push(format!(
             "no section looks like an airfoil (likeness {:.2}): the longest steady run of sections was taken; \
-             give the axis if it is wrong",
-            run.likeness
+             {}",
+            run.likeness,
+            if options.axis.is_some() {
+                "the blade axis may be another than was given"
+            } else {
+                "give the axis if it is wrong"
+            }
         ));
     } else if run.likeness < PARTLY {
         doubts.push(format!(
@@ -99,7 +125,7 @@ pub fn recognise(
     named::apply(&mut regions, &blade_mesh, face_names, options)?;
     let outline = run.links.iter().map(|l| (l.height_mm, l.shape.bounds)).collect();
     let fillet = foot.map_or_else(Vec::new, |f| f.ends);
-    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, outline, fillet })
+    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, against, unlike, outline, fillet })
 }
 
 fn no_blade() -> Error {
@@ -107,20 +133,7 @@ fn no_blade() -> Error {
         Stage::Model,
         "no airfoil was found in the part: sections in no direction tried are closed loops that continue",
     )
-    .advise("close the part, or give the blade axis from root to tip with --axis")
-}
-
-/// The run along the axis that the user gave.
-fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>) -> Result<(Run, String)> {
-    let v = Vector::from(axis);
-    let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
-        Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
-    })?;
-    let run = run::along(mesh, &direction, faces);
-    if run.links.is_empty() {
-        return Err(no_blade());
-    }
-    Ok((run, format!("axis: {}, as given", words(&direction))))
+    .advise("close the part, or name what is the airfoil: its axis from root to tip (--axis), its faces (--faces airfoil=…)")
 }
 
 /// Blade frame: x along the run's direction with x = direction · model point, origin on the mean centroid of the airfoil,

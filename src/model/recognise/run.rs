@@ -31,7 +31,7 @@ const LARGER: f64 = 1.25;
 const SNUBBER: f64 = 0.12;
 
 /// Share of a loop's length that must lie on the faces that the user named.
-const ON_FACES: f64 = 0.9;
+pub const ON_FACES: f64 = 0.9;
 
 /// One section of the chain.
 pub struct Link {
@@ -180,6 +180,27 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>)
             (height, loops.into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect())
         })
         .collect()
+}
+
+/// Lengths on each face of the sections along the direction that meet a flagged face, mm.
+pub fn on_faces(mesh: &Mesh, direction: &Vector, flagged: &[bool]) -> Vec<f64> {
+    let turned = mesh.clone().moved(&frame_along(direction).inverse());
+    let part_mm = turned.aabb().map_or([0.0, 0.0], |b| [b.min.x, b.max.x]);
+    let step = (part_mm[1] - part_mm[0]) / HEIGHTS as f64;
+    let mut all = vec![0.0; flagged.len()];
+    for (l, _) in sections(&turned, part_mm, step, None).iter().flat_map(|(_, loops)| loops) {
+        let mut own = vec![0.0; flagged.len()];
+        for (k, &t) in l.triangles.iter().enumerate() {
+            let (p, q) = (l.points[k], l.points[(k + 1) % l.points.len()]);
+            if let Some(length) = own.get_mut(turned.face(t as usize) as usize) {
+                *length += (q[0] - p[0]).hypot(q[1] - p[1]);
+            }
+        }
+        if own.iter().zip(flagged).any(|(length, flagged)| *flagged && *length > 0.0) {
+            all.iter_mut().zip(own).for_each(|(sum, length)| *sum += length);
+        }
+    }
+    all
 }
 
 /// Whether nearly all of a loop's length lies on these faces.

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use super::caps::{self, Ends, Patch};
 use super::run::{self, Run};
-use super::{DOUBTFUL, no_blade, rotor, words};
+use super::{DOUBTFUL, given, rotor, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::{Mesh, edge_uses};
@@ -59,6 +59,8 @@ pub struct Found {
     pub run: Run,
     /// Axis and sense, and why.
     pub reason: String,
+    /// Why the root is at the low end; `None` where nothing tells the ends apart.
+    pub sense: Option<String>,
     /// Why the axis is not certain.
     pub doubt: Option<String>,
 }
@@ -72,7 +74,7 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     let patches = caps::patches(mesh, &sides);
     let along = |d: &Vector| run_along(mesh, d, faces, &patches);
     let mut runs = tried(mesh, &patches, along);
-    let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(no_blade)?;
+    let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(|| given::nothing(mesh, &candidates(mesh), faces))?;
     let (mut chosen, mut why) = datum(&mut runs, top, &patches, along);
     let radius = rotor::radius(mesh);
     let along_radius = radius.and_then(|k| coordinate(&runs, k));
@@ -103,7 +105,8 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     let run = runs.swap_remove(chosen);
     let direction = if flip { -run.direction } else { run.direction };
     let run = if flip { run::along(mesh, &direction, faces) } else { run };
-    Ok(Found { run, reason: format!("axis: {}, {why}; {sense}", words(&direction)), doubt })
+    let reason = format!("axis: {}, {why}; {sense}", words(&direction));
+    Ok(Found { run, reason, sense: Some(sense).filter(|s| s != ENDS_ALIKE), doubt })
 }
 
 /// The run along the line of a table's sections, from the first to the last.
@@ -128,7 +131,7 @@ pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Resu
         }
     }
     if run.links.is_empty() {
-        return Err(no_blade());
+        return Err(given::nothing(mesh, &[direction], faces));
     }
     let lean_deg = stacking.line.angle(&stacking.normal).to_degrees();
     let growth = stacking.growth;
@@ -142,8 +145,9 @@ pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Resu
     } else {
         fading(&run, 0)
     };
-    let reason = format!("axis: {}, {why}; root at the table's first section", words(&direction));
-    Ok(Found { run, reason, doubt })
+    let sense = "root at the table's first section".to_owned();
+    let reason = format!("axis: {}, {why}; {sense}", words(&direction));
+    Ok(Found { run, reason, sense: Some(sense), doubt })
 }
 
 /// A table whose last section is larger than the first by this factor may run from tip to root.
@@ -513,8 +517,11 @@ fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
     }
     // Nothing tells the ends apart: the tip is taken where the coordinate grows.
     let main = run.direction.iamax();
-    (run.direction[main] < 0.0, "both ends are alike, so root to tip was taken along the growing coordinate".into())
+    (run.direction[main] < 0.0, ENDS_ALIKE.into())
 }
+
+/// Said where nothing tells root and tip apart.
+const ENDS_ALIKE: &str = "both ends are alike, so root to tip was taken along the growing coordinate";
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,248 @@
+//! The tool that a job leaves open, from what can be bought and from what the part's shape asks.
+//!
+//! * Ball: places spread evenly over the surface of the airfoil's wall near the platform, and of the fillet, say which balls have room on them.
+//!   The largest ball of the catalogue is taken that is at most [`SHARE_OF_CHORD`] of the chord near the platform (about half the thickness
+//!   of usual profiles: larger ones do not follow the neighbourhood of the edges), goes to nearly all of these places, with room to spare, and is
+//!   sold long enough to reach. Places where not even the smallest ball has room are slits and damage, and have no say.
+//! * Stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform.
+//! * Shank: the thinnest that the cutter is sold on and that is stiff enough for the stick-out. Chuck: the one for the shank.
+
+use super::room::{Places, Share};
+use super::typed::ToolKeys;
+use crate::artifact::Blade;
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
+use crate::tool::catalogue::{Catalogue, Cutter};
+use crate::tool::{HolderStage, Tool};
+
+/// Balls of more than this share of the chord are not tried.
+const SHARE_OF_CHORD: f64 = 0.07;
+/// Shares of the wall and of the fillet that a ball is to go to.
+const MOST_OF: [f64; 2] = [0.97, 0.9];
+/// A ball has room to spare where one so much larger fits too: on the wall, where a tenth more leaves the tool room to turn, and in the fillet, where a ball as large as
+/// the fillet itself could go nowhere but along one line.
+const TO_SPARE: [f64; 2] = [0.9, 0.85];
+/// Below this share of all places that any ball goes to, the surface is folded over itself, or is none.
+const LEAST_SOUND: f64 = 0.5;
+/// Slits and damage over more than this share are told.
+const TOLD: f64 = 0.01;
+
+/// A tool and what is to be said of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// The tool, complete.
+    pub tool: Tool,
+    /// Why this one, one sentence.
+    pub why: String,
+    /// What it leaves to another tool.
+    pub warnings: Vec<String>,
+}
+
+impl Chosen {
+    /// The tool in one line.
+    pub fn in_words(&self) -> String {
+        let t = &self.tool;
+        let neck = if t.taper_deg > 0.0 {
+            format!("taper {}°, shank {} mm", t.taper_deg, round(2.0 * t.shank_radius_mm))
+        } else {
+            "straight".into()
+        };
+        let holder = match (t.holder.first(), t.holder.last()) {
+            (Some(a), Some(b)) if a.radius_mm != b.radius_mm => {
+                format!("holder {} to {} mm", round(2.0 * a.radius_mm), round(2.0 * b.radius_mm))
+            }
+            (Some(a), _) => format!("holder {} mm", round(2.0 * a.radius_mm)),
+            _ => "no holder".into(),
+        };
+        format!("ball R {} mm, {neck}, stick-out {} mm, {holder}", round(t.radius_mm), round(t.stickout_mm))
+    }
+}
+
+/// To a thousandth.
+fn round(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
+}
+
+/// The tool: what was typed, the rest as the module's page says. `start_mm` and `end_mm`: the region as far as it is typed.
+///
+/// # Errors
+/// `Usage`: values outside their limits. `Infeasible`: no ball has room.
+pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> Result<Chosen> {
+    let catalogue = Catalogue::built_in()?;
+    let places = Places::new(blade, start_mm, end_mm);
+    let reach_mm = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
+    let needed_mm = |r: f64| up_to_five(1.1 * reach_mm + 2.0 * r);
+    let mut warnings = Vec::new();
+    let (cutter, why) = match keys.radius_mm {
+        Some(r) => {
+            let warned = if places.is_empty() { None } else { too_large(blade, &places, &catalogue, r) };
+            warnings.extend(warned);
+            (Cutter { radius_mm: r, ..catalogue.cutter_for(r) }, "its ball as given".to_owned())
+        }
+        None => {
+            let longest_mm = keys.stickout_mm;
+            let reaches = |c: &Cutter| longest_mm.unwrap_or_else(|| needed_mm(c.radius_mm)) <= c.longest_mm();
+            default_cutter(blade, &places, &catalogue, reaches, &mut warnings)?
+        }
+    };
+    let radius_mm = cutter.radius_mm;
+    let taper_deg = keys.taper_deg.unwrap_or(cutter.taper_deg);
+    let wanted_mm = keys.stickout_mm.unwrap_or_else(|| needed_mm(radius_mm));
+    let shank = if taper_deg > 0.0 { cutter.shank_for(wanted_mm) } else { 2.0 * radius_mm };
+    let shank_radius_mm = keys.shank_radius_mm.unwrap_or(0.5 * shank);
+    let longest_mm = cutter.longest_mm().max(2.0 * radius_mm);
+    // A stick-out that nobody sells is used where it was asked for only.
+    let stickout_mm = keys.stickout_mm.unwrap_or(wanted_mm.min(longest_mm));
+    if stickout_mm < wanted_mm {
+        warnings.push(format!(
+            "the part reaches {reach_mm:.1} mm from the blade axis, for which the tool would have to stick out {wanted_mm} mm; a ball of {radius_mm} mm \
+             is sold for {stickout_mm} mm at most, which is taken: the holder may come near the part"
+        ));
+    }
+    let holder: Vec<HolderStage> =
+        keys.holder.clone().unwrap_or_else(|| catalogue.chuck_for(2.0 * shank_radius_mm).stages());
+    let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
+    tool.validate()?;
+    Ok(Chosen { tool, why, warnings })
+}
+
+/// The cutter that the part's shape asks for, and why.
+fn default_cutter(
+    blade: &Blade,
+    places: &Places,
+    catalogue: &Catalogue,
+    reaches: impl Fn(&Cutter) -> bool,
+    warnings: &mut Vec<String>,
+) -> Result<(Cutter, String)> {
+    let none = || Error::infeasible(Stage::Job, "the tool catalogue is empty");
+    let [smallest, largest] = [catalogue.cutter.first(), catalogue.cutter.last()];
+    let (smallest, largest) = smallest.zip(largest).ok_or_else(none)?;
+    let (chord_mm, chord_at_mm) = places.chord_mm;
+    let most_mm = SHARE_OF_CHORD * chord_mm;
+    let sound = places.sound(blade, smallest.radius_mm);
+    if sound.share < LEAST_SOUND {
+        return Err(no_room(blade, smallest.radius_mm, &sound, places));
+    }
+    if 1.0 - sound.share > TOLD {
+        warnings.push(format!(
+            "at {:.1} % of the wall near the platform not even a ball of {} mm has room{}: slits or damage there have no say in the choice of the tool",
+            100.0 * (1.0 - sound.share),
+            smallest.radius_mm,
+            at(blade, sound.tightest)
+        ));
+    }
+    let long_enough = catalogue.cutter.iter().any(&reaches);
+    // Where none is long enough the longest are, and that is told where the stick-out is settled.
+    let able = |c: &&Cutter| !long_enough || reaches(c);
+    let goes = |c: &Cutter| {
+        let on = places.shares(blade, c.radius_mm, TO_SPARE, &sound.places);
+        on.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
+    };
+    let slim = |c: &&Cutter| c.radius_mm <= most_mm;
+    if let Some(c) = catalogue.cutter.iter().rev().filter(slim).filter(able).find(|c| goes(c)) {
+        let more = catalogue.cutter.iter().find(|d| d.radius_mm > c.radius_mm);
+        let why = match more {
+            Some(d) if d.radius_mm > most_mm => format!(
+                "the largest within {:.0} % of the chord, {chord_mm:.1} mm at height {chord_at_mm:.1} mm, and with room on wall and fillet",
+                100.0 * SHARE_OF_CHORD
+            ),
+            Some(_) => "the largest with room on wall and fillet".to_owned(),
+            None => format!("with room on wall and fillet, the largest there is (R {})", largest.radius_mm),
+        };
+        return Ok((c.clone(), why));
+    }
+    // What the part asks for is not to be had: the smallest that is long enough, and what it leaves.
+    let c = catalogue.cutter.iter().find(able).unwrap_or(smallest);
+    let left = left_over(blade, places, c.radius_mm, [1.0; 2], &sound.places);
+    let short = catalogue.cutter.iter().find(|d| goes(d)).filter(|d| d.radius_mm < c.radius_mm);
+    warnings.push(match (&left, short) {
+        (Some(left), Some(d)) => format!(
+            "wall and fillet ask for a ball of {} mm, which is not sold long enough; a ball of {} mm does not go to {left}: leave that to a second \
+             operation with a smaller ball",
+            d.radius_mm, c.radius_mm
+        ),
+        (Some(left), None) => format!(
+            "wall and fillet ask for less than a ball of {} mm, the smallest that is sold long enough, which does not go to {left}: leave that to a \
+             second operation with a smaller ball",
+            c.radius_mm
+        ),
+        (None, _) => format!(
+            "the airfoil asks for a ball below {most_mm:.2} mm, {:.0} % of its chord of {chord_mm:.3} mm at height {chord_at_mm:.1} mm; {} mm is the smallest \
+             that is sold long enough",
+            100.0 * SHARE_OF_CHORD,
+            c.radius_mm
+        ),
+    });
+    Ok((c.clone(), "the smallest that is sold long enough for the part".into()))
+}
+
+/// What is said of a ball that was given and does not go to all of wall and fillet.
+fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<String> {
+    let smallest = catalogue.cutter.first()?.radius_mm.min(radius_mm);
+    let sound = places.sound(blade, smallest);
+    let shares = places.shares(blade, radius_mm, [1.0; 2], &sound.places);
+    if shares.iter().zip(MOST_OF).all(|(s, least)| s.share >= least) {
+        return None;
+    }
+    let left = left_over(blade, places, radius_mm, [1.0; 2], &sound.places)?;
+    let goes = |r: f64| {
+        let on = places.shares(blade, r, TO_SPARE, &sound.places);
+        on.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
+    };
+    let fits = catalogue.cutter.iter().map(|c| c.radius_mm).rev().find(|r| *r < radius_mm && goes(*r));
+    let other = fits.map_or_else(String::new, |r| format!("; a ball of {r} mm would"));
+    Some(format!(
+        "the ball of {radius_mm} mm is too large for this blade: it does not go to {left}{other}; what it leaves is for a second operation with a smaller ball"
+    ))
+}
+
+/// Where a ball does not go, in words; `None` where it goes everywhere.
+fn left_over(blade: &Blade, places: &Places, radius_mm: f64, spare: [f64; 2], sound: &[bool]) -> Option<String> {
+    let shares = places.shares(blade, radius_mm, spare, sound);
+    let names = ["wall near the platform", "fillet"];
+    let told: Vec<String> = shares
+        .iter()
+        .zip(names)
+        .filter(|(s, _)| s.area_mm2 > 0.0 && s.share < 1.0)
+        .map(|(s, name)| {
+            format!(
+                "{:.1} % of the {name} (about {:.0} mm²{})",
+                100.0 * (1.0 - s.share),
+                (1.0 - s.share) * s.area_mm2,
+                at(blade, s.tightest)
+            )
+        })
+        .collect();
+    (!told.is_empty()).then(|| told.join(" and "))
+}
+
+/// Where it is tightest, in the frame of the model.
+fn at(blade: &Blade, tightest: Option<(Point, f64)>) -> String {
+    tightest.map_or_else(String::new, |(p, _)| {
+        let p = blade.model_from_blade * p;
+        format!(", tightest at ({:.3}, {:.3}, {:.3}) mm in the model", p.x, p.y, p.z)
+    })
+}
+
+/// Not even the smallest ball has room.
+fn no_room(blade: &Blade, radius_mm: f64, sound: &Share, places: &Places) -> Error {
+    let [lo, hi] = places.heights_mm;
+    Error::infeasible(
+        Stage::Job,
+        format!(
+            "no ball fits the airfoil: the smallest, of {radius_mm} mm, has room at {:.1} % of the wall between the heights {lo:.3} and {hi:.3} mm{}",
+            100.0 * sound.share,
+            at(blade, sound.tightest)
+        ),
+    )
+    .advise(
+        "look whether the surface folds over itself there, and check unit, axis and where the airfoil is (--unit, --axis, --region airfoil=LO,HI); or give \
+         tool.radius_mm",
+    )
+}
+
+/// Rounded up to a multiple of 5 mm (of 0.5 mm below 5 mm): tools are set by such steps.
+fn up_to_five(x: f64) -> f64 {
+    let unit = if x < 5.0 { 0.5 } else { 5.0 };
+    (x / unit).ceil() * unit
+}

@@ -1,0 +1,182 @@
+//! The rim at which an airfoil without a platform ends: beyond it there is only the cap that closes it, round which a ball would roll.
+//!
+//! In: the part's mesh. Out: the edges near the airfoil's foot at which its wall turns sharply towards the root, and those at which it ends in an
+//! opening, as points so near to one another that a contact at the rim is near one. A foot that is rounded has none; there the lean of the wall
+//! ends the path.
+
+use std::collections::HashSet;
+
+use crate::artifact::Blade;
+use crate::geometry::mesh::edge_uses;
+use crate::geometry::{Point, Vector};
+
+/// Edges at which the surface turns by more than this are sharp (cosine of 34°, as where a ball rolls over an edge).
+const SHARP: f64 = 0.83;
+/// A cap faces the root by more than this (sine of 17°) …
+const FACES_ROOT: f64 = 0.3;
+/// … and a wall leans by less than this (sine of 50°).
+const WALL: f64 = 0.77;
+/// The rim lies within this share of the airfoil's height from its foot.
+const LOWEST: f64 = 0.3;
+/// A contact at the rim is within this share of the ball radius.
+const NEAR: f64 = 0.01;
+/// Cells along an edge at most: a part of nothing but huge triangles.
+const MOST_CELLS: f64 = 1e5;
+
+/// Places at the rim.
+#[derive(Clone, Debug)]
+pub struct Rim {
+    near_mm: f64,
+    cells: HashSet<[i64; 3]>,
+}
+
+impl Rim {
+    /// The rim of a blade, for a ball and the stock that is to stay on the part; `None` where a platform carries the airfoil, or no sharp edge ends it.
+    pub fn of(blade: &Blade, radius_mm: f64, stock_mm: f64) -> Option<Rim> {
+        if blade.regions.platform_x_mm.is_some() {
+            return None;
+        }
+        let [a, b] = blade.regions.airfoil_x_mm;
+        let (mesh, highest) = (&blade.part.mesh, a + LOWEST * (b - a));
+        let near_mm = NEAR * radius_mm + 2.0 * blade.part.deflection_mm + stock_mm;
+        let mut rim = Rim { near_mm, cells: HashSet::new() };
+        for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
+            let [p, q] = group[0].edge.map(|v| mesh.points[v as usize]);
+            if p.x.max(q.x) > highest {
+                continue;
+            }
+            let normals: Vec<Vector> = group.iter().map(|u| mesh.normal(u.triangle as usize)).collect();
+            let ends = match &normals[..] {
+                [wall] => wall.x.abs() < WALL && (p.x - q.x).abs() < WALL * (p - q).norm(),
+                all => all.iter().any(|wall| all.iter().any(|cap| ends_at(wall, cap))),
+            };
+            if ends {
+                rim.add(&p, &q);
+            }
+        }
+        (!rim.cells.is_empty()).then_some(rim)
+    }
+
+    /// Whether a contact is at the rim.
+    pub fn is_near(&self, contact: &Point) -> bool {
+        self.cells.contains(&self.cell(contact))
+    }
+
+    fn cell(&self, p: &Point) -> [i64; 3] {
+        [p.x, p.y, p.z].map(|v| (v / self.near_mm).floor() as i64)
+    }
+
+    /// All cells within reach of an edge.
+    fn add(&mut self, p: &Point, q: &Point) {
+        let steps = (2.0 * (q - p).norm() / self.near_mm).ceil().clamp(1.0, MOST_CELLS);
+        for k in 0..=steps as u32 {
+            let [x, y, z] = self.cell(&(p + (q - p) * (f64::from(k) / steps)));
+            for dx in -1..=1 {
+                for dy in -1..=1 {
+                    self.cells.extend((-1..=1).map(|dz| [x + dx, y + dy, z + dz]));
+                }
+            }
+        }
+    }
+}
+
+/// Whether a wall ends at a cap in a sharp edge.
+fn ends_at(wall: &Vector, cap: &Vector) -> bool {
+    wall.dot(cap) < SHARP && wall.x.abs() < WALL && cap.x < -FACES_ROOT && cap.x < wall.x - FACES_ROOT
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::artifact::blade::{Diagnosis, Regions, Unit};
+    use crate::artifact::toolpath::PathKind;
+    use crate::geometry::Rigid;
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+    use crate::observe::Silent;
+    use crate::path::{PathOptions, plan};
+
+    const LENGTH: f64 = 60.0;
+
+    /// An elliptic column along x without a platform, closed at both ends; its foot slants by `slope` along y.
+    fn column(slope: f64, capped: bool) -> Blade {
+        let (n, layers) = (160u32, 60u32);
+        let mut mesh = Mesh::default();
+        for l in 0..=layers {
+            let share = f64::from(l) / f64::from(layers);
+            mesh.points.extend((0..n).map(|k| {
+                let (s, c) = (TAU * f64::from(k) / f64::from(n)).sin_cos();
+                Point::new(LENGTH * share + slope * 15.0 * c * (1.0 - share), 15.0 * c, 4.0 * s)
+            }));
+        }
+        for l in 0..layers {
+            for k in 0..n {
+                let (a, b) = (l * n + k, l * n + (k + 1) % n);
+                mesh.triangles.extend([[a, b, b + n], [a, b + n, a + n]]);
+            }
+        }
+        let foot = mesh.points.len() as u32;
+        mesh.points.extend([Point::new(0.0, 0.0, 0.0), Point::new(LENGTH, 0.0, 0.0)]);
+        for k in 0..n {
+            let (a, b) = (k, (k + 1) % n);
+            if capped {
+                mesh.triangles.push([foot, b, a]);
+            }
+            mesh.triangles.push([foot + 1, layers * n + a, layers * n + b]);
+        }
+        let low = 15.0 * slope;
+        Blade {
+            name: "column".into(),
+            unit: Unit::Mm,
+            part: Part::from_mesh(mesh),
+            model_from_blade: Rigid::identity(),
+            regions: Regions {
+                part_x_mm: [-low, LENGTH],
+                airfoil_x_mm: [low, LENGTH],
+                platform_x_mm: None,
+                fillet_x_mm: None,
+                reasons: Vec::new(),
+            },
+            diagnosis: Diagnosis::default(),
+        }
+    }
+
+    /// No turn rolls round the foot of an airfoil without a platform, level or slanted, with a cap or open, and the reason is the rim.
+    #[test]
+    fn turns_end_at_the_rim() {
+        for (slope, capped) in [(0.0, true), (0.0, false), (0.2, true)] {
+            let blade = column(slope, capped);
+            for kind in [PathKind::ConstantHeight, PathKind::ConstantScallop] {
+                let what = format!("slope {slope}, capped {capped}, {kind:?}");
+                let start = 15.0 * slope + 5.0;
+                let options = PathOptions { region_x_mm: [Some(start), None], kind, ..PathOptions::new(2.0, 0.05) };
+                let path = plan(&blade, &options, &Silent).unwrap_or_else(|e| panic!("{what}: {e}"));
+                for l in &path.locations {
+                    let contact = l.centre - l.normal * 2.0;
+                    assert!(
+                        l.normal.x > -0.05,
+                        "{what}: the ball rolls round the rim at {contact}, normal {}",
+                        l.normal
+                    );
+                    assert!(contact.x > slope * contact.y - 0.01, "{what}: contact {contact} is below the rim");
+                }
+                let lowest = path.locations.iter().map(|l| l.centre.x).fold(f64::INFINITY, f64::min);
+                let rim = if kind == PathKind::ConstantHeight { 15.0 * slope } else { -15.0 * slope };
+                assert!(lowest < rim + 1.0, "{what}: the lowest ball is at {lowest}, the rim at {rim}");
+                assert!(path.end_reason.contains("without a platform"), "{what}: {}", path.end_reason);
+            }
+        }
+    }
+
+    #[test]
+    fn a_platform_or_a_rounded_foot_has_no_rim() {
+        let mut blade = column(0.0, true);
+        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| r.is_near(&Point::new(0.0, 15.0, 0.0))));
+        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&Point::new(0.5, 15.0, 0.0))));
+        blade.regions.platform_x_mm = Some(0.0);
+        assert!(Rim::of(&blade, 2.0, 0.0).is_none());
+    }
+}

@@ -1,0 +1,41 @@
+//! What a job and its blade make doubtful before anything is planned, and causes that later errors are put down to.
+
+use super::Setup;
+use crate::artifact::{Blade, Toolpath};
+use crate::error::{Error, ErrorKind, Result};
+use crate::machine::Machine;
+use crate::observe::Observer;
+use crate::path;
+
+impl Setup {
+    /// The path of the job.
+    ///
+    /// # Errors
+    /// Those of [`path::plan`]; where the blade axis that was given is likely to be the cause, that is said.
+    pub fn path(&self, observer: &dyn Observer) -> Result<Toolpath> {
+        path::plan(&self.blade, &self.path_options(), observer).map_err(|e| blamed_on_axis(e, &self.blade))
+    }
+}
+
+/// What is said of a feed that the linear axes do not reach even together.
+pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<String> {
+    let linear = [0, 1, 2].map(|k| 60.0 * machine.limits()[k].velocity);
+    let together = linear.iter().map(|v| v * v).sum::<f64>().sqrt();
+    (feed_mm_min > together).then(|| {
+        let [x, y, z] = linear;
+        format!(
+            "feed.feed_mm_min is {feed_mm_min} mm/min, more than the machine's linear axes reach together (X {x:.0}, Y {y:.0}, Z {z:.0} mm/min): the axes \
+             decide the feed everywhere, and figures at full feed mean nothing"
+        )
+    })
+}
+
+/// The error with what speaks against the blade axis that was given, where that may be its cause.
+pub(super) fn blamed_on_axis(mut e: Error, blade: &Blade) -> Error {
+    if let (ErrorKind::Infeasible, Some(against)) = (e.kind, &blade.diagnosis.axis_against) {
+        e.message = format!("{against}; and {}", e.message);
+        e.advise("the axis is the likely cause: leave --axis (model.axis) out, or give the one from root to tip")
+    } else {
+        e
+    }
+}
