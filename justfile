@@ -31,9 +31,9 @@ lint-s3:
 corpus-table:
     cargo nextest run --release --run-ignored only --no-capture --test corpus_table
 
-# Mutated models against every reader, seconds for each
-fuzz seconds="600":
-    cargo run --release --example fuzz_readers -- {{seconds}}
+# Mutated models and programs against every reader: seconds (600) or executions (1000000x) for each of the formats (all, models, programs, or names)
+fuzz length="600" formats="all":
+    cargo run --release --example fuzz_readers -- {{length}} {{formats}}
 
 # Closest points, inside, area and volume beside OpenCASCADE: Python (PYTHON=...) with `pip install cadquery-ocp numpy`
 occ points="10000" *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":

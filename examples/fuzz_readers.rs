@@ -1,13 +1,16 @@
-//! Mutated model files against every reader, on stable Rust: `cargo run --release --example fuzz_readers -- SECONDS [FORMAT] [FOLDER]`.
+//! Mutated model files and NC programs against every reader, on stable Rust: `cargo run --release --example fuzz_readers -- LENGTH [FORMATS] [FOLDER]`.
 //!
 //! Seeds: the models of the repository, small ones in every format, and all files of FOLDER; published tables of points under a header that
-//! says what their columns mean. FORMAT is one of [`FORMATS`] or `all`. Each format is run for SECONDS. A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
+//! says what their columns mean; short programs of every family of controls, which are read and moved through the demo machine. FORMATS are some of [`FORMATS`] with commas
+//! between, `models`, `programs` or `all`. LENGTH is for each format: seconds (`600`) or executions (`1000000x`). A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
 //! left in `out/fuzz`. The same seconds do not give the same files: the seed of each run is printed.
 
 #![allow(clippy::print_stdout)]
 
 #[path = "../fuzz/mutate.rs"]
 mod mutate;
+#[path = "../fuzz/nc.rs"]
+mod nc;
 #[path = "../fuzz/seeds.rs"]
 mod seeds;
 
@@ -30,8 +33,9 @@ const MOST_MB: u64 = 2048;
 /// Larger seeds are left out: a mutation of one is read too seldom.
 const LARGEST: usize = 1_500_000;
 
-/// Formats by their readers: the last five are the kinds of section tables (columns under a header, a header that names its file).
-const FORMATS: [&str; 13] = [
+/// Formats by their readers: five of them are the kinds of section tables (columns under a header, a header that names its file), the last five
+/// programs.
+const FORMATS: [&str; 18] = [
     "step",
     "igs",
     "obj",
@@ -45,6 +49,11 @@ const FORMATS: [&str; 13] = [
     "curve",
     "tecplot",
     "blade3d",
+    nc::NAMES[0],
+    nc::NAMES[1],
+    nc::NAMES[2],
+    nc::NAMES[3],
+    nc::NAMES[4],
 ];
 /// What the columns of published tables mean, by their names; files that share a name's beginning are one table.
 const HEADERS: [(&str, &str); 3] = [
@@ -53,17 +62,50 @@ const HEADERS: [(&str, &str); 3] = [
     ("LS89_profile", "unit = \"m\"\ncolumns = [\"skip\", \"z\", \"x\", \"y\"]\nextrude = 0.1\n"),
 ];
 
-/// Processor time at which the file at work was begun, ms; 0: none.
-static BEGUN_MS: AtomicU64 = AtomicU64::new(0);
+/// How many files have been begun; even: none is at work.
+static BEGUN: AtomicU64 = AtomicU64::new(0);
 /// The file at work.
 static CURRENT: Mutex<(String, Vec<u8>)> = Mutex::new((String::new(), Vec::new()));
 
+/// How long each format is run.
+#[derive(Clone, Copy)]
+enum Length {
+    Seconds(u64),
+    Executions(u64),
+}
+
+impl Length {
+    fn parse(text: &str) -> Option<Self> {
+        match text.strip_suffix('x') {
+            Some(count) => count.parse().ok().map(Length::Executions),
+            None => text.parse().ok().map(Length::Seconds),
+        }
+    }
+
+    fn over(self, begun: Instant, runs: u64) -> bool {
+        match self {
+            Length::Seconds(s) => begun.elapsed() >= Duration::from_secs(s),
+            Length::Executions(count) => runs >= count,
+        }
+    }
+}
+
 fn main() {
     let mut args = std::env::args().skip(1);
-    let seconds: u64 = args.next().and_then(|s| s.parse().ok()).unwrap_or(60);
-    let only = args.next().filter(|f| f != "all");
+    let length = args.next();
+    let Some(length) = length.map_or(Some(Length::Seconds(60)), |l| Length::parse(&l)) else {
+        return eprintln!("give seconds, as 600, or executions, as 1000000x");
+    };
+    let only = args.next().unwrap_or_else(|| "all".into());
+    let programs = |format: &str| nc::NAMES.contains(&format);
+    let wanted = |format: &str| {
+        only.split(',').any(|o| {
+            o == format || o == "all" || o == "programs" && programs(format) || o == "models" && !programs(format)
+        })
+    };
     // Data of headers lie in a folder of their own.
     let Ok(data) = tempfile::tempdir() else { return eprintln!("no temporary folder") };
+    let Ok(shop) = nc::Shop::new() else { return eprintln!("no machine") };
     let mut seeds = seeds(Path::new("models"), data.path());
     if let Some(folder) = args.next() {
         let found = files(Path::new(&folder));
@@ -72,44 +114,61 @@ fn main() {
     }
     seeds.retain(|(_, bytes)| bytes.len() <= LARGEST);
     std::thread::spawn(watch);
-    for format in FORMATS {
-        let mine: Vec<&(String, Vec<u8>)> = seeds.iter().filter(|(name, bytes)| kind(name, bytes) == format).collect();
-        if mine.is_empty() || only.as_ref().is_some_and(|o| o != format) {
-            continue;
+    let mut total = 0;
+    for format in FORMATS.into_iter().filter(|f| wanted(f)) {
+        let mine: Vec<(String, Vec<u8>)> = if programs(format) {
+            nc::seeds().into_iter().filter(|(name, _)| name.ends_with(format)).collect()
+        } else {
+            seeds.iter().filter(|(name, bytes)| kind(name, bytes) == format).cloned().collect()
+        };
+        if !mine.is_empty() {
+            total += run(format, &mine, length, &shop);
         }
-        let seed = std::time::UNIX_EPOCH.elapsed().map_or(0x5eed, |d| d.as_nanos() as u64);
-        let (mut random, mut runs, mut read, mut slowest_ms) = (Random(seed), 0u64, 0u64, 0u64);
-        let mut slowest = String::new();
-        let until = Instant::now() + Duration::from_secs(seconds);
-        while Instant::now() < until {
-            let (name, bytes) = mine[random.below(mine.len())];
-            let bytes = mutated(bytes, &mut random);
-            if let Ok(mut current) = CURRENT.lock() {
-                *current = (name.clone(), bytes.clone());
-            }
-            let begun_ms = busy_ms();
-            BEGUN_MS.store(begun_ms + 1, Ordering::SeqCst);
-            let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };
-            let found =
-                std::panic::catch_unwind(|| model::survey_bytes(Path::new(name), &bytes, &options, &Silent).is_ok());
-            BEGUN_MS.store(0, Ordering::SeqCst);
-            match found {
-                Ok(good) => read += u64::from(good),
-                Err(_) => stop("panicked"),
-            }
-            let took_ms = busy_ms() - begun_ms;
-            if took_ms > slowest_ms {
-                (slowest_ms, slowest) = (took_ms, name.rsplit('/').next().unwrap_or(name).to_owned());
-            }
-            runs += 1;
-        }
-        println!(
-            "{format}: {runs} files from {} seeds, {read} of them read, the slowest {:.2} s ({slowest}), seed {seed:#x}, peak {} MB",
-            mine.len(),
-            slowest_ms as f64 * 1e-3,
-            peak_mb()
-        );
     }
+    println!("{total} executions, no panic");
+}
+
+/// One format; the number of executions.
+fn run(format: &str, seeds: &[(String, Vec<u8>)], length: Length, shop: &nc::Shop) -> u64 {
+    let seed = std::time::UNIX_EPOCH.elapsed().map_or(0x5eed, |d| d.as_nanos() as u64);
+    let (mut random, mut runs, mut read) = (Random(seed), 0u64, 0u64);
+    let (mut slowest, begun) = ((Duration::ZERO, String::new()), Instant::now());
+    let program = nc::NAMES.contains(&format);
+    while !length.over(begun, runs) {
+        let (name, bytes) = &seeds[random.below(seeds.len())];
+        let bytes = if program { nc::damaged(name, bytes, &mut random) } else { mutated(bytes, &mut random) };
+        if let Ok(mut current) = CURRENT.lock() {
+            *current = (name.clone(), bytes.clone());
+        }
+        BEGUN.fetch_add(1, Ordering::SeqCst);
+        let since = Instant::now();
+        let look = || {
+            if program {
+                return shop.moved(name, &bytes).is_ok();
+            }
+            let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };
+            model::survey_bytes(Path::new(name), &bytes, &options, &Silent).is_ok()
+        };
+        let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(look));
+        BEGUN.fetch_add(1, Ordering::SeqCst);
+        match found {
+            Ok(good) => read += u64::from(good),
+            Err(_) => stop("panicked"),
+        }
+        if since.elapsed() > slowest.0 {
+            slowest = (since.elapsed(), name.rsplit('/').next().unwrap_or(name).to_owned());
+        }
+        runs += 1;
+    }
+    let per_s = runs as f64 / begun.elapsed().as_secs_f64();
+    println!(
+        "{format}: {runs} executions, {per_s:.0} a second, from {} seeds, {read} of them read, the slowest {:.3} s ({}), seed {seed:#x}, peak {} MB",
+        seeds.len(),
+        slowest.0.as_secs_f64(),
+        slowest.1,
+        peak_mb()
+    );
+    runs
 }
 
 /// Keeps the file at work and ends.
@@ -127,10 +186,13 @@ fn stop(why: &str) -> ! {
 
 /// Ends the run where one file takes too long or too much.
 fn watch() {
+    let (mut at_work, mut since_ms) = (0, 0);
     loop {
         std::thread::sleep(Duration::from_millis(50));
-        let begun = BEGUN_MS.load(Ordering::SeqCst);
-        if begun > 0 && busy_ms() > begun + 1000 * SLOW_S {
+        let begun = BEGUN.load(Ordering::SeqCst);
+        if begun != at_work {
+            (at_work, since_ms) = (begun, busy_ms());
+        } else if begun % 2 == 1 && busy_ms() > since_ms + 1000 * SLOW_S {
             stop("slow");
         }
         if peak_mb() > MOST_MB {

@@ -1,8 +1,10 @@
-//! A short, seeded form of the fuzzing of `examples/fuzz_readers.rs`: damaged models in every format give a survey or an error,
-//! never a panic, and memory stays within bounds.
+//! A short, seeded form of the fuzzing of `examples/fuzz_readers.rs`: damaged models in every format give a survey or an error, damaged programs of
+//! every grammar moves or an error, never a panic, and memory stays within bounds.
 
 #[path = "../fuzz/mutate.rs"]
 mod mutate;
+#[path = "../fuzz/nc.rs"]
+mod nc;
 #[path = "../fuzz/seeds.rs"]
 mod seeds;
 
@@ -62,4 +64,23 @@ fn damaged_faces_never_panic() {
 #[test]
 fn damaged_tables_never_panic_and_end() {
     each(&["columns.dat", ".toml", ".curve", "tecplot.dat", "blade3d.dat"]);
+}
+
+/// Mutations of each program.
+const PROGRAMS: usize = 2000;
+
+#[test]
+fn damaged_programs_never_panic() {
+    let shop = nc::Shop::new().expect("the built-in machine");
+    let seeds = nc::seeds();
+    assert!(nc::NAMES.iter().all(|n| seeds.iter().any(|(name, _)| name.ends_with(n))), "a grammar has no seed");
+    for (name, bytes) in &seeds {
+        let lines = bytes.iter().filter(|b| **b == b'\n').count();
+        assert!((10..60).contains(&lines), "{name}: {lines} lines");
+        let moves = shop.moved(name, bytes).unwrap_or_else(|e| panic!("{name}: the seed itself is not read: {e}"));
+        assert!(moves.len() > 3, "{name}");
+        let mut random = Random(0xb1ade);
+        let good = (0..PROGRAMS).filter(|_| shop.moved(name, &nc::damaged(name, bytes, &mut random)).is_ok()).count();
+        assert!(good > PROGRAMS / 50 && good < PROGRAMS, "{name}: {good} of {PROGRAMS} were read");
+    }
 }

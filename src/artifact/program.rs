@@ -102,6 +102,60 @@ pub struct Language {
     pub shortest_way: bool,
 }
 
+/// Where the length of the tool comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LengthOffset {
+    /// The program does not say.
+    #[default]
+    Unsaid,
+    /// It is not taken into account.
+    Off,
+    /// A number of the offset table, `H`.
+    Number(u32),
+    /// A cutting edge of the tool, `D`.
+    Edge(u32),
+}
+
+/// How the spindle turns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Turning {
+    /// It stands.
+    #[default]
+    Off,
+    /// Clockwise, seen from the spindle: `M3`.
+    Right,
+    /// Counter-clockwise: `M4`.
+    Left,
+}
+
+/// What is set while a line moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Setting {
+    /// The length of the tool.
+    pub length: LengthOffset,
+    /// The spindle.
+    pub turning: Turning,
+    /// Its speed, 1/min; `None`: not said.
+    pub rpm: Option<f64>,
+    /// How far the control may leave the programmed path, mm; `None`: not said.
+    pub tolerance_mm: Option<f64>,
+    /// The program says that rotary axes turn evenly: `ORIAXES`.
+    pub axes_evenly: bool,
+}
+
+/// What an operation of a program was written with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// Tool number.
+    pub tool_number: u32,
+    /// Spindle speed, 1/min.
+    pub spindle_rpm: f64,
+    /// What is set where it begins to move at a feed.
+    pub setting: Setting,
+    /// Work offset: 54 for `G54`.
+    pub frame: Option<u32>,
+}
+
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
@@ -113,4 +167,6 @@ pub struct Program {
     pub language: Language,
     /// The text, lines ended by `\n`.
     pub text: String,
+    /// What its operations were written with, in their order; whatever the text may have become since.
+    pub asked: Vec<Asked>,
 }

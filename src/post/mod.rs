@@ -45,7 +45,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
 use crate::tool::{self, Tool};
-use crate::verify::Verified;
+use crate::verify::{self, Verified};
 
 /// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,12 +204,10 @@ pub fn join(
     if first > 1 {
         file_name = format!("from_operation_{first}.{file_name}");
     }
-    Ok(Program {
-        control: dialect.file.name.clone(),
-        file_name,
-        language: dialect.language(),
-        text: write::write(&runs, dialect)?,
-    })
+    let (language, text) = (dialect.language(), write::write(&runs, dialect)?);
+    let written = runs.iter().map(|r| (r.options.tool_number, r.options.spindle_rpm));
+    let asked = verify::program::asked(&text, language, written);
+    Ok(Program { control: dialect.file.name.clone(), file_name, language, text, asked })
 }
 
 fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()> {

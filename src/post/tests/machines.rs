@@ -44,7 +44,7 @@ fn every_dialect_reads_back_on_a_machine_that_turns_the_other_way() {
         // The tool leans the same way over the part: the ball touches it, and the tool axis is the plan's.
         let bench =
             program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
-        let moves = program::follow(&program::read(&p.text, p.language).unwrap(), &bench).unwrap();
+        let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
         let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
         let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
         assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
@@ -112,7 +112,7 @@ fn every_dialect_reads_back_on_every_chain() {
             // The ball touches the part at a location, and the tool axis is the plan's.
             let bench =
                 program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
-            let moves = program::follow(&program::read(&p.text, p.language).unwrap(), &bench).unwrap();
+            let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
             let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
             let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
             assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
@@ -125,6 +125,6 @@ fn a_word_of_an_axis_that_the_machine_has_not_is_named() {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
     let language = Dialect::built_in(Control::Iso).unwrap().language();
     let bench = program::Bench { language, zero: program::Zero::default(), tool: &tool, machine: &machine };
-    let blocks = program::read("G1 X1 Y0 Z0 C5 F1\n", language).unwrap();
+    let blocks = program::read("G1 X1 Y0 Z0 C5 F1\n", language).unwrap().blocks;
     assert!(program::follow(&blocks, &bench).unwrap_err().message.contains("no axis C"));
 }

@@ -4,6 +4,7 @@
 mod machines;
 mod operations;
 mod planted;
+mod planted_words;
 mod polynomial;
 mod read_back;
 

@@ -44,34 +44,34 @@ fn part() -> Mesh {
     mesh
 }
 
-fn blade() -> Blade {
+pub(super) fn blade() -> Blade {
     Blade { part: Part::from_mesh(part()), ..sample::blade() }
 }
 
 /// A program of a dialect and what is needed to look at it.
-struct Shop {
-    control: Control,
-    machine: Machine,
-    tool: Tool,
-    blade: Blade,
-    program: Program,
+pub(super) struct Shop {
+    pub(super) control: Control,
+    pub(super) machine: Machine,
+    pub(super) tool: Tool,
+    pub(super) blade: Blade,
+    pub(super) program: Program,
 }
 
 impl Shop {
-    fn new(control: Control, blade: &Blade, plan: &Plan) -> Self {
+    pub(super) fn new(control: Control, blade: &Blade, plan: &Plan) -> Self {
         let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
         let plan = Verified::for_tests(plan.clone(), sample::report(), false);
         let program = post(&Dialect::built_in(control).unwrap(), &plan, blade, &tool, &machine, &options()).unwrap();
         Shop { control, machine, tool, blade: blade.clone(), program }
     }
 
-    fn bench(&self) -> Bench<'_> {
+    pub(super) fn bench(&self) -> Bench<'_> {
         let language = self.program.language;
         Bench { language, zero: Zero::default(), tool: &self.tool, machine: &self.machine }
     }
 
-    fn moves(&self, text: &str) -> Vec<Moved> {
-        program::follow(&program::read(text, self.program.language).unwrap(), &self.bench()).unwrap()
+    pub(super) fn moves(&self, text: &str) -> Vec<Moved> {
+        program::follow(&program::read(text, self.program.language).unwrap().blocks, &self.bench()).unwrap()
     }
 
     /// The move that ends at a turn and a share of it, counted from the first location.
@@ -110,7 +110,7 @@ impl Shop {
         self.numbered(lines)
     }
 
-    fn numbered(&self, lines: Vec<String>) -> String {
+    pub(super) fn numbered(&self, lines: Vec<String>) -> String {
         let number = |(i, l): (usize, String)| match (self.program.language.grammar, l.split_once(' ')) {
             (Grammar::Heidenhain, Some((_, rest))) => format!("{i} {rest}\n"),
             (Grammar::Apt, _) if l.starts_with("GOTO") && l.len() > 72 => folded(&l),

@@ -15,7 +15,7 @@ fn bench<'a>(p: &Program, tool: &'a Tool, machine: &'a Machine) -> Bench<'a> {
 
 /// The moves under POLY.
 fn polynomials(p: &Program, tool: &Tool, machine: &Machine) -> Vec<Moved> {
-    let moves = program::follow(&program::read(&p.text, p.language).unwrap(), &bench(p, tool, machine)).unwrap();
+    let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench(p, tool, machine)).unwrap();
     moves.into_iter().filter(|m| m.bend.is_some()).collect()
 }
 

@@ -1,18 +1,21 @@
 //! Gouge, clearance, rapids and travel of a program.
 
-use super::Scene;
 use super::legs::Kind;
 use super::report::{Limit, LineCheck, Worst};
+use super::{Scene, Source};
 use crate::artifact::program::Programmed;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::{self, Gouge};
+use crate::verify::program;
 use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
 const A_FEW: usize = 200;
 /// Distances of the ball in rapids are told up to this, mm.
 const FAR_MM: f64 = 1000.0;
+/// A feed may ask for this many times the velocity of an axis: words are rounded, and short lines are over within milliseconds.
+const OVER_VELOCITY: f64 = 1.1;
 /// Rounding of positions at the end of a travel, mm or rad.
 const ROUNDING: f64 = 1e-9;
 
@@ -190,6 +193,63 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         out.push(check);
     }
     out
+}
+
+/// What the programmed feeds ask of every axis, leg by leg.
+pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
+    let (tool, machine) = (scene.bench.tool, scene.bench.machine);
+    let (limits, names) = (machine.limits(), machine.axis_names());
+    let there = if machine.rotary_axes()[1].is_some() { 5 } else { 4 };
+    let mut fastest = vec![Vec::new(); there];
+    for (leg, l) in scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == Kind::Cut) {
+        let m = &scene.moves[l.moved];
+        let time = m.seconds.unwrap_or(0.0) * (l.share[1] - l.share[0]);
+        let [from, to] = l.share.map(|f| m.axes(f, tool, machine));
+        for (axis, list) in fastest.iter_mut().enumerate() {
+            let way = (to[axis] - from[axis]).abs();
+            let velocity = if way > ROUNDING { way / time } else { 0.0 };
+            list.push((leg, velocity));
+        }
+    }
+    let judge = |(axis, list): (usize, Vec<(usize, f64)>)| {
+        let allowed = OVER_VELOCITY * limits[axis].velocity;
+        let worst = list.iter().copied().reduce(|best, v| if v.1 > best.1 { v } else { best })?;
+        let (scale, unit) = if axis >= 3 { (1f64.to_degrees(), "deg/s") } else { (1.0, "mm/s") };
+        let limit = Limit {
+            name: format!("{}-velocity", names[axis].to_lowercase()),
+            quantity: format!("velocity of axis {} that a programmed feed asks for", names[axis]),
+            limit: allowed * scale,
+            unit,
+            passed: worst.1 <= allowed,
+        };
+        let note = format!("the axis' limit is {:.3}", limits[axis].velocity * scale);
+        let mut check = scene.judged(
+            limit,
+            &scene.on_leg(worst.1 * scale, worst.0, scene.legs.centres.get(worst.0 + 1).copied()),
+            note,
+        );
+        if !check.check.passed {
+            let over: Vec<usize> = list.iter().filter(|v| v.1 > allowed).map(|v| v.0).collect();
+            scene.tell_spans(&mut check, &over, worst.0);
+        }
+        Some(check)
+    };
+    fastest.into_iter().enumerate().filter_map(judge).collect()
+}
+
+/// What the program sets beside its motion, in the feed moves at the part.
+pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<LineCheck> {
+    let mut cuts = vec![false; source.blocks.len()];
+    for (leg, l) in scene.legs.legs.iter().enumerate() {
+        if let (true, Some(cut)) = (passes.counts(leg), cuts.get_mut(l.moved)) {
+            *cut = true;
+        }
+    }
+    let at_part = source.blocks.iter().zip(&cuts).filter(|(_, cut)| **cut).map(|(b, _)| b);
+    let tolerance_mm = scene.options.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
+    let theirs = program::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
+    let end = source.last.then(|| program::end(source.script));
+    theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
 }
 
 /// Move, least and greatest position of each axis in it, in order; positions that are not known are left out.

@@ -14,10 +14,13 @@
 //! | `clearance`, `holder-clearance` | least distance of taper and shank, and of the holder, in feed moves | Taylor |
 //! | `x-travel` … `b-travel` | positions of the axes, rapids and feed moves alike | parabola through three places of a leg |
 //! | `scallop`, `scallop-turn` | height left between neighbouring passes ([`scallop`]): all over, and turn by turn | samples |
+//! | `x-velocity` … `b-velocity` | what the programmed feeds ask of the axes, leg by leg | mean over a leg |
+//! | `end` | whether the program ends, and lines behind its end, which are not machined | |
+//! | `tool`, `tool-length`, `spindle`, `smoothing` | in feed moves at the part: other tools than the given one, a length offset that is off, another tool's or changed, the spindle off or turning the wrong way, a tolerance of the control's wider than the greater of gouge and scallop allowed | |
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
 //! **Limits**: rapids are taken as straight in whatever the block programs; arcs and splines are not read, polynomials of G code (`POLY`) are; the control's own
-//! smoothing is not known; velocities are not judged, since the control slows down where it must. Moves before the program has said
+//! smoothing is not known but for its tolerance; accelerations are not judged, since the control slows down where it must. Moves before the program has said
 //! where every axis stands are not looked at, and counted. θ need not grow and nothing is asked of the order of passes.
 
 mod blame;
@@ -33,7 +36,7 @@ pub use report::{Audit, LineCheck, Span};
 use rayon::prelude::*;
 
 use super::deviation::{self, Cut};
-use super::program::{self, Bench};
+use super::program::{self, Bench, Block, Script};
 use super::sweep::Sweep;
 use crate::artifact::Blade;
 use crate::artifact::deviation::DeviationMap;
@@ -94,6 +97,18 @@ struct Scene<'a> {
     turns: Vec<u32>,
 }
 
+/// Moves, and what they were read from.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    text: &'a str,
+    script: &'a Script,
+    /// The moves' blocks, one of each.
+    blocks: &'a [Block],
+    moves: &'a [program::Moved],
+    /// The last moves of the program are among them.
+    last: bool,
+}
+
 /// Judges a program.
 ///
 /// # Errors
@@ -107,8 +122,10 @@ pub fn audit(
     observer: &dyn Observer,
 ) -> Result<Audit> {
     bench.tool.validate()?;
-    let moves = program::follow(&program::read(text, bench.language)?, bench)?;
-    let (audit, cut) = audit_moves(text, &moves, blade, bench, options, observer)?;
+    let script = program::read(text, bench.language)?;
+    let moves = program::follow(&script.blocks, bench)?;
+    let source = Source { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
+    let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
     Ok(Audit { map: map(blade, options, &[cut]), ..audit })
 }
 
@@ -136,11 +153,18 @@ pub fn audit_each(
     let Some(first) = benches.first() else {
         return Err(Error::usage(Stage::Verify, "a program needs a tool to be judged"));
     };
-    let moves = program::follow_each(&program::read(text, first.language)?, benches)?;
-    let one =
-        |(bench, moves): (&Bench, &Vec<program::Moved>)| audit_moves(text, moves, blade, bench, options, observer);
-    let (mut audits, cuts): (Vec<Audit>, Vec<Cut>) =
-        benches.iter().zip(&moves).map(one).collect::<Result<Vec<_>>>()?.into_iter().unzip();
+    let script = program::read(text, first.language)?;
+    let moves = program::follow_each(&script.blocks, benches)?;
+    let mut rest = &script.blocks[..];
+    let (mut audits, mut cuts) = (Vec::new(), Vec::new());
+    for (bench, moves) in benches.iter().zip(&moves) {
+        let (blocks, later) = rest.split_at(moves.len().min(rest.len()));
+        rest = later;
+        let source = Source { text, script: &script, blocks, moves, last: later.is_empty() };
+        let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
+        audits.push(audit);
+        cuts.push(cut);
+    }
     if let Some(last) = audits.last_mut() {
         last.map = map(blade, options, &cuts);
     }
@@ -148,8 +172,7 @@ pub fn audit_each(
 }
 
 fn audit_moves(
-    text: &str,
-    moves: &[program::Moved],
+    source: &Source,
     blade: &Blade,
     bench: &Bench,
     options: &AuditOptions,
@@ -160,6 +183,7 @@ fn audit_moves(
         observer.check(Stage::Verify)
     };
     step(0)?;
+    let (text, moves) = (source.text, source.moves);
     let legs = Legs::new(moves, bench)?;
     if !legs.legs.iter().any(|l| l.kind == Kind::Cut) {
         return Err(Error::usage(Stage::Verify, "the program has no feed move that is known from its beginning")
@@ -176,6 +200,8 @@ fn audit_moves(
     step(2)?;
     checks.extend(checks::rapid(&scene));
     checks.extend(checks::travel(&scene));
+    checks.extend(checks::velocity(&scene));
+    checks.extend(checks::settings(&scene, source, &passes));
     step(3)?;
     let heights = scallop::heights(&scene, &passes);
     checks.extend(scallop::checks(&scene, &heights));

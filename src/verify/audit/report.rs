@@ -8,6 +8,7 @@ use super::scallop::Heights;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
+use crate::verify::program::Finding;
 
 /// Most spans told for one check.
 const MOST_SPANS: usize = 20;
@@ -109,7 +110,7 @@ impl Scene<'_> {
     pub(super) fn judged(&self, limit: Limit, worst: &Worst, note: String) -> LineCheck {
         let point = worst.point.map(|p| self.blade.model_from_blade * p);
         let line = worst.moved.and_then(|m| self.moves.get(m)).map(|m| m.line);
-        let block = line.and_then(|n| self.text.lines().nth(n - 1)).map(|l| l.trim().to_owned());
+        let block = self.line(line);
         let value = if worst.value.is_finite() { worst.value } else { f64::MAX };
         LineCheck {
             check: Check {
@@ -129,6 +130,27 @@ impl Scene<'_> {
             spans: Vec::new(),
             span_count: 0,
         }
+    }
+
+    /// What a program sets beside its motion, as a check placed in its text.
+    pub(super) fn set(&self, found: Finding) -> LineCheck {
+        let limit = Limit {
+            name: found.name.into(),
+            quantity: found.quantity.into(),
+            limit: found.limit,
+            unit: found.unit,
+            passed: found.worst <= found.limit,
+        };
+        let mut check =
+            self.judged(limit, &Worst { value: found.worst, moved: None, turn: None, point: None }, found.note);
+        check.line = found.line;
+        check.block = self.line(found.line);
+        check
+    }
+
+    /// The text of a line.
+    fn line(&self, line: Option<usize>) -> Option<String> {
+        line.and_then(|n| self.text.lines().nth(n.checked_sub(1)?)).map(|l| l.trim().to_owned())
     }
 
     /// Tells the spans of the legs that break a limit, and of the leg of the worst value, which may break it between its places.

@@ -23,7 +23,7 @@ fn find<'a>(audit: &'a Audit, name: &str) -> &'a LineCheck {
 
 /// Over the top of the cylinder (radius 20) along x, B = 0: the tip is at height 20, the gauge line 140 mm above it.
 fn along(height: f64) -> String {
-    format!("G90 G94 G0 A0 B0\nG0 X1410 Y0 Z300\nG1 Z{height} F500\nG1 X1450\nG0 Z300\nM30\n")
+    format!("G90 G94 G0 A0 B0 S6000 M3\nG0 X1410 Y0 Z300\nG1 Z{height} F500\nG1 X1450\nG0 Z300\nM30\n")
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn the_zero_may_be_turned_and_moved() {
         );
         format!("X{:.5} Y{:.5} Z{:.5} I{:.7} J{:.7} K{:.7}", p.x, p.y, p.z, a.x, a.y, a.z)
     };
-    let text = format!("G43.5 H1\nG94 G1 F500 {}\nG1 {}\n", block(10.0), block(50.0));
+    let text = format!("T1 M6 S6000 M3\nG43.5 H1\nG94 G1 F500 {}\nG1 {}\n", block(10.0), block(50.0));
     let zero = Zero { blade_from_program: blade.model_from_blade.inverse(), ..Zero::default() };
     let audit = run(&text, tip, zero).unwrap();
     assert!(find(&audit, "gouge").check.passed && (audit.feed_mm - 40.0).abs() < 1e-3, "{audit:?}");
@@ -90,7 +90,7 @@ fn what_cannot_be_audited_is_one_sentence() {
     for (text, names) in [
         ("G1 X1 Y2 Z3", "before any F"),
         ("G0 X1 Y2\nM30", "no feed move"),
-        ("G94 F1 G1 X1 Y2 Z500\nG2 X2 I1", "G2 is not known"),
+        ("G94 F1 G1 X1 Y2 Z500\nG2 X2 I1", "G2: arcs are not read"),
         ("G94 F1 G0 X1 Y2 Z500 A0\nG1 A1000000000", "turns too far"),
     ] {
         let e = run(text, ISO, Zero::default()).unwrap_err();

@@ -1,4 +1,6 @@
-//! What a line of a program asks for.
+//! What a line of a program asks for, and a program as it was read.
+
+use crate::artifact::program::Setting;
 
 /// Where a line goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +81,41 @@ pub struct Block {
     pub centre_point: bool,
     /// Tool calls before it.
     pub tool_calls: usize,
+    /// What is set beside.
+    pub setting: Setting,
+}
+
+/// A call of a tool.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Call {
+    /// Number of the line, from 1.
+    pub line: usize,
+    /// Number or name of the tool; `None`: not said.
+    pub tool: Option<String>,
+}
+
+/// A program as it was read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Script {
+    /// Its moves, up to its end.
+    pub blocks: Vec<Block>,
+    /// Its tool calls, in their order.
+    pub calls: Vec<Call>,
+    /// Its work offset: 54 for `G54`.
+    pub frame: Option<u32>,
+    /// Diameters and corner radii of the cutters that it says it was computed for, mm, and their lines.
+    pub cutters: Vec<(usize, [f64; 2])>,
+    /// The line that ends it.
+    pub end: Option<usize>,
+    /// Lines behind that one which say something.
+    pub behind: Vec<usize>,
+}
+
+impl Script {
+    /// The program ends with a line, where it has not ended before.
+    pub(super) fn ends(&mut self, line: usize) {
+        self.end.get_or_insert(line);
+    }
 }
 
 impl Block {
@@ -95,6 +132,7 @@ impl Block {
             tool_length: false,
             centre_point: true,
             tool_calls: 0,
+            setting: Setting::default(),
         }
     }
 }

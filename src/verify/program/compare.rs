@@ -74,6 +74,8 @@ struct Comparison<'a> {
     feed: Worst,
     /// When the plan is where the line before ended, s.
     planned_s: f64,
+    /// The planned θ there, over all turns, rad.
+    planned_theta: f64,
 }
 
 /// All checks of a program.
@@ -97,6 +99,7 @@ pub(super) fn checks(
         missing: Worst::default(),
         feed: Worst::default(),
         planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
+        planned_theta: plan.rows().next().map_or(0.0, |r| r.theta),
     };
     let time = c.run(moves);
     let planned = c.rows.last().map_or(0.0, |r| r.t_s) - c.rows.first().map_or(0.0, |r| r.t_s);
@@ -108,7 +111,13 @@ pub(super) fn checks(
     });
     [
         ("program-centre", "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
-        ("program-direction", "tool axis off the planned one", c.direction, DIRECTION_DEG, "deg"),
+        (
+            "program-direction",
+            "tool axis off the planned one, or turned to it another way round",
+            c.direction,
+            DIRECTION_DEG,
+            "deg",
+        ),
         ("program-chord", "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
         ("program-missing", "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
         ("program-feed", "relative difference of the time of a line", c.feed, FEED, ""),
@@ -199,6 +208,7 @@ impl Comparison<'_> {
             here = on.row;
             if k == WITHIN {
                 self.time(m, on);
+                self.turn(m, on, &poses);
             }
         }
         for row in at + 1..=here {
@@ -207,6 +217,20 @@ impl Comparison<'_> {
             self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
         }
         here
+    }
+
+    /// How far a line turns against the plan: the same axis may be reached the other way round, or a turn later.
+    fn turn(&mut self, m: &Moved, on: OnPath, poses: &[Pose]) {
+        let angle = |p: &Pose| p.axis.z.atan2(p.axis.y);
+        let step = |w: &[Pose]| angle(&w[1]) - angle(&w[0]);
+        let turned: f64 = poses.windows(2).map(step).map(|s| s - TAU * (s / TAU).round()).sum();
+        let planned = self.theta(on);
+        let off = turned - (planned - self.planned_theta);
+        self.planned_theta = planned;
+        let whole = (off / TAU).round();
+        if whole != 0.0 {
+            self.direction.take((TAU * whole).abs().to_degrees(), m.line, on.row);
+        }
     }
 
     /// The time of a line against the plan's.
@@ -299,9 +323,14 @@ impl Comparison<'_> {
 
     /// The planned tool axis there.
     fn axis(&self, on: OnPath) -> Vector {
+        tool::axis(self.plan.channel.b_rad, self.theta(on))
+    }
+
+    /// The planned θ there, rad.
+    fn theta(&self, on: OnPath) -> f64 {
         let theta = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.theta);
         let (a, b) = (theta(on.row), theta(on.row + 1));
-        tool::axis(self.plan.channel.b_rad, a + (b - a) * on.share)
+        a + (b - a) * on.share
     }
 }
 

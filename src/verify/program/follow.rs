@@ -7,8 +7,8 @@
 use std::f64::consts::TAU;
 
 use super::block::{Block, Feed, Place, Way};
-use super::unreadable;
-use crate::artifact::program::{Language, Programmed};
+use super::unreachable;
+use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::machine::{AxisName, Machine, Pose};
@@ -177,14 +177,14 @@ impl Follower<'_> {
                 let axis = self.bench.zero.blade_from_program.rotation * Vector::from(axis);
                 let near = self.bench.machine.rotary_of_axis(&axis, [self.stands[3], self.stands[4]]);
                 let reached = near.ok_or_else(|| {
-                    unreadable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
+                    unreachable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
                 })?;
                 (point, reached)
             }
         };
         let own = self.bench.language.programmed == Programmed::Machine;
         if !own && !block.machine && !block.centre_point && point.iter().any(Option::is_some) {
-            return Err(unreadable(block.line, "a move in the blade frame while tool-centre-point control is off"));
+            return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
         let mut moved = if own || block.machine || !block.centre_point {
             self.in_axes(block, point, rotary)
@@ -206,8 +206,8 @@ impl Follower<'_> {
             // G43 adds the length to the tip along Z of the machine, however the head leans.
             let tool = self.bench.tool;
             let length = if block.tool_length && i == 2 { tool.length_mm() + tool.radius_mm } else { 0.0 };
-            let offset = if block.machine { 0.0 } else { self.bench.zero.axes_mm[i] + length };
-            to[i] = word.map_or(to[i], |w| w + offset);
+            let zero = if block.machine { 0.0 } else { self.bench.zero.axes_mm[i] };
+            to[i] = word.map_or(to[i], |w| w + zero + length);
         }
         (to[3], to[4]) = (a, b);
         let bend = self.bend(block, |point| point);
@@ -256,6 +256,11 @@ impl Follower<'_> {
         Some(out)
     }
 
+    /// Whether positions of the first rotary axis mean the shorter way to them; Klartext says so itself (`M126`).
+    fn shortest_way(&self) -> bool {
+        self.bench.language.shortest_way && self.bench.language.grammar == Grammar::Gcode
+    }
+
     /// Rotary positions after a line, rad.
     fn rotary(&self, block: &Block, words: [Option<f64>; 3]) -> Result<[f64; 2]> {
         let mut to = [self.stands[3], self.stands[4]];
@@ -263,7 +268,7 @@ impl Follower<'_> {
         let own = [AxisName::A, AxisName::B, AxisName::C];
         for (name, word) in own.into_iter().zip(words) {
             if word.is_some() && !axes.contains(&Some(name)) {
-                return Err(unreadable(block.line, &format!("the machine has no axis {}", name.letter())));
+                return Err(unreachable(block.line, &format!("the machine has no axis {}", name.letter())));
             }
         }
         for (i, at) in to.iter_mut().enumerate() {
@@ -275,7 +280,7 @@ impl Follower<'_> {
                 Way::Shorter => nearest,
                 Way::Up => *at + (word - *at).rem_euclid(TAU),
                 Way::Down => *at - (*at - word).rem_euclid(TAU),
-                Way::To if self.bench.language.shortest_way && i == 0 => nearest,
+                Way::To if self.shortest_way() && i == 0 => nearest,
                 Way::To => word,
             };
         }

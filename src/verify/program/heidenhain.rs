@@ -1,93 +1,253 @@
 //! Heidenhain Klartext: `L` and `LN` blocks, `TCPM`, machine coordinates by `M91`.
+//!
+//! A word either is acted on, is known to be harmless, or is refused.
 
-use super::block::{Block, Feed, Place};
+use super::block::{Block, Call, Feed, Place, Script, Way};
 use super::unreadable;
+use crate::artifact::program::{LengthOffset, Programmed, Setting, Turning};
 use crate::error::Result;
+
+/// What a block that is refused says.
+type Read<T> = std::result::Result<T, String>;
+
+/// Words of a straight block: components of the tool axis, the point, rotary axes.
+const WORDS: [&str; 9] = ["TX", "TY", "TZ", "X", "Y", "Z", "A", "B", "C"];
+
+/// State that stays from block to block.
+#[derive(Default)]
+struct Modal {
+    centre_point: bool,
+    /// `M126`.
+    shorter: bool,
+    feed: Option<f64>,
+    setting: Setting,
+}
+
+struct Reader {
+    programmed: Programmed,
+    modal: Modal,
+    script: Script,
+}
 
 /// Reads a program.
 ///
 /// # Errors
 /// A block that is not understood or not in sequence, with the line.
-pub(super) fn read(text: &str) -> Result<Vec<Block>> {
-    let mut out = Vec::new();
-    let (mut centre_point, mut feed, mut tool_calls) = (false, None, 0);
+pub(super) fn read(text: &str, programmed: Programmed) -> Result<Script> {
+    let mut reader = Reader { programmed, modal: Modal::default(), script: Script::default() };
     for (i, line) in text.lines().enumerate() {
-        let number = i + 1;
         let code = line.split(';').next().unwrap_or("").trim();
         let (count, rest) = code.split_once(' ').unwrap_or((code, ""));
-        if count.parse::<usize>() != Ok(i) {
-            return Err(unreadable(number, &format!("the block number is \"{count}\", it must be {i}")));
-        }
         let rest = rest.trim();
-        match rest.split_whitespace().next() {
-            Some("L" | "LN") => {
-                for word in rest.split_whitespace() {
-                    centre_point = word == "M128" || centre_point && word != "M129";
-                }
-                let block = straight(number, rest, centre_point, &mut feed).map_err(|e| unreadable(number, &e))?;
-                out.extend(block.map(|b| Block { tool_calls, ..b }));
+        let number = i + 1;
+        if reader.script.end.is_some() {
+            if !rest.is_empty() && !rest.starts_with("END PGM") {
+                reader.script.behind.push(number);
             }
-            Some("FUNCTION") if rest.starts_with("FUNCTION TCPM ") => centre_point = true,
-            Some("FUNCTION") if rest == "FUNCTION RESET TCPM" => centre_point = false,
-            Some("M128") => centre_point = true,
-            Some("M129") => centre_point = false,
-            Some("TOOL") => tool_calls += usize::from(rest.starts_with("TOOL CALL")),
-            None | Some("BEGIN" | "END" | "CYCL" | "BLK") => {}
-            Some(word) if word.strip_prefix('M').is_some_and(|n| n.parse::<u32>().is_ok()) => {}
-            Some(word) => return Err(unreadable(number, &format!("\"{word}\" is not known"))),
+            continue;
         }
+        let read = if count.parse::<usize>() == Ok(i) {
+            reader.statement(number, rest)
+        } else {
+            Err(format!("the block number is \"{count}\", it must be {i}"))
+        };
+        read.map_err(|e| unreadable(number, line, &e))?;
     }
-    Ok(out)
+    Ok(reader.script)
 }
 
-/// One `L` or `LN` block.
-fn straight(
-    line: usize,
-    code: &str,
-    centre_point: bool,
-    feed: &mut Option<f64>,
-) -> std::result::Result<Option<Block>, String> {
-    let mut point = [None; 3];
-    let mut rotary = [None; 3];
-    let mut axis = [None; 3];
-    let (mut machine, mut rapid) = (false, false);
-    for word in code.split_whitespace().skip(1) {
-        let number = |prefix: &str| -> std::result::Result<f64, String> {
-            let text = word.strip_prefix(prefix).unwrap_or("").replace(',', ".");
-            text.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| format!("\"{word}\" is not a number"))
-        };
-        match word {
-            "R0" => {}
-            "FMAX" => rapid = true,
-            "M91" => machine = true,
-            _ if word.starts_with("TX") => axis[0] = Some(number("TX")?),
-            _ if word.starts_with("TY") => axis[1] = Some(number("TY")?),
-            _ if word.starts_with("TZ") => axis[2] = Some(number("TZ")?),
-            _ if word.starts_with('X') => point[0] = Some(number("X")?),
-            _ if word.starts_with('Y') => point[1] = Some(number("Y")?),
-            _ if word.starts_with('Z') => point[2] = Some(number("Z")?),
-            _ if word.starts_with('A') => rotary[0] = Some(number("A")?),
-            _ if word.starts_with('B') => rotary[1] = Some(number("B")?),
-            _ if word.starts_with('C') => rotary[2] = Some(number("C")?),
-            _ if word.starts_with('F') => *feed = Some(number("F")?),
-            _ if word.starts_with('M') => {
-                number("M")?;
-            }
-            _ => return Err(format!("\"{word}\" is not known")),
+impl Reader {
+    fn statement(&mut self, number: usize, rest: &str) -> Read<()> {
+        let words: Vec<&str> = rest.split_whitespace().collect();
+        match &words[..] {
+            []
+            | ["BLK", "FORM", ..]
+            | ["TOOL", "DEF", ..]
+            | ["FUNCTION", "MODE", "MILL"]
+            | ["PLANE", "RESET", "STAY"] => {}
+            [structure, ..] if structure.starts_with('*') => {}
+            ["L" | "LN", words @ ..] => return self.straight(number, words),
+            ["STOP", functions @ ..] => self.functions(number, functions)?,
+            ["BEGIN", "PGM", .., "MM"] => {}
+            ["BEGIN", "PGM", ..] => return Err("programs in inches are not read".into()),
+            ["END", "PGM", ..] => self.script.ends(number),
+            ["TOOL", "CALL", ..] => self.call(number, rest.get("TOOL CALL".len()..).unwrap_or("").trim())?,
+            ["CYCL", "DEF", cycle, words @ ..] => self.cycle(cycle, words)?,
+            ["FUNCTION", "TCPM", how @ ..] => self.centre_point(how)?,
+            ["FUNCTION", "RESET", "TCPM"] => self.modal.centre_point = false,
+            ["C" | "CC" | "CR" | "CT" | "CP" | "CHF" | "RND", ..] => return Err("arcs are not read".into()),
+            [word, ..] if function_number(word).is_some() => self.functions(number, &words)?,
+            [word, ..] => return Err(format!("\"{word}\" is not known")),
         }
+        Ok(())
     }
-    let place = match axis {
-        [None, None, None] => Place::Words { point, rotary },
-        [Some(x), Some(y), Some(z)] => Place::Vector { point, axis: [x, y, z] },
-        _ => return Err("an LN block needs TX, TY and TZ".into()),
-    };
-    if point.iter().chain(&rotary).all(Option::is_none) {
-        return Ok(None);
+
+    /// Miscellaneous functions without a move.
+    fn functions(&mut self, number: usize, words: &[&str]) -> Read<()> {
+        let mut ends = false;
+        for (k, word) in words.iter().enumerate() {
+            // The feed of the movements that follow a turn, which the machine makes beside.
+            if word.starts_with('F') && k > 0 && words[k - 1] == "M128" {
+                value(word, "F")?;
+                continue;
+            }
+            ends |= self.function(word)?;
+        }
+        if ends {
+            self.script.ends(number);
+        }
+        Ok(())
     }
-    let feed = match (rapid, *feed) {
-        (true, _) => Feed::Rapid,
-        (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
-        _ => return Err("a straight block before any F".into()),
-    };
-    Ok(Some(Block { machine, centre_point, ..Block::straight(line, place, feed) }))
+
+    /// One miscellaneous function; whether it ends the program.
+    fn function(&mut self, word: &str) -> Read<bool> {
+        let modal = &mut self.modal;
+        match function_number(word).ok_or_else(|| format!("\"{word}\" is not known"))? {
+            2 | 30 => return Ok(true),
+            3 | 13 => modal.setting.turning = Turning::Right,
+            4 | 14 => modal.setting.turning = Turning::Left,
+            5 | 19 => modal.setting.turning = Turning::Off,
+            126 => modal.shorter = true,
+            127 => modal.shorter = false,
+            128 => modal.centre_point = true,
+            129 => modal.centre_point = false,
+            // Stops and coolant.
+            0 | 1 | 7 | 8 | 9 => {}
+            _ => return Err(format!("{word} is not read")),
+        }
+        Ok(false)
+    }
+
+    /// `TOOL CALL 1 Z S6000 F500 DL+0 DR+0`; without a tool it only sets speed and feed.
+    fn call(&mut self, line: usize, code: &str) -> Read<()> {
+        let (tool, rest) = if let Some(named) = code.strip_prefix('"') {
+            let (name, rest) = named.split_once('"').ok_or("a name without its second \"")?;
+            (Some(name.to_owned()), rest)
+        } else {
+            let (first, rest) = code.split_once(' ').unwrap_or((code, ""));
+            match first.parse::<f64>() {
+                Ok(n) if n.is_finite() => (Some(n.to_string()), rest),
+                _ => (None, code),
+            }
+        };
+        for word in rest.split_whitespace() {
+            match word {
+                "Z" => {}
+                _ if word.starts_with('S') => self.modal.setting.rpm = Some(value(word, "S")?),
+                _ if word.starts_with('F') => self.modal.feed = Some(value(word, "F")?),
+                _ if word.starts_with("DL") || word.starts_with("DR") => {
+                    let name = ["DR2", "DR", "DL"].into_iter().find(|n| word.starts_with(n)).unwrap_or("DL");
+                    if value(word, name)? != 0.0 {
+                        return Err(format!("{word} changes the tool, which is given as it is"));
+                    }
+                }
+                _ => return Err(format!("\"{word}\" is not known")),
+            }
+        }
+        if let Some(tool) = tool {
+            let none = tool == "0";
+            self.modal.setting.length = if none { LengthOffset::Off } else { LengthOffset::Unsaid };
+            self.modal.setting.turning = Turning::Off;
+            self.script.calls.push(Call { line, tool: Some(tool) });
+        }
+        Ok(())
+    }
+
+    /// The tolerance (32) and dwelling (9); all others move, or move the frame.
+    fn cycle(&mut self, cycle: &str, words: &[&str]) -> Read<()> {
+        match cycle {
+            "9.0" | "9.1" | "32.0" | "32.2" => {}
+            "32.1" => {
+                let joined = words.concat();
+                let tolerance = if joined.is_empty() { 0.0 } else { value(&joined, "T")? };
+                self.modal.setting.tolerance_mm = (tolerance > 0.0).then_some(tolerance);
+            }
+            _ => return Err(format!("cycle {cycle} is not read")),
+        }
+        Ok(())
+    }
+
+    /// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT …`.
+    fn centre_point(&mut self, how: &[&str]) -> Read<()> {
+        let reference = match how {
+            ["F", "TCP", "AXIS", "POS", "PATHCTRL", "AXIS"] => None,
+            ["F", "TCP", "AXIS", "POS", "PATHCTRL", "AXIS", "REFPNT", reference] => Some(*reference),
+            _ => return Err("TCPM is read as F TCP AXIS POS PATHCTRL AXIS only".into()),
+        };
+        let wanted = match self.programmed {
+            Programmed::Centre => "CENTER-CENTER",
+            Programmed::Tip => "TIP-TIP",
+            Programmed::Machine => return Err("TCPM in a program of positions of the axes".into()),
+        };
+        if let Some(reference) = reference.filter(|r| *r != wanted) {
+            return Err(format!("REFPNT {reference} is read as {wanted} only, by what X Y Z are taken for"));
+        }
+        self.modal.centre_point = true;
+        Ok(())
+    }
+
+    /// One `L` or `LN` block.
+    fn straight(&mut self, line: usize, words: &[&str]) -> Read<()> {
+        // Components of the tool axis, of the point, and rotary axes.
+        let mut said = [[None; 3]; 3];
+        let (mut machine, mut rapid, mut ends) = (false, false, false);
+        for (k, word) in words.iter().enumerate() {
+            if let Some((at, name)) = WORDS.iter().enumerate().find(|(_, name)| word.starts_with(**name)) {
+                if said[at / 3][at % 3].replace(value(word, name)?).is_some() {
+                    return Err(format!("\"{word}\" is a second word of its axis"));
+                }
+                continue;
+            }
+            match *word {
+                "R0" => {}
+                "FMAX" => rapid = true,
+                "M91" => machine = true,
+                _ if word.starts_with('F') && k > 0 && words[k - 1] == "M128" => {
+                    value(word, "F")?;
+                }
+                _ if word.starts_with('F') => self.modal.feed = Some(value(word, "F")?),
+                _ => ends |= self.function(word)?,
+            }
+        }
+        let [axis, point, rotary] = said;
+        let place = match axis {
+            [None, None, None] => Place::Words { point, rotary },
+            [Some(x), Some(y), Some(z)] => Place::Vector { point, axis: [x, y, z] },
+            _ => return Err("an LN block needs TX, TY and TZ".into()),
+        };
+        if matches!(place, Place::Vector { .. }) && rotary.iter().any(Option::is_some) {
+            return Err("a vector and words of rotary axes in one block".into());
+        }
+        if point.iter().chain(&rotary).chain(&axis).any(Option::is_some) {
+            let feed = match (rapid, self.modal.feed) {
+                (true, _) => Feed::Rapid,
+                (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
+                _ => return Err("a straight block before any F".into()),
+            };
+            let way = if self.modal.shorter { Way::Shorter } else { Way::To };
+            self.script.blocks.push(Block {
+                machine,
+                centre_point: self.modal.centre_point,
+                ways: [way; 3],
+                tool_calls: self.script.calls.len(),
+                setting: self.modal.setting,
+                ..Block::straight(line, place, feed)
+            });
+        }
+        if ends {
+            self.script.ends(line);
+        }
+        Ok(())
+    }
+}
+
+/// The number of a word `M3`.
+fn function_number(word: &str) -> Option<u32> {
+    word.strip_prefix('M')?.parse().ok()
+}
+
+/// The number behind a name; a comma may be the point.
+fn value(word: &str, name: &str) -> Read<f64> {
+    let text = word.strip_prefix(name).unwrap_or("").replace(',', ".");
+    text.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| format!("\"{word}\" is not a number"))
 }

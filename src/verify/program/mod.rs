@@ -15,6 +15,10 @@
 //! | `program-travel` | how far an axis leaves its travel in any move, rapids, approach and retract among them |
 //! | `program-feed` | time of each cutting line against the plan's between the places where it begins and ends |
 //! | `program-time` | whole time of the cutting lines against the plan's |
+//! | `program-end` | whether the program ends, and lines behind its end, which are not machined |
+//! | `program-tool`, `program-tool-length`, `program-spindle`, `program-smoothing`, `program-frame` | lines at a feed with another tool, length offset, spindle, tolerance of the control or work offset than the program was written with ([`Asked`]) |
+//!
+//! A word that is neither acted on nor known to be harmless is refused with its line.
 //!
 //! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
 //! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
@@ -26,29 +30,31 @@ mod follow;
 mod gcode;
 mod guess;
 mod heidenhain;
+mod setting;
 #[cfg(test)]
 mod tests;
 
-pub use block::{Bend, Block, Feed, Place, Way};
+pub use block::{Bend, Block, Call, Feed, Place, Script, Way};
 pub use follow::{Bench, Moved, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
+pub(super) use setting::{Finding, end, theirs};
 
 use super::audit;
-use crate::artifact::program::{Grammar, Language, Program};
+use crate::artifact::program::{Asked, Grammar, Language, Program};
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::tool::Tool;
 
-/// Reads a program's text into its moves.
+/// Reads a program's text: its moves, and what it says beside them.
 ///
 /// # Errors
 /// Kind `Usage`: a line that is not understood, with its number.
-pub fn read(text: &str, language: Language) -> Result<Vec<Block>> {
+pub fn read(text: &str, language: Language) -> Result<Script> {
     match language.grammar {
         Grammar::Gcode => gcode::read(text),
-        Grammar::Heidenhain => heidenhain::read(text),
+        Grammar::Heidenhain => heidenhain::read(text, language.programmed),
         Grammar::Apt => apt::read(text),
     }
 }
@@ -81,13 +87,17 @@ pub fn read_back_each(
     blade: &Blade,
     machine: &Machine,
 ) -> Result<Vec<Check>> {
-    let blocks = read(&program.text, program.language)?;
+    let script = read(&program.text, program.language)?;
     let (language, zero) = (program.language, Zero::default());
     let benches: Vec<Bench> = operations.iter().map(|o| Bench { language, zero, tool: o.tool, machine }).collect();
-    let moves = follow_each(&blocks, &benches)?;
-    let mut out = Vec::new();
+    let moves = follow_each(&script.blocks, &benches)?;
+    let mut out = vec![setting::end(&script).of_own(program)];
+    let mut rest = &script.blocks[..];
     for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
+        let (blocks, later) = rest.split_at(moves.len().min(rest.len()));
+        rest = later;
         let mut found = compare::checks(program, moves, o.plan, blade, o.tool, machine);
+        found.extend(setting::own(&script, blocks, program.asked.get(k), o.tool).map(|f| f.of_own(program)));
         found.extend(audit::rapids(&program.text, moves, blade, bench)?);
         found.extend(audit::travel(&program.text, moves, blade, bench)?);
         if operations.len() > 1 {
@@ -98,7 +108,34 @@ pub fn read_back_each(
     Ok(out)
 }
 
-/// A line that cannot be read.
-fn unreadable(line: usize, what: &str) -> Error {
+/// What the operations of a text are written with: tool number and spindle speed of each as given, the rest as the text says it. To be kept with the
+/// text, which may be another when it is read back.
+pub fn asked(text: &str, language: Language, operations: impl Iterator<Item = (u32, f64)>) -> Vec<Asked> {
+    // What cannot be read says nothing; reading it back tells why.
+    let script = read(text, language).unwrap_or_default();
+    let one = |(k, (tool_number, spindle_rpm)): (usize, (u32, f64))| Asked {
+        tool_number,
+        spindle_rpm,
+        setting: setting::at_first_feed(&script, k),
+        frame: script.frame,
+    };
+    operations.enumerate().map(one).collect()
+}
+
+/// Longest part of a line that is quoted.
+const QUOTED: usize = 80;
+
+/// A line that cannot be read, quoted.
+fn unreadable(line: usize, text: &str, what: &str) -> Error {
+    let text = text.trim();
+    let mut quoted: String = text.chars().take(QUOTED).map(|c| if c.is_control() { '?' } else { c }).collect();
+    if quoted.len() < text.len() && text.chars().nth(QUOTED).is_some() {
+        quoted.push('…');
+    }
+    Error::usage(Stage::Verify, format!("line {line} of the program: {what}: `{quoted}`"))
+}
+
+/// A line that cannot be followed.
+fn unreachable(line: usize, what: &str) -> Error {
     Error::usage(Stage::Verify, format!("line {line} of the program: {what}"))
 }

@@ -6,6 +6,7 @@ use crate::artifact::program::Programmed;
 
 fn gcode(text: &str) -> Result<Vec<Block>> {
     read(text, Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false })
+        .map(|s| s.blocks)
 }
 
 #[test]
@@ -29,7 +30,7 @@ fn words_modes_and_comments() {
 
 #[test]
 fn inches_are_read_as_millimetres_and_vectors_as_vectors() {
-    let b = gcode("G20 G94\nG1 X1 I0 K2 F10\nTRAORI\nG71 G1 X1 A3=0 B3=0 C3=1").unwrap();
+    let b = gcode("G20 G94 G43.5 H1\nG1 X1 I0 K2 F10\nTRAORI\nG71 G1 X1 A3=0 B3=0 C3=1").unwrap();
     assert_eq!(b[0].place, Place::Vector { point: [Some(25.4), None, None], axis: [0.0, 0.0, 2.0] });
     assert_eq!(
         (b[1].centre_point, b[1].place),
@@ -42,7 +43,7 @@ fn what_is_not_understood_is_named_with_its_line() {
     for (text, names) in [
         ("G1 X1", "before any F"),
         ("G93 G1 X1 F2\nX2", "line 2"),
-        ("G1 X1.2.3 F1", "not a number"),
+        ("G1 X1.2.3 F1", "X1.2.3 is not a number"),
         ("X0 POLY PO[X]=(1,2,3,4,5,6) F1", "more than degree 5"),
         ("X0 POLY PO[U]=(1,2) F1", "PO[U]"),
         ("X0 POLY PO[]=(1,2) F1", "PO[]"),
@@ -51,8 +52,10 @@ fn what_is_not_understood_is_named_with_its_line() {
         ("POLY PO[X]=(1,z) F1", "not a number"),
         ("POLY X1 A3=0 B3=0 C3=1 F1", "vectors under POLY"),
         ("G1 X=DC(1) F1", "rotary axes"),
-        ("G2 X1 I0 J1", "G2 is not known"),
+        ("G2 X1 I0 J1", "G2: arcs are not read: `G2 X1 I0 J1`"),
         ("WIBBLE", "WIBBLE"),
+        ("n1 r1=5", "the word r1=5 is not known: `n1 r1=5`"),
+        ("TOFFL=-0.5", "the word TOFFL=-0.5 is not known"),
         ("G1 X1 F-3", "greater than 0"),
         ("G1 (X1", "without its )"),
     ] {
@@ -64,9 +67,10 @@ fn what_is_not_understood_is_named_with_its_line() {
 #[test]
 fn klartext() {
     let language = Language { grammar: Grammar::Heidenhain, programmed: Programmed::Centre, shortest_way: true };
-    let text = "0 BEGIN PGM T MM\n1 ; c\n2 L Z+630,5 R0 FMAX M91\n3 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n4 L X+1 A+350 F500 M8\n5 L A+10\n6 LN X+1 TX+0 TY+0 TZ+1\n7 END PGM T MM\n";
-    let b = read(text, language).unwrap();
-    assert_eq!(b.len(), 4);
+    let text = "0 BEGIN PGM T MM\n1 M126\n2 L Z+630,5 R0 FMAX M91\n3 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n4 L X+1 A+350 F500 M8\n5 L A+10\n6 LN X+1 TX+0 TY+0 TZ+1\n7 END PGM T MM\n";
+    let script = read(text, language).unwrap();
+    let b = script.blocks;
+    assert_eq!((b.len(), script.end), (4, Some(8)));
     assert!(b[0].machine && !b[0].centre_point && b[1].centre_point);
     assert_eq!(b[2].feed, Feed::PerMinute(500.0));
     let (tool, machine) = (crate::sample::tool(), Machine::demo().unwrap());
@@ -86,17 +90,20 @@ fn klartext() {
 #[test]
 fn apt() {
     let language = Language { grammar: Grammar::Apt, programmed: Programmed::Tip, shortest_way: false };
-    let b = read("PARTNO/X\n$$ c\nRAPID\nGOTO/1,2,3,$\n0,0,1\nFEDRAT/20,MMPM\nGOTO/1,2,4,0,0,1\n", language).unwrap();
+    let read = |text: &str| super::read(text, language).map(|s| s.blocks);
+    let b = read("PARTNO/X\n$$ c\nRAPID\nGOTO/1,2,3,$\n0,0,1\nFEDRAT/20,MMPM\nGOTO/1,2,4,0,0,1\n").unwrap();
     assert_eq!((b.len(), b[0].line, b[0].feed, b[1].feed), (2, 5, Feed::Rapid, Feed::PerMinute(20.0)));
-    assert!(read("GOTO/1,2", language).is_err() && read("FLY/1", language).is_err());
-    assert!(read(&format!("GOTO/{}", "1".repeat(80)), language).unwrap_err().message.contains("72"));
+    assert!(read("GOTO/1,2").is_err() && read("FLY/1").is_err());
+    assert!(read(&format!("GOTO/{}", "1".repeat(80))).unwrap_err().message.contains("72"));
 }
 
 #[test]
 fn steps_and_polynomials_of_g_code() {
     // The example of the manual: end, coefficients of p² and p³, PL the length of the interval; what is left of p brings it to its end.
-    let b = gcode("N10 G1 X0 Y0 Z0 F600\nN11 POLY PO[X]=(1, 2.5, 0.7) PO[Y]=(0.3,1,3.2) PL=1.5\nX2 A=PO(10,4)\nG1 X3")
-        .unwrap();
+    let b = gcode(
+        "N10 G1 X0 Y0 Z0 F600\nN11 UPATH POLY PO[X]=(1, 2.5, 0.7) PO[Y]=(0.3,1,3.2) PL=1.5\nX2 A=PO(10,4)\nG1 X3",
+    )
+    .unwrap();
     assert_eq!((b[0].bend, b[3].bend), (None, None));
     let bend = b[1].bend.unwrap();
     assert_eq!(bend.point[0], [2.5 * 1.5 * 1.5, 0.7 * 1.5 * 1.5 * 1.5, 0.0, 0.0]);

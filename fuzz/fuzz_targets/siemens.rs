@@ -1,0 +1,8 @@
+#![no_main]
+//! Any bytes as a program of `siemens`: moves or an error.
+
+#[macro_use]
+#[path = "../target.rs"]
+mod target;
+
+program!("siemens");

@@ -1,0 +1,174 @@
+//! What the words other than axes do. Every word that a program may have is in one of these lists; all others are refused.
+
+use super::words::Word;
+use super::{Bare, Centre, Modal, Motion, Said};
+use crate::artifact::program::Turning;
+
+/// A word other than of an axis.
+pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut Said) -> Result<(), String> {
+    match word.address {
+        "M" => miscellaneous(word, said)?,
+        "POLY" => modal.motion = Some(Motion::Polynomial),
+        "PL" => said.interval = Some(word.number()?),
+        "I" | "J" | "K" => component(word, &mut said.ijk, "IJK")?,
+        "A3" | "B3" | "C3" => component(word, &mut said.abc3, "ABC")?,
+        "F" => said.feed = Some(word.number()?),
+        "S" => said.rpm = Some(word.number()?),
+        "T" => said.tool = Some(tool(word)?),
+        "D" => said.edge = Some(word.count()?),
+        "H" => modal.number = Some(word.count()?),
+        "P" => said.p = Some(word.number()?),
+        "Q" => said.q = Some(word.number()?),
+        "O" if modal.begun => return Err(format!("a second program begins with {}", word.raw)),
+        "N" | "O" => {
+            word.number()?;
+        }
+        "TRAORI" | "TRAORI(1)" => modal.centre = Centre::Transformation,
+        "TRAFOOF" => modal.centre = Centre::Off,
+        "SUPA" => (said.machine, said.with_length) = (true, true),
+        "UPATH" => modal.with_path = true,
+        "SPATH" => modal.with_path = false,
+        "ORIAXES" => modal.setting.axes_evenly = true,
+        "ORIWKS" => modal.machine_vectors = false,
+        "ORIMKS" => modal.machine_vectors = true,
+        "RET" => said.ends = true,
+        name if harmless(name) => {}
+        name if name.starts_with("CYCLE832(") => {
+            said.bare = Some(Bare::Call);
+            modal.setting.tolerance_mm = high_speed_setting(word, modal)?;
+        }
+        _ => return Err(format!("the word {} is not known", word.raw)),
+    }
+    Ok(())
+}
+
+/// Names that change neither where the tool goes nor with which tool, in which frame or unit: jerk, feed forward, compressors within the tolerance
+/// that is set, look-ahead, collision detection, messages, and settings at their defaults.
+fn harmless(name: &str) -> bool {
+    let plain = [
+        "SOFT",
+        "BRISK",
+        "FFWON",
+        "FFWOF",
+        "COMPCAD",
+        "COMPCURV",
+        "COMPSURF",
+        "COMPON",
+        "COMPOF",
+        "STOPRE",
+        "CDOF",
+        "CDOF2",
+        "FNORM",
+        "DYNNORM",
+        "DYNPOS",
+        "DYNROUGH",
+        "DYNSEMIFIN",
+        "DYNFINISH",
+        "CYCLE800()",
+        "FGROUP()",
+        "FGROUP(X,Y,Z)",
+        "POLYPATH()",
+        "POLYPATH(\"AXES\",\"VECT\")",
+    ];
+    plain.contains(&name) || name.starts_with("MSG(")
+}
+
+fn component(word: &Word, vector: &mut [Option<f64>; 3], letters: &str) -> Result<(), String> {
+    let at = letters.find(&word.address[..1]).unwrap_or(0);
+    match vector.get_mut(at) {
+        Some(slot) => *slot = Some(word.number()?),
+        None => return Err(format!("the word {} is not known", word.raw)),
+    }
+    Ok(())
+}
+
+/// A tool by number or by name.
+fn tool(word: &Word) -> Result<String, String> {
+    let name = word.value.trim_matches('"');
+    if name.len() + 2 == word.value.len() && !name.is_empty() {
+        return Ok(name.to_owned());
+    }
+    Ok(word.count()?.to_string())
+}
+
+/// `CYCLE832(tolerance, kind, tolerance of the tool axis)`: the tolerance; `None` where it is taken back.
+fn high_speed_setting(word: &Word, modal: &Modal) -> Result<Option<f64>, String> {
+    let list = word.address.strip_prefix("CYCLE832(").and_then(|l| l.strip_suffix(')')).unwrap_or("?");
+    let first = list.split(',').next().unwrap_or("");
+    let tolerance = if first.is_empty() { 0.0 } else { word.number_of(first)? };
+    Ok((tolerance > 0.0).then_some(if modal.inch { 25.4 * tolerance } else { tolerance }))
+}
+
+/// Preparatory functions.
+pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut Said) -> Result<(), String> {
+    let value = word.value.trim_start_matches('0');
+    match value {
+        "" if word.value.is_empty() => return Err(format!("{} has no number", word.raw)),
+        "" => modal.motion = Some(Motion::Rapid),
+        "1" => modal.motion = Some(Motion::Straight),
+        "2" | "3" => return Err(format!("{}: arcs are not read", word.raw)),
+        "20" | "70" | "700" => {
+            modal.inch = true;
+            // G70 of Siemens is for positions only.
+            modal.inch_feed = value != "70" || !modal.siemens;
+        }
+        "21" | "71" | "710" => (modal.inch, modal.inch_feed) = (false, false),
+        "43" => modal.length = true,
+        "43.4" => modal.centre = Centre::Axes,
+        "43.5" => modal.centre = Centre::Vectors,
+        "49" => (modal.centre, modal.length) = (Centre::Off, false),
+        "53" => said.machine = true,
+        "54" | "55" | "56" | "57" | "58" | "59" | "500" => frame(word, value, modal)?,
+        "90" => modal.steps = false,
+        "91" => modal.steps = true,
+        "93" | "94" => {
+            // The feed of one kind means nothing in the other.
+            let inverse = value == "93";
+            if inverse != modal.inverse {
+                modal.feed = None;
+            }
+            modal.inverse = inverse;
+        }
+        // How near to the path corners are rounded.
+        "64" => said.blends = true,
+        // Looking ahead: on and off.
+        "5" => said.bare = Some(Bare::Precision),
+        "5.1" => said.bare = Some(Bare::Contour),
+        "8" => said.bare = Some(Bare::Ahead),
+        // Scaling off; with words it would be another function.
+        "50" => said.bare = Some(Bare::Unscaled),
+        // XY plane, no radius, no rotation, no cycle, ends of cycles, revolutions as they are, centres of arcs.
+        "17" | "40" | "69" | "80" | "98" | "99" | "97" | "90.1" | "91.1" => {}
+        // Stops at corners, and smoothing by the tolerances of the machine.
+        "9" | "60" | "61" | "61.1" | "601" | "602" | "603" | "642" | "643" | "644" | "645" => {}
+        _ => return Err(format!("{} is not known", word.raw)),
+    }
+    Ok(())
+}
+
+/// A work offset: the first is the one that zero and part are given for.
+fn frame(word: &Word, value: &str, modal: &mut Modal) -> Result<(), String> {
+    let number = value.parse().ok();
+    if modal.placed && modal.frame != number {
+        let before = modal.frame.map_or_else(|| "without one".into(), |f| format!("under G{f}"));
+        return Err(format!("{}: the work offset changes after moves {before}, and one zero is given", word.raw));
+    }
+    modal.frame = number;
+    Ok(())
+}
+
+/// Miscellaneous functions.
+fn miscellaneous(word: &Word, said: &mut Said) -> Result<(), String> {
+    match word.count()? {
+        2 | 17 | 30 => said.ends = true,
+        3 | 13 => said.turning = Some(Turning::Right),
+        4 | 14 => said.turning = Some(Turning::Left),
+        5 | 19 => said.turning = Some(Turning::Off),
+        6 => said.change = true,
+        // Stops, coolant, clamps, gears, overrides.
+        0 | 1 | 7 | 8 | 9 | 10 | 11 | 40..=45 | 48 | 49 => {}
+        97 | 98 | 99 | 198 => return Err(format!("{}: subprograms are not read", word.raw)),
+        _ => return Err(format!("{} is not known", word.raw)),
+    }
+    Ok(())
+}
