@@ -16,7 +16,7 @@ use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
 use crate::output::RunFolder;
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, StageRecord};
-use crate::output::summary::{self, ScheduleFigures, Summary};
+use crate::output::summary::{self, ProgramFigures, ScheduleFigures, Summary};
 use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::schedule::ScheduleOptions;
@@ -230,6 +230,8 @@ impl Setup {
             plunge_feed_mm_min: p.plunge_feed_mm_min,
             feed_height_mm: p.feed_height_mm,
             safe_clearance_mm: p.safe_clearance_mm,
+            smoothing_mm: p.smoothing_mm,
+            look_ahead: p.look_ahead,
             ..PostOptions::default()
         }
     }
@@ -397,17 +399,27 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
     }
 }
 
-/// Writes all programs; the checks of their reading back. A program that does not come back as the plan is not written.
-fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Vec<Check>> {
-    let mut found = Vec::new();
+/// What writing all programs came to.
+#[derive(Default)]
+struct Posted {
+    /// Of their reading back.
+    checks: Vec<Check>,
+    /// Those that were written.
+    figures: Vec<ProgramFigures>,
+}
+
+/// Writes all programs. One that does not come back as the plan is not written.
+fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Posted> {
+    let mut posted = Posted::default();
     for dialect in setup.dialects()? {
         let (program, checks) = setup.program(&dialect, verified)?;
         if checks.iter().all(|c| c.passed) {
+            posted.figures.push(summary::program_figures(&program));
             folder.add(&program.file_name, program.text)?;
         }
-        found.extend(checks);
+        posted.checks.extend(checks);
     }
-    Ok(found)
+    Ok(posted)
 }
 
 /// What reading the programs of a finished run back finds: the files as they are there; where one is not, what would be in it. Programs of a plan

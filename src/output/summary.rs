@@ -1,10 +1,10 @@
 //! `summary.json`: the figures of a run.
 
-use crate::artifact::AxisMotion;
+use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{CheckReport, Plan, Schedule};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule};
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -58,6 +58,32 @@ pub struct PathFigures {
     pub ratio_at_same_scallop: f64,
 }
 
+/// A program of a run.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct ProgramFigures {
+    /// Its file.
+    pub file: String,
+    /// The control, in words.
+    pub control: String,
+    /// Lines.
+    pub lines: usize,
+    /// Bytes.
+    pub bytes: usize,
+    /// Where its time goes; without tool changes.
+    pub cycle: CycleTime,
+}
+
+/// Figures of a program of one operation.
+pub fn program_figures(program: &Program) -> ProgramFigures {
+    ProgramFigures {
+        file: program.file_name.clone(),
+        control: program.control.clone(),
+        lines: program.text.lines().count(),
+        bytes: program.text.len(),
+        cycle: program.cycles.first().copied().unwrap_or_default(),
+    }
+}
+
 /// The summary.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Summary {
@@ -109,6 +135,12 @@ pub struct Summary {
     pub channel_narrowest_row: usize,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
+    /// Axes whose velocity, acceleration and jerk are assumed: with them every time above and below.
+    #[serde(default)]
+    pub limits_assumed: Vec<String>,
+    /// Programs, with where their time goes.
+    #[serde(default)]
+    pub programs: Vec<ProgramFigures>,
     /// All checks passed.
     pub passed: bool,
 }
@@ -200,6 +232,8 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         channel_width_min_deg: narrow.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
         channel_narrowest_row: plan.channel.narrowest_row,
         schedules,
+        limits_assumed: Vec::new(),
+        programs: Vec::new(),
         passed: report.passed(),
     }
 }

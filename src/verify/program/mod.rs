@@ -15,6 +15,7 @@
 //! | `program-travel` | how far an axis leaves its travel in any move, rapids, approach and retract among them |
 //! | `program-feed` | time of each cutting line against the plan's between the places where it begins and ends |
 //! | `program-time` | whole time of the cutting lines against the plan's |
+//! | `program-words` | words outside what the control reads by its post file: value, digits after the point |
 //!
 //! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
 //! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
@@ -28,6 +29,7 @@ mod guess;
 mod heidenhain;
 #[cfg(test)]
 mod tests;
+mod words;
 
 pub use block::{Bend, Block, Feed, Place, Way};
 pub use follow::{Bench, Moved, Zero, follow, follow_each};
@@ -95,6 +97,7 @@ pub fn read_back_each(
         }
         out.extend(found);
     }
+    out.push(words::check(program));
     Ok(out)
 }
 
