@@ -1,6 +1,6 @@
 %
 O0001
-(Size           102 lines,       4561 bytes)
+(Size           100 lines,       4536 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.4, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -29,11 +29,9 @@ O0001
 (A        degrees, growing over all turns: A must be a linear axis to the control [ROT type B], or one that does not)
 (roll over.)
 (F        G94, mm/min of the TIP over the part; degrees/min on lines on which it stands still.)
-(Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds on lines on which the tip stands)
-(still;)
-(         increment system IS-C: 0.0001 mm and deg [IS-B rounds to 0.001, nothing adds up]; G54 taken as clamped at)
-(A=0,)
-(         wherever A stands when G43.4 comes on: prove that above the part before the first run.)
+(Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds where the tip stands still;)
+(         increment system IS-C: 0.0001 mm and deg. IS-B rounds each word to 0.001, nothing adds up.)
+(PROVE    above the part that the control takes G54 as it is at A=0, wherever A stands when G43.4 comes on.)
 N1 G17 G21 G40 G49 G80 G90 G94
 G53 G0 Z630.000
 T1 M6

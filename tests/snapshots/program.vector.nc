@@ -1,6 +1,6 @@
 %
 O0001
-(Size           102 lines,       5703 bytes)
+(Size           100 lines,       5678 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.5, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -28,11 +28,9 @@ O0001
 (G54      origin of the blade frame at A=0: machine X 1400.0000 Y 0.0000 Z 0.0000, turned about X by 0.0000 deg.)
 (I J K    tool axis from tip to spindle in the blade frame, all three on every line: one left out would count as 0.)
 (F        G94, mm/min of the TIP over the part; degrees/min on lines on which it stands still.)
-(Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds on lines on which the tip stands)
-(still;)
-(         increment system IS-C: 0.0001 mm and deg [IS-B rounds to 0.001, nothing adds up]; G54 taken as clamped at)
-(A=0,)
-(         wherever A stands when G43.5 comes on: prove that above the part before the first run.)
+(Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds where the tip stands still;)
+(         increment system IS-C: 0.0001 mm and deg. IS-B rounds each word to 0.001, nothing adds up.)
+(PROVE    above the part that the control takes G54 as it is at A=0, wherever A stands when G43.5 comes on.)
 N1 G17 G21 G40 G49 G80 G90 G94
 G53 G0 Z630.000
 T1 M6
