@@ -17,7 +17,7 @@ use crate::model::{self, ModelOptions};
 use crate::observe::{Observer, Recorder, Warning};
 use crate::output::RunFolder;
 use crate::output::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, StageRecord};
-use crate::output::summary::{self, ScheduleFigures, Summary};
+use crate::output::summary::{self, ProgramFigures, ScheduleFigures, Summary};
 use crate::path::PathOptions;
 use crate::post::{self, Dialect, PostOptions};
 use crate::schedule::ScheduleOptions;
@@ -271,6 +271,8 @@ impl Setup {
             plunge_feed_mm_min: p.plunge_feed_mm_min,
             feed_height_mm: p.feed_height_mm,
             safe_clearance_mm: p.safe_clearance_mm,
+            smoothing_mm: p.smoothing_mm,
+            look_ahead: p.look_ahead,
             ..PostOptions::default()
         }
     }
@@ -462,17 +464,27 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
     }
 }
 
-/// Writes all programs; the checks of their reading back. A program that does not come back as the plan is not written.
-fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Vec<Check>> {
-    let mut found = Vec::new();
+/// What writing all programs came to.
+#[derive(Default)]
+struct Posted {
+    /// Of their reading back.
+    checks: Vec<Check>,
+    /// Those that were written.
+    figures: Vec<ProgramFigures>,
+}
+
+/// Writes all programs. One that does not come back as the plan is not written.
+fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Posted> {
+    let mut posted = Posted::default();
     for (name, dialect) in setup.dialects()? {
         let (program, checks) = setup.program(&dialect, verified)?;
         if checks.iter().all(|c| c.passed) {
+            posted.figures.push(summary::program_figures(&program));
             folder.add_program(&program.file_name, program.text, &name)?;
         }
-        found.extend(checks);
+        posted.checks.extend(checks);
     }
-    Ok(found)
+    Ok(posted)
 }
 
 /// Figures of the schedule in use and of the fixed-lead baseline.

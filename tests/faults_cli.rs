@@ -87,7 +87,7 @@ fn every_planted_fault_is_found_placed_and_named() {
     }
     let lines: Vec<&str> = siemens.lines().collect();
     let cutting: Vec<usize> =
-        (0..lines.len()).filter(|k| lines[*k].contains("=IC(") && point(lines[*k]).is_some()).collect();
+        (0..lines.len()).filter(|k| lines[*k].contains("=DC(") && point(lines[*k]).is_some()).collect();
     let k = cutting[cutting.len() / 2];
     let (line, at) = (format!("line {}", k + 1), point(lines[k]).expect("a point"));
 
@@ -158,7 +158,7 @@ fn programs_of_a_run_are_compared_with_its_plan() {
     };
     let text = shop.text("program.mpf");
     let lines: Vec<&str> = text.lines().collect();
-    let k = (lines.len() / 2..).find(|k| lines[*k].contains("=IC(")).expect("a cut");
+    let k = (lines.len() / 2..).find(|k| lines[*k].contains("=DC(")).expect("a cut");
     // One line's feed by a half.
     let (words, feed) = lines[k].rsplit_once(" F").expect("a feed");
     let faster = format!("{words} F{:.4}", 1.5 * feed.parse::<f64>().expect("a number"));

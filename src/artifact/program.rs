@@ -156,6 +156,40 @@ pub struct Asked {
     pub frame: Option<u32>,
 }
 
+/// What a control reads in the words of an address, by its manual.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WordRange {
+    /// Least value.
+    pub least: f64,
+    /// Greatest value.
+    pub greatest: f64,
+    /// Most digits after the point.
+    pub decimals: usize,
+}
+
+/// Words and what a control reads in them, by address.
+pub type Ranges = std::collections::BTreeMap<String, WordRange>;
+
+/// Where the time of an operation goes, s. Tool changes, and the way from wherever the machine stood, are in none: no file says how long they take.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct CycleTime {
+    /// From the end of travel over the part down to where the lead-in begins.
+    pub approach_s: f64,
+    /// On the arc onto the path.
+    pub lead_in_s: f64,
+    /// Along the path.
+    pub cutting_s: f64,
+    /// On the arc off the path.
+    pub lead_out_s: f64,
+    /// Up to the end of travel.
+    pub retract_s: f64,
+    /// The rotary axes back to where they began.
+    pub unwinding_s: f64,
+    /// All of it.
+    pub total_s: f64,
+}
+
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
@@ -165,6 +199,10 @@ pub struct Program {
     pub file_name: String,
     /// How it is to be understood.
     pub language: Language,
+    /// What its control reads in its words.
+    pub ranges: Ranges,
+    /// Where the time of each operation goes.
+    pub cycles: Vec<CycleTime>,
     /// The text, lines ended by `\n`.
     pub text: String,
     /// What its operations were written with, in their order; whatever the text may have become since.

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::args::{Faces, Job, Plan, Reading, Region};
 use super::out::sayln;
 use super::progress::Terminal;
+use crate::artifact::program::CycleTime;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{self, Draft, JobFile};
@@ -115,6 +116,12 @@ fn print_summary(s: &Summary) {
     row("ball centres at heights", format!("{:.3} to {:.3} mm", s.region_x_mm[0], s.region_x_mm[1]));
     row("path length", format!("{:.1} mm", s.path_length_mm));
     row("machining time", minutes(s.machining_time_s));
+    for p in &s.programs {
+        row(&format!("  cycle, {}", p.file), cycle(&p.cycle));
+    }
+    if !s.limits_assumed.is_empty() {
+        row("  limits assumed, not measured", s.limits_assumed.join(" "));
+    }
     row("worst gouge", format!("{:.4} mm", s.gouge_mm));
     row("worst scallop", format!("{:.4} mm (asked {} mm)", s.scallop_max_mm, s.scallop_asked_mm));
     row("scallop, 99th percentile", format!("{:.4} mm", s.scallop_p99_mm));
@@ -138,6 +145,20 @@ fn print_summary(s: &Summary) {
         pair("locations outside the channel", &|x| x.outside_channel.to_string());
         pair("time within the machine's limits", &|x| minutes(x.machining_time_s));
     }
+}
+
+/// Where the time of a program goes, in words.
+fn cycle(c: &CycleTime) -> String {
+    let parts = [
+        ("approach", c.approach_s),
+        ("lead-in", c.lead_in_s),
+        ("cutting", c.cutting_s),
+        ("lead-out", c.lead_out_s),
+        ("retract", c.retract_s),
+        ("unwinding", c.unwinding_s),
+    ];
+    let parts: Vec<String> = parts.iter().map(|(name, s)| format!("{name} {s:.1}")).collect();
+    format!("{}: {} s", minutes(c.total_s), parts.join(", "))
 }
 
 fn minutes(seconds: f64) -> String {

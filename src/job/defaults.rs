@@ -185,6 +185,8 @@ impl Draft {
                 plunge_feed_mm_min: post.plunge_feed_mm_min.unwrap_or(300.0),
                 feed_height_mm: post.feed_height_mm.unwrap_or(5.0),
                 safe_clearance_mm: post.safe_clearance_mm.unwrap_or(20.0),
+                smoothing_mm: post.smoothing_mm,
+                look_ahead: post.look_ahead.unwrap_or(true),
             },
             verify: VerifyJob {
                 gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(0.003)),

@@ -247,6 +247,18 @@ pub struct PostJob {
     pub feed_height_mm: f64,
     /// Clearance at the safe positions, mm. Default 20.
     pub safe_clearance_mm: f64,
+    /// Tolerance that the control may smooth positions by, mm. Default: as the post file has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smoothing_mm: Option<f64>,
+    /// Write what switches the control's high-speed cutting on. Default true.
+    #[serde(default = "PostJob::yes")]
+    pub look_ahead: bool,
+}
+
+impl PostJob {
+    fn yes() -> bool {
+        true
+    }
 }
 
 /// `[verify]`
@@ -332,6 +344,7 @@ impl Job {
             ("post.plunge_feed_mm_min", self.post.plunge_feed_mm_min, 1.0, 1e6),
             ("post.feed_height_mm", self.post.feed_height_mm, TINY, 1000.0),
             ("post.safe_clearance_mm", self.post.safe_clearance_mm, TINY, 1000.0),
+            ("post.smoothing_mm", self.post.smoothing_mm.unwrap_or(1.0), TINY, 1.0),
             ("section.count", f64::from(self.section.count), 1.0, 1000.0),
         ])?;
         for f in self.fixture.iter().chain(&self.stock) {

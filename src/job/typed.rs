@@ -250,6 +250,10 @@ keys! {
         feed_height_mm: f64,
         /// Distance between the tool and the sphere around the part at the safe positions, mm.
         safe_clearance_mm: f64,
+        /// Tolerance that the control may smooth positions by, mm.
+        smoothing_mm: f64,
+        /// Write what switches the control's high-speed cutting on.
+        look_ahead: bool,
     }
 }
 keys! {

@@ -70,6 +70,15 @@ impl Machine {
         [a.x.limits(), a.y.limits(), a.z.limits(), first, second]
     }
 
+    /// Letters of the axes whose velocity, acceleration and jerk are assumed, not measured.
+    pub fn assumed_limits(&self) -> Vec<&'static str> {
+        let a = &self.axes;
+        let linear = [("X", a.x.limits), ("Y", a.y.limits), ("Z", a.z.limits)].map(Some);
+        let rotary = self.rotary_axes().map(|n| n.and_then(|n| Some((n.letter(), a.rotary(n)?.limits))));
+        let all = linear.into_iter().chain(rotary).flatten();
+        all.filter(|(_, from)| *from == Provenance::Assumed).map(|(letter, _)| letter).collect()
+    }
+
     /// The same machine with velocity, acceleration and jerk of all axes multiplied by `factor` (for sweeps over
     /// assumed limits).
     #[must_use]

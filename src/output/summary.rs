@@ -1,10 +1,10 @@
 //! `summary.json`: the figures of a run.
 
-use crate::artifact::AxisMotion;
+use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{CheckReport, Plan, Schedule};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule};
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -56,6 +56,32 @@ pub struct PathFigures {
     /// Its ratio of length to limit if its worst ridge (99th percentile) were the same as that of the path in use: a length falls as the
     /// root of the scallop.
     pub ratio_at_same_scallop: f64,
+}
+
+/// A program of a run.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct ProgramFigures {
+    /// Its file.
+    pub file: String,
+    /// The control, in words.
+    pub control: String,
+    /// Lines.
+    pub lines: usize,
+    /// Bytes.
+    pub bytes: usize,
+    /// Where its time goes; without tool changes.
+    pub cycle: CycleTime,
+}
+
+/// Figures of a program of one operation.
+pub fn program_figures(program: &Program) -> ProgramFigures {
+    ProgramFigures {
+        file: program.file_name.clone(),
+        control: program.control.clone(),
+        lines: program.text.lines().count(),
+        bytes: program.text.len(),
+        cycle: program.cycles.first().copied().unwrap_or_default(),
+    }
 }
 
 /// The summary.
@@ -112,6 +138,12 @@ pub struct Summary {
     pub channel_monotone_min_deg: f64,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
+    /// Axes whose velocity, acceleration and jerk are assumed: with them every time above and below.
+    #[serde(default)]
+    pub limits_assumed: Vec<String>,
+    /// Programs, with where their time goes.
+    #[serde(default)]
+    pub programs: Vec<ProgramFigures>,
     /// All checks passed.
     pub passed: bool,
 }
@@ -206,6 +238,8 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         channel_narrowest_row: narrowest,
         channel_monotone_min_deg: hull.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
         schedules,
+        limits_assumed: Vec::new(),
+        programs: Vec::new(),
         passed: report.passed(),
     }
 }

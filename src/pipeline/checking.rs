@@ -54,7 +54,7 @@ impl Run<'_, '_> {
             summary.other_paths =
                 self.clock.time(Stage::Path, || paths::others(setup, path, &report, self.observer))?;
         }
-        self.folder.add_json("summary.json", &summary)?;
+        summary.limits_assumed = setup.machine.assumed_limits().into_iter().map(String::from).collect();
         let plan = verdict.value().clone();
         if !course.ends_at(Stage::Verify) {
             let (folder, observer) = (&mut *self.folder, self.observer);
@@ -67,7 +67,9 @@ impl Run<'_, '_> {
             }
             if let Some(verified) = accept(verdict, course.force) {
                 forced = verified.forced();
-                report.checks.extend(self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
+                let posted = self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+                report.checks.extend(posted.checks);
+                summary.programs = posted.figures;
             }
             let others = self.clock.time(Stage::Schedule, || Ok(look::others(setup, &plan)))?;
             let (baseline, others, report) = (Some(baseline), &others[..], &report);
@@ -75,6 +77,7 @@ impl Run<'_, '_> {
             let summary = look::json_of(&summary)?;
             self.clock.time(Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
         }
+        self.folder.add_json("summary.json", &summary)?;
         self.folder.add_json("verify.json", &report)?;
         Ok(Checked { summary: Some(summary), report, plan, seal, recalled })
     }

@@ -1,13 +1,13 @@
 //! The programs of a finished run, read back from its folder.
 
 use super::{Setup, leads};
-use crate::artifact::program::{Control, Language};
+use crate::artifact::program::Control;
 use crate::artifact::report::Check;
 use crate::artifact::{Plan, Program};
 use crate::error::Result;
 use crate::output::RunFolder;
-use crate::post::Dialect;
-use crate::verify::program::guess;
+use crate::post::{self, Dialect};
+use crate::verify::program::{Guess, guess};
 use crate::verify::{self, Verified};
 
 /// Ends of names that programs have and nothing else in the folder of a run.
@@ -35,7 +35,7 @@ pub fn programs_again(
     for dialect in &dialects {
         let name = dialect.file_name();
         match folder.content(name) {
-            Some(content) => found.extend(one(setup, name, &content, dialect, verified.value())),
+            Some(content) => found.extend(one(setup, name, &content, dialect, verified)?),
             None if none_expected || verified.forced() => {}
             None => found.push(absent(name)),
         }
@@ -47,21 +47,41 @@ pub fn programs_again(
     Ok(found)
 }
 
-/// A program that a dialect wrote of a plan.
-fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, plan: &Plan) -> Vec<Check> {
-    read_back(setup, name, content, dialect.name(), dialect.language(), plan)
+/// A program that a dialect wrote of a plan: what it was written with is told by the one that the dialect writes now.
+fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, verified: &Verified<Plan>) -> Result<Vec<Check>> {
+    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
+    let written = post::post(dialect, verified, blade, tool, machine, &setup.post_options())?;
+    let found = text_of(name, content)
+        .map(|text| read_back(setup, Program { file_name: name.to_owned(), text, ..written }, verified.value()));
+    Ok(found.unwrap_or_else(|check| vec![check]))
 }
 
-fn read_back(setup: &Setup, name: &str, content: &[u8], control: &str, language: Language, plan: &Plan) -> Vec<Check> {
-    let Ok(text) = String::from_utf8(content.to_vec()) else {
-        return vec![unreadable(name, "it is not a text in UTF-8".into())];
-    };
-    let program = Program { control: control.to_owned(), file_name: name.to_owned(), language, text };
+fn text_of(name: &str, content: &[u8]) -> std::result::Result<String, Check> {
+    String::from_utf8(content.to_vec()).map_err(|_| unreadable(name, "it is not a text in UTF-8".into()))
+}
+
+fn read_back(setup: &Setup, program: Program, plan: &Plan) -> Vec<Check> {
     let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
     match verify::program::read_back(&program, plan, blade, tool, machine) {
         Ok(checks) => checks,
-        Err(e) => vec![unreadable(name, e.message)],
+        Err(e) => vec![unreadable(&program.file_name, e.message)],
     }
+}
+
+/// A program that nobody knows the dialect of, read as it looks.
+fn guessed(setup: &Setup, name: &str, text: String, look: Guess, plan: &Plan) -> Vec<Check> {
+    let options = setup.post_options();
+    let with = std::iter::once((options.tool_number, options.spindle_rpm));
+    let program = Program {
+        control: look.why.to_owned(),
+        file_name: name.to_owned(),
+        language: look.language,
+        ranges: Default::default(),
+        cycles: Vec::new(),
+        asked: verify::program::asked(&text, look.language, with),
+        text,
+    };
+    read_back(setup, program, plan)
 }
 
 /// A file beside the programs that the job asks for; empty: it is no program.
@@ -75,7 +95,7 @@ fn other(
     let built_in = Control::ALL.into_iter().map(Dialect::built_in).collect::<Result<Vec<_>>>()?;
     let dialect = |name: &str| asked.iter().chain(&built_in).find(|d| d.file_name() == name);
     if let Some(dialect) = dialect(name) {
-        return Ok(one(setup, name, content, dialect, verified.value()));
+        return one(setup, name, content, dialect, verified);
     }
     if name.starts_with("from_operation_") {
         let why =
@@ -85,18 +105,18 @@ fn other(
     let rest = name.strip_prefix("from_turn_").and_then(|n| n.split_once('.'));
     let rest = rest.and_then(|(turn, rest)| Some((turn.parse::<usize>().ok()?, dialect(rest)?)));
     if let Some((turn, dialect)) = rest {
-        return Ok(match leads::restart(setup, verified, turn) {
-            Ok(left) => one(setup, name, content, dialect, left.value()),
-            Err(e) => vec![unreadable(name, e.message)],
-        });
+        return match leads::restart(setup, verified, turn) {
+            Ok(left) => one(setup, name, content, dialect, &left),
+            Err(e) => Ok(vec![unreadable(name, e.message)]),
+        };
     }
     let end = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase()).unwrap_or_default();
     if NO_PROGRAMS.contains(&end.as_str()) {
         return Ok(Vec::new());
     }
-    let guessed = std::str::from_utf8(content).ok().and_then(guess);
-    Ok(match guessed {
-        Some(g) => read_back(setup, name, content, g.why, g.language, verified.value()),
+    let text = text_of(name, content).ok();
+    Ok(match text.and_then(|text| guess(&text).map(|look| (text, look))) {
+        Some((text, look)) => guessed(setup, name, text, look, verified.value()),
         None if PROGRAMS.contains(&end.as_str()) => {
             vec![unreadable(name, "nobody knows how it is to be read: take it out of the folder".into())]
         }

@@ -1,9 +1,7 @@
-//! A change of the post alone: programs are written and read back, the report gets its new words; everything else is the earlier run's, byte for byte.
+//! A change of the post alone: programs are written and read back, the summary gets their times, the report its new words; everything else is the earlier run's, byte for byte.
 //!
 //! Taken from a run that came to its end, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
 //! manifest) and whose checks fit their seal. Where any of this is not so, the run is made in the ordinary way.
-
-use serde_json::Value;
 
 use super::checking::Run;
 use super::look::{self, Look};
@@ -18,8 +16,7 @@ use crate::verify::Verdict;
 use crate::verify::seal::{self, Subject};
 
 /// Files that know nothing of the post.
-const KEPT: [&str; 6] =
-    ["sections.json", "cutter_locations.csv", "axes.csv", "plan.json", "summary.json", "preview.glb"];
+const KEPT: [&str; 5] = ["sections.json", "cutter_locations.csv", "axes.csv", "plan.json", "preview.glb"];
 
 /// Stages that need not be worked on.
 const TAKEN: [Stage; 7] =
@@ -28,8 +25,8 @@ const TAKEN: [Stage; 7] =
 /// An earlier run but for its programs.
 struct Kept {
     files: Vec<(&'static str, Vec<u8>)>,
+    /// But for its programs.
     summary: Summary,
-    shown: Value,
     verdict: Verdict<Plan>,
     seal: String,
     payload: Payload,
@@ -49,16 +46,20 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
     }
     let (setup, folder) = (run.setup, &mut *run.folder);
     let (mut report, plan, mut forced) = (kept.verdict.report().clone(), kept.verdict.value().clone(), false);
+    let mut summary = Summary { programs: Vec::new(), ..kept.summary };
     if let Some(verified) = accept(kept.verdict, run.course.force) {
         forced = verified.forced();
-        report.checks.extend(run.clock.time(Stage::Post, || post_all(setup, &verified, folder))?);
+        let posted = run.clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+        report.checks.extend(posted.checks);
+        summary.programs = posted.figures;
     }
     let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced, budget_bytes: None };
-    let (shown, payload) = (&kept.shown, Some(&kept.payload));
-    run.clock.time(Stage::Preview, || look::page(setup, &plan, &look, shown, payload, folder, run.observer))?;
+    let (shown, payload) = (look::json_of(&summary)?, Some(&kept.payload));
+    run.clock.time(Stage::Preview, || look::page(setup, &plan, &look, &shown, payload, folder, run.observer))?;
+    run.folder.add_json("summary.json", &summary)?;
     run.folder.add_json("verify.json", &report)?;
     Ok(Some(Made {
-        summary: Some(kept.summary),
+        summary: Some(summary),
         plan: Some(plan),
         report: Some(report),
         seal: Some(kept.seal),
@@ -71,13 +72,13 @@ fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
     let setup = run.setup;
     let files: Vec<_> = KEPT.iter().map(|name| Some((*name, earlier.file(name)?))).collect::<Option<_>>()?;
     let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
-    let (plan_json, summary) = (text("plan.json")?, text("summary.json")?);
+    let (plan_json, summary) = (text("plan.json")?, earlier.file("summary.json")?);
     let payload = Payload::of_page(std::str::from_utf8(&earlier.file("report.html")?).ok()?)?;
     let (part, options) = (reuse::part(setup), setup.verify_options());
     let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
     let plan: Plan = serde_json::from_str(plan_json).ok()?;
     let checks = earlier.checks()?;
     let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &about).ok()?.ok()?;
-    let (summary, shown) = (serde_json::from_str(summary).ok()?, serde_json::from_str(summary).ok()?);
-    Some(Kept { verdict, seal: checks.seal, summary, shown, payload, files })
+    let summary = serde_json::from_slice(&summary).ok()?;
+    Some(Kept { verdict, seal: checks.seal, summary, payload, files })
 }

@@ -3,15 +3,19 @@
 //! A program is a list of *sections* in a fixed order, each a list of lines:
 //!
 //! ```text
-//! file_begin  header  notes  start  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
+//! file_begin  header (warnings within)  notes  start  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
 //! ```
 //!
 //! In a program of several operations all from `header` to `unwind` comes once for each, with `operation_end` between two.
 //! `start` sees the safe position over the first location, `approach` the feed height, `plunge` the first location, `cut` (once
-//! for each move) every location after it, `turn` (before the first cut of each turn) its number, `leave` the feed height over the last location, `retract` the safe position over
+//! for each move) every location after it, `turn` (before the first cut of each turn) its number and the place where it begins, `leave` the feed height over the last location, `retract` the safe position over
 //! it, `unwind` the first location again. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
 //! `{key:3}` for one with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the
-//! value before are left out for the keys in `modal`.
+//! value before are left out for the keys in `modal`. The line `{look_ahead}` in `start` stands for all lines of `look_ahead`, `{look_ahead_end}` in
+//! `retract` for those of `look_ahead_end`; both are left out where the job says `post.look_ahead = false`.
+//!
+//! `[ranges]` is what the control reads in its words: the writer keeps within it, or says where it cannot, and the program's text is held against it
+//! once more when it is read back.
 //!
 //! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`: see [`super::polynomial`].
 
@@ -21,7 +25,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::template::{Line, lines};
-use crate::artifact::program::{Control, Grammar, Language, Programmed};
+use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 
@@ -34,7 +38,7 @@ pub enum Rotary {
     /// Steps from line to line (`{da}`): right on a modulo axis and on a linear one, since absolute words beyond 360° mean different things on
     /// modulo axes, depending on machine data. Steps are of rounded positions: nothing adds up.
     Incremental,
-    /// Positions in `0 … 360`; the control goes the shorter way.
+    /// Positions in `0 … 360`; the control goes the shorter way: by itself, or because the word says so (`{a_way}({a})`). Nothing adds up.
     Modulo,
     /// None: the tool axis as a vector (`{i} {j} {k}`).
     Vector,
@@ -50,6 +54,17 @@ pub enum FeedWord {
     PerMinute,
 }
 
+/// Which blocks have a number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Numbered {
+    /// All.
+    #[default]
+    Blocks,
+    /// The first of every operation, of every turn and of the retract: where an operator goes on.
+    Turns,
+}
+
 /// Numbers of lines.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -57,13 +72,16 @@ pub struct Numbering {
     /// Before the number.
     #[serde(default)]
     pub prefix: String,
-    /// First number.
+    /// First number; counting begins there again behind the greatest that `ranges` has for the prefix.
     pub first: u64,
     /// From line to line.
     pub step: u64,
     /// Comments and the lines around the program are numbered too.
     #[serde(default)]
     pub everything: bool,
+    /// Which blocks have one.
+    #[serde(default)]
+    pub at: Numbered,
 }
 
 /// How numbers are written.
@@ -95,11 +113,20 @@ impl Numbers {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Text {
+    /// Comments right under the program's name: what must not be missed.
+    #[serde(default)]
+    pub warnings: Vec<String>,
     /// Comments after the header.
     #[serde(default)]
     pub notes: Vec<String>,
     /// Up to the safe position over the first location.
     pub start: Vec<String>,
+    /// What switches the control's high-speed cutting on: stands for the line `{look_ahead}` of `start`.
+    #[serde(default)]
+    pub look_ahead: Vec<String>,
+    /// What switches it off: stands for the line `{look_ahead_end}` of `retract`.
+    #[serde(default)]
+    pub look_ahead_end: Vec<String>,
     /// To the feed height.
     pub approach: Vec<String>,
     /// To the first location.
@@ -143,11 +170,19 @@ pub struct PostFile {
     pub programmed: Programmed,
     /// What rotary words say.
     pub rotary: Rotary,
+    /// Bare words of the rotary axis that turns the blade go the shorter way (M126, roll-over axes). Default: where `rotary` is `modulo` and its words do
+    /// not say so themselves.
+    #[serde(default)]
+    pub shortest_way: Option<bool>,
     /// What F means.
     pub feed: FeedWord,
-    /// Least and greatest F.
-    #[serde(default = "PostFile::feed_range")]
-    pub feed_range: [f64; 2],
+    /// What the control reads in its words, by address: `F = { least = 0.001, greatest = 99999.999, decimals = 3 }`. Words that are not named may be anything.
+    #[serde(default)]
+    pub ranges: Ranges,
+    /// Step in which the control computes positions, mm. The tolerance that it may smooth by is then what the checks leave of the gouge limit, in whole
+    /// steps and at least one; without this key it is the chord tolerance of the path times `tolerance_factor`.
+    #[serde(default)]
+    pub resolution_mm: Option<f64>,
     /// Before and after a comment.
     pub comment: [String; 2],
     /// Longest line.
@@ -181,9 +216,19 @@ pub struct PostFile {
 }
 
 impl PostFile {
-    /// What controls read (Siemens: 0.001 to 999 999.999).
-    fn feed_range() -> [f64; 2] {
-        [0.001, 999_999.999]
+    fn shortest_way(&self) -> bool {
+        self.shortest_way.unwrap_or(self.rotary == Rotary::Modulo && !self.text.cut.concat().contains("{a_way}"))
+    }
+    /// What F may be.
+    pub(super) fn feed_range(&self) -> WordRange {
+        let any = WordRange { least: 0.001, greatest: 999_999.999, decimals: 6 };
+        self.ranges.get("F").copied().unwrap_or(any)
+    }
+    /// The greatest number that a block may have.
+    pub(super) fn greatest_number(&self) -> Option<u64> {
+        let prefix = &self.numbering.as_ref()?.prefix;
+        // Checked to be at least the first number.
+        self.ranges.get(prefix).map(|r| r.greatest as u64)
     }
     fn one() -> f64 {
         1.0
@@ -196,6 +241,7 @@ pub struct Dialect {
     /// As in the file.
     pub(super) file: PostFile,
     pub(super) file_begin: Vec<Line>,
+    pub(super) warnings: Vec<Line>,
     pub(super) notes: Vec<Line>,
     pub(super) start: Vec<Line>,
     pub(super) approach: Vec<Line>,
@@ -265,11 +311,23 @@ impl Dialect {
         file.validate(origin)?;
         let take =
             |name: &str, text: &[String]| lines(text, &file.modal).map_err(|e| bad(origin, format!("{name}: {e}")));
+        let filled = |name: &str, text: &[String], mark: &str, with: &[String]| -> Result<Vec<Line>> {
+            let mut out = Vec::new();
+            for part in text.split_inclusive(|line| line == mark) {
+                let (own, marked) = part.split_at(part.len() - usize::from(part.last().is_some_and(|l| l == mark)));
+                out.extend(take(name, own)?);
+                if !marked.is_empty() {
+                    out.extend(take(name, with)?.into_iter().map(|l| Line { look_ahead: true, ..l }));
+                }
+            }
+            Ok(out)
+        };
         let t = &file.text;
         Ok(Dialect {
             file_begin: take("file_begin", &file.file_begin)?,
+            warnings: take("text.warnings", &comments(&t.warnings))?,
             notes: take("text.notes", &comments(&t.notes))?,
-            start: take("text.start", &t.start)?,
+            start: filled("text.start", &t.start, LOOK_AHEAD, &t.look_ahead)?,
             approach: take("text.approach", &t.approach)?,
             plunge: take("text.plunge", &t.plunge)?,
             cutting: take("text.cutting", &t.cutting)?,
@@ -277,7 +335,7 @@ impl Dialect {
             cut: take("text.cut", &t.cut)?,
             cutting_end: take("text.cutting_end", &t.cutting_end)?,
             leave: take("text.leave", &t.leave)?,
-            retract: take("text.retract", &t.retract)?,
+            retract: filled("text.retract", &t.retract, LOOK_AHEAD_END, &t.look_ahead_end)?,
             unwind: take("text.unwind", &t.unwind)?,
             operation_end: take("text.operation_end", &t.operation_end)?,
             end: take("text.end", &t.end)?,
@@ -296,12 +354,17 @@ impl Dialect {
         &self.file.file
     }
 
+    /// Its unwinding takes less than a turn on an axis that turns without end.
+    pub(super) fn turns_back_by_the_shorter_way(&self) -> bool {
+        self.file.shortest_way() || self.file.text.unwind.concat().contains("{a_way}")
+    }
+
     /// How its programs are to be understood.
     pub fn language(&self) -> Language {
         Language {
             grammar: self.file.grammar,
             programmed: self.file.programmed,
-            shortest_way: self.file.rotary == Rotary::Modulo,
+            shortest_way: self.file.shortest_way(),
         }
     }
 }
@@ -310,12 +373,49 @@ fn bad(origin: &str, what: String) -> Error {
     Error::usage(Stage::Post, format!("{origin}: {what}")).advise("models/posts/siemens.toml shows every key")
 }
 
+/// Lines that stand for those of `look_ahead` and `look_ahead_end`.
+const LOOK_AHEAD: &str = "{look_ahead}";
+const LOOK_AHEAD_END: &str = "{look_ahead_end}";
+
 /// Notes are comments without having to say so.
 fn comments(notes: &[String]) -> Vec<String> {
     notes.iter().map(|n| format!("; {n}")).collect()
 }
 
 impl PostFile {
+    /// What is wrong with ranges and steps.
+    fn ranges_do_not_fit(&self) -> Option<String> {
+        for (address, r) in &self.ranges {
+            if !(r.least < r.greatest && r.least.is_finite() && r.greatest.is_finite() && r.decimals <= 9) {
+                return Some(format!("ranges.{address}: least must be smaller than greatest, and decimals at most 9"));
+            }
+        }
+        if self.feed_range().least <= 0.0 {
+            return Some("ranges.F: least must be greater than 0".into());
+        }
+        let first = self.numbering.as_ref().map(|n| (n.first, &n.prefix));
+        match (first, self.greatest_number()) {
+            (Some((first, prefix)), Some(greatest)) if first > greatest => {
+                return Some(format!("numbering.first is {first}, ranges.{prefix} goes up to {greatest}"));
+            }
+            _ => {}
+        }
+        let step = self.resolution_mm.is_none_or(|r| r > 0.0 && r <= 1.0);
+        (!step).then(|| "resolution_mm must be greater than 0 and at most 1".into())
+    }
+
+    /// Lines of `look_ahead` that no line of the program stands for.
+    fn look_ahead_is_lost(&self) -> Option<String> {
+        let t = &self.text;
+        [
+            ("look_ahead", &t.look_ahead, LOOK_AHEAD, &t.start),
+            ("look_ahead_end", &t.look_ahead_end, LOOK_AHEAD_END, &t.retract),
+        ]
+        .into_iter()
+        .find(|(_, with, mark, lines)| !with.is_empty() && !lines.iter().any(|l| l == mark))
+        .map(|(name, _, mark, _)| format!("text.{name} has lines, but no line {mark} stands for them"))
+    }
+
     fn validate(&self, origin: &str) -> Result<()> {
         let no = |what: &str| Err(bad(origin, what.into()));
         let plain = |name: &str| {
@@ -335,9 +435,8 @@ impl PostFile {
                 return no(&format!("numbers.{name} is {digits}, it must be {} to {}", range.start(), range.end()));
             }
         }
-        let [lo, hi] = self.feed_range;
-        if !(lo > 0.0 && lo < hi && hi.is_finite()) {
-            return no("feed_range must be two numbers greater than 0, the least first");
+        if let Some(what) = self.ranges_do_not_fit().or_else(|| self.look_ahead_is_lost()) {
+            return no(&what);
         }
         if !(self.tolerance_factor > 0.0 && self.tolerance_factor <= 10.0) {
             return no("tolerance_factor must be greater than 0 and at most 10");

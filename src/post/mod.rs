@@ -10,7 +10,8 @@
 //! ## Feed
 //! Where the control knows inverse time, every cutting line carries `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so
 //! that the control needs no notion of what a feed means for a line that turns and moves at once. Otherwise F is the way of the
-//! programmed point over `Δt`.
+//! programmed point, as it is rounded, over `Δt`. Where `Δt` is shorter than the control can read, moves are joined as long as the chord tolerance
+//! is kept, and where it would not be, that is an error: time is never stretched in silence.
 //!
 //! ## Approach and retract
 //! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times: they are written like cuts. Before and after them, or
@@ -27,16 +28,19 @@
 //!
 //! Limits: no tool radius compensation. [`crate::verify::program`] reads every program back.
 
+mod cycle;
 mod dialect;
+mod merge;
 mod moves;
 mod polynomial;
+mod smoothing;
 mod template;
 #[cfg(test)]
 mod tests;
 mod text;
 mod write;
 
-pub use dialect::{Dialect, FeedWord, Numbering, Numbers, PostFile, Rotary, Text};
+pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rotary, Text};
 
 use std::borrow::Cow;
 
@@ -70,10 +74,12 @@ pub struct PostOptions {
     pub feed_height_mm: f64,
     /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default 20.
     pub safe_clearance_mm: f64,
-    /// Tolerance the control may smooth positions by, mm; `None`: the chord tolerance of the path.
+    /// Tolerance the control may smooth positions by, mm; `None`: as the post file has it.
     pub smoothing_mm: Option<f64>,
     /// Tolerance the control may smooth the tool axis by, degrees. Default 0.05.
     pub smoothing_axis_deg: f64,
+    /// Write what switches the control's high-speed cutting on. Default true.
+    pub look_ahead: bool,
     /// Begin with this turn, from 1, to go on after a break; `None`: with the first.
     pub from_turn: Option<usize>,
 }
@@ -93,6 +99,7 @@ impl Default for PostOptions {
             safe_clearance_mm: 20.0,
             smoothing_mm: None,
             smoothing_axis_deg: 0.05,
+            look_ahead: true,
             from_turn: None,
         }
     }
@@ -207,7 +214,15 @@ pub fn join(
     let (language, text) = (dialect.language(), write::write(&runs, dialect)?);
     let written = runs.iter().map(|r| (r.options.tool_number, r.options.spindle_rpm));
     let asked = verify::program::asked(&text, language, written);
-    Ok(Program { control: dialect.file.name.clone(), file_name, language, text, asked })
+    Ok(Program {
+        control: dialect.file.name.clone(),
+        file_name,
+        language,
+        ranges: dialect.file.ranges.clone(),
+        cycles: runs.iter().map(|run| cycle::time(run, dialect)).collect(),
+        text,
+        asked,
+    })
 }
 
 fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()> {

@@ -8,7 +8,7 @@
 
 use crate::artifact::Plan;
 use crate::artifact::plan::{Row, Stretch};
-use crate::artifact::program::Programmed;
+use crate::artifact::program::{Programmed, WordRange};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::tool;
@@ -82,11 +82,15 @@ pub(super) fn well_formed(plan: &Plan) -> Result<()> {
     Ok(())
 }
 
-/// Feed as text with at least six digits that count; never 0.
-pub(super) fn feed_word(f: f64, range: [f64; 2]) -> String {
-    let f = if f.is_nan() { range[1] } else { f.clamp(range[0], range[1]) };
+/// Feed as text with at least six digits that count where the control reads as many; `None`: it is out of the control's range.
+pub(super) fn feed_word(f: f64, range: &WordRange) -> Option<String> {
+    // What is over by the last digits of a division is within.
+    let f = if f > range.greatest && f < range.greatest * (1.0 + 1e-9) { range.greatest } else { f };
+    if !(range.least..=range.greatest).contains(&f) {
+        return None;
+    }
     let before_point = f.log10().floor().max(0.0) as usize + 1;
-    format!("{f:.*}", 8usize.saturating_sub(before_point).clamp(3, 6))
+    Some(format!("{f:.*}", 8usize.saturating_sub(before_point).clamp(3, 6).min(range.decimals)))
 }
 
 /// The first row and all moves after it.
@@ -159,6 +163,22 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     }
 }
 
+/// The ball centre at a share of the move from one place to another, as the control moves it: every word evenly.
+pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
+    let (lean, radius, gauge) = (run.b_rad(), run.tool.radius_mm, run.tool.length_mm());
+    let centre = a.centre + (b.centre - a.centre) * share;
+    let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
+    let axes: [f64; 5] = std::array::from_fn(|i| p[i] + (q[i] - p[i]) * share);
+    match programmed {
+        Programmed::Centre => centre,
+        Programmed::Tip => {
+            let [at_a, at_b] = [a.theta, b.theta].map(|t| tool::axis(lean, t));
+            centre + (run.machine.axis_at([axes[3], axes[4]]) - (at_a + (at_b - at_a) * share)) * radius
+        }
+        Programmed::Machine => run.machine.forward(&axes, gauge).centre,
+    }
+}
+
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
 fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
     let [p, q] = [a, b].map(|m| run.machine.rotary_of(m.theta, run.b_rad()));
@@ -180,15 +200,22 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
+    const RANGE: WordRange = WordRange { least: 0.001, greatest: 999_999.999, decimals: 6 };
+
     #[test]
     fn feed_words_keep_time_and_are_never_zero() {
         for dt in [1e-9, 1e-4, 0.003, 0.02, 0.7, 3.0, 59.0, 4000.0, 1e9] {
-            let f: f64 = feed_word(60.0 / dt, [0.001, 999_999.999]).parse().unwrap();
-            assert!(f > 0.0);
+            let word = feed_word(60.0 / dt, &RANGE);
             if (1e-4..1000.0).contains(&dt) {
-                assert!((60.0 / f / dt - 1.0).abs() < 1e-5, "{dt} {f}");
+                let f: f64 = word.unwrap().parse().unwrap();
+                assert!(f > 0.0 && (60.0 / f / dt - 1.0).abs() < 1e-5, "{dt} {f}");
+            } else {
+                assert_eq!(word.is_some(), dt == 4000.0, "{dt}");
             }
         }
-        assert_eq!(feed_word(f64::NAN, [0.01, 10.0]), "10.000000");
+        assert_eq!(feed_word(f64::NAN, &RANGE), None);
+        let three = WordRange { decimals: 3, ..RANGE };
+        assert_eq!(feed_word(332.007_7, &three).unwrap(), "332.008");
+        assert_eq!(feed_word(999_999.999_000_001, &RANGE).unwrap(), "999999.999");
     }
 }

@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 48] = [
+pub const KEYS: [(&str, Class, &str); 49] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -30,6 +30,12 @@ pub const KEYS: [(&str, Class, &str); 48] = [
         "a",
         Class::Angle,
         "position of the rotary axis that turns the blade (the one nearest to the workpiece), degrees, as `rotary` counts",
+    ),
+    (
+        "a_way",
+        Class::Text,
+        "how the position {a} is to be reached: DC, the shorter way to a position within a turn, where that axis turns without end; AC where it \
+         has ends of travel",
     ),
     ("da", Class::Angle, "step of that axis since the block before, degrees"),
     ("a_name", Class::Text, "its letter: A on a machine with a table about X"),
@@ -114,6 +120,8 @@ pub(super) struct Word {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line {
     pub(super) comment: bool,
+    /// Of `text.look_ahead` or `text.look_ahead_end`: left out where the job does without.
+    pub(super) look_ahead: bool,
     pub(super) words: Vec<Word>,
 }
 
@@ -142,9 +150,13 @@ fn line(text: &str, modal: &[usize]) -> Result<Line, String> {
     }
     if let Some(comment) = text.strip_prefix("; ") {
         // Spaces in a comment are part of it.
-        return Ok(Line { comment: true, words: vec![word(comment, &[])?] });
+        return Ok(Line { comment: true, look_ahead: false, words: vec![word(comment, &[])?] });
     }
-    Ok(Line { comment: false, words: text.split_whitespace().map(|w| word(w, modal)).collect::<Result<_, _>>()? })
+    Ok(Line {
+        comment: false,
+        look_ahead: false,
+        words: text.split_whitespace().map(|w| word(w, modal)).collect::<Result<_, _>>()?,
+    })
 }
 
 fn word(text: &str, modal: &[usize]) -> Result<Word, String> {

@@ -1,9 +1,10 @@
 //! Lines of a program: comments in plain ASCII, numbers in fixed point.
 
+use crate::artifact::program::CycleTime;
 use crate::error::{Error, Result, Stage};
 
 use super::Run;
-use super::dialect::PostFile;
+use super::dialect::{Numbered, PostFile};
 
 /// A number in fixed point, exactly as rounded: an integer count of `10^-decimals`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +29,10 @@ impl Fixed {
     /// The difference from an earlier rounded number: adds up without error.
     pub(super) fn since(self, earlier: Fixed) -> Fixed {
         Fixed { units: self.units - earlier.units, decimals: self.decimals }
+    }
+    /// The number that it is written as.
+    pub(super) fn value(self) -> f64 {
+        self.units as f64 / 10f64.powi(i32::try_from(self.decimals).unwrap_or(6))
     }
     /// It is written as 0.
     pub(super) fn is_zero(self) -> bool {
@@ -96,11 +101,31 @@ pub(super) struct Lines<'a> {
     file: &'a PostFile,
     /// The next line's number.
     next: u64,
+    /// The next block is one of those that have a number where not all have.
+    marked: bool,
 }
+
+/// Where the number of lines and of bytes will stand, each as wide as it may become.
+const LINES: &str = "<<lines>>";
+const BYTES: &str = "<<bytes>>>";
 
 impl<'a> Lines<'a> {
     pub(super) fn new(file: &'a PostFile) -> Self {
-        Lines { text: String::new(), file, next: file.numbering.as_ref().map_or(0, |n| n.first) }
+        Lines { text: String::new(), file, next: file.numbering.as_ref().map_or(0, |n| n.first), marked: false }
+    }
+    /// The next block is one that an operator would begin with.
+    pub(super) fn mark(&mut self) {
+        self.marked = true;
+    }
+    /// A comment that says how large the program is, once that is known.
+    pub(super) fn size_to_come(&mut self) {
+        self.comment(&format!("Size     {LINES} lines, {BYTES} bytes"));
+    }
+    /// The text with its size.
+    pub(super) fn finished(self) -> String {
+        let (lines, bytes) = (self.text.lines().count(), self.text.len());
+        let in_place = |number: usize, place: &str| format!("{number:>width$}", width = place.len());
+        self.text.replacen(LINES, &in_place(lines, LINES), 1).replacen(BYTES, &in_place(bytes, BYTES), 1)
     }
     /// A comment, wrapped at the longest line.
     pub(super) fn comment(&mut self, text: &str) {
@@ -157,21 +182,36 @@ impl<'a> Lines<'a> {
     /// The number of the next line with a space, if lines have numbers.
     fn number(&mut self) -> String {
         let Some(n) = &self.file.numbering else { return String::new() };
-        let now = self.next;
-        self.next += n.step;
+        if n.at == Numbered::Turns && !std::mem::take(&mut self.marked) {
+            return String::new();
+        }
+        let now = if self.file.greatest_number().is_some_and(|most| self.next > most) { n.first } else { self.next };
+        self.next = now + n.step;
         format!("{}{now} ", n.prefix)
     }
 }
 
-/// The comments at the head of every program.
-pub(super) fn header(run: &Run, lines: &mut Lines, control: &str) {
-    let (o, t, path) = (run.options, run.tool, &run.plan.toolpath);
+/// What the program is, at its very head.
+pub(super) fn title(run: &Run, lines: &mut Lines, control: &str) {
     lines.comment(&"=".repeat(78));
-    lines.comment(&format!("{}  for {control}, by bladewright {}", o.program_name, env!("CARGO_PKG_VERSION")));
+    let name = &run.options.program_name;
+    lines.comment(&format!("{name}  for {control}, by bladewright {}", env!("CARGO_PKG_VERSION")));
+}
+
+/// The comments at the head of every program, under its title.
+pub(super) fn header(run: &Run, cycle: &CycleTime, beyond_mm: f64, lines: &mut Lines) {
+    let (o, t, path) = (run.options, run.tool, &run.plan.toolpath);
     lines.comment(&format!("Part     {}  file {}", run.blade.name, o.part_file));
     lines.comment(&format!("Hash     {}", o.part_hash));
     lines.comment(&format!("Job      {}", o.job));
     lines.comment(&format!("Machine  {}", run.machine.name));
+    let assumed = run.machine.assumed_limits();
+    if !assumed.is_empty() {
+        lines.comment(&format!(
+            "LIMITS   of {} are ASSUMED, not measured: times below are estimates",
+            assumed.join(" ")
+        ));
+    }
     lines.comment(&format!(
         "Tool     T{}  ball end, R {:.4} mm, half angle of taper {:.3} deg, shank R {:.3} mm, stick-out {:.3} mm from \
          the ball centre",
@@ -207,8 +247,23 @@ pub(super) fn header(run: &Run, lines: &mut Lines, control: &str) {
     }
     lines.comment(&format!("Scallop  {} mm asked for, chord tolerance {} mm", path.scallop_mm, path.chord_mm));
     lines.comment(&format!("Time     {:.1} s of cutting", run.plan.motion.time_s));
+    lines.comment(&format!(
+        "Cycle    {:.1} s: approach {:.1}, lead-in {:.1}, cutting {:.1}, lead-out {:.1}, retract {:.1}, unwinding {:.1}",
+        cycle.total_s,
+        cycle.approach_s,
+        cycle.lead_in_s,
+        cycle.cutting_s,
+        cycle.lead_out_s,
+        cycle.retract_s,
+        cycle.unwinding_s
+    ));
+    lines.comment("         [without tool change and the way to over the part]");
     checks(run, lines);
     notes(run, lines);
+    if beyond_mm > 0.0 {
+        lines.comment("CAUTION  the least tolerance that the control can keep is more than the checks leave of the gouge limit: with it");
+        lines.comment(&format!("         the part may be cut {beyond_mm:.6} mm deeper than that."));
+    }
     lines.comment(&"=".repeat(78));
 }
 

@@ -4,8 +4,8 @@ use super::dialect::{Dialect, FeedWord, Rotary};
 use super::moves::{self, Move};
 use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
-use super::text::{Fixed, Lines, ascii, header};
-use super::{End, Run};
+use super::text::{Fixed, Lines, ascii, header, title};
+use super::{End, Run, cycle, merge, smoothing};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
@@ -19,6 +19,7 @@ pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
         let mut w = Writer::new(run, dialect, lines);
         if k == 0 {
             w.put(&dialect.file_begin)?;
+            w.lines.size_to_come();
         }
         if runs.len() > 1 {
             w.lines.comment(&"#".repeat(78));
@@ -33,13 +34,17 @@ pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
         }
         lines = w.lines;
     }
-    Ok(lines.text)
+    Ok(lines.finished())
 }
 
 /// From the tool call to the unwound axis.
 fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
-    header(run, &mut w.lines, &dialect.file.name);
+    title(run, &mut w.lines, &dialect.file.name);
+    w.put(&dialect.warnings)?;
+    let beyond_mm = if run.options.look_ahead { smoothing::of(run, &dialect.file).beyond_mm } else { 0.0 };
+    header(run, &cycle::time(run, dialect), beyond_mm, &mut w.lines);
     w.put(&dialect.notes)?;
+    w.lines.mark();
     let [first, last] = run.ends;
     let height = run.feed_height(&first);
     w.at(&first, first.safe_mm)?;
@@ -50,6 +55,7 @@ fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
     w.put(&dialect.plunge)?;
     w.put(&dialect.cutting)?;
     w.cuts()?;
+    w.lines.mark();
     w.put(&dialect.cutting_end)?;
     w.at(&last, run.feed_height(&last))?;
     w.put(&dialect.leave)?;
@@ -102,17 +108,16 @@ impl<'a> Writer<'a> {
     fn fixed_values(&mut self) {
         let (run, o, tool) = (self.run, self.run.options, self.run.tool);
         let m = &run.machine.mount;
-        let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[2];
-        let tolerance = o.smoothing_mm.unwrap_or(run.plan.toolpath.chord_mm) * self.dialect.file.tolerance_factor;
+        let smoothing = smoothing::of(run, &self.dialect.file);
         for (name, v) in [
             ("approach_feed", o.approach_feed_mm_min),
             ("plunge_feed", o.plunge_feed_mm_min),
-            ("safe_z", run.machine.limits()[2].travel.map_or(here, |[_, hi]| hi)),
+            ("safe_z", cycle::safe_z(run)),
             ("turns", run.plan.toolpath.locations.last().map_or(1.0, |l| f64::from(l.turn + 1))),
             ("tool", f64::from(o.tool_number)),
             ("rpm", o.spindle_rpm),
-            ("tolerance", tolerance),
-            ("axis_tolerance", o.smoothing_axis_deg),
+            ("tolerance", smoothing.mm),
+            ("axis_tolerance", smoothing.axis_deg),
             ("length_to_tip", tool.length_mm() + tool.radius_mm),
             ("length_to_centre", tool.length_mm()),
             ("radius", tool.radius_mm),
@@ -136,6 +141,7 @@ impl<'a> Writer<'a> {
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),
+            ("a_way", if run.machine.limits()[3].travel.is_some() { "AC" } else { "DC" }),
             ("cone", &cone),
             ("along", &along),
             ("name", o.program_name.as_str()),
@@ -172,15 +178,14 @@ impl<'a> Writer<'a> {
     fn a_deg(&self, a_rad: f64) -> f64 {
         let a = a_rad.to_degrees();
         match self.dialect.file.rotary {
-            Rotary::Accumulate | Rotary::Vector => a,
             // An axis with ends of travel stands where it is told.
             _ if self.run.machine.limits()[3].travel.is_some() => a,
-            // Whole turns before the first location are dropped.
-            Rotary::Incremental => {
+            Rotary::Modulo => a.rem_euclid(360.0),
+            // Whole turns before the first location are dropped: all dialects begin in the same one.
+            Rotary::Accumulate | Rotary::Vector | Rotary::Incremental => {
                 let first = self.run.plan.axes().next().map_or(0.0, |q| q[3].to_degrees());
                 a - 360.0 * (first / 360.0).floor()
             }
-            Rotary::Modulo => a.rem_euclid(360.0),
         }
     }
 
@@ -239,9 +244,13 @@ impl<'a> Writer<'a> {
             let Placed { point: [x, y, z], a_deg, axes, .. } = self.placed(centre, theta);
             [x, y, z, a_deg, axes[4].to_degrees()]
         };
-        let moves = match dialect.file.poly_degree {
-            Some(degree) => polynomial::all(self.run, degree, &words)?,
-            None => moves::all(self.run, dialect.file.programmed)?,
+        let moves = match (dialect.file.poly_degree, dialect.file.feed) {
+            (Some(degree), _) => polynomial::all(self.run, degree, &words)?,
+            (None, FeedWord::PerMinute) => moves::all(self.run, dialect.file.programmed)?,
+            (None, FeedWord::InverseTime) => {
+                let least_s = 60.0 / dialect.file.feed_range().greatest;
+                merge::joined(self.run, dialect, moves::all(self.run, dialect.file.programmed)?, least_s)?
+            }
         };
         let mut written = 0usize;
         let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
@@ -253,17 +262,21 @@ impl<'a> Writer<'a> {
                 stretch = *next;
             }
             let placed = self.placed(centre, *theta);
+            let before = self.stands;
             self.take(&placed, bend)?;
             let position = self.position(lines)?;
             match &last {
                 None => last = Some((position, *t_s, placed)),
                 Some((same, ..)) if *same == position => {}
                 Some((_, since, from)) => {
-                    let f = self.feed_word(from, &placed, t_s - since);
+                    let f = self.feed_word(before, from, &placed, [*since, *t_s])?;
                     self.set("f", Value::Text(f));
                     if begun != Some(stretch) {
                         begun = Some(stretch);
+                        // What is said of a turn is said where it begins.
+                        self.take(from, &polynomial::NONE)?;
                         self.begin(stretch)?;
+                        self.take(&placed, bend)?;
                     }
                     self.put(lines)?;
                     last = Some((position, *t_s, placed));
@@ -283,6 +296,7 @@ impl<'a> Writer<'a> {
 
     /// Says what the lines that follow belong to.
     fn begin(&mut self, stretch: Stretch) -> Result<()> {
+        self.lines.mark();
         match stretch {
             Stretch::LeadIn => self.lines.comment("Lead-in"),
             Stretch::LeadOut => self.lines.comment("Lead-out"),
@@ -315,21 +329,41 @@ impl<'a> Writer<'a> {
         Ok(out)
     }
 
-    fn feed_word(&self, from: &Placed, to: &Placed, dt_s: f64) -> String {
-        let f = match self.dialect.file.feed {
+    /// F of a cutting line between two places and times, `before` being the first as it is rounded: so that the line takes its time to the control too.
+    fn feed_word(
+        &self,
+        before: Option<[Fixed; 5]>,
+        from: &Placed,
+        to: &Placed,
+        [since, t_s]: [f64; 2],
+    ) -> Result<String> {
+        let (file, dt_s) = (&self.dialect.file, t_s - since);
+        let f = match file.feed {
             FeedWord::InverseTime => 60.0 / dt_s,
             FeedWord::PerMinute => {
-                let way = (0..3).map(|i| (to.point[i] - from.point[i]).powi(2)).sum::<f64>().sqrt();
+                let steps = before.zip(self.stands).map(|(a, b)| [0, 1, 2].map(|i| b[i].since(a[i]).value()));
+                let way = steps.map_or(0.0, |s| s.iter().map(|d| d * d).sum::<f64>().sqrt());
                 let turn = (to.axes[3] - from.axes[3]).hypot(to.axes[4] - from.axes[4]).to_degrees();
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
             }
         };
-        moves::feed_word(f, self.dialect.file.feed_range)
+        let range = file.feed_range();
+        moves::feed_word(f, &range).ok_or_else(|| {
+            let what = format!(
+                "{}: the line that ends {t_s:.3} s after the beginning and takes {:.3} ms would need F {f:.6}, the control reads {} to {}",
+                file.name,
+                1e3 * dt_s,
+                range.least,
+                range.greatest
+            );
+            Error::infeasible(Stage::Post, what).advise("change feed.feed_mm_min or path.chord_mm, or ranges.F of the post file")
+        })
     }
 
     /// Writes lines with the values as they are.
     fn put(&mut self, lines: &[Line]) -> Result<()> {
-        for line in lines {
+        let wanted = |l: &&Line| self.run.options.look_ahead || !l.look_ahead;
+        for line in lines.iter().filter(wanted) {
             let mut text = String::new();
             for word in &line.words {
                 if !line.comment && self.left_out(word) {

@@ -3,8 +3,8 @@
 
 usage: python3 tests/controls/siemens.py PROGRAM.mpf ...      needs `pip install nc-gcode-interpreter`
 
-It reads TRAORI, ORIAXES, CYCLE832, G93, SUPA and A=IC(...), not A3= B3= C3=: lines with vectors are read without them, and that is said. Nor does it
-know POLY: PO[X]=(end, ...) under G91 is read as the step X=IC(end), so ends of polynomials are compared, and their coefficients left out.
+It reads TRAORI, ORIAXES, CYCLE832, COMPOF, G93, SUPA and A=IC(...), not A3= B3= C3=: lines with vectors are read without them, and that is said. Nor does it
+know A=DC(...) and A=AC(...), which are read as the positions that they name, nor POLY: PO[X]=(end, ...) under G91 is read as the step X=IC(end), so ends of polynomials are compared, and their coefficients left out.
 Every position X, Y, Z and the rotary axes is compared with the words of the text. A word that it does not know it takes for the call of a
 subprogram: what it took so is listed, and only the names below may be in it. Its releases for Python 3.11 and older count in single
 precision, steps of A added up; the words of the text are then rounded and added up the same, so that the comparison stays as sharp."""
@@ -14,7 +14,7 @@ from importlib.metadata import version
 import nc_gcode_interpreter as nc
 
 # Words of the 840D that this interpreter has no meaning for.
-CALLS = {"TRAORI", "TRAFOOF", "CYCLE832", "ORIWKS", "ORIAXES", "SOFT", "FFWON", "SUPA", "UPATH", "SPATH", "POLY"}
+CALLS = {"TRAORI", "TRAFOOF", "CYCLE832", "COMPOF", "ORIWKS", "ORIAXES", "SOFT", "FFWON", "SUPA", "UPATH", "SPATH", "POLY"}
 
 
 def single(x):
@@ -38,6 +38,7 @@ def posted(text, count):
 def main():
     for path in sys.argv[1:]:
         text = re.sub(r"PO\[([XYZABC])\]=\(([-+0-9.]+)[^)]*\)", r"\1=IC(\2)", open(path).read())
+        text, ways = re.subn(r"=[DA]C\(([-+0-9.]+)\)", r"=\1", text)
         polynomials = text.count("G91 G93 POLY")
         text = text.replace("G91 G93 POLY", "G93 POLY")
         bare = re.sub(r" [ABC]3=\S+", "", text)
@@ -66,6 +67,7 @@ def main():
         if off > 1e-6:
             raise SystemExit(f"{path}: a position is read {off} mm or degrees off")
         without = f", {vectors} lines without their vectors" if vectors else ""
+        without += ", DC() and AC() as positions" if ways else ""
         without += ", polynomials without their coefficients" if polynomials else ""
         reader = f"nc-gcode-interpreter {version('nc-gcode-interpreter')}{' (single precision)' if short else ''}"
         print(f"{path}: {len(last)} places read by {reader}, largest difference {off:.1e}{without}")

@@ -6,6 +6,7 @@ mod operations;
 mod planted;
 mod planted_words;
 mod polynomial;
+mod ranges;
 mod read_back;
 
 use read_back::{Move, read};
@@ -47,9 +48,11 @@ fn total_s(moves: &[Move]) -> f64 {
 #[test]
 fn siemens_positions_are_the_plans_tool_tips() {
     let built_in = Control::Siemens.post_file();
-    // An own post file for a linear A: absolute words over all turns.
-    let absolute = built_in.replace("\"incremental\"", "\"accumulate\"").replace("{a_name}=IC({da})", "{a_name}={a}");
-    for text in [built_in, &absolute] {
+    // Own post files for a linear A: absolute words over all turns, and steps.
+    let own = |rotary: &str, word: &str| built_in.replace("modulo", rotary).replace("Z{z} {a_name}={a_way}({a})", word);
+    let absolute = own("accumulate", "Z{z} {a_name}={a}").replace("{a_way}({a})", "{a}");
+    let steps = own("incremental", "Z{z} {a_name}=IC({da})");
+    for text in [built_in, &absolute, &steps] {
         let plan = sample::plan(3, 720);
         let p = written(&Dialect::from_toml(text, "test").unwrap(), plan.clone(), false, &options()).unwrap();
         let moves = cutting(&p);
@@ -79,8 +82,10 @@ fn linuxcnc_positions_are_the_plans_axes() {
     let p = program(Control::Linuxcnc, plan.clone(), false, &options()).unwrap();
     let moves = cutting(&p);
     assert_eq!(moves.len(), 1440);
+    // A begins in the first turn from 0 on.
+    let before = 360.0 * (plan.motion.position[0][3].to_degrees() / 360.0).floor();
     for (m, q) in moves.iter().zip(&plan.motion.position[1..]) {
-        let want = [q[0], q[1], q[2], q[3].to_degrees(), q[4].to_degrees()];
+        let want = [q[0], q[1], q[2], q[3].to_degrees() - before, q[4].to_degrees()];
         for k in 0..5 {
             assert!((m.at[k] - want[k]).abs() <= 0.500_001e-5, "line {}", m.line);
         }
@@ -317,10 +322,15 @@ fn bad_post_files_are_usage_errors_that_name_the_key() {
     let good = Control::Siemens.post_file();
     for (from, to, names) in [
         ("length_decimals = 5", "length_decimals = 9", "numbers.length_decimals is 9"),
-        ("{da}", "{delta}", "no value {delta}"),
+        ("{a_way}", "{a_wy}", "no value {a_wy}"),
         ("longest_line = 200", "longest_line = 3", "longest_line"),
         ("file = \"program.mpf\"", "file = \"../x\"", "file name"),
-        ("rotary = \"incremental\"", "rotary = \"sideways\"", "sideways"),
+        ("rotary = \"modulo\"", "rotary = \"sideways\"", "sideways"),
+        ("F = { least = 0.001", "F = { least = 0.0", "ranges.F: least must be greater than 0"),
+        ("N = { least = 0.0", "N = { least = 1e9", "ranges.N"),
+        ("first = 10", "first = 100000000", "numbering.first is 100000000"),
+        ("resolution_mm = 0.001", "resolution_mm = 0.0", "resolution_mm"),
+        ("    \"{look_ahead}\",\n", "", "no line {look_ahead}"),
         ("name = ", "nam = ", "nam"),
     ] {
         let text = good.replacen(from, to, 1);
@@ -374,10 +384,15 @@ fn a_program_from_a_turn_on_is_the_rest_of_the_whole() {
         for c in read_back(&rest, &left, &blade, &tool, &machine).unwrap() {
             assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
         }
-        // Its cutting is that of the whole, to the digit where words do not count from the beginning.
+        // Its cutting is that of the whole, to the digit; whole turns of A before it are dropped.
         if control == Control::Linuxcnc {
-            let behind = |text: &str| text.split("Turn 3 of 4").nth(1).unwrap().to_owned();
-            assert_eq!(behind(&whole.text).split("Unwind").next(), behind(&rest.text).split("Unwind").next());
+            let cuts = |text: &str| -> Vec<String> {
+                let behind = text.split("Turn 3 of 4").nth(1).unwrap().split("Unwind").next().unwrap();
+                let fixed = |l: &str| l.split(' ').filter(|w| !w.starts_with('A')).collect::<Vec<_>>().join(" ");
+                behind.lines().map(fixed).collect()
+            };
+            assert_eq!(cuts(&whole.text), cuts(&rest.text));
+            assert!(rest.text.contains("G0 A287.18873") && whole.text.contains("G0 A287.18873"));
         }
     }
     for none in [0, 5] {

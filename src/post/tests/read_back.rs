@@ -35,16 +35,21 @@ pub fn read(text: &str) -> Result<Vec<Move>, String> {
                 "G94" => now.inverse_time = false,
                 "TRAORI" => now.traori = true,
                 "TRAFOOF" => now.traori = false,
-                "SUPA" | "SOFT" | "FFWON" | "ORIWKS" | "ORIAXES" => {}
+                "SUPA" | "COMPOF" | "SOFT" | "FFWON" | "ORIWKS" | "ORIAXES" => {}
                 _ => {
                     let (letter, value) = word.split_at(1);
-                    let step = value.strip_prefix("=IC(").and_then(|v| v.strip_suffix(')'));
-                    let plain = step.unwrap_or(value.trim_start_matches('='));
+                    let called = |name: &str| value.strip_prefix(name).and_then(|v| v.strip_suffix(')'));
+                    let (step, shorter) = (called("=IC("), called("=DC("));
+                    let plain = step.or(shorter).or(called("=AC(")).unwrap_or(value.trim_start_matches('='));
                     let number: f64 = plain.parse().map_err(|_| format!("line {}: {word}", i + 1))?;
                     match ("XYZAB".find(letter), letter) {
                         (Some(_), _) if machine => {}
                         (Some(k), _) => {
-                            now.at[k] = number + if step.is_some() { now.at[k] } else { 0.0 };
+                            now.at[k] = match (step, shorter) {
+                                (Some(_), _) => now.at[k] + number,
+                                (_, Some(_)) => number + 360.0 * ((now.at[k] - number) / 360.0).round(),
+                                _ => number,
+                            };
                             moved = true;
                         }
                         (None, "F") => feed = Some(number),

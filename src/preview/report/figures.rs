@@ -38,7 +38,42 @@ pub(super) fn figures(input: &ReportInput) -> String {
         holder.collect::<Vec<_>>().join(", ")
     );
     card(&mut cards, "Tool", &format!("ball R {} mm", number(t.radius_mm)), &note);
-    format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl></section>\n")
+    format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl>{}</section>\n", cycles(input))
+}
+
+/// Where the time of each program goes.
+fn cycles(input: &ReportInput) -> String {
+    let n = count(input, "/programs");
+    if n == 0 {
+        return String::new();
+    }
+    let line = |k: usize| {
+        let f = |key: &str| figure(&input.summary, &format!("/programs/{k}/cycle/{key}"));
+        let keys = ["approach_s", "lead_in_s", "cutting_s", "lead_out_s", "retract_s", "unwinding_s", "total_s"];
+        row(&text(input, &format!("/programs/{k}/file")), keys.into_iter().map(f))
+    };
+    let body: String = (0..n).map(line).collect();
+    let head = [
+        ("Program", false),
+        ("approach, s", true),
+        ("lead-in, s", true),
+        ("cutting, s", true),
+        ("lead-out, s", true),
+        ("retract, s", true),
+        ("unwinding, s", true),
+        ("total, s", true),
+    ];
+    format!(
+        "<h3>Cycle time</h3>\n{}<p>Without tool change and the way to over the part.</p>",
+        table("Cycle time", &head, &body)
+    )
+}
+
+/// What is assumed of the machine, in words; nothing where all is measured.
+fn assumed(input: &ReportInput) -> String {
+    let axes: Vec<String> =
+        (0..count(input, "/limits_assumed")).map(|k| text(input, &format!("/limits_assumed/{k}"))).collect();
+    if axes.is_empty() { String::new() } else { format!("limits of {} are assumed", axes.join(", ")) }
 }
 
 fn plan_cards(input: &ReportInput, cards: &mut String) {
@@ -47,7 +82,12 @@ fn plan_cards(input: &ReportInput, cards: &mut String) {
     let against = value(input, "/schedules/1/machining_time_s");
     let change =
         if against.is_finite() { format!("{} against fixed lead", change(time, against)) } else { String::new() };
-    card(cards, "Machining time", &format!("{} s", f("/machining_time_s")), &joined(&[minutes(time), change]));
+    card(
+        cards,
+        "Machining time",
+        &format!("{} s", f("/machining_time_s")),
+        &joined(&[minutes(time), change, assumed(input)]),
+    );
     let note = format!("{} turns, {} locations", f("/turns"), f("/cutter_locations"));
     card(cards, "Path", &format!("{} mm", f("/path_length_mm")), &note);
     if value(input, "/stock_mm") > 0.0 {

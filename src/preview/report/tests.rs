@@ -15,6 +15,11 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
     let provenance = [("File".to_string(), "cylinder.obj".to_string())];
     let summary = serde_json::json!({
         "turns": 3, "path_length_mm": 471.23889803846896, "machining_time_s": 50.0, "end_reason": "<here>",
+        "limits_assumed": ["X", "A"],
+        "programs": [{ "file": "program.ngc", "cycle": {
+            "approach_s": 2.5, "lead_in_s": 0.25, "cutting_s": 50.0, "lead_out_s": 0.25, "retract_s": 3.0,
+            "unwinding_s": 94.0, "total_s": 150.0,
+        } }],
         "schedules": [
             { "kind": "piecewise", "machining_time_s": 50.0, "axes": [{ "velocity": 10.0 }] },
             { "kind": "fixed", "machining_time_s": 100.0, "axes": [{ "velocity": 20.0 }] },
@@ -115,6 +120,8 @@ fn the_page_is_whole_and_needs_no_network() {
         "an &lt;odd&gt; face",
         "33.25° at B = 5°",
         "Separate channels round the path: 1",
+        "limits of X, A are assumed",
+        "<span data-figure=\"summary/programs/0/cycle/unwinding_s\">94</span>",
     ] {
         assert!(page.contains(part), "{part}");
     }

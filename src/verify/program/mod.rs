@@ -19,6 +19,7 @@
 //! | `program-tool`, `program-tool-length`, `program-spindle`, `program-smoothing`, `program-frame` | lines at a feed with another tool, length offset, spindle, tolerance of the control or work offset than the program was written with ([`Asked`]) |
 //!
 //! A word that is neither acted on nor known to be harmless is refused with its line.
+//! | `program-words` | words outside what the control reads by its post file: value, digits after the point |
 //!
 //! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
 //! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
@@ -33,6 +34,7 @@ mod heidenhain;
 mod setting;
 #[cfg(test)]
 mod tests;
+mod words;
 
 pub use block::{Bend, Block, Call, Feed, Place, Script, Way};
 pub use follow::{Bench, Moved, Zero, follow, follow_each};
@@ -105,6 +107,7 @@ pub fn read_back_each(
         }
         out.extend(found);
     }
+    out.push(words::check(program));
     Ok(out)
 }
 

@@ -1,0 +1,99 @@
+//! Where the time of an operation goes: the one place that counts it.
+//!
+//! Feed moves take their way over their feed, the motion on leads and path its planned times, rapids the time of the slowest axis under its own velocity and
+//! acceleration: a trapezoid, or a triangle where it is short. Not counted is what no file says: the tool change, and the way from wherever the
+//! machine stood to over the part.
+
+use std::f64::consts::TAU;
+
+use super::dialect::Dialect;
+use super::{End, Run};
+use crate::artifact::plan::Stretch;
+use crate::artifact::program::CycleTime;
+use crate::machine::{AxisLimits, Machine};
+
+/// The time of an operation as a dialect writes it.
+pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
+    let [first, last] = &run.ends;
+    let [lead_in_s, cutting_s, lead_out_s] = planned(run);
+    let (approach_s, retract_s) = (outside(run, first), outside(run, last));
+    let unwinding_s = unwinding(run, dialect);
+    let total_s = approach_s + lead_in_s + cutting_s + lead_out_s + retract_s + unwinding_s;
+    CycleTime { approach_s, lead_in_s, cutting_s, lead_out_s, retract_s, unwinding_s, total_s }
+}
+
+/// Lead-in, path and lead-out by the plan's times.
+fn planned(run: &Run) -> [f64; 3] {
+    let (mut first, mut path, mut last) = (None, [None; 2], 0.0);
+    for row in run.plan.rows() {
+        first = first.or(Some(row.t_s));
+        last = row.t_s;
+        if matches!(row.stretch, Stretch::Turn(_)) {
+            path = [path[0].or(Some(row.t_s)), Some(row.t_s)];
+        }
+    }
+    let [begins, ends] = path.map(|t| t.unwrap_or(last));
+    [begins - first.unwrap_or(begins), ends - begins, last - ends]
+}
+
+/// Between the end of travel in Z and an end of the path: a rapid to the safe position, the approach feed to the feed height, the plunge feed from there on.
+fn outside(run: &Run, end: &End) -> f64 {
+    let (o, height) = (run.options, run.feed_height(end));
+    let at = run.axes_at(end, end.safe_mm);
+    let mut over = at;
+    over[2] = safe_z(run);
+    let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
+    60.0 * at_feed + rapid(run.machine, &at, &over)
+}
+
+/// The end of travel in Z, where programs retract to.
+pub(super) fn safe_z(run: &Run) -> f64 {
+    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[2];
+    run.machine.limits()[2].travel.map_or(here, |[_, up]| up)
+}
+
+/// The rotary axes back to where the first location has them.
+fn unwinding(run: &Run, dialect: &Dialect) -> f64 {
+    if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
+        return 0.0;
+    }
+    let [to, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.rotary_of(e.theta, run.b_rad()));
+    let mut turned = from[0] - to[0];
+    if dialect.turns_back_by_the_shorter_way() && run.machine.limits()[3].travel.is_none() {
+        turned -= TAU * (turned / TAU).round();
+    }
+    rapid(run.machine, &[0.0, 0.0, 0.0, turned, from[1] - to[1]], &[0.0; 5])
+}
+
+/// Time of a rapid, all axes at once, s.
+fn rapid(machine: &Machine, from: &[f64; 5], to: &[f64; 5]) -> f64 {
+    let limits = machine.limits();
+    (0..5).map(|i| trapezoid((to[i] - from[i]).abs(), &limits[i])).fold(0.0, f64::max)
+}
+
+/// From rest to rest over a way, under velocity and acceleration, s.
+fn trapezoid(way: f64, limits: &AxisLimits) -> f64 {
+    let (v, a) = (limits.velocity, limits.acceleration);
+    match way {
+        0.0 => 0.0,
+        _ if way < v * v / a => 2.0 * (way / a).sqrt(),
+        _ => way / v + v / a,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn rapids_take_a_trapezoid_or_a_triangle() {
+        let a = Machine::demo().unwrap().limits()[3];
+        let deg = f64::to_radians;
+        // 180 degrees a second after 0.3 s: 27 degrees on the way there, and as many to a halt.
+        assert!((trapezoid(deg(54.0), &a) - 0.6).abs() < 1e-12);
+        assert!((trapezoid(deg(54.0 + 180.0), &a) - 1.6).abs() < 1e-12);
+        assert!((trapezoid(deg(6.0), &a) - 0.2).abs() < 1e-12);
+        assert_eq!(trapezoid(0.0, &a), 0.0);
+    }
+}
