@@ -98,7 +98,7 @@ mod tests {
     fn a_closed_cube_is_taken_and_an_open_one_is_not() {
         let whole = fixture(cube(12).path(), Some(Unit::Mm), &Silent).unwrap();
         assert!((whole.mesh.volume_mm3() - 1000.0).abs() < 1e-9);
-        let e = fixture(cube(11).path(), Some(Unit::Mm), &Silent).unwrap_err();
+        let e = fixture(cube(11).path(), Some(Unit::Mm), &Silent).err().unwrap();
         assert_eq!(e.kind, ErrorKind::InputOutput);
         assert!(e.message.contains("a hole, the longest of 3 edges"), "{e}");
     }

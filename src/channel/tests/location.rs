@@ -26,6 +26,7 @@ pub fn open_options(b_rad: f64) -> ChannelOptions {
         theta_limits_rad: None,
         tolerance_rad: TOL,
         prove_moves: false,
+        prove_at: Vec::new(),
         exact_ends: false,
         max_step_mm: 1.0,
     }

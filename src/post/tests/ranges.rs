@@ -14,7 +14,7 @@ fn failed(p: &Program, plan: &Plan) -> Vec<String> {
 fn moves(p: &Program) -> Vec<Moved> {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
     let bench = Bench { language: p.language, zero: Zero::default(), tool: &tool, machine: &machine };
-    program::follow(&program::read(&p.text, p.language).unwrap(), &bench).unwrap()
+    program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap()
 }
 
 /// Numbers of words that begin with a prefix, comments left out.
