@@ -169,8 +169,8 @@ pub fn plan_with_bound(
 /// What is said where no close bound is proved.
 fn rough(gap: f64) -> String {
     format!(
-        "the motion keeps all limits, and none through these locations takes less time by more than {:.1} %; a closer bound is not \
-         proved, since the axes' positions are rough along the path",
+        "the motion keeps all limits; on the grid of its locations none that does takes less time by more than {:.1} %, and no \
+         closer bound is proved, since the axes' positions are rough along the path",
         100.0 * gap
     )
 }

@@ -159,6 +159,8 @@ struct Work<const X: usize, const V: usize> {
     second: f64,
     /// Greatest amount by which a row is missed.
     excess: f64,
+    /// A slack is not what its row leaves.
+    missed: bool,
 }
 
 /// Solves; `start` must follow the dynamics (for the last stage only its own state and controls count).
@@ -261,6 +263,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
             products: 0.0,
             second: 0.0,
             excess: 0.0,
+            missed: false,
         };
         for (i, s) in stages.iter().enumerate() {
             out.look(i, s, &v[i], false);
@@ -277,7 +280,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
         length: f64,
         options: &Options,
     ) {
-        (self.products, self.excess) = (0.0, 0.0);
+        (self.products, self.excess, self.missed) = (0.0, 0.0, false);
         for (i, s) in stages.iter_mut().enumerate() {
             let rows = self.first[i]..self.first[i + 1];
             for k in rows.clone() {
@@ -297,6 +300,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
                 self.slack[k] = room;
             }
             self.residual[k] = room - self.slack[k];
+            self.missed |= self.residual[k] != 0.0;
             self.inverse[k] = 1.0 / self.slack[k];
             self.products += self.slack[k] * self.multiplier[k];
             self.excess = self.excess.max(-room);
@@ -386,9 +390,14 @@ impl<const X: usize, const V: usize> Work<X, V> {
             for a in 0..V {
                 g[a] += dot(&s.hessian[a], &v[i]);
             }
-            for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let force = (self.target(k, centre) - self.multiplier[k] * self.residual[k]) * self.inverse[k];
-                if force != 0.0 {
+            if centre.is_some() || self.missed {
+                let k = self.first[i]..self.first[i + 1];
+                let (y, inverse, residual) =
+                    (&self.multiplier[k.clone()], &self.inverse[k.clone()], &self.residual[k.clone()]);
+                let (d_slack, d_y) = (&self.d_slack[k.clone()], &self.d_multiplier[k]);
+                for (k, r) in s.rows.iter().enumerate().take(y.len()) {
+                    let target = centre.map_or(0.0, |c| c - d_slack[k] * d_y[k]);
+                    let force = (target - y[k] * residual[k]) * inverse[k];
                     for a in 0..V {
                         g[a] += force * r.g[a];
                     }
@@ -424,22 +433,22 @@ impl<const X: usize, const V: usize> Work<X, V> {
             for c in 0..X {
                 x[c] = dot(&s.dynamics[c], &d);
             }
-            for (k, r) in (self.first[i]..).zip(&s.rows) {
-                let d_slack = self.residual[k] - dot(&r.g, &d);
-                let (t, y) = (self.slack[k], self.multiplier[k]);
-                let d_multiplier = (self.target(k, centre) - y * (t + d_slack)) * self.inverse[k];
-                (self.d_slack[k], self.d_multiplier[k]) = (d_slack, d_multiplier);
-                self.second += d_slack * d_multiplier;
-                reach.bind(t, d_slack);
-                reach.bind(y, d_multiplier);
+            let k = self.first[i]..self.first[i + 1];
+            let (slack, y, inverse) = (&self.slack[k.clone()], &self.multiplier[k.clone()], &self.inverse[k.clone()]);
+            let residual = &self.residual[k.clone()];
+            let (d_slack, d_y) = (&mut self.d_slack[k.clone()], &mut self.d_multiplier[k]);
+            for (k, r) in s.rows.iter().enumerate().take(slack.len()) {
+                let target = centre.map_or(0.0, |c| c - d_slack[k] * d_y[k]);
+                let change = residual[k] - dot(&r.g, &d);
+                let of_y = (target - y[k] * (slack[k] + change)) * inverse[k];
+                (d_slack[k], d_y[k]) = (change, of_y);
+                self.second += change * of_y;
+                reach.bind(slack[k], change);
+                reach.bind(y[k], of_y);
             }
             self.d[i] = d;
         }
         Some(reach)
-    }
-
-    fn target(&self, k: usize, centre: Option<f64>) -> f64 {
-        centre.map_or(0.0, |c| c - self.d_slack[k] * self.d_multiplier[k])
     }
 }
 

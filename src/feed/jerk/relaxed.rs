@@ -20,7 +20,7 @@ const RISE: f64 = 1.1;
 const FLOOR: f64 = 0.1;
 /// Slack × multiplier of all rows at the beginning and at the end, as shares of the time.
 const BEGIN: f64 = 0.3;
-const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 3e-3;
 /// Rows may be missed by this: any multipliers prove a bound.
 const EXCESS: f64 = 1e-3;
 /// Iterations at most.

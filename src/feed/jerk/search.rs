@@ -25,7 +25,7 @@ const MOVE: f64 = 0.15;
 const SLOWER: f64 = 1.02;
 /// ṡ² may be too great by this share; it is taken out of the whole.
 const EXCESS: f64 = 1e-5;
-const FIRST: Search = Search { begin: 1.0, tolerance: 1e-2, shares: Shares::ALL };
+const FIRST: Search = Search { begin: 1.0, tolerance: 3e-2, shares: Shares::ALL };
 const SECOND: Search =
     Search { begin: 0.05, tolerance: 2e-5, shares: Shares { accelerations: 0.3, others: f64::NEG_INFINITY } };
 /// The first bound is enough if the time is greater by no more than this share.
@@ -150,7 +150,7 @@ fn stretches(v: &[[f64; 3]], length: usize, by: f64) -> Vec<Range<usize>> {
     let n = v.len();
     let count = n / length;
     if count < 2 {
-        return vec![0..n];
+        return std::iter::once(0..n).collect();
     }
     let near = (MOVE * length as f64) as usize;
     let slowest = |at: usize| {

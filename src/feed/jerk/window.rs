@@ -62,8 +62,8 @@ pub(super) fn search(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], how
     let mut row = 0;
     let mut duals = Vec::with_capacity(range.len());
     for (i, s) in stages[at_rest..].iter().enumerate() {
-        // Floors, the first two, are no limits.
-        duals.push(window.rows.dual(i, window.cell(i).h, &found.multipliers[row + 2..row + s.rows.len()]));
+        // Floors, the first three, are no limits.
+        duals.push(window.rows.dual(i, window.cell(i).h, &found.multipliers[row + 3..row + s.rows.len()]));
         row += s.rows.len();
     }
     Some(Found {
@@ -83,16 +83,13 @@ struct Window<'a> {
     /// Cells in which w follows from the state, since speed and acceleration are given at the end of the stretch.
     ties: Vec<Option<Tie>>,
     /// Least Bernstein coefficients of x in each cell.
-    floor: Vec<[f64; 2]>,
+    floor: Vec<[f64; 3]>,
 }
 
 impl<'a> Window<'a> {
     fn new(problem: &'a Problem<'a>, range: Range<usize>, v: &[[f64; 3]], shares: Shares) -> Self {
         let rows = Rows::of(problem, range.clone(), v, shares);
-        let floor = range.clone().zip(v).map(|(i, v)| {
-            let x = problem.x(i, v);
-            [FLOOR * x[0], FLOOR * x[1]]
-        });
+        let floor = range.clone().zip(v).map(|(i, v)| problem.x(i, v).map(|x| FLOOR * x));
         Window { problem, rows, ties: ties(problem, &range, v), floor: floor.collect(), range }
     }
 
@@ -122,7 +119,7 @@ impl<'a> Window<'a> {
         let mut out = Stage { dynamics: [[1.0, 2.0 * h, h * h], [0.0, 1.0, h]], ..Stage::default() };
         out.dynamics = out.dynamics.map(|g| self.tied(i, g, 0.0).g);
         let (linear, jerk) = (self.rows.linear(i), self.rows.jerk(i));
-        out.rows.reserve_exact(2 + linear.len() + jerk.len());
+        out.rows.reserve_exact(3 + linear.len() + jerk.len());
         let floors = of_x(h).into_iter().zip(self.floor[i]);
         out.rows.extend(floors.map(|(g, floor)| self.tied(i, g.map(|v| -v / floor), -1.0)));
         out.rows.extend(linear.iter().map(|g| self.tied(i, *g, 1.0)));
@@ -156,12 +153,11 @@ impl Model<2, 3> for Window<'_> {
         let Some(i) = stage.checked_sub(usize::from(self.range.start == 0)) else { return };
         let bernstein = of_x(self.cell(i).h);
         let whole = self.whole(i, v);
-        let floor = [self.floor[i][0], self.floor[i][1], f64::MIN_POSITIVE];
-        let x: [f64; 3] = std::array::from_fn(|b| dot(&bernstein[b], &whole).max(floor[b]));
+        let x: [f64; 3] = std::array::from_fn(|b| dot(&bernstein[b], &whole).max(self.floor[i][b]));
         let inverse = x.map(|x| 1.0 / x.sqrt());
         // A jerk within 1/√x, by the tangent of that. Kept at the Bernstein coefficients it is kept up to `jensen` between them.
         let share = 1.0 / jensen(x);
-        let first = 2 + self.rows.linear(i).len();
+        let first = 3 + self.rows.linear(i).len();
         let mut sums = [0.0; 3];
         for (k, Jerk { b, g }) in (first..).zip(self.rows.jerk(i)) {
             let slope = 0.5 * share * inverse[*b] / x[*b];
