@@ -44,7 +44,7 @@ fn part() -> Mesh {
     mesh
 }
 
-pub(super) fn blade() -> Blade {
+fn blade() -> Blade {
     Blade { part: Part::from_mesh(part()), ..sample::blade() }
 }
 
