@@ -214,7 +214,8 @@ fn listing(folder: &Path) -> Result<BTreeMap<String, String>> {
         Ok((e.file_name().to_string_lossy().into_owned(), files::hash(&e.path(), files::LONG)?.1))
     };
     let read = || -> std::io::Result<BTreeMap<String, String>> {
-        std::fs::read_dir(folder)?.map(|e| e.and_then(hashed)).collect()
+        let entries = std::fs::read_dir(folder)?.collect::<std::io::Result<Vec<_>>>()?;
+        entries.into_iter().filter(|e| e.file_type().is_ok_and(|t| t.is_file())).map(hashed).collect()
     };
     read().map_err(|e| trouble("cannot read", folder, e))
 }
