@@ -269,7 +269,8 @@ impl<'a> Writer<'a> {
                 None => last = Some((position, *t_s, placed)),
                 Some((same, ..)) if *same == position => {}
                 Some((_, since, from)) => {
-                    let f = self.feed_word(before, from, &placed, [*since, *t_s])?;
+                    let until = self.no_sooner(*since, *t_s);
+                    let f = self.feed_word(before, from, &placed, [*since, until])?;
                     self.set("f", Value::Text(f));
                     if begun != Some(stretch) {
                         begun = Some(stretch);
@@ -279,7 +280,7 @@ impl<'a> Writer<'a> {
                         self.take(&placed, bend)?;
                     }
                     self.put(lines)?;
-                    last = Some((position, *t_s, placed));
+                    last = Some((position, until, placed));
                     written += 1;
                 }
             }
@@ -327,6 +328,16 @@ impl<'a> Writer<'a> {
             out.extend(said);
         }
         Ok(out)
+    }
+
+    /// When a line ends. Polynomials are parted where their curve wants it, also so short in time that the control reads no F as large; they cannot be joined
+    /// again, so such a line takes the least time there is and the next has that much less: the whole time is kept.
+    fn no_sooner(&self, since: f64, t_s: f64) -> f64 {
+        let file = &self.dialect.file;
+        match (file.poly_degree, file.feed) {
+            (Some(_), FeedWord::InverseTime) => t_s.max(since + 60.0 / file.feed_range().greatest * (1.0 + 1e-6)),
+            _ => t_s,
+        }
     }
 
     /// F of a cutting line between two places and times, `before` being the first as it is rounded: so that the line takes its time to the control too.
