@@ -401,7 +401,7 @@ fn feeds_of_others_are_judged_by_the_limits_of_the_axes() {
     }
     // The same numbers as feeds per minute are another feed.
     let bench = Bench::new(Control::Siemens);
-    let text = bench.edited(Word("N170 G93\n", "N170 G94\n"));
+    let text = bench.edited(Word(" G93\n", " G94\n"));
     bench.judge(Word("G93", "G94"), bench.told_own(&text), Found("program-feed"));
 }
 
