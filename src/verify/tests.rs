@@ -210,10 +210,11 @@ fn a_clean_plan_passes_with_the_closed_form_figures() {
     let sag = (PART_RADIUS + BALL) * (1.0 - (PI / 720.0).cos());
     let gouge = find(report, "gouge").worst;
     assert!(gouge >= sag - 1e-6 && gouge <= sag + 0.0005, "{gouge} {sag}");
-    assert!(report.gouge_mm <= sag + 1e-6);
+    assert_eq!(report.gouge_mm, gouge);
     // The ball's equator, tilted by B, on the side of the part.
     let clear = BALL - BALL * B.sin();
-    assert!((report.clearance_mm - clear).abs() < 0.02 * clear, "{} {clear}", report.clearance_mm);
+    // What is told is what was proven: a fiftieth less than what was measured.
+    assert!((report.clearance_mm - 0.98 * clear).abs() < 0.02 * clear, "{} {clear}", report.clearance_mm);
     let Verdict::Passed(v) = verdict else { panic!("not passed") };
     assert!(!v.forced());
 }
@@ -294,10 +295,9 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     // At the rows themselves the holder is clear: a check of rows alone would miss it.
     let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.name.starts_with("holder")).collect();
     for i in [row, row + 1] {
-        let mut still = p.clone();
-        still.toolpath.locations = vec![p.toolpath.locations[i]; 2];
-        still.schedule.theta = vec![p.schedule.theta[i]; 2];
-        assert!(clearance::measure(&still, &blade.part, &holder, 0.001).1 > 0.005);
+        let (centres, theta) = ([p.toolpath.locations[i].centre; 2], [p.schedule.theta[i]; 2]);
+        let still = clearance::Track { centres: &centres, theta: &theta, b_rad: &[B], wanted: None };
+        assert!(clearance::measure_track(still, &blade.part, &holder, 0.001).1 > 0.005);
     }
 }
 
