@@ -280,7 +280,12 @@ fn plan_verify_post_and_preview_of_the_prism() {
     };
     let before = one.iter().find(|(n, _)| n == "verify.json").map(|(_, bytes)| checks(bytes)).expect("verify.json");
     assert!(before.iter().filter(|(n, _)| n.contains("program-")).count() >= 10, "{before:?}");
-    assert_eq!(before, checks(&std::fs::read(d.join("1/verify.json")).expect("readable")));
+    // What only a folder has to be judged by comes in with `verify`, and is good.
+    let mut after = checks(&std::fs::read(d.join("1/verify.json")).expect("readable"));
+    let of_files = ["\"files\"", "\"inputs\"", "\"table-cutter-locations\"", "\"table-axes\""];
+    assert!(of_files.iter().all(|name| after.iter().any(|(n, passed)| n == name && *passed)), "{after:?}");
+    after.retain(|(n, _)| !of_files.contains(&n.as_str()));
+    assert_eq!(before, after);
     planted_faults_of_a_program_are_found(d);
     programs_are_checked_by_themselves(d, &model);
     planted_gouge_is_found(d);

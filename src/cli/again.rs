@@ -22,11 +22,12 @@ use crate::verify;
 struct Checked {
     setup: Setup,
     verdict: verify::Verdict<Plan>,
-    without_programs: bool,
+    /// The run is to have its programs: it was not stopped before, and it was good or is.
+    wrote_programs: bool,
 }
 
 fn check(run: Finished, observer: &dyn Observer) -> Result<Checked> {
-    let Finished { setup, plan, checks, without_programs } = run;
+    let Finished { setup, plan, checks, wrote_programs, stopped } = run;
     let verdict = verify::check_among(
         plan,
         &setup.blade,
@@ -36,7 +37,8 @@ fn check(run: Finished, observer: &dyn Observer) -> Result<Checked> {
         &setup.verify_options(),
         observer,
     )?;
-    Ok(Checked { setup, verdict: verdict.and(checks), without_programs })
+    let wrote_programs = wrote_programs || (!stopped && matches!(verdict, verify::Verdict::Passed(_)));
+    Ok(Checked { setup, verdict: verdict.and(checks), wrote_programs })
 }
 
 /// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
@@ -44,7 +46,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
     terminal.finish();
-    let Checked { setup, verdict, without_programs } = checked?;
+    let Checked { setup, verdict, wrote_programs } = checked?;
     if let Some((file, tolerance)) = map {
         let path = &verdict.value().toolpath;
         let map = verify::deviation(&setup.blade, path, tolerance)?;
@@ -53,7 +55,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let mut report = verdict.report().clone();
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = pipeline::accept(verdict, true) {
-        report.checks.extend(pipeline::programs_again(&setup, &verified, &folder, without_programs)?);
+        report.checks.extend(pipeline::programs_again(&setup, &verified, &folder, wrote_programs)?);
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
@@ -156,7 +158,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
         let mut folder = RunFolder::begin(&args.out)?;
         let budget = args.preview_budget.map(|b| b.0);
         let (setup, verdict) = (&run.setup, &run.verdict);
-        pipeline::preview_again(setup, verdict, run.without_programs, budget, &mut folder, &terminal)?;
+        pipeline::preview_again(setup, verdict, run.wrote_programs, budget, &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();

@@ -10,7 +10,7 @@
 
 use std::path::Path;
 
-use super::Setup;
+use super::{Setup, reuse};
 use crate::artifact::Plan;
 use crate::artifact::report::Check;
 use crate::error::{Error, Result, Stage};
@@ -29,8 +29,10 @@ pub struct Finished {
     pub plan: Plan,
     /// What was found on the files of the folder.
     pub checks: Vec<Check>,
+    /// The run came to its end without a finding, so that it wrote all programs.
+    pub wrote_programs: bool,
     /// The run was stopped before programs were written.
-    pub without_programs: bool,
+    pub stopped: bool,
 }
 
 /// Reads the job of a folder, the model that it names, and the plan.
@@ -67,7 +69,14 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let mut checks = vec![outputs(out, kept.as_ref()), inputs(&setup.inputs, kept.as_ref())];
     let (plan, tables) = read_tables(out, &setup, plan);
     checks.extend(tables);
-    Ok(Finished { setup, plan, checks, without_programs: stopped.is_some_and(|s| s == Stage::Verify.to_string()) })
+    let wrote_programs = kept.is_none_or(|m| m.status == reuse::GOOD);
+    Ok(Finished {
+        setup,
+        plan,
+        checks,
+        wrote_programs,
+        stopped: stopped.is_some_and(|s| s == Stage::Verify.to_string()),
+    })
 }
 
 fn text_of(out: &Path, name: &str) -> Option<String> {

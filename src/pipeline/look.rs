@@ -170,7 +170,7 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
 pub fn preview_again(
     setup: &Setup,
     verdict: &Verdict<Plan>,
-    without_programs: bool,
+    wrote_programs: bool,
     budget_bytes: Option<usize>,
     folder: &mut RunFolder,
     observer: &dyn Observer,
@@ -181,7 +181,7 @@ pub fn preview_again(
     let baseline = fixed_lead(setup, plan, &recorder)?;
     let mut report = verdict.report().clone();
     if let Verdict::Passed(verified) = verdict {
-        report.checks.extend(programs_again(setup, verified, folder, without_programs)?);
+        report.checks.extend(programs_again(setup, verified, folder, wrote_programs)?);
     }
     let figures = compare(setup, plan, &baseline)?;
     let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;

@@ -20,7 +20,7 @@ const NO_PROGRAMS: [&str; 22] = [
 ];
 
 /// What reading the programs of a finished run back finds: those that its job asks for, and every other file in its folder that is a program. One
-/// that the job asks for and that is not there is a finding, unless none was to be written: `none_expected`.
+/// that the job asks for and that is not there is a finding where the run was to write them: `wrote_programs`.
 ///
 /// # Errors
 /// Those of the dialects.
@@ -28,7 +28,7 @@ pub fn programs_again(
     setup: &Setup,
     verified: &Verified<Plan>,
     folder: &RunFolder,
-    none_expected: bool,
+    wrote_programs: bool,
 ) -> Result<Vec<Check>> {
     let dialects: Vec<Dialect> = setup.dialects()?.into_iter().map(|(_, dialect)| dialect).collect();
     let mut found = Vec::new();
@@ -36,8 +36,7 @@ pub fn programs_again(
         let name = dialect.file_name();
         match folder.content(name) {
             Some(content) => found.extend(one(setup, name, &content, dialect, verified)?),
-            None if none_expected || verified.forced() => {}
-            None => found.push(absent(name)),
+            None => found.extend(wrote_programs.then(|| absent(name))),
         }
     }
     for name in folder.names().iter().filter(|n| dialects.iter().all(|d| d.file_name() != n.as_str())) {

@@ -142,7 +142,8 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let unit = "mm";
     let (Some(first), Some(last)) = (path.turns.first(), path.turns.last()) else {
         let note = "plan.json has no turns".into();
-        return bare("job-region", quantity, f64::MAX, 0.0, unit, note);
+        let asked_mm = asked.end_mm.map_or(asked.radius_mm, |end| asked.start_mm - end);
+        return bare("job-region", quantity, asked_mm, 0.0, unit, note);
     };
     let climbs = asked.direction == Direction::Climb;
     let (upper, lower) = if climbs { (first, last) } else { (last, first) };
@@ -154,12 +155,15 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let mut found: Vec<(f64, usize, String)> = Vec::new();
     let (hi, lo) = (top[2], bottom[0]);
     let start = asked.start_mm;
-    let says = format!("the path begins between heights {:.3} and {hi:.3}, region.start_mm is {start}", top[0]);
+    let says = format!(
+        "the path of plan.json begins between heights {:.3} and {hi:.3}, the job's region.start_mm is {start}",
+        top[0]
+    );
     found.push((start - hi - close, upper.first, says.clone()));
     found.push((top[0] - start - room, upper.first, says));
     if let Some(end) = asked.end_mm {
         let reason = if ends_as_asked(path) { String::new() } else { format!(", since {}", path.end_reason) };
-        let says = format!("the path ends at height {lo:.3}, region.end_mm is {end}{reason}");
+        let says = format!("the path of plan.json ends at height {lo:.3}, the job's region.end_mm is {end}{reason}");
         found.push((end - lo - close, lower.first, says.clone()));
         if ends_as_asked(path) {
             found.push((lo - end - close, lower.first, says.clone()));
@@ -186,7 +190,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     found.push((
         if path.turns.len() > 1 { wrong_way } else { 0.0 },
         0,
-        format!("the path runs {:.3} mm the wrong way for {:?} milling", wrong_way, asked.direction),
+        format!("the path of plan.json runs {:.3} mm the wrong way for {:?} milling", wrong_way, asked.direction),
     ));
     let worst = found.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let (over, row, says) = worst.unwrap_or_default();

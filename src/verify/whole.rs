@@ -9,8 +9,8 @@
 //! | `plan-motion` | velocities, accelerations and jerks against positions and times; feeds against lengths and times; rest at both ends |
 //!
 //! Velocities are the integral of accelerations and positions that of velocities. With a jerk of at most `J` the trapezoidal rule over a step `h` is off by at most
-//! `J h³/12` for positions and `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other. Jerks may jump between locations;
-//! their root mean square is compared with that of the accelerations' difference quotients.
+//! `J h³/12` for positions and `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other. Jerks may jump between locations.
+//! Root mean squares of accelerations and jerks are compared with those of the difference quotients besides: small ones could be lost in these bounds.
 
 use rayon::prelude::*;
 
@@ -138,6 +138,11 @@ fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
     (out, plan.rows().map(|r| r.centre).collect())
 }
 
+fn mean_square(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let n = values.len().max(1);
+    (values.map(|x| x * x).sum::<f64>() / n as f64).sqrt()
+}
+
 /// Derivatives and feeds.
 fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
     let (m, centres) = all_rows(plan);
@@ -178,18 +183,18 @@ fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
                 found.add(row(k), || says("acceleration", 0.5 * (a0 + a1), mean_a));
             }
         }
-        let square = |v: &mut dyn Iterator<Item = f64>| (v.map(|x| x * x).sum::<f64>() / n as f64).sqrt();
-        let is = square(&mut m.jerk.iter().map(|j| j[axis]));
-        let mean = |k: usize| (m.acceleration[k + 1][axis] - m.acceleration[k][axis]) / (m.t_s[k + 1] - m.t_s[k]);
-        let want = square(&mut (0..n - 1).map(mean));
-        if !(is <= ALIKE * want + ROUNDING * limit.jerk && want <= ALIKE * is + ROUNDING * limit.jerk) {
-            found.add(0, || {
-                format!(
-                    "plan.json: the root mean square of axis {name}'s jerk is {}, by its accelerations {}",
-                    is * unit,
-                    want * unit
-                )
-            });
+        for (what, column, from, limit) in [
+            ("acceleration", &m.acceleration, &m.velocity, limit.acceleration),
+            ("jerk", &m.jerk, &m.acceleration, limit.jerk),
+        ] {
+            let mean = |k: usize| (from[k + 1][axis] - from[k][axis]) / (m.t_s[k + 1] - m.t_s[k]);
+            let is = mean_square(column.iter().map(|row| row[axis]));
+            let want = mean_square((0..n - 1).map(mean));
+            let slack = ROUNDING * limit;
+            if !(is <= ALIKE * want + slack && want <= ALIKE * is + slack) {
+                let says = format!("plan.json: the root mean square of axis {name}'s {what} is {}", is * unit);
+                found.add(0, || format!("{says}, by the column before it {}", want * unit));
+            }
         }
         for k in [0, n - 1] {
             found.number(

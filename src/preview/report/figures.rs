@@ -99,7 +99,7 @@ fn plan_cards(input: &ReportInput, cards: &mut String) {
         cards,
         "Narrowest channel",
         &format!("{}°", f("/channel_width_min_deg")),
-        &format!("location {}", f("/channel_narrowest_row")),
+        &format!("location {}; {}° without turning back", f("/channel_narrowest_row"), f("/channel_monotone_min_deg")),
     );
     let note = format!("{} reversals of θ", f("/schedules/0/reversals"));
     card(cards, "Schedule", &text(input, "/schedules/0/kind"), &note);
