@@ -17,7 +17,8 @@
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
 //!
-//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave.
+//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave. To the part belongs what sewing or
+//! healing moved or left out, as the file has it ([`crate::geometry::part::Part::published`]): gouges are judged on both.
 //!
 //! A check whose bound holds between samples reports the bound as its worst value and the measured value in its note.
 //!
