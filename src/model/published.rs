@@ -192,6 +192,9 @@ fn distance_to(b: &Aabb, p: &Point) -> f64 {
 /// Triangles that healing changed, as the file has them: those with a corner that is no corner any more, where it lies more than
 /// [`MOVED_MM`] off the healed mesh. Triangles that lost only their like lie on it.
 pub fn triangles(read: &Mesh, healed: &Mesh) -> Option<Mesh> {
+    if read.points == healed.points {
+        return None;
+    }
     let bits = |p: &Point| [p.x, p.y, p.z].map(|x| (x + 0.0).to_bits());
     let kept: BTreeSet<[u64; 3]> = healed.points.iter().map(bits).collect();
     let gone: Vec<bool> = read.points.iter().map(|p| !kept.contains(&bits(p))).collect();

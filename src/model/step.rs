@@ -6,6 +6,7 @@
 //! drop where faces are missing because of them.
 
 mod edges;
+mod patch;
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,15 +16,18 @@ use nalgebra::{Matrix4, Vector4};
 use step_io::model::EntityKey;
 use step_io::scene::{Bound, Edge as StepEdge, Face as StepFace, MappedInstance, ProductDef, Scene, Shell};
 use step_io::scene::{Solid, SurfaceKind as StepKind, SurfaceModel};
-use step_io::{Orientation, Report};
+use step_io::{Orientation, Report, StepModel};
 
 use super::faces::FaceModel;
 use super::units::Source;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 
+/// Places on each edge that the surface of its face has to cover.
+const EDGE_PLACES: usize = 32;
 /// Assemblies deeper than this are taken for circular.
 const DEEPEST: usize = 64;
 
@@ -49,7 +53,8 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
     check_dropped(path, bytes, &scene, &report, &mut notes)?;
     let told = unit.is_some();
     let (unit, mm, unit_reason) = length_unit(&scene, unit);
-    let mut build = Build { path, mm, brep: Brep::default(), edges: HashMap::new(), placement: 0, bodies: 0 };
+    let mut build =
+        Build { path, model: &model, mm, brep: Brep::default(), edges: HashMap::new(), placement: 0, bodies: 0 };
     let placed = place_all(&scene);
     for body in &placed {
         build.body(body)?;
@@ -221,6 +226,7 @@ fn place_mapped<'m>(item: &MappedInstance<'m>, to: Matrix4<f64>, depth: usize, o
 /// The B-rep as it grows.
 struct Build<'a> {
     path: &'a Path,
+    model: &'a StepModel,
     mm: f64,
     brep: Brep,
     /// Edge of the B-rep by placed body and `EDGE_CURVE`; none for those without length.
@@ -268,19 +274,10 @@ impl Build<'_> {
             given => format!("face {number} \"{given}\""),
         };
         let kind = kind_of(&face.surface().kind());
-        let patch = face.to_nurbs().ok_or_else(|| {
-            Error::io(
-                Stage::Model,
-                format!(
-                    "{}: {name} lies on a surface that cannot be written as NURBS ({:?})",
-                    self.path.display(),
-                    kind
-                ),
-            )
-            .advise("repair the face in CAD, or export it as B-spline")
-        })?;
-        let surface = surface(&patch, self.mm, to);
-        surface.validate().map_err(|e| self.bad(&name, &e))?;
+        let patch = face.to_nurbs().map(|p| surface(&p, self.mm, to));
+        if let Some(patch) = &patch {
+            patch.validate().map_err(|e| self.bad(&name, &e))?;
+        }
         let mut loops = Vec::new();
         for bound in face.bounds() {
             let one = self.bound(&bound, &name, to)?;
@@ -288,6 +285,21 @@ impl Build<'_> {
                 loops.push(one);
             }
         }
+        let on =
+            |c: &Coedge| (0..=EDGE_PLACES).map(|k| self.brep.edges[c.edge].at(k as f64 / EDGE_PLACES as f64)).collect();
+        let points: Vec<Point> = loops.iter().flatten().flat_map::<Vec<Point>, _>(on).collect();
+        let plane = || match face.surface().kind() {
+            StepKind::Plane(p) => patch::of_plane(self.model, p, &points, self.mm, to),
+            _ => None,
+        };
+        let surface = patch.or_else(plane).ok_or_else(|| {
+            Error::io(
+                Stage::Model,
+                format!("{}: {name} lies on a surface that cannot be written as NURBS ({kind:?})", self.path.display()),
+            )
+            .advise("repair the face in CAD, or export it as B-spline")
+        })?;
+        let surface = patch::covering(surface, kind, &points);
         let reversed = (face.orientation() == Orientation::Reversed) != shell_reversed;
         self.brep.faces.push(Face { name, kind, surface, reversed, loops });
         Ok(())

@@ -19,7 +19,8 @@
 //! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
 //! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
-//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave.
+//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave. To the part belongs what sewing or
+//! healing moved or left out, as the file has it ([`crate::geometry::part::Part::published`]): gouges are judged on both.
 //!
 //! A check whose bound holds between samples reports the bound as its worst value and the measured value in its note.
 //!
