@@ -103,7 +103,7 @@ mod tests {
 
     /// An elliptic column along x without a platform, closed at both ends; its foot slants by `slope` along y.
     fn column(slope: f64, capped: bool) -> Blade {
-        let (n, layers) = (160u32, 60u32);
+        let (n, layers) = (96u32, 20u32);
         let mut mesh = Mesh::default();
         for l in 0..=layers {
             let share = f64::from(l) / f64::from(layers);
@@ -151,8 +151,8 @@ mod tests {
             let blade = column(slope, capped);
             for kind in [PathKind::ConstantHeight, PathKind::ConstantScallop] {
                 let what = format!("slope {slope}, capped {capped}, {kind:?}");
-                let start = 15.0 * slope + 5.0;
-                let options = PathOptions { region_x_mm: [Some(start), None], kind, ..PathOptions::new(2.0, 0.05) };
+                let start = 15.0 * slope + 3.0;
+                let options = PathOptions { region_x_mm: [Some(start), None], kind, ..PathOptions::new(2.0, 0.2) };
                 let path = plan(&blade, &options, &Silent).unwrap_or_else(|e| panic!("{what}: {e}"));
                 for l in &path.locations {
                     let contact = l.centre - l.normal * 2.0;

@@ -161,9 +161,11 @@ fn circles(loops: &[Loop], most_mm: f64) -> Vec<(f64, usize)> {
 /// The widest range of radii, of one plane, on which circles pass through so many blades; `None` where it is no deeper than the corners of a
 /// polygon.
 fn band(passages: &[Vec<(f64, usize)>], blades: usize) -> Option<[f64; 2]> {
+    // Without gaps: the corners of a bore and those of the outside are no blades.
     let of = |plane: &Vec<(f64, usize)>| {
-        let hit: Vec<f64> = plane.iter().filter(|(_, n)| *n == blades).map(|(r, _)| *r).collect();
-        Some([*hit.first()?, *hit.last()?])
+        let runs = plane.chunk_by(|a, b| (a.1 == blades) == (b.1 == blades)).filter(|run| run[0].1 == blades);
+        let ends = runs.map(|run| [run[0].0, run[run.len() - 1].0]);
+        ends.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))
     };
     let widest = passages.iter().filter_map(of).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
     let deep = 1.0 - widest[0] / widest[1];
