@@ -1,7 +1,7 @@
 //! Boundary representation: NURBS faces trimmed by loops of shared edges.
 
-use super::{Point, Rigid};
 use super::nurbs::{NurbsCurve, NurbsSurface};
+use super::{Point, Rigid};
 
 /// The kind of surface that a face lay on in the file, before it was written as NURBS (all kinds are exact as NURBS).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
