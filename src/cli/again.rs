@@ -22,6 +22,8 @@ use crate::verify;
 struct Checked {
     setup: Setup,
     verdict: verify::Verdict<Plan>,
+    /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
+    files: Vec<Check>,
     /// The run is to have its programs: it was not stopped before, and it was good or is.
     wrote_programs: bool,
 }
@@ -38,7 +40,7 @@ fn check(run: Finished, observer: &dyn Observer) -> Result<Checked> {
         observer,
     )?;
     let wrote_programs = wrote_programs || (!stopped && matches!(verdict, verify::Verdict::Passed(_)));
-    Ok(Checked { setup, verdict: verdict.and(checks), wrote_programs })
+    Ok(Checked { setup, verdict, files: checks, wrote_programs })
 }
 
 /// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
@@ -46,13 +48,14 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
     terminal.finish();
-    let Checked { setup, verdict, wrote_programs } = checked?;
+    let Checked { setup, verdict, files, wrote_programs } = checked?;
     if let Some((file, tolerance)) = map {
         let path = &verdict.value().toolpath;
         let map = verify::deviation(&setup.blade, path, tolerance)?;
         write_map(file, &map, &setup.blade, path.scallop_mm)?;
     }
     let mut report = verdict.report().clone();
+    report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = pipeline::accept(verdict, true) {
         report.checks.extend(pipeline::programs_again(&setup, &verified, &folder, wrote_programs)?);
@@ -137,9 +140,11 @@ fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Re
         check(run, &terminal)
     });
     terminal.finish();
-    let Checked { setup, verdict, .. } = checked?;
-    let report = verdict.report().clone();
-    let Some(verified) = pipeline::accept(verdict, force) else {
+    let Checked { setup, verdict, files, .. } = checked?;
+    let mut report = verdict.report().clone();
+    report.checks.extend(files);
+    let accepted = pipeline::accept(verdict, force).map(|v| if report.passed() { v } else { v.as_forced() });
+    let Some(verified) = accepted.filter(|_| force || report.passed()) else {
         print_failed(&report);
         return Err(Error::new(
             Stage::Verify,
@@ -158,7 +163,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
         let mut folder = RunFolder::begin(&args.out)?;
         let budget = args.preview_budget.map(|b| b.0);
         let (setup, verdict) = (&run.setup, &run.verdict);
-        pipeline::preview_again(setup, verdict, run.wrote_programs, budget, &mut folder, &terminal)?;
+        pipeline::preview_again(setup, verdict, &run.files, run.wrote_programs, budget, &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();

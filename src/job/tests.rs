@@ -73,8 +73,8 @@ fn set_changes_one_key_and_leaves_the_job_alone_on_errors() {
         assert_eq!(job, before);
     }
     for (bad, hint) in [
-        ("tool.radius_mm=2,5", "as in 2.5"),
-        ("tool.radius_mm=2mm", "as in 2.5"),
+        ("tool.radius_mm=2,5", "write 2.5, with a point"),
+        ("tool.radius_mm=2mm", "write 2, the unit is the key's"),
         ("fixture.file=v.stl", "fixture.0.file"),
     ] {
         let e = job.set(bad).unwrap_err();

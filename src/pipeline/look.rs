@@ -4,6 +4,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use super::{Baseline, Setup, around, compare, leads, programs_again, sketch};
+use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
@@ -170,6 +171,7 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
 pub fn preview_again(
     setup: &Setup,
     verdict: &Verdict<Plan>,
+    files: &[Check],
     wrote_programs: bool,
     budget_bytes: Option<usize>,
     folder: &mut RunFolder,
@@ -180,6 +182,7 @@ pub fn preview_again(
     let plan = verdict.value();
     let baseline = fixed_lead(setup, plan, &recorder)?;
     let mut report = verdict.report().clone();
+    report.checks.extend_from_slice(files);
     if let Verdict::Passed(verified) = verdict {
         report.checks.extend(programs_again(setup, verified, folder, wrote_programs)?);
     }

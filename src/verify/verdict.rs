@@ -1,7 +1,6 @@
 //! Evidence as a type: what passed the checks, and what did not.
 
 use crate::artifact::CheckReport;
-use crate::artifact::report::Check;
 
 /// A value together with the report of the checks that it went through. Only [`super::check`] makes one, or [`super::seal::recall`]
 /// from a report that it sealed (or [`Rejected::write_anyway`], which marks it as forced); writers of programs take nothing else.
@@ -76,16 +75,6 @@ impl<T> Verdict<T> {
         } else {
             Verdict::Failed(Rejected { value, report })
         }
-    }
-    /// The verdict with more checks: what passed stays passed only if all of them did.
-    #[must_use]
-    pub fn and(self, more: Vec<Check>) -> Self {
-        let (value, mut report) = match self {
-            Verdict::Passed(v) => (v.value, v.report),
-            Verdict::Failed(r) => (r.value, r.report),
-        };
-        report.checks.extend(more);
-        Self::of(value, report)
     }
     /// What was checked.
     pub fn value(&self) -> &T {

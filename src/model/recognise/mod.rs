@@ -33,7 +33,7 @@ use crate::geometry::{Point, Rigid, Vector};
 use run::Run;
 
 /// Below this mean likeness the sections are steady but not airfoils …
-const DOUBTFUL: f64 = 0.25;
+const DOUBTFUL: f64 = 0.3;
 /// … and below this one they carry something besides an airfoil.
 const PARTLY: f64 = 0.55;
 

@@ -100,16 +100,17 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
     assert!(e.kind == ErrorKind::Infeasible && e.message.contains("up to F 9999.999"), "{}", e.message);
 }
 
-/// Lines of the leads take 26 ms, F 2292: a control that reads F up to 2000 gets 30 ms, and the path's first line that much less.
+/// Lines of the leads take 26 ms, F 2292: a control that reads F up to 2000 gets 30 ms, and the path's first line that much less. The last lines of
+/// the lead-out have none behind them that could be shorter: reading back finds that, so such a program is not written.
 #[test]
-fn polynomials_too_short_for_inverse_time_take_from_the_next() {
+fn polynomials_too_short_for_inverse_time_take_from_the_next_or_are_found() {
     let own = Control::SiemensPoly.post_file().replace("greatest = 999999.999", "greatest = 2000.0");
     let plan = sample::with_leads(sample::with_curve(sample::plan(12, 60), 0.05, 7.3));
     let slow = PostOptions { approach_feed_mm_min: 2000.0, ..options() };
     let p = written(&Dialect::from_toml(&own, "own").unwrap(), plan.clone(), false, &slow).unwrap();
     let found = failed(&p, &plan);
-    // Times of lines are told apart from a hundredth of a second on; the whole time is the plan's.
-    assert!(found.iter().all(|f| f.starts_with("program-feed")), "{found:?}");
+    assert!(found.iter().any(|f| f.starts_with("program-feed") && f.contains("lead-out")), "{found:?}");
+    assert!(found.iter().all(|f| f.starts_with("program-feed") || f.starts_with("program-time")), "{found:?}");
     let f: Vec<f64> = numbers(&p.text, "F").iter().map(|f| f.parse().unwrap()).collect();
     let most = f.iter().copied().filter(|f| ![2000.0, 300.0].contains(f)).fold(0.0, f64::max);
     assert!(most > 1999.0 && most <= 2000.0, "{most}");
