@@ -16,8 +16,9 @@ const SHARP: f64 = 0.83;
 const FACES_ROOT: f64 = 0.3;
 /// … and a wall leans by less than this (sine of 50°).
 const WALL: f64 = 0.77;
-/// The rim lies within this share of the airfoil's height from its foot.
-const LOWEST: f64 = 0.3;
+/// A level rim lies within this share of the airfoil's height from its foot; one that slants, as far above the whole sections' end as the part goes on
+/// below it, and so much more. Creases farther up are folds of the wall.
+const LOWEST: f64 = 0.02;
 /// A contact at the rim is within this share of the ball radius.
 const NEAR: f64 = 0.01;
 /// Cells along an edge at most: a part of nothing but huge triangles.
@@ -37,7 +38,8 @@ impl Rim {
             return None;
         }
         let [a, b] = blade.regions.airfoil_x_mm;
-        let (mesh, highest) = (&blade.part.mesh, a + LOWEST * (b - a));
+        let slant_mm = (a - blade.regions.part_x_mm[0]).max(0.0).min(0.3 * (b - a));
+        let (mesh, highest) = (&blade.part.mesh, a + slant_mm + LOWEST * (b - a));
         let near_mm = NEAR * radius_mm + 2.0 * blade.part.deflection_mm + stock_mm;
         let mut rim = Rim { near_mm, cells: HashSet::new() };
         for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
@@ -176,6 +178,10 @@ mod tests {
         let mut blade = column(0.0, true);
         assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| r.is_near(&Point::new(0.0, 15.0, 0.0))));
         assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&Point::new(0.5, 15.0, 0.0))));
+        // A crease of the wall above a level foot is no rim.
+        let n = 96;
+        blade.part.mesh.points[3 * n..4 * n].iter_mut().for_each(|p| (p.y, p.z) = (1.4 * p.y, 1.4 * p.z));
+        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&blade.part.mesh.points[3 * n])));
         blade.regions.platform_x_mm = Some(0.0);
         assert!(Rim::of(&blade, 2.0, 0.0).is_none());
     }

@@ -32,8 +32,10 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid, Vector};
 use run::Run;
 
-/// Below this mean likeness the sections are steady but not airfoils …
-const DOUBTFUL: f64 = 0.3;
+/// Below this mean likeness the sections are steady but not airfoils, …
+const DOUBTFUL: f64 = 0.25;
+/// … below this one the part is refused unless the user says where the blade is: a cube cut aslant comes to 0.27, …
+const HARDLY: f64 = 0.35;
 /// … and below this one they carry something besides an airfoil.
 const PARTLY: f64 = 0.55;
 
@@ -91,12 +93,13 @@ pub fn recognise(
             (found.run, found.reason)
         }
     };
-    let mut unlike = None;
-    if run.likeness < DOUBTFUL {
-        unlike = Some(format!(
-            "no blade was recognised: no section looks like an airfoil (likeness {:.2}, from {DOUBTFUL} on it would be one)",
+    let unlike = (run.likeness < HARDLY).then(|| {
+        format!(
+            "no blade was recognised: no section looks like an airfoil (likeness {:.2}, at least {HARDLY} is asked)",
             run.likeness
-        ));
+        )
+    });
+    if run.likeness < DOUBTFUL {
         doubts.push(format!(
             "no section looks like an airfoil (likeness {:.2}): the longest steady run of sections was taken; \
              {}",
