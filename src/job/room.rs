@@ -114,7 +114,7 @@ impl Places {
 /// The lowest 30 % of the airfoil, at least 10 and at most 40 mm where it is as high.
 fn near_platform(blade: &Blade) -> f64 {
     let [a, b] = blade.regions.airfoil_x_mm;
-    a + (0.35 * (b - a)).max(10.0).min(40.0).min(0.9 * (b - a))
+    a + (0.35 * (b - a)).clamp(10.0, 40.0).min(0.9 * (b - a))
 }
 
 /// Lays the ball on every sound place above `lowest`.

@@ -158,7 +158,7 @@ mod tests {
         let one = placed([0.0; 3], 1.0).volume_mm3();
         assert!((found[0].volume_mm3 - one).abs() < 1e-6 * one && found[0].aabb.min.x > 200.0);
         assert!((found[1].volume_mm3 - one * (1.0 - 0.2f64.powi(3))).abs() < 1e-6 * one);
-        assert!(found[1].mesh.face_of.iter().any(|f| *f == 1) && found[1].mesh.face_of.iter().any(|f| *f == 2));
+        assert!(found[1].mesh.face_of.contains(&1) && found[1].mesh.face_of.contains(&2));
         assert_eq!(bodies(&sample::blade()).len(), 1);
     }
 }

@@ -50,13 +50,14 @@ pub fn programs_again(
 fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, verified: &Verified<Plan>) -> Result<Vec<Check>> {
     let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
     let written = post::post(dialect, verified, blade, tool, machine, &setup.post_options())?;
-    let found = text_of(name, content)
-        .map(|text| read_back(setup, Program { file_name: name.to_owned(), text, ..written }, verified.value()));
-    Ok(found.unwrap_or_else(|check| vec![check]))
+    Ok(match text_of(content) {
+        Some(text) => read_back(setup, Program { file_name: name.to_owned(), text, ..written }, verified.value()),
+        None => vec![unreadable(name, "it is not a text in UTF-8".into())],
+    })
 }
 
-fn text_of(name: &str, content: &[u8]) -> std::result::Result<String, Check> {
-    String::from_utf8(content.to_vec()).map_err(|_| unreadable(name, "it is not a text in UTF-8".into()))
+fn text_of(content: &[u8]) -> Option<String> {
+    String::from_utf8(content.to_vec()).ok()
 }
 
 fn read_back(setup: &Setup, program: Program, plan: &Plan) -> Vec<Check> {
@@ -113,7 +114,7 @@ fn other(
     if NO_PROGRAMS.contains(&end.as_str()) {
         return Ok(Vec::new());
     }
-    let text = text_of(name, content).ok();
+    let text = text_of(content);
     Ok(match text.and_then(|text| guess(&text).map(|look| (text, look))) {
         Some((text, look)) => guessed(setup, name, text, look, verified.value()),
         None if PROGRAMS.contains(&end.as_str()) => {
