@@ -150,11 +150,12 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
     // A curve longer than this many steps of least length is not a blade's section.
     for _ in 0..200_000 {
         let here = touches[touches.len() - 1];
-        if here.cos_lean() < how.min_cos_lean {
-            return Err(Broken::Leans(here.contact));
-        }
+        // Round the rim the normal leans too: the rim is the cause.
         if level.rim.is_some_and(|r| r.is_near(&here.contact)) {
             return Err(Broken::Rim(here.contact));
+        }
+        if here.cos_lean() < how.min_cos_lean {
+            return Err(Broken::Leans(here.contact));
         }
         let next = advance(level, &here, &mut step, how).ok_or(Broken::Lost(here.centre))?;
         let moved = (next.centre - here.centre).norm();
