@@ -53,6 +53,9 @@ pub(super) fn write(
     folder: &mut RunFolder,
     observer: &Recorder,
 ) -> Result<()> {
+    // Programs are told of where they can be written anew: in the report.
+    let mut figures = summary.clone();
+    figures.as_object_mut().map(|all| all.remove("programs"));
     let mut options = GltfOptions::default();
     options.budget_bytes = look.budget_bytes.unwrap_or(options.budget_bytes);
     let scene = Scene {
@@ -62,7 +65,7 @@ pub(super) fn write(
         plan: Some(plan),
         sections: look.sections,
         checks: Some(look.report),
-        figures: Some(summary),
+        figures: Some(&figures),
         options: &options,
     };
     folder.add("preview.glb", preview::gltf(&scene)?)?;
@@ -164,7 +167,7 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
 }
 
 /// preview.glb and report.html of a plan taken up again: sections, the fixed-lead baseline and the figures are made anew; paths of
-/// other kinds are taken from the summary that is there.
+/// other kinds and the figures of programs are taken from the summary that is there.
 ///
 /// # Errors
 /// Those of the stages.
@@ -189,8 +192,10 @@ pub fn preview_again(
     let figures = compare(setup, plan, &baseline)?;
     let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;
     let before = folder.existing("summary.json").and_then(|t| serde_json::from_str::<Value>(&t).ok());
-    if let Some(paths) = before.as_ref().and_then(|b| b.get("other_paths")) {
-        summary["other_paths"] = paths.clone();
+    for key in ["other_paths", "programs"] {
+        if let Some(known) = before.as_ref().and_then(|b| b.get(key)) {
+            summary[key] = known.clone();
+        }
     }
     let look = Look {
         sections: &sections,

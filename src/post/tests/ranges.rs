@@ -111,9 +111,8 @@ fn polynomials_too_short_for_inverse_time_take_from_the_next_or_are_found() {
     let found = failed(&p, &plan);
     assert!(found.iter().any(|f| f.starts_with("program-feed") && f.contains("lead-out")), "{found:?}");
     assert!(found.iter().all(|f| f.starts_with("program-feed") || f.starts_with("program-time")), "{found:?}");
-    let f: Vec<f64> = numbers(&p.text, "F").iter().map(|f| f.parse().unwrap()).collect();
-    let most = f.iter().copied().filter(|f| ![2000.0, 300.0].contains(f)).fold(0.0, f64::max);
-    assert!(most > 1999.0 && most <= 2000.0, "{most}");
+    let f: Vec<f64> = p.text.split_whitespace().filter_map(|w| w.strip_prefix('F')?.parse().ok()).collect();
+    assert!(f.len() > 100 && f.iter().all(|f| *f <= 2000.0), "{f:?}");
 }
 
 /// The words of X, Y, Z and A as a control reads them that computes in thousandths.
