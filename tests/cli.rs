@@ -324,7 +324,7 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     write(d, "letter.txt", b"Dear sir,\nplease mill this.\n");
     write(d, "tool.toml", b"radius_mm = 3\n");
     let tool = "1/job.resolved.toml";
-    fails(&["verify", "arc.nc", "--part", model, "--tool", tool], d, 2, &["line 2", "G2 is not known"]);
+    fails(&["verify", "arc.nc", "--part", model, "--tool", tool], d, 2, &["line 2", "G2: arcs are not read"]);
     fails(&["verify", "letter.txt", "--part", model, "--tool", tool], d, 2, &["letter.txt", "does not look like"]);
     fails(&["verify", "none.nc", "--part", model, "--tool", tool], d, 4, &["none.nc"]);
     fails(&["verify", "arc.nc", "--part", model, "--tool", "tool.toml"], d, 2, &["tool.toml", "missing field"]);

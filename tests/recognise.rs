@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use bladewright::artifact::blade::Area;
+use bladewright::artifact::blade::{Area, Unit};
+use bladewright::job;
 use bladewright::model::{self, ModelOptions, Survey};
 use bladewright::observe::Silent;
 use nalgebra::{Point3, UnitQuaternion, Vector3};
@@ -506,4 +507,32 @@ fn a_wide_blade_between_spheres_stands_off_its_shaft() {
     let open: Vec<[usize; 3]> = triangles[..sides].iter().copied().filter(inner).collect();
     let (found, doubts) = axis(&survey(&obj(&(points, open))));
     assert!(found == Vector3::x() && doubts.is_empty(), "{found} {doubts:?}");
+}
+
+/// The ball is smaller than the fillet; one that is too large is told, with what it leaves and what would fit.
+#[test]
+fn the_fillet_has_its_say_in_the_ball() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.obj");
+    let options = ModelOptions { unit: Some(Unit::Mm), ..Default::default() };
+    let blade = model::load(&file, &options, &Silent).expect("a blade");
+    let settle = |text: &str| {
+        let typed = job::parse(&format!("model.file = \"a.stl\"\n{text}"), "t").expect("a job");
+        job::resolve(typed, Path::new("/b")).expect("a job").settle(&blade).expect("a tool")
+    };
+    let (job, chosen) = settle("");
+    assert!(job.tool.radius_mm == 2.5 && chosen.warnings.is_empty(), "{chosen:?}");
+    let (_, chosen) = settle("tool.radius_mm = 20");
+    let told = chosen.warnings.join("\n");
+    for words in [
+        "the ball of 20 mm is too large for this blade",
+        "% of the fillet",
+        "a ball of 2.5 mm would",
+        "second operation",
+    ] {
+        assert!(told.contains(words), "{words} is not in {told}");
+    }
+    // Where the region ends above the fillet, it is no matter.
+    let top = blade.regions.fillet_x_mm.expect("a fillet")[1];
+    let (job, _) = settle(&format!("region.end_mm = {}\nregion.start_mm = {}", top + 0.5, top + 12.0));
+    assert!(job.tool.radius_mm > 2.5, "{:?}", job.tool);
 }

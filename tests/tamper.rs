@@ -338,8 +338,8 @@ fn a_plan_of_another_job_is_found() {
         "asks",
         &[
             ("job", &["path.scallop_mm is 0.3 in plan.json, the job asks for 0.2", "machine.b_deg is 5"]),
-            ("clearance", &["limit 49.5 mm", "asked for 50"]),
-            ("holder-clearance", &["limit 59.4 mm", "asked for 60"]),
+            ("clearance", &["limit 49.5", "asked for 50"]),
+            ("holder-clearance", &["limit 59.4", "asked for 60"]),
             ("lead-clearance", &["asked for 50"]),
             ("files", &["job.resolved.toml has BLAKE3"]),
         ],

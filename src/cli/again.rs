@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::args::{Format, Plot, Post, Preview};
-use super::out::{limit, sayln};
+use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
@@ -62,7 +62,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, limit(c.limit), c.unit);
+        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.name, amount(c.worst), c.unit, limit(c.limit), c.unit);
     }
     print_failed(&report);
     folder.add_json("verify.json", &report)?;
@@ -211,10 +211,10 @@ pub(super) fn finding(c: &Check, place: &str) {
     let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
     let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
     sayln!(
-        "finding: {}: {} is {:.6} {}, limit {}{at}{turn}{place}; {}",
+        "finding: {}: {} is {} {}, limit {}{at}{turn}{place}; {}",
         c.name,
         c.quantity,
-        c.worst,
+        amount(c.worst),
         c.unit,
         limit(c.limit),
         c.note

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::Verify;
-use super::out::{limit, sayln};
+use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
 use super::{again, inspect};
 use crate::artifact::program::Language;
@@ -137,7 +137,7 @@ fn tell(audit: &Audit) {
     );
     for LineCheck { check: c, .. } in &audit.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        sayln!("{verdict} {:<28} {:>12.6} {:<8} limit {} {}", c.name, c.worst, c.unit, limit(c.limit), c.unit);
+        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.name, amount(c.worst), c.unit, limit(c.limit), c.unit);
     }
     audit.checks.iter().filter(|c| !c.check.passed).for_each(finding);
 }

@@ -120,6 +120,11 @@ pub fn limit(x: f64) -> String {
     format!("{x:.8e}").parse::<f64>().map_or_else(|_| x.to_string(), |rounded| rounded.to_string())
 }
 
+/// A measured value; what has no greatest value is told in a word.
+pub fn amount(x: f64) -> String {
+    if x >= f64::MAX { "no end".into() } else { format!("{x:.6}") }
+}
+
 /// As `print!`, without its panic.
 macro_rules! say {
     ($($arg:tt)*) => { $crate::cli::out::write(format_args!($($arg)*)) };

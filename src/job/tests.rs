@@ -278,30 +278,6 @@ mod with_blade {
         assert_eq!(settle("", &damaged).0.tool, settle("", &whole).0.tool);
     }
 
-    /// The ball is smaller than the fillet; one that is too large is told, with what it leaves and what would fit.
-    #[test]
-    fn the_fillet_has_its_say_in_the_ball() {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.obj");
-        let options = crate::model::ModelOptions { unit: Some(Unit::Mm), ..Default::default() };
-        let blade = crate::model::load(&file, &options, &crate::observe::Silent).unwrap();
-        let (job, chosen) = settle("", &blade);
-        assert!(job.tool.radius_mm == 2.5 && chosen.warnings.is_empty(), "{chosen:?}");
-        let (_, chosen) = settle("tool.radius_mm = 20", &blade);
-        let told = chosen.warnings.join("\n");
-        for words in [
-            "the ball of 20 mm is too large for this blade",
-            "% of the fillet",
-            "a ball of 2.5 mm would",
-            "second operation",
-        ] {
-            assert!(told.contains(words), "{words} is not in {told}");
-        }
-        // Where the region ends above the fillet, it is no matter.
-        let top = blade.regions.fillet_x_mm.unwrap()[1];
-        let (job, _) = settle(&format!("region.end_mm = {}\nregion.start_mm = {}", top + 0.5, top + 12.0), &blade);
-        assert!(job.tool.radius_mm > 2.5, "{:?}", job.tool);
-    }
-
     /// Along a wall nothing but the walls of the moves keeps the tool from the part between two locations.
     #[test]
     fn schedules_along_a_wall_have_their_moves_proven() {
