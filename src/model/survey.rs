@@ -285,18 +285,19 @@ fn finish(
     if let Ok(found) = &found {
         diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
         diagnosis.axis_against = found.against.clone();
-        if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
-            let e = Error::infeasible(Stage::Model, message);
-            obstacle.get_or_insert_with(|| {
-                e.advise("if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)")
-            });
-        }
         let [lo, hi] = found.regions.part_x_mm;
         let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
         let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
         if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
             obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
             diagnosis.notes.push(doubt);
+        }
+        // After the unit: a part in the wrong one looks like nothing.
+        if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
+            let e = Error::infeasible(Stage::Model, message);
+            obstacle.get_or_insert_with(|| {
+                e.advise("if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)")
+            });
         }
     }
     Ok(Survey {
