@@ -115,3 +115,11 @@ kubernetes:
 s3:
     cargo build --release --features s3
     bash tests/s3/run.sh target/release/bladewright
+
+# Every command that README and manual print, run as printed
+manual:
+    cargo nextest run --release --run-ignored only --test manual
+
+# Examples and, where BLADEWRIGHT_BLADES names their folder, published blades planned by two builds: the same bytes
+same old new:
+    bash tests/same/run.sh {{old}} {{new}}
