@@ -24,3 +24,8 @@ pub use report::CheckReport;
 pub use schedule::Schedule;
 pub use section::Section;
 pub use toolpath::Toolpath;
+
+/// The word by which files and the command line know a value: that of a variant without fields.
+fn word(value: &impl serde::Serialize) -> String {
+    serde_json::to_value(value).ok().and_then(|v| Some(v.as_str()?.to_owned())).unwrap_or_default()
+}

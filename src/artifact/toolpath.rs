@@ -1,20 +1,8 @@
 //! Cutter locations of one continuous helix.
 use crate::geometry::{Point, Vector};
-use clap::ValueEnum as _;
 
 /// How the turns of the helix lie.
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    serde::Serialize,
-    serde::Deserialize,
-    schemars::JsonSchema,
-    clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PathKind {
     /// Every turn falls by the same height all the way round, as much as the scallop allows at its worst place (planar
@@ -28,26 +16,18 @@ pub enum PathKind {
 }
 
 impl PathKind {
+    /// All of them.
+    pub const ALL: [PathKind; 3] = [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop];
+
     /// Its name on the command line and in files.
     pub fn name(self) -> String {
-        self.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
+        super::word(&self)
     }
 }
 
 /// On which side of the cutter the material is, with a spindle that turns clockwise seen from above (M3). The helix runs
 /// counter-clockwise seen from the tip in either case, so this is also its hand.
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    serde::Serialize,
-    serde::Deserialize,
-    schemars::JsonSchema,
-    clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
     /// Climb milling: from the start of the region down towards the platform; a left-handed helix.
@@ -58,18 +38,7 @@ pub enum Direction {
 }
 
 /// Where turns begin.
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    Default,
-    PartialEq,
-    Eq,
-    serde::Serialize,
-    serde::Deserialize,
-    schemars::JsonSchema,
-    clap::ValueEnum,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Start {
     /// Where the path enters its greatest concave stretch.

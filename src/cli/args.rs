@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::words;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::{Control, Programmed};
 use crate::batch::Shard;
@@ -96,7 +97,7 @@ pub enum Verb {
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Reading {
     /// Length unit of the file, where it states none or the wrong one.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = words::parser::<Unit>())]
     pub unit: Option<Unit>,
     /// Blade axis from root to tip, in the model's frame.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_axis)]
@@ -460,13 +461,13 @@ pub struct Verify {
     #[command(flatten)]
     pub reading: Reading,
     /// The control that the program is for; default: told from its words.
-    #[arg(long, value_enum, requires = "part")]
+    #[arg(long, value_parser = words::parser::<Control>(), requires = "part")]
     pub control: Option<Control>,
     /// A post file (TOML) that says how the program is written.
     #[arg(long, value_name = "FILE", requires = "part", conflicts_with = "control")]
     pub post_file: Option<PathBuf>,
     /// What X Y Z are: the tool tip, the ball centre, or positions of the machine's axes; default: as the control has it.
-    #[arg(long, value_enum, requires = "part")]
+    #[arg(long, value_parser = words::parser::<Programmed>(), requires = "part")]
     pub programmed: Option<Programmed>,
     /// Zero of the program, mm: in the blade frame under tool-centre-point control, else what is added to X Y Z of the axes.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_point, requires = "part")]
@@ -517,7 +518,7 @@ pub struct Post {
     #[arg(long, short, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// The control to write for.
-    #[arg(long, value_enum, required_unless_present = "post_file")]
+    #[arg(long, value_parser = words::parser::<Control>(), required_unless_present = "post_file")]
     pub control: Option<Control>,
     /// An own post file (TOML) to write with; models/posts has the built-in ones to begin with.
     #[arg(long, value_name = "FILE", conflicts_with = "control")]

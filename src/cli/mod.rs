@@ -14,6 +14,7 @@ mod out;
 mod plan;
 mod progress;
 mod signals;
+mod words;
 
 use std::process::ExitCode;
 

@@ -1,7 +1,5 @@
 //! What the pipeline does about kinds of path: where turns are to begin, and other kinds for comparison.
 
-use clap::ValueEnum;
-
 use super::Setup;
 use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, CheckReport, Toolpath};
@@ -34,7 +32,7 @@ pub(super) fn others(
     report: &CheckReport,
     observer: &dyn Observer,
 ) -> Result<Vec<PathFigures>> {
-    let kinds = PathKind::value_variants().iter().filter(|k| **k != path.kind);
+    let kinds = PathKind::ALL.into_iter().filter(|k| *k != path.kind);
     let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
     // A ball that comes to an edge at the part's end has its centre beyond it.
     let [a, b] = path.region_x_mm;
@@ -46,7 +44,7 @@ pub(super) fn others(
         // Turns of other kinds cannot go down to a platform: the height of the region ends them.
         let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
         let (scallop_mm, end_faces) = (worst_mm, Vec::new());
-        let options = PathOptions { kind: *kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
+        let options = PathOptions { kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
                 let message = format!("no {} path over the same region to compare with: {}", kind.name(), e.message);
