@@ -202,8 +202,10 @@ impl Part {
             .collect()
     }
 
-    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
-    /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise; on what was published otherwise where that is nearer.
+    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm`
+    /// (which may be infinite). It lies on the exact faces where the part has them
+    /// ([`super::exact`]), and on the mesh otherwise. Where the faces or triangles as published are
+    /// nearer, it lies on those.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
         let own = self.own_closest(q, cap_mm);
         let Some(published) = &self.published else { return own };
