@@ -54,9 +54,9 @@ pub fn stays_below(name: &Path) -> bool {
     name.components().all(|c| matches!(c, Normal(_) | CurDir))
 }
 
-/// A regular file up to one byte more than the limit, which tells that it is too long.
+/// A regular file up to one byte more than the limit: that byte shows that it is too long.
 fn open(path: &Path, limit: u64) -> Result<Take<File>> {
-    // Asked before it is opened: opening a pipe waits for who writes into it.
+    // Asked before it is opened: opening a pipe waits for a writer.
     regular(&std::fs::metadata(path)?)?;
     let file = File::open(path)?;
     let meta = file.metadata()?;

@@ -11,7 +11,8 @@ pub struct Warning {
     pub message: String,
 }
 
-/// What a stage tells while it works. All methods may be called from any thread.
+/// Receives a stage's progress and warnings while it works. All methods may be called from any
+/// thread.
 pub trait Observer: Sync {
     /// `done` of `total` units of the stage's work are done (a unit is whatever the stage counts).
     fn progress(&self, _stage: Stage, _done: usize, _total: usize) {}

@@ -78,7 +78,8 @@ impl State {
     }
 }
 
-/// Works on all tasks. `work` is called in a pool of as many threads as it is told; its first error stops the rest, as does `stop`.
+/// Works on all tasks. `work` is called in a pool of as many threads as its argument says; its
+/// first error stops the rest, as does `stop`.
 ///
 /// # Errors
 /// The first of `work`.

@@ -80,7 +80,7 @@ impl Default for Options {
     }
 }
 
-/// What a family tells while it is worked on. All methods may be called from any thread.
+/// Receives a family's progress while it is worked on. All methods may be called from any thread.
 pub trait Watch: Sync {
     /// Work begins: so many members are to be computed, so many are kept.
     fn begins(&self, _to_do: usize, _kept: usize) {}
@@ -199,7 +199,7 @@ pub fn list(family: &Family, shard: Shard) -> Result<Vec<Listed>> {
     Ok(plan.mine.iter().map(row).collect())
 }
 
-/// Who is to do what. Members are known by their number in the family.
+/// Which members are to be planned. Members are known by their number in the family.
 struct Plan<'a> {
     family: &'a Family,
     /// Members of this part.

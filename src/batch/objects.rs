@@ -1,8 +1,9 @@
 //! Results in an object store that speaks S3.
 //!
-//! An object appears whole or not at all, a folder does not; so `member.json` is taken away before a member is written anew and put there last: what it
-//! tells of is there. A member is made in a temporary folder of this machine. Two processes must not work on the same shard, which
-//! nothing here prevents.
+//! An object appears whole or not at all; a folder does not. So `member.json` is taken away before
+//! a member is written anew, and put there last: the files that it names are then there. A member
+//! is made in a temporary folder of this machine. Two processes must not work on the same shard,
+//! which nothing here prevents.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -6,8 +6,9 @@
 //! OUT/log/…                 times, memory, locks: the only place where clocks and machines leave traces
 //! OUT/family.{csv,parquet,html}
 //! ```
-//! A member comes into being in one step: its folder is filled under `work`, synced to the disk and renamed. Whoever is killed between
-//! leaves a folder under `work` that the next run takes away, or takes in where it is whole.
+//! A member appears in one step: its folder is filled under `work`, synced to the disk and renamed.
+//! A process killed in between leaves a folder under `work`. The next run takes it away, or takes
+//! it in where it is whole.
 
 use std::fs::{File, TryLockError};
 use std::io::Write;
@@ -38,7 +39,8 @@ pub(super) trait Store: Sync {
     fn left_over(&self, _name: &str) -> Option<Record> {
         None
     }
-    /// The files that a record tells of are there as they were written, as far as that can be seen without loading them from afar.
+    /// The files that a record names are there as they were written, as far as that can be seen
+    /// without loading them from afar.
     fn whole(&self, _record: &Record) -> bool {
         true
     }
@@ -126,7 +128,7 @@ impl Store for Folder {
         if let Some(parent) = path.parent() {
             std::fs::create_dir_all(parent).map_err(|e| trouble("cannot make the folder", parent, e))?;
         }
-        // Whoever is killed in between leaves traces in the log alone.
+        // A kill in between leaves traces in the log alone.
         let aside =
             self.root.join("log").join(format!("{}.part", path.file_name().unwrap_or_default().to_string_lossy()));
         let write = || -> std::io::Result<()> {

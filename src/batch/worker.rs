@@ -1,4 +1,4 @@
-//! One member: made, planned, checked, written into its workshop, told in a record.
+//! One member: made, planned, checked, written into its folder under `work`, entered in a record.
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -169,7 +169,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
     pipeline::run_on(&draft, folder, course, &earlier, observer)
 }
 
-/// A finished member whose stages may be taken over. A file that is not as it was written is as good as gone.
+/// A finished member whose stages may be taken over. A file that changed since counts as missing.
 fn earlier<'a>(store: &'a dyn Store, name: &'a str) -> Option<Earlier<'a>> {
     let read = move |file: &str| store.read(&format!("members/{name}/{file}")).ok().flatten();
     let record: Record = serde_json::from_slice(&read(RECORD)?).ok()?;

@@ -20,7 +20,7 @@ use crate::verify::program::{self, Bench, Zero};
 
 /// Largest program, bytes: what is larger is none.
 const MAX_BYTES: u64 = 1 << 30;
-/// Spans of lines that are told for one check; all are in the report.
+/// Spans of lines that are printed for one check; all are in the report.
 const TOLD_SPANS: usize = 5;
 
 /// Runs the verb; the exit code.

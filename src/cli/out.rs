@@ -38,7 +38,7 @@ pub fn line(text: Arguments<'_>) {
 
 /// Writes one line to standard error.
 pub fn told(text: &str) {
-    // Where not even this can be told, the exit code still tells.
+    // Where not even this can be written, the exit code still tells.
     let _ = writeln!(std::io::stderr(), "{}", visible(text));
 }
 
@@ -120,7 +120,7 @@ pub fn limit(x: f64) -> String {
     format!("{x:.8e}").parse::<f64>().map_or_else(|_| x.to_string(), |rounded| rounded.to_string())
 }
 
-/// A measured value; what has no greatest value is told in a word.
+/// A measured value; "no end" where it has no greatest value.
 pub fn amount(x: f64) -> String {
     if x >= f64::MAX { "no end".into() } else { format!("{x:.6}") }
 }

@@ -15,7 +15,8 @@ pub(super) const ONE_RUN: Duration = Duration::from_secs(2);
 /// How long a family has: its members stop, then its tables are written. A cluster kills after 30 s.
 pub(super) const FAMILY: Duration = Duration::from_secs(20);
 
-/// A flag that the signals set, one for the whole process. A hang-up is not among them: who starts a long run with `nohup` means it to go on.
+/// A flag that the signals set, one for the whole process. A hang-up is not among them: a user who
+/// starts a long run with `nohup` means it to go on.
 pub(super) fn stop_flag(patience: Duration) -> Arc<AtomicBool> {
     static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
     Arc::clone(STOP.get_or_init(|| {

@@ -202,8 +202,10 @@ impl Part {
             .collect()
     }
 
-    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm` (which may be infinite): on the
-    /// exact faces where the part has them ([`super::exact`]), on the mesh otherwise; on what was published otherwise where that is nearer.
+    /// The closest point of the part to `q`, or `None` where the part is farther than `cap_mm`
+    /// (which may be infinite). It lies on the exact faces where the part has them
+    /// ([`super::exact`]), and on the mesh otherwise. Where the faces or triangles as published are
+    /// nearer, it lies on those.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
         let own = self.own_closest(q, cap_mm);
         let Some(published) = &self.published else { return own };
@@ -253,8 +255,9 @@ impl Part {
         Some(fine)
     }
 
-    /// The part by triangles that are nearer to its exact faces than its own mesh is, for distances that the mesh is too coarse to tell; they do
-    /// not fit together. Made when it is first asked for; `None` where the part has no exact faces, or its mesh is as near.
+    /// The part by triangles that are nearer to its exact faces than its own mesh is, for distances
+    /// that the mesh is too coarse to resolve. They do not fit together. Made when it is first
+    /// asked for; `None` where the part has no exact faces, or its mesh is as near.
     pub fn sharper(&self) -> Option<&Part> {
         let make = || {
             let fine = self.fine(SHARP_MM, SHARP_MOST).filter(|f| f.deflection_mm < 0.5 * self.deflection_mm)?;
@@ -342,10 +345,11 @@ impl Part {
         })
     }
 
-    /// Whether `q` lies inside the part; meaningful for a closed part with outward normals. Where the part has exact faces their
-    /// normals decide near them, up to the part itself ([`Exact::inside`]); farther from them than the mesh is, how often the
-    /// mesh goes round the point ([`MeshBvh::winding`]): that stays right where faces fold over themselves, and beside cusps, where
-    /// faces have no normal. On a mesh its triangles decide:
+    /// Whether `q` lies inside the part; meaningful for a closed part with outward normals. Where
+    /// the part has exact faces their normals decide near them, up to the part itself
+    /// ([`Exact::inside`]). Farther from them than the mesh is, the winding of the mesh round the
+    /// point decides ([`MeshBvh::winding`]). That stays right where faces fold over themselves, and
+    /// beside cusps, where faces have no normal. On a mesh its triangles decide:
     ///
     /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and Aanæs, *Signed distance
     /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.

@@ -264,8 +264,10 @@ fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
     if free { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
 }
 
-/// A chord lets the ridge beside it sink by up to half its own height over the curve (on a round wall), and the next turn's chord does so too: with turns of
-/// constant scallop this is kept within 4 % of the scallop. On a hollow wall it would rise, and chords have a quarter of the tolerance.
+/// A chord lets the ridge beside it sink by up to half its own height over the curve (on a round
+/// wall), and so does the next turn's chord. With turns of constant scallop both together are kept
+/// within 4 % of the scallop. On a hollow wall the ridge would rise, and chords have a quarter of the
+/// tolerance.
 fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
     match kind {
         PathKind::ConstantScallop => (0.04 * scallop_mm).min(0.001),

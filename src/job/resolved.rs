@@ -127,9 +127,11 @@ pub struct PathJob {
     pub kind: PathKind,
     /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
     pub scallop_mm: f64,
-    /// Chord tolerance, mm; in smooth hollows of exact faces, where chords raise ridges, a quarter of it. Default for turns of constant
-    /// scallop 0.04 times the scallop, at most 0.001: round the part chords sink ridges by up to 4 %, in such hollows they raise them by up
-    /// to 1 %; for the other kinds 0.001: a tenth of the usual scallop, so that straight moves do not show.
+    /// Chord tolerance, mm; in smooth hollows of exact faces, where chords raise ridges, a quarter
+    /// of it. Default for turns of constant scallop: 0.04 times the scallop, at most 0.001. Round
+    /// the part chords then sink ridges by up to 4 %, and in such hollows they raise them by up to
+    /// 1 %. Default for the other kinds: 0.001, a tenth of the usual scallop, so that straight
+    /// moves do not show.
     pub chord_mm: f64,
     /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel is sampled densely.
     pub max_step_mm: f64,

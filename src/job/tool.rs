@@ -1,9 +1,11 @@
 //! The tool that a job leaves open, from what can be bought and from what the part's shape asks.
 //!
-//! * Ball: places spread evenly over the surface of the airfoil's wall near the platform, and of the fillet, say which balls have room on them.
-//!   The largest ball of the catalogue is taken that is at most [`SHARE_OF_CHORD`] of the chord near the platform (about half the thickness
-//!   of usual profiles: larger ones do not follow the neighbourhood of the edges), goes to nearly all of these places, with room to spare, and is
-//!   sold long enough to reach. Places where not even the smallest ball has room are slits and damage, and have no say.
+//! * Ball: places are spread evenly over the airfoil's wall near the platform, and over the fillet.
+//!   They vote on which balls have room. The largest ball of the catalogue is taken that goes to
+//!   nearly all of these places, with room to spare, and is sold long enough to reach. It is at
+//!   most [`SHARE_OF_CHORD`] of the chord near the platform: about half the thickness of usual
+//!   profiles, since larger balls do not follow the neighbourhood of the edges. Places where not
+//!   even the smallest ball has room are slits and damage, and do not vote.
 //! * Stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform.
 //! * Shank: the thinnest that the cutter is sold on and that is stiff enough for the stick-out. Chuck: the one for the shank.
 
@@ -19,12 +21,13 @@ use crate::tool::{HolderStage, Tool};
 const SHARE_OF_CHORD: f64 = 0.07;
 /// Shares of the wall and of the fillet that a ball is to go to.
 const MOST_OF: [f64; 2] = [0.97, 0.9];
-/// A ball has room to spare where one so much larger fits too: on the wall, where a tenth more leaves the tool room to turn, and in the fillet, where a ball as large as
-/// the fillet itself could go nowhere but along one line.
+/// A ball has room to spare where one so much larger fits too. On the wall a tenth more leaves the
+/// tool room to turn. In the fillet a ball as large as the fillet itself could go only along one
+/// line.
 const TO_SPARE: [f64; 2] = [0.9, 0.85];
 /// Below this share of all places that any ball goes to, the surface is folded over itself, or is none.
 const LEAST_SOUND: f64 = 0.5;
-/// Slits and damage over more than this share are told.
+/// Slits and damage over more than this share are reported.
 const TOLD: f64 = 0.01;
 
 /// A tool and what is to be said of it.
@@ -132,7 +135,7 @@ fn default_cutter(
         ));
     }
     let long_enough = catalogue.cutter.iter().any(&reaches);
-    // Where none is long enough the longest are, and that is told where the stick-out is settled.
+    // Where none is long enough the longest are; the stick-out's message says so.
     let able = |c: &&Cutter| !long_enough || reaches(c);
     let goes = |c: &Cutter| {
         let on = places.shares(blade, c.radius_mm, TO_SPARE, &sound.places);
@@ -176,7 +179,7 @@ fn default_cutter(
     Ok((c.clone(), "the smallest that is sold long enough for the part".into()))
 }
 
-/// What is said of a ball that was given and does not go to all of wall and fillet.
+/// The message on a given ball that does not go to all of wall and fillet.
 fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<String> {
     let smallest = catalogue.cutter.first()?.radius_mm.min(radius_mm);
     let sound = places.sound(blade, smallest);

@@ -19,12 +19,15 @@
 //! q₂ = φ ± arccos((u·a − k₀)/ρ),   q₁: the angle about u from Rᵥ(q₂) a₀ to a
 //! ```
 //!
-//! The sign is one of two branches. A branch is taken for a whole plan: the tool axis runs round a cone about the blade axis, along which `u·a` has a
-//! least and a greatest value, so `q₂` has; the branch whose `q₂` keeps within travel is taken, of two the one that turns less far from 0.
+//! The sign is one of two branches. A plan keeps one branch. The tool axis runs round a cone about
+//! the blade axis, so `u·a` has a least and a greatest value, and so has `q₂`. The branch whose
+//! `q₂` keeps within travel is taken; of two, the one that turns less far from 0.
 //!
-//! Where the first rotary axis is along the blade axis, `q₂` stands still and `q₁` turns as `θ` does: four axes move. Otherwise five move at once.
-//! `q₁` then follows `θ` over many turns where the cone goes round `u`, and swings to and fro where it does not; in both cases it is within half a
-//! turn of a line through the place where the cone is symmetric to the plane of `u` and the blade axis, so that it is a function of `θ` alone.
+//! Where the first rotary axis is along the blade axis, `q₂` stands still and `q₁` turns as `θ`
+//! does: four axes move. Otherwise five move at once. `q₁` then follows `θ` over many turns where
+//! the cone goes round `u`, and swings to and fro where it does not. In both cases `q₁` is within
+//! half a turn of a line. The line goes through the place where the cone is symmetric to the plane
+//! of `u` and the blade axis. So `q₁` is a function of `θ` alone.
 //!
 //! ## Linear axes
 //! What they shift adds up: with the rotary axes known, their positions solve three linear equations, wherever in the chain they are.

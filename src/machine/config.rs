@@ -61,11 +61,11 @@ pub enum AxisName {
     Y,
     /// Linear.
     Z,
-    /// Rotary, about X where its direction is not told.
+    /// Rotary, about X where the file gives no direction.
     A,
-    /// Rotary, about Y where its direction is not told.
+    /// Rotary, about Y where the file gives no direction.
     B,
-    /// Rotary, about Z where its direction is not told.
+    /// Rotary, about Z where the file gives no direction.
     C,
 }
 

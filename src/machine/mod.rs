@@ -41,13 +41,21 @@
 //! the tool tip in the blade frame instead.
 //!
 //! ## Chains
-//! A machine file may have a `chain` instead of table and head: all axes from the workpiece to the tool, each with direction, point and travel, one or two of them
-//! rotary, in any order: two tables, table and head, two heads, four axes. Directions need not be square to one another (nutating heads). Positive is always the tool
-//! against the workpiece (ISO 841). Equations are on the page of `chain.rs`; the table-head form above is a chain too (a test holds both against each other) and
-//! keeps its own closed form. `mount.along` says where the blade axis points. Along the first rotary axis, as a process engineer would clamp a blade,
-//! that axis turns the blade and the second stands still at what the lean of the job asks for; otherwise both rotary axes move, all five axes at once, and
-//! programs say so. What a chain cannot do at a lean (out of reach, beyond travel on either branch, the tool axis within 0.06 degrees of the first rotary axis) is
-//! said before anything is planned ([`Machine::check_lean`]).
+//! A machine file may have a `chain` instead of table and head: all axes from the workpiece to the
+//! tool, each with direction, point and travel. One or two of them are rotary, in any order: two
+//! tables, table and head, two heads, four axes. Directions need not be square to one another
+//! (nutating heads). Positive is always the tool against the workpiece (ISO 841). Equations are on
+//! the page of `chain.rs`. The table-head form above is a chain too and keeps its own closed form;
+//! a test holds both against each other.
+//!
+//! `mount.along` says where the blade axis points. A process engineer would clamp a blade along the
+//! first rotary axis. That axis then turns the blade, and the second stands still at what the lean
+//! of the job asks for. Otherwise both rotary axes move, all five axes at once, and programs say
+//! so.
+//!
+//! [`Machine::check_lean`] refuses before anything is planned what a chain cannot do at a lean: out
+//! of reach, beyond travel on either branch, or the tool axis within 0.06 degrees of the first
+//! rotary axis.
 //!
 //! ## Limits
 //! `|B| < 90°`: at 90° the tool axis is along X and `A` places nothing; machine files must keep within ±89.9°.

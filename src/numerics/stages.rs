@@ -78,8 +78,8 @@ pub struct Options {
     pub slack: f64,
     /// Slack × multiplier at the start.
     pub barrier: f64,
-    /// The start keeps all rows, and rows that change open up for whoever keeps them: all iterates then keep all rows, and every one of
-    /// them is an answer.
+    /// The start keeps all rows, and rows that change only widen for an iterate that keeps them.
+    /// All iterates then keep all rows, and each of them is an answer.
     pub interior: bool,
 }
 
@@ -196,7 +196,7 @@ pub fn solve<const X: usize, const V: usize>(
         let mu = w.products / rows.max(1) as f64;
         (out.iterations, out.complementarity, out.excess) = (iteration, mu, w.excess);
         let enough = mu < options.tolerance && w.excess <= options.excess && stationarity < 1e-6;
-        // Whoever is within the limits already goes on while every step gains much.
+        // An iterate within the limits goes on while each step gains much.
         let gains = options.interior && mu < FAST * before && mu > LEAST * options.tolerance;
         if rows > 0 && enough && !gains || rows == 0 && iteration > 1 {
             out.converged = true;

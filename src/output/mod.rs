@@ -39,7 +39,7 @@ pub fn settle(folder: &Path) -> Result<()> {
 pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
     use std::io::Write;
     let write = || -> std::io::Result<()> {
-        // Whoever names a device means it, not a file in its place.
+        // A user who names a device means it, not a file in its place.
         if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
             return std::fs::File::options().write(true).open(path)?.write_all(content);
         }

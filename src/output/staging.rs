@@ -6,9 +6,10 @@
 //!                            old/      files that they take the place of, from the journal's beginning to its end
 //!                            journal   names of the new files; there only while files are moved
 //! ```
-//! The old files are moved out first, then the new ones in, and taking away the journal is the step that makes it last. So a folder never holds
-//! files of two runs side by side. Whatever goes wrong on the way is undone; who is killed leaves the journal, and whoever looks at the
-//! folder next undoes it ([`settle`]).
+//! The old files are moved out first, then the new ones in. Taking away the journal is the step
+//! that makes the change last. So a folder never holds files of two runs side by side. Whatever
+//! goes wrong on the way is undone. A killed process leaves the journal, and the next process that
+//! looks at the folder undoes the change ([`settle`]).
 
 use std::collections::BTreeSet;
 use std::fs::{File, TryLockError};

@@ -6,7 +6,8 @@
 //! | `inputs` | files that the run was made from (model, machine, post files, fixtures) that are not as they were |
 //! | `table-cutter-locations`, `table-axes` | cells of the tables that are not what the plan gives |
 //!
-//! Hashes tell of a change, not of a forger, who can change them as well: the plan is judged by itself ([`crate::verify`]), tables and programs against it.
+//! Hashes reveal a change but not a forger, who can change them as well. So the plan is judged by
+//! itself ([`crate::verify`]), and tables and programs are judged against it.
 
 use std::path::Path;
 
@@ -90,7 +91,7 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
     let texts = names.map(|(_, file)| text_of(out, file));
     let mut read = plan.clone();
     let locations = texts[0].as_deref().map(|t| tables::read_cutter_locations(t, &setup.blade, &mut read));
-    // A table that cannot be read is told of below.
+    // A table that cannot be read is reported below.
     let plan = if locations.is_some_and(|l| l.is_ok()) { read } else { plan };
     let mut k = 0;
     let checks = names.map(|(name, file)| {

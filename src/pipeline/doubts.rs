@@ -1,4 +1,5 @@
-//! What a job and its blade make doubtful before anything is planned, and causes that later errors are put down to.
+//! Doubts about a job and its blade before anything is planned, and causes to which later errors
+//! are attributed.
 
 use super::Setup;
 use crate::artifact::{Blade, Toolpath};
@@ -11,13 +12,14 @@ impl Setup {
     /// The path of the job.
     ///
     /// # Errors
-    /// Those of [`path::plan`]; where the blade axis that was given is likely to be the cause, that is said.
+    /// Those of [`path::plan`]; the message says so where the given blade axis is likely to be the
+    /// cause.
     pub fn path(&self, observer: &dyn Observer) -> Result<Toolpath> {
         path::plan(&self.blade, &self.path_options(), observer).map_err(|e| blamed_on_axis(e, &self.blade))
     }
 }
 
-/// What is said of a feed that the linear axes do not reach even together.
+/// A warning for a feed that the linear axes do not reach even together.
 pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<String> {
     let linear = [0, 1, 2].map(|k| 60.0 * machine.limits()[k].velocity);
     let together = linear.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -30,7 +32,7 @@ pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<String
     })
 }
 
-/// The error with what speaks against the blade axis that was given, where that may be its cause.
+/// Adds to the error what speaks against the given blade axis, where that may be the cause.
 pub(super) fn blamed_on_axis(mut e: Error, blade: &Blade) -> Error {
     if let (ErrorKind::Infeasible, Some(against)) = (e.kind, &blade.diagnosis.axis_against) {
         e.message = format!("{against}; and {}", e.message);

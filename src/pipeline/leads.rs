@@ -10,7 +10,8 @@ use crate::post::{self, PostOptions};
 use crate::verify::lead::{Foot, Room, obstructed};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 
-/// The first arc with room for it at each end; where there is none, straight, with the reason, which is told where it was not asked for.
+/// The first arc with room for it at each end. Where there is none: a straight lead with the
+/// reason, which is reported unless the job asked for it.
 pub(super) fn choose(
     setup: &Setup,
     path: &Toolpath,

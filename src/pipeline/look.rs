@@ -53,7 +53,7 @@ pub(super) fn write(
     folder: &mut RunFolder,
     observer: &Recorder,
 ) -> Result<()> {
-    // Programs are told of where they can be written anew: in the report.
+    // Figures of programs stand in the report only, where they can be written anew.
     let mut figures = summary.clone();
     figures.as_object_mut().map(|all| all.remove("programs"));
     let mut options = GltfOptions::default();

@@ -98,8 +98,10 @@ fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn O
     }
 }
 
-/// The channel's walls hold at the locations; between two of them the tool may come nearer for a moment. Where it does by the schedule, the walls of these moves are
-/// proven and moved in, and the schedule is made anew. Where there is no channel or no schedule then, all stays as it was: the checks tell.
+/// The channel's walls hold at the locations; between two of them the tool may come nearer for a
+/// moment. Where it does by the schedule, the walls of these moves are proven and moved in, and the
+/// schedule is made anew. If there is no channel or no schedule then, all stays as it was, and the
+/// checks report it.
 fn keep_clear(
     setup: &Setup,
     path: &Toolpath,
@@ -157,8 +159,9 @@ pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<To
     Ok(path)
 }
 
-/// The channel. Where the job leaves the end of the region open and the channel closes on the way down, the helix is laid anew
-/// to end above that place, which is said; a region end that was asked for is never given up.
+/// The channel. Where the job leaves the end of the region open and the channel closes on the way
+/// down, the helix is laid anew to end above that place, with a warning. A region end that the job
+/// asks for is never given up.
 pub(super) fn channel_as_far_as_it_goes(
     setup: &Setup,
     toolpath: &mut Toolpath,

@@ -46,7 +46,8 @@ pub fn programs_again(
     Ok(found)
 }
 
-/// A program that a dialect wrote of a plan: what it was written with is told by the one that the dialect writes now.
+/// Checks a program that a dialect wrote of a plan. What the dialect writes now tells with which
+/// values the program was written.
 fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, verified: &Verified<Plan>) -> Result<Vec<Check>> {
     let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
     let written = post::post(dialect, verified, blade, tool, machine, &setup.post_options())?;

@@ -13,9 +13,11 @@
 //! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
 //!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
 //!   With `scope = "turns"` it is planned turn by turn, each with the next in view (`by_turn` module).
-//! * `time`: a candidate for the least machining time: the least mean over short blocks of the factor by which the rotary axis
-//!   would have to run slower than at full feed ([`Pace`]); where [`Pace::standing_mm`] asks for it, the axis stands as good as
-//!   still while the ball gains and loses its feed. Whoever knows the machine compares candidates with each other and with the rest.
+//! * `time`: a candidate for the least machining time. It makes a mean over short blocks least:
+//!   that of the factor by which the rotary axis would have to run slower than at full feed
+//!   ([`Pace`]). Where [`Pace::standing_mm`] asks for it, the axis nearly stands still while the
+//!   ball gains and loses its feed. The pipeline, which knows the machine, compares the candidates
+//!   with the other kinds.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
 //!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
@@ -29,9 +31,10 @@
 //!      by the distance of the two half segments from the wall on the curve's side and by half the length of either
 //!      segment (the whole length next to a base point, where no other corner needs it). S is divided by the length
 //!      of the turn and θ by 100 full turns, since angles depend on the scales: the bisector is then the mean slope.
-//!   6. *Choice*: the share and the insets of 3 and 4 and the length of the level stretch are taken from a short fixed list so that
-//!      the weakest rotary axis can follow at the programmed feed: the greater of the peaks of velocity and acceleration,
-//!      each in units of its limit, is least (without a machine: the peak of |d²θ/ds²|).
+//!   6. *Choice*: the share and the insets of 3 and 4 and the length of the level stretch come from
+//!      a short fixed list. The choice is the one that the weakest rotary axis can follow best at
+//!      the programmed feed. Its cost is the greater of the peaks of velocity and acceleration,
+//!      each in units of its limit (without a machine: the peak of |d²θ/ds²|).
 //!
 //! ## The curve
 //! Every schedule is a curve of cubic pieces ([`Schedule::pieces`]). Turning points, peaks and the greatest distance outside the

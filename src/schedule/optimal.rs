@@ -5,9 +5,10 @@
 //! numbers are of size 1. Rows at every interval: the four Bézier ordinates of θ between the straight walls, the three of
 //! θ' not negative (so that the cubic itself, not samples of it, satisfies both), and `|θ''| ≤ γ` or `|θ'''| ≤ γ`.
 //!
-//! *Peaks* take two rounds. The first finds the least γ of the whole path. Most of the path can do with less, and what it
-//! does is left open; the second round has a γ for each turn, none above the first round's by more than [`SPARE`], and makes their mean
-//! least, with a small share of `∫ θ''²` that makes the answer unique: it then follows the walls continuously.
+//! *Peaks* take two rounds. The first finds the least γ of the whole path. Most of the path can do
+//! with less, and the first round leaves open what it does. The second round has a γ for each turn,
+//! none above the first round's by more than [`SPARE`], and makes their mean least. A small share
+//! of `∫ θ''²` makes the answer unique: it then follows the walls continuously.
 //! *Squares* take one round.
 
 use super::bound;

@@ -41,8 +41,9 @@ pub struct Pace {
     pub rate: f64,
     /// Greatest acceleration over the square of the feed, rad/mm².
     pub second: f64,
-    /// Length at both ends of the path over which the ball gains or loses its feed, mm, if the axis is to stand still there as
-    /// nearly as it can: what it turns there it has to begin and end at the ball's own acceleration. 0: it need not.
+    /// Length at both ends of the path over which the ball gains or loses its feed, mm, if the axis
+    /// is to stand still there as nearly as it can. What it turns there it has to begin and end at
+    /// the ball's own acceleration. 0: it need not stand still.
     pub standing_mm: f64,
 }
 

@@ -4,10 +4,12 @@
 //! Mach. Tools Manuf. 43): orientations are chosen at a few key places and unit quaternions are interpolated between
 //! them. With B fixed all orientations differ by rotations about the blade axis only. Spherical interpolation (slerp) of two such
 //! rotations turns evenly from one angle to the other, and the spherical cubic through many
-//! (squad) is a cubic in the angle. The published cubic takes keys to be evenly spaced; here they are not, and its tangents
-//! overshoot on narrow channels, so they are replaced by harmonic means: between two keys θ stays between their angles, its slope is
-//! continuous over arc length, its second derivative jumps. On wide channels tangents weighted by length have lower peaks than
-//! these (measured: 0.160 against 0.423 deg/mm² on `steam_root`), so the comparison is with this form and not with the best of the kind.
+//! (squad) is a cubic in the angle. The published cubic takes keys to be evenly spaced. Here they
+//! are not, and its tangents overshoot on narrow channels, so harmonic means replace them. Between
+//! two keys θ then stays between their angles. Its slope is continuous over arc length, and its
+//! second derivative jumps. On wide channels tangents weighted by length have lower peaks
+//! (measured: 0.160 against 0.423 deg/mm² on `steam_root`). The comparison is with this form and
+//! not with the best of the kind.
 //!
 //! *Key places*: the concave–convex altered points of the path, where the azimuth of the normal turns back, and between
 //! them as many more that it turns at most 90° from one to the next. *Key orientations*: the fixed lead, moved into the channel

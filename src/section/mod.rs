@@ -10,7 +10,7 @@
 //! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
 //! extent; the leading edge is the blunter one (`edges`). Thickness is the diameter of the largest inscribed circle.
 //!
-//! The same loops as smooth curves, for who needs more than points: [`smooth`].
+//! The same loops as smooth curves, for callers that need more than points: [`smooth`].
 //!
 //! **Guaranteed**: loops are closed, counter-clockwise seen from the tip; `off_part_mm` is the greatest distance of a point from
 //! the part, and `fit_error_mm` the greatest distance
@@ -94,7 +94,7 @@ struct Cut {
 }
 
 impl Cut {
-    /// What is to be told.
+    /// Warnings on this cut.
     fn remarks(&self) -> Vec<String> {
         let Cut { x_mm, dropped, bridged_mm, open_mm, .. } = self;
         let mut out = Vec::new();

@@ -1,10 +1,12 @@
 //! A finer mesh of exact faces for bounds alone: its triangles cover the faces within a small distance, but do not fit together.
 //!
-//! In: the tessellation's triangles in the parameter plane. Each is halved, at the side whose middle is farthest from the surface, until
-//! it is near enough; corners are points of the surface. For a surface that is quadratic over a triangle the distance is at most 4/3 of
-//! the greatest at the middles of its sides, since it is `Σ 4 λᵢ λⱼ dᵢⱼ`; a quarter more is left for what is not quadratic:
-//! measured, as the tessellation's own deflection is. Between the sides of loops, straight in the parameter plane, and the edges' own curves
-//! strips are laid. Triangles at a pole are laid as two, up to the pole's whole side.
+//! In: the tessellation's triangles in the parameter plane. Each is halved, at the side whose
+//! middle is farthest from the surface, until it is near enough; corners are points of the surface.
+//! For a surface that is quadratic over a triangle the distance is at most 4/3 of the greatest at
+//! the middles of its sides, since it is `Σ 4 λᵢ λⱼ dᵢⱼ`. A quarter more is left for what is not
+//! quadratic: measured, as the tessellation's own deflection is. The sides of loops are straight in
+//! the parameter plane; between them and the edges' own curves strips are laid. Triangles at a pole
+//! are laid as two, up to the pole's whole side.
 
 use rayon::prelude::*;
 

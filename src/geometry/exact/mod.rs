@@ -5,15 +5,21 @@
 //!
 //! All faces are cut into small pieces ([`build`]), each a polynomial on a rectangle ([`patch`]), with a box in which it lies by the
 //! convex hull of its control points, and with bounds of its curvature ([`leaf`]). Pieces beyond the loops are left out, those that
-//! loops cross know the sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all of them ([`tree`]) is
-//! searched best first ([`search`]): the result is the least of all local minima on pieces that could hold a nearer point, and of all
-//! edges and of their traces on faces that they lie off ([`trace`]).
+//! loops cross know the sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all
+//! of them ([`tree`]) is searched best first ([`search`]). The result is the least of all local
+//! minima: on pieces that could hold a nearer point, on all edges, and on the traces of edges on
+//! faces that they lie off ([`trace`]).
 //!
-//! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most [`trim::BEYOND_EDGE_MM`]
-//! beyond, so that smooth joints have no crack) or on an edge. No point of the part is nearer by more than 10⁻⁷ mm (10⁻⁴ mm about
-//! points from which a whole stretch of a face or edge is equally far, where more would take time without end; 10⁻³ mm beside edges that lie
-//! off their faces), as far as the
-//! curvature of a piece lies within the bounds measured on it. The answer depends on nothing but part and point.
+//! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most
+//! [`trim::BEYOND_EDGE_MM`] beyond, so that smooth joints have no crack) or on an edge. No point of
+//! the part is nearer by more than 10⁻⁷ mm, as far as the curvature of a piece lies within the
+//! bounds measured on it. Two cases have a wider bound:
+//!
+//! * 10⁻⁴ mm about points from which a whole stretch of a face or edge is equally far, where more
+//!   would take time without end;
+//! * 10⁻³ mm beside edges that lie off their faces.
+//!
+//! The answer depends on nothing but part and point.
 //!
 //! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples instead of control points, and are
 //! slower.

@@ -38,7 +38,7 @@ pub struct Piece<'a> {
     pub corners: Option<[Point; 4]>,
 }
 
-/// Who looks at the pieces.
+/// A question that looks at the pieces.
 pub trait Visitor {
     /// Whether what lies in a box of these half sides, at right angles to each other, is to be looked at.
     fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool;

@@ -1,9 +1,12 @@
 //! The search for the closest point: best first over the tree, Newton on each piece that can hold it.
 //!
-//! A piece is left out when the box in which it lies is no nearer than the best point known, or when it bends towards the query
-//! point more than a sphere about it everywhere (then it has no local minimum inside). Otherwise Newton finds its minimum. That
-//! is the only one if the distance is convex there, which follows if the piece's curvature lies in the range measured on it; if it
-//! does not follow, the least eigenvalue of the Hessian says by how much another one could be nearer, and where that is more than
+//! A piece is left out when the box in which it lies is no nearer than the best point known. It is
+//! left out too when it bends towards the query point more than a sphere about it everywhere: then
+//! it has no local minimum inside. Otherwise Newton finds its minimum.
+//!
+//! That minimum is the only one if the distance is convex on the piece. This follows if the piece's
+//! curvature lies in the range measured on it. If it does not follow, the least eigenvalue of the
+//! Hessian says by how much another minimum could be nearer. Where that is more than
 //! [`NEGLIGIBLE_MM`] the piece is halved and its halves are searched.
 //!
 //! Left out too is a piece to whose normals `q` cannot belong ([`Leaf::may_hold_foot`]), and of a piece that loops cross the halves

@@ -1,8 +1,9 @@
 //! Inside or outside by the exact normals.
 //!
-//! At a foot inside a face its normal decides. On an edge the sum of the normals of the faces that meet there, at a vertex the sum of
-//! the normals weighted with the angles that the faces span: these give the right sign wherever the edge or vertex is the
-//! closest point (Bærentzen and Aanæs, *Signed distance computation using the angle weighted pseudonormal*, 2005).
+//! At a foot inside a face its normal decides. On an edge the sum of the normals of the faces that
+//! meet there decides. At a vertex these normals are weighted with the angles that the faces span.
+//! These sums give the right sign wherever the edge or vertex is the closest point (Bærentzen and
+//! Aanæs, *Signed distance computation using the angle weighted pseudonormal*, 2005).
 //!
 //! Limits: right for faces that neither fold over nor cross themselves or one another (a normal on a fold points inwards), and where faces have
 //! normals (the tip of a cusp has none); [`Part::inside`](crate::geometry::part::Part::inside) asks here only near the part.

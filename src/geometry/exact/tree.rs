@@ -486,7 +486,8 @@ mod tests {
         assert!(items.len() <= 2, "{items:?}");
     }
 
-    /// Over a hollow the piece under the point is told from those beside it: their normals lie on one side of its own.
+    /// Over a hollow the piece under the point is distinguished from those beside it: their normals
+    /// lie on one side of its own.
     #[test]
     fn a_hollow_is_looked_at_where_its_foot_is() {
         let (count, radius) = (400, 50.0);
