@@ -134,8 +134,9 @@ fn run(format: &str, seeds: &[(String, Vec<u8>)], length: Length, shop: &nc::Sho
     let (mut random, mut runs, mut read) = (Random(seed), 0u64, 0u64);
     let (mut slowest, begun) = ((Duration::ZERO, String::new()), Instant::now());
     let program = nc::NAMES.contains(&format);
+    let shares: Vec<f64> = seeds.iter().map(|(_, bytes)| 1.0 / bytes.len().max(1) as f64).collect();
     while !length.over(begun, runs) {
-        let (name, bytes) = &seeds[random.below(seeds.len())];
+        let (name, bytes) = &seeds[chosen(&shares, &mut random)];
         let bytes = if program { nc::damaged(name, bytes, &mut random) } else { mutated(bytes, &mut random) };
         if let Ok(mut current) = CURRENT.lock() {
             *current = (name.clone(), bytes.clone());
@@ -169,6 +170,19 @@ fn run(format: &str, seeds: &[(String, Vec<u8>)], length: Length, shop: &nc::Sho
         peak_mb()
     );
     runs
+}
+
+/// A seed by its share of all: the shorter the more often, so that no long one takes most of the time.
+fn chosen(shares: &[f64], random: &mut Random) -> usize {
+    const STEPS: usize = 1 << 32;
+    let mut left = shares.iter().sum::<f64>() * random.below(STEPS) as f64 / STEPS as f64;
+    for (k, share) in shares.iter().enumerate() {
+        left -= share;
+        if left < 0.0 {
+            return k;
+        }
+    }
+    shares.len().saturating_sub(1)
 }
 
 /// Keeps the file at work and ends.

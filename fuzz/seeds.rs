@@ -15,6 +15,7 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("a.gltf", gltf(false)),
         ("a.glb", gltf(true)),
         ("a.igs", iges()),
+        ("a.step", step()),
         ("columns.dat", [b"+++\n", HEADER.as_bytes(), b"+++\n", &table()].concat()),
         ("header.toml", header("table.dat")),
         ("a.curve", curves()),
@@ -121,6 +122,58 @@ fn gltf(binary: bool) -> Vec<u8> {
     let word = |n: usize| (n as u32).to_le_bytes();
     let head = [*b"glTF", word(2), word(total), word(text.len()), *b"JSON"].concat();
     [head, text.into_bytes(), word(buffer.len()).to_vec(), b"BIN\0".to_vec(), buffer].concat()
+}
+
+/// Both boxes as B-spline faces with loops of lines and splines, each face by itself in one open shell.
+fn step() -> Vec<u8> {
+    let mut out = String::from(
+        "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a.step','',(''),(''),'','','');\n\
+         FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n\
+         #1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n\
+         #2=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n\
+         #3=(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT());\n\
+         #4=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#1,#2,#3))REPRESENTATION_CONTEXT('',''));\n",
+    );
+    let mut last = 4;
+    let mut add = |text: String| {
+        last += 1;
+        out += &format!("#{last}={text};\n");
+        last
+    };
+    let mut faces = Vec::new();
+    for corners in sides() {
+        let points = corners.map(|p| add(format!("CARTESIAN_POINT('',({:?},{:?},{:?}))", p[0], p[1], p[2])));
+        let vertices = points.map(|p| add(format!("VERTEX_POINT('',#{p})")));
+        let [a, b, c, d] = points;
+        let surface = add(format!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#{a},#{d}),(#{b},#{c})),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)"
+        ));
+        let edges: Vec<String> = (0..4)
+            .map(|k| {
+                let (from, to, next) = (points[k], points[(k + 1) % 4], (k + 1) % 4);
+                let curve = if k % 2 == 0 {
+                    add(format!(
+                        "B_SPLINE_CURVE_WITH_KNOTS('',1,(#{from},#{to}),.UNSPECIFIED.,.F.,.F.,(2,2),(0.,1.),.UNSPECIFIED.)"
+                    ))
+                } else {
+                    let way: [f64; 3] = std::array::from_fn(|i| corners[next][i] - corners[k][i]);
+                    let direction = add(format!("DIRECTION('',({:?},{:?},{:?}))", way[0], way[1], way[2]));
+                    let vector = add(format!("VECTOR('',#{direction},1.)"));
+                    add(format!("LINE('',#{from},#{vector})"))
+                };
+                let edge = add(format!("EDGE_CURVE('',#{},#{},#{curve},.T.)", vertices[k], vertices[next]));
+                format!("#{}", add(format!("ORIENTED_EDGE('',*,*,#{edge},.T.)")))
+            })
+            .collect();
+        let around = add(format!("EDGE_LOOP('',({}))", edges.join(",")));
+        let bound = add(format!("FACE_OUTER_BOUND('',#{around},.T.)"));
+        faces.push(format!("#{}", add(format!("ADVANCED_FACE('',(#{bound}),#{surface},.T.)"))));
+    }
+    let shell = add(format!("OPEN_SHELL('',({}))", faces.join(",")));
+    let model = add(format!("SHELL_BASED_SURFACE_MODEL('',(#{shell}))"));
+    add(format!("MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#{model}),#4)"));
+    out += "ENDSEC;\nEND-ISO-10303-21;\n";
+    out.into_bytes()
 }
 
 /// Both boxes as trimmed NURBS faces (144, 142, 128) with loops of lines (102, 110), each face by itself.

@@ -4,6 +4,7 @@
 //! the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
+use crate::artifact::ToolPart;
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Regions, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -173,7 +174,7 @@ fn channel(theta: &[f64]) -> Channel {
             hull_max: t + WIDTH_RAD - 0.3,
             tangent_min: t - 1.2,
             tangent_max: t + 1.2,
-            binds_min: Binding::Part { tool: "taper".into(), face: 0, triangle: 3 },
+            binds_min: Binding::Part { tool: ToolPart::Taper, face: 0, triangle: 3 },
             binds_max: Binding::ContactAngle,
         }
     };

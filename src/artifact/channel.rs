@@ -1,13 +1,15 @@
 //! The S–θ channel: at each cutter location the angles that the whole tool may take.
 
+use super::ToolPart;
+
 /// What limits an end of an interval of θ.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "by")]
 pub enum Binding {
     /// A part of the tool would touch a face of the part.
     Part {
-        /// Which part of the tool: `ball-side`, `taper`, `shank`, `holder 1` …
-        tool: String,
+        /// Which part of the tool.
+        tool: ToolPart,
         /// Face or group of the part.
         face: u32,
         /// Triangle of the part's mesh.
@@ -18,7 +20,7 @@ pub enum Binding {
         /// Which.
         name: String,
         /// Which part of the tool.
-        tool: String,
+        tool: ToolPart,
         /// Triangle of its mesh.
         triangle: u32,
     },

@@ -11,6 +11,7 @@ pub mod program;
 pub mod report;
 pub mod schedule;
 pub mod section;
+pub mod tool_part;
 pub mod toolpath;
 
 pub use axis_motion::AxisMotion;
@@ -23,6 +24,7 @@ pub use program::Program;
 pub use report::CheckReport;
 pub use schedule::Schedule;
 pub use section::Section;
+pub use tool_part::ToolPart;
 pub use toolpath::Toolpath;
 
 /// The word by which files and the command line know a value: that of a variant without fields.

@@ -146,7 +146,6 @@ fn along_edge(frustum: &Frustum, axis: &Vector, ends: [&Vector; 2], at: [(f64, V
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::tool::Segment;
     use proptest::prelude::*;
 
     /// Share of its size from which a triangle must be told to be clear.
@@ -165,8 +164,7 @@ mod tests {
             taper in 0.0..1.0f64,
             clearance in 0.0..1.0f64,
         ) {
-            let segment = Segment { name: "taper".into(), z0: 1.0, z1: 9.0, r0: 3.0, r1: 3.0 + 2.0 * taper };
-            let frustum = Frustum::new(&segment, clearance);
+            let frustum = Frustum::new([1.0, 9.0], [3.0, 3.0 + 2.0 * taper], clearance);
             let corners = [0, 3, 6].map(|k| Vector::from(at) + Vector::new(c[k], c[k + 1], c[k + 2]) * size);
             let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
             let radius = corners.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max);
@@ -189,8 +187,7 @@ mod tests {
         /// The slope is the difference quotient.
         #[test]
         fn slope_is_the_difference(x in -9.0..9.0f64, y in -9.0..9.0f64, z in -9.0..14.0f64) {
-            let segment = Segment { name: "taper".into(), z0: 1.0, z1: 9.0, r0: 3.0, r1: 4.0 };
-            let (frustum, axis, p) = (Frustum::new(&segment, 0.3), Vector::new(0.6, 0.0, 0.8), Vector::new(x, y, z));
+            let (frustum, axis, p) = (Frustum::new([1.0, 9.0], [3.0, 4.0], 0.3), Vector::new(0.6, 0.0, 0.8), Vector::new(x, y, z));
             let (m, slope) = margin(&frustum, &axis, &p);
             for e in [Vector::x(), Vector::y(), Vector::z()] {
                 let ahead = margin(&frustum, &axis, &(p + e * 1e-6)).0;

@@ -188,7 +188,6 @@ mod tests {
     use crate::channel::clear::margin;
     use crate::channel::profile::Frustum;
     use crate::channel::tree::SphereTree;
-    use crate::tool::Segment;
     use proptest::prelude::*;
 
     fn node(number: u32) -> Node {
@@ -243,8 +242,7 @@ mod tests {
             taper in 0.0..0.5f64,
             of_triangle in any::<bool>(),
         ) {
-            let segment = Segment { name: "taper".into(), z0: 0.0, z1: 9.0, r0: 2.0, r1: 2.0 + 9.0 * taper };
-            let frustum = Frustum::new(&segment, 0.1);
+            let frustum = Frustum::new([0.0, 9.0], [2.0, 2.0 + 9.0 * taper], 0.1);
             let b = b_rad.sin_cos();
             let then = Sweep::new(from.0, from.0 + from.1, b);
             // Beside the tool at the lower end.

@@ -8,8 +8,9 @@
 //! the point contains those of all points of that ball: this is the bound that the search for the channel rests on.
 //! The distance from a frustum is also convex, so that its tangent plane bounds it from below over a whole triangle.
 
+use crate::artifact::ToolPart;
 use crate::geometry::Vector;
-use crate::tool::{Segment, Tool};
+use crate::tool::Tool;
 
 /// A frustum of the profile with its clearance.
 #[derive(Clone, Debug)]
@@ -29,19 +30,19 @@ pub(super) struct Frustum {
 }
 
 impl Frustum {
-    /// `clearance` in mm, at least 0.
-    pub fn new(s: &Segment, clearance: f64) -> Self {
-        let c1 = (s.r1 - s.r0) / (s.z1 - s.z0);
-        let slant = (s.z1 - s.z0).hypot(s.r1 - s.r0);
+    /// From height to height over the ball centre, with the radii there and the clearance that it keeps, at least 0; mm.
+    pub fn new([z0, z1]: [f64; 2], [r0, r1]: [f64; 2], clearance: f64) -> Self {
+        let c1 = (r1 - r0) / (z1 - z0);
+        let slant = (z1 - z0).hypot(r1 - r0);
         Frustum {
-            z0: s.z0,
-            z1: s.z1,
-            r0: s.r0,
-            r1: s.r1,
-            c0: s.r0 - c1 * s.z0,
+            z0,
+            z1,
+            r0,
+            r1,
+            c0: r0 - c1 * z0,
             c1,
-            sin: (s.r1 - s.r0) / slant,
-            cos: (s.z1 - s.z0) / slant,
+            sin: (r1 - r0) / slant,
+            cos: (z1 - z0) / slant,
             slant,
             clearance,
         }
@@ -161,7 +162,7 @@ fn rim(d2: f64, z: f64, r: f64, c: f64, side: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub(super) struct Profile {
     pub frusta: Vec<Frustum>,
-    pub names: Vec<String>,
+    pub parts: Vec<ToolPart>,
     /// Height of the upper end, mm.
     pub length: f64,
     /// No point of the tool with its clearances is farther from the ball centre, mm.
@@ -195,12 +196,11 @@ fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
         let (r0, r1) = if r0 > f.r0 { (r0.max(r1), r0.max(r1)) } else { (r0, r1.max(r0)) };
         clearance = clearance.max(f.clearance);
         radius = r1;
-        let segment = Segment { name: String::new(), z0: f.z0, z1, r0, r1 };
-        out.push(Frustum::new(&segment, clearance));
+        out.push(Frustum::new([f.z0, z1], [r0, r1], clearance));
     }
     let length = out.last().map_or(0.0, |f| f.z1);
     widens(&out).then(|| {
-        Box::new(Profile { frusta: out, names: Vec::new(), length, farthest: 2.0 * length, widens: true, tall: None })
+        Box::new(Profile { frusta: out, parts: Vec::new(), length, farthest: 2.0 * length, widens: true, tall: None })
     })
 }
 
@@ -212,32 +212,32 @@ impl Profile {
         let frusta: Vec<Frustum> = segments
             .iter()
             .map(|s| {
-                let c = room_mm[usize::from(s.name.starts_with("holder"))];
-                Frustum::new(s, c + deflection_mm)
+                let c = room_mm[usize::from(s.part.is_holder())];
+                Frustum::new([s.z0, s.z1], [s.r0, s.r1], c + deflection_mm)
             })
             .collect();
-        Self::of(frusta, segments.into_iter().map(|s| s.name).collect())
+        Self::of(frusta, segments.into_iter().map(|s| s.part).collect())
     }
 
-    fn of(frusta: Vec<Frustum>, names: Vec<String>) -> Self {
+    fn of(frusta: Vec<Frustum>, parts: Vec<ToolPart>) -> Self {
         let widens = widens(&frusta);
         let length = frusta.last().map_or(0.0, |f| f.z1);
         let reach = |f: &Frustum| f.z0.hypot(f.r0).max(f.z1.hypot(f.r1)) + f.clearance;
         let farthest = frusta.iter().map(reach).fold(0.0, f64::max);
         let tall = tall(&frusta, farthest);
-        Profile { frusta, names, length, farthest, widens, tall }
+        Profile { frusta, parts, length, farthest, widens, tall }
     }
 
     /// The same with only some of its parts, by index.
     pub fn only(&self, keep: impl Fn(usize) -> bool) -> Self {
         let kept = (0..self.frusta.len()).filter(|&k| keep(k));
-        let (frusta, names) = kept.map(|k| (self.frusta[k].clone(), self.names[k].clone())).unzip();
-        Self::of(frusta, names)
+        let (frusta, parts) = kept.map(|k| (self.frusta[k].clone(), self.parts[k])).unzip();
+        Self::of(frusta, parts)
     }
 
     /// The holder alone.
     pub fn holder(&self) -> Self {
-        self.only(|k| self.names[k].starts_with("holder"))
+        self.only(|k| self.parts[k].is_holder())
     }
 
     /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights lie in `within`:

@@ -1,7 +1,7 @@
 //! Where and why there is no channel, in words.
 
 use crate::artifact::channel::{Binding, ChannelRow};
-use crate::artifact::{Blade, Toolpath};
+use crate::artifact::{Blade, ToolPart, Toolpath};
 use crate::error::{Error, Stage};
 use crate::geometry::part::Part;
 
@@ -150,14 +150,14 @@ impl Reporter<'_> {
         let mut wide = self.scene.options.clone();
         (wide.contact_angle_min_rad, wide.contact_angle_max_rad, wide.theta_limits_rad) =
             (0.0, std::f64::consts::PI, None);
-        let names = self.scene.bodies.first().map(|b| b.profile.names.clone()).unwrap_or_default();
-        for name in &names {
-            if self.free_with(sample, &|n| n != name, self.scene.options).is_empty() {
+        let parts = self.scene.bodies.first().map(|b| b.profile.parts.clone()).unwrap_or_default();
+        for &part in &parts {
+            if self.free_with(sample, &|p| p != part, self.scene.options).is_empty() {
                 continue;
             }
-            let by = self.free_with(sample, &|n| n == name, &wide).into_iter().find(|b| *b != Binding::Free);
-            let b = by.unwrap_or_else(|| Binding::Part { tool: name.clone(), face: 0, triangle: 0 });
-            said.push(format!("without the {name} there would be room ({})", self.blame(&b)));
+            let by = self.free_with(sample, &|p| p == part, &wide).into_iter().find(|b| *b != Binding::Free);
+            let b = by.unwrap_or_else(|| Binding::Part { tool: part, face: 0, triangle: 0 });
+            said.push(format!("without the {part} there would be room ({})", self.blame(&b)));
             ends.push(b);
         }
         if !self.free_with(sample, &|_| true, &wide).is_empty() {
@@ -165,22 +165,23 @@ impl Reporter<'_> {
             ends.push(Binding::ContactAngle);
         }
         if said.is_empty() {
-            said.push(format!("{} together take it", names.join(", ")));
+            let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
+            said.push(format!("{} together take it", parts.join(", ")));
         }
         (said.join("; "), advice_for(&ends))
     }
 
-    /// What ends the free intervals at a sample if the tool had only the parts with names that `keep` lets through; empty:
+    /// What ends the free intervals at a sample if the tool had only the parts that `keep` lets through; empty:
     /// nothing is free.
     fn free_with(
         &self,
         sample: &Sample,
-        keep: &dyn Fn(&str) -> bool,
+        keep: &dyn Fn(ToolPart) -> bool,
         options: &super::options::ChannelOptions,
     ) -> Vec<Binding> {
         let mut scene = Scene { bodies: Vec::new(), options };
         for b in &self.scene.bodies {
-            let profile = b.profile.only(|k| b.profile.names.get(k).is_some_and(|n| keep(n)));
+            let profile = b.profile.only(|k| b.profile.parts.get(k).is_some_and(|p| keep(*p)));
             scene.bodies.push(Body { profile, ..b.clone() });
         }
         let free = Search::new(&scene).free(&sample.centre, &sample.normal, sample.azimuth, None);
@@ -209,10 +210,10 @@ fn advice_for(ends: &[Binding]) -> String {
     };
     for b in ends {
         match b {
-            Binding::Part { tool, .. } | Binding::Fixture { tool, .. } if tool.starts_with("holder") => {
+            Binding::Part { tool, .. } | Binding::Fixture { tool, .. } if tool.is_holder() => {
                 add("let the tool stick out farther or take a slimmer holder");
             }
-            Binding::Part { tool, .. } if tool == "taper" => add("take a slimmer taper or less clearance"),
+            Binding::Part { tool: ToolPart::Taper, .. } => add("take a slimmer taper or less clearance"),
             Binding::Fixture { .. } => add("move the fixture, or let it keep less clearance"),
             Binding::Part { .. } => add("take a slimmer or longer shank, or less clearance"),
             Binding::AxisLimit => {

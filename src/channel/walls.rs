@@ -22,7 +22,7 @@ pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
         Witness::Tool { segment, body, leaf } => {
             let Some(b) = scene.bodies.get(usize::from(body)) else { return Binding::Free };
             let triangle = b.tree.triangle(leaf);
-            let tool = b.profile.names.get(usize::from(segment)).cloned().unwrap_or_default();
+            let Some(&tool) = b.profile.parts.get(usize::from(segment)) else { return Binding::Free };
             if body == 0 {
                 Binding::Part { tool, face: b.mesh.face(triangle as usize), triangle }
             } else {

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
 use super::*;
+use crate::artifact::ToolPart;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::schedule::BaseAngle;
 use crate::artifact::toolpath::{CutterLocation, Turn};
@@ -58,7 +59,7 @@ pub(super) fn channel(limits: &[[f64; 2]]) -> Channel {
             hull_max: *hi,
             tangent_min: *lo,
             tangent_max: *hi,
-            binds_min: Binding::Part { tool: "taper".into(), face: 7, triangle: 0 },
+            binds_min: Binding::Part { tool: ToolPart::Taper, face: 7, triangle: 0 },
             binds_max: Binding::ContactAngle,
         })
         .collect();

@@ -7,6 +7,7 @@
 pub mod catalogue;
 pub mod scallop;
 
+use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::geometry::{Point, Vector};
@@ -40,8 +41,8 @@ pub struct Tool {
 /// A cone frustum of the profile: radius `r0` at height `z0` to `r1` at `z1`, `z0 < z1`, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
-    /// Which part of the tool: `taper`, `shank`, `holder 1`, ….
-    pub name: String,
+    /// Which part of the tool.
+    pub part: ToolPart,
     /// Lower height over the ball centre, mm.
     pub z0: f64,
     /// Upper height, mm.
@@ -129,21 +130,27 @@ impl Tool {
         let cone_end =
             if tau > 0.0 { (z0 + (self.shank_radius_mm - r0) / tau.tan()).min(self.stickout_mm) } else { z0 };
         let mut out = Vec::new();
-        let mut push = |name: &str, z0: f64, z1: f64, r0: f64, r1: f64| {
+        let mut push = |part: ToolPart, z0: f64, z1: f64, r0: f64, r1: f64| {
             if z1 > z0 {
-                out.push(Segment { name: name.into(), z0, z1, r0, r1 });
+                out.push(Segment { part, z0, z1, r0, r1 });
             }
         };
-        push("taper", z0, cone_end, r0, r0 + (cone_end - z0) * tau.tan());
+        push(ToolPart::Taper, z0, cone_end, r0, r0 + (cone_end - z0) * tau.tan());
         // Without taper the cutter's own cylinder goes on: there is no cone that could reach the shank's radius.
         let shank = if tau > 0.0 { self.shank_radius_mm } else { r0 };
-        push("shank", cone_end, self.stickout_mm, shank, shank);
+        push(ToolPart::Shank, cone_end, self.stickout_mm, shank, shank);
         let mut z = self.stickout_mm;
-        for (i, h) in self.holder.iter().enumerate() {
-            push(&format!("holder {}", i + 1), z, z + h.length_mm, h.radius_mm, h.radius_mm);
+        for (stage, h) in (1..).zip(&self.holder) {
+            push(ToolPart::Holder(stage), z, z + h.length_mm, h.radius_mm, h.radius_mm);
             z += h.length_mm;
         }
         out
+    }
+
+    /// The profile above the ball in two: taper and shank, and the holder. Each keeps a clearance of its own.
+    pub fn cutter_and_holder(&self) -> [Vec<Segment>; 2] {
+        let (holder, cutter) = self.segments().into_iter().partition(|s| s.part.is_holder());
+        [cutter, holder]
     }
 
     /// Length from the ball centre to the end of the last holder stage, mm.

@@ -238,7 +238,7 @@ pub fn short_moves(
     options: &VerifyOptions,
 ) -> Vec<usize> {
     let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
-    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = tool.cutter_and_holder();
     let part = (&blade.part, options.clearance_mm, options.holder_clearance_mm, true);
     let around = obstacles.iter().map(|o| (&o.part, o.clearance_mm, o.holder_clearance_mm, !o.cut_by_the_tool));
     let mut out = Vec::new();
@@ -395,7 +395,7 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
 
 /// The checks `clearance` (taper, shank) and `holder-clearance`, and the least of both, mm.
 pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions) -> (Vec<Check>, f64) {
-    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = tool.cutter_and_holder();
     let groups =
         [("clearance", cutter, options.clearance_mm), ("holder-clearance", holder, options.holder_clearance_mm)];
     let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
@@ -425,7 +425,7 @@ pub(super) fn check_obstacle(
     options: &VerifyOptions,
 ) -> Vec<Check> {
     let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
-    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = tool.cutter_and_holder();
     let cutter = if obstacle.cut_by_the_tool { Vec::new() } else { cutter };
     let groups = [("taper and shank", cutter, obstacle.clearance_mm), ("holder", holder, obstacle.holder_clearance_mm)];
     let mut out = Vec::new();
@@ -455,7 +455,7 @@ fn judge(
     let near = &kept.near;
     let point = blade.model_from_blade * near.point;
     let found = kept.face.is_some();
-    let who = segments.get(near.segment).filter(|_| found).map_or("", |s| s.name.as_str());
+    let who = segments.get(near.segment).filter(|_| found).map_or_else(String::new, |s| s.part.to_string());
     let place = if found { format!("{who} to {to}") } else { to.to_owned() };
     Check {
         name: name.into(),

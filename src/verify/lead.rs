@@ -119,8 +119,7 @@ fn bodies<'a>(room: &'a Room) -> impl Iterator<Item = Body<'a>> {
 
 /// The tool without its ball: taper and shank, and the holder, each with the clearance asked for.
 fn groups(room: &Room) -> [(Vec<Segment>, f64); 2] {
-    let (holder, cutter): (Vec<_>, Vec<_>) =
-        room.tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = room.tool.cutter_and_holder();
     [(cutter, room.options.clearance_mm), (holder, room.options.holder_clearance_mm)]
 }
 
@@ -148,7 +147,7 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
             let limit_mm = room.options.least_clearance(asked_mm);
             let kept = way.least(body.part, &segments, limit_mm, room);
             if kept.least_mm < limit_mm {
-                let who = segments.get(kept.near.segment).map_or("tool", |s| s.name.as_str());
+                let who = segments.get(kept.near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
                 let what = body.named(kept.face);
                 return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
             }
@@ -242,7 +241,7 @@ fn nearest(
     let worst = found.reduce(|a, b| if b.2.least_mm < a.2.least_mm { b } else { a });
     let (which, row, kept) = worst.map_or(("", 0, None), |(w, r, k)| (w, r, Some(k)));
     let worst = kept.map_or(0.0, |k| k.least_mm);
-    let who = kept.and_then(|k| segments.get(k.near.segment)).map_or("", |s| s.name.as_str());
+    let who = kept.and_then(|k| segments.get(k.near.segment)).map_or_else(String::new, |s| s.part.to_string());
     let what = kept.map_or_else(String::new, |k| body.named(k.face));
     let quantity = "least distance of the tool without its ball on the ways onto the path and off it";
     let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {asked_mm}");

@@ -198,10 +198,11 @@ fn halves(c: &[Point; 3]) -> [[Point; 3]; 2] {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::ToolPart;
     use proptest::prelude::*;
 
     fn cone() -> Segment {
-        Segment { name: "taper".into(), z0: 1.0, z1: 6.0, r0: 2.0, r1: 3.0 }
+        Segment { part: ToolPart::Taper, z0: 1.0, z1: 6.0, r0: 2.0, r1: 3.0 }
     }
     fn point() -> impl Strategy<Value = Point> {
         [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
@@ -219,7 +220,7 @@ mod tests {
 
     #[test]
     fn closed_forms_beside_over_and_inside_a_cylinder() {
-        let s = Segment { name: "shank".into(), z0: 0.0, z1: 10.0, r0: 3.0, r1: 3.0 };
+        let s = Segment { part: ToolPart::Shank, z0: 0.0, z1: 10.0, r0: 3.0, r1: 3.0 };
         let solid = still(&s, Vector::z());
         let d = |x: f64, y: f64, z: f64| solid.signed(&Point::new(1.0 + x, y, z)).0;
         assert!((d(5.0, 0.0, 4.0) - 2.0).abs() < 1e-12);

@@ -293,7 +293,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     assert!((Point::from(touch.point_mm.unwrap()) - tip).norm() < 0.01);
     assert!(touch.note.contains("holder 1") && touch.note.contains("group 8"), "{}", touch.note);
     // At the rows themselves the holder is clear: a check of rows alone would miss it.
-    let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.name.starts_with("holder")).collect();
+    let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.part.is_holder()).collect();
     for i in [row, row + 1] {
         let (centres, theta) = ([p.toolpath.locations[i].centre; 2], [p.schedule.theta[i]; 2]);
         let still = clearance::Track { centres: &centres, theta: &theta, b_rad: &[B], wanted: None };
@@ -434,7 +434,7 @@ fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
             // What is told of depths is not the way out along the wall: the nearest side may be another.
             let (least, most) = if exact > 0.0 { (exact, exact * 1.02 + 1e-4) } else { (exact, 0.0) };
             assert!(found.distance_mm >= least - 1e-9 && found.distance_mm <= most, "{x} {b_deg}: {found:?}, {exact}");
-            assert!(segments[found.segment].name.starts_with("holder") && found.triangle == 0);
+            assert!(segments[found.segment].part.is_holder() && found.triangle == 0);
         }
     }
     assert_eq!(standing(&part, &segments, &Point::new(2000.0, 0.0, 0.0), (0.0, 0.0), 1e-4), None);

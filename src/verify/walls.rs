@@ -128,7 +128,7 @@ struct Room<'a> {
 
 /// What keeps clear of what: ends by exact faces may be nearer to their mesh by its deflection.
 fn rooms<'a>(blade: &'a Blade, obstacles: &'a [Obstacle], tool: &Tool, options: &VerifyOptions) -> Vec<Room<'a>> {
-    let (holder, cutter): (Vec<_>, Vec<_>) = tool.segments().into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = tool.cutter_and_holder();
     let mut out = Vec::new();
     let mut push = |part: &'a Part, name: &'a str, segments: &Vec<Segment>, asked_mm: f64, off_mm: f64| {
         if !segments.is_empty() && !part.mesh.triangles.is_empty() {
@@ -180,7 +180,7 @@ fn clear(plan: &Plan, blade: &Blade, obstacles: &[Obstacle], tool: &Tool, option
                 };
                 let missing = room.least_mm - near.distance_mm;
                 if worst.as_ref().is_none_or(|w| missing > w.0) {
-                    let who = room.segments.get(near.segment).map_or("tool", |s| s.name.as_str());
+                    let who = room.segments.get(near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
                     let says = format!(
                         "plan.json, channel row {k}, from {:.4}° to {:.4}°: at {:.4}° the {who} is {:.6} from {}, asked for {}",
                         row.theta_min.to_degrees(),

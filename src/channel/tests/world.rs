@@ -158,7 +158,7 @@ pub fn least_margin(mesh: &Mesh, tool: &Tool, clearance: (f64, f64), b_rad: f64,
     let a = axis(b_rad, theta);
     let mut best = f64::INFINITY;
     for s in tool.segments() {
-        let c = if s.name.starts_with("holder") { clearance.1 } else { clearance.0 };
+        let c = if s.part.is_holder() { clearance.1 } else { clearance.0 };
         let margin = |p: Point| {
             let v = p - centre;
             let z = v.dot(&a);
@@ -225,7 +225,7 @@ pub fn inside_by(
     let z = v.dot(&a);
     let r = (v - a * z).norm();
     let depth = |s: &crate::tool::Segment| {
-        let c = if s.name.starts_with("holder") { clearance.1 } else { clearance.0 };
+        let c = if s.part.is_holder() { clearance.1 } else { clearance.0 };
         c - distance_to_frustum([z, r], [s.z0, s.r0], [s.z1, s.r1])
     };
     segments.iter().map(depth).fold(f64::NEG_INFINITY, f64::max)

@@ -63,7 +63,7 @@ fn parts(tool: &Tool) -> Vec<(String, Vec<Ring>)> {
         }
         rings.extend([[s.z0, s.r0, nr, nz], [s.z1, s.r1, nr, nz]]);
         before = s.r1;
-        parts.push((s.name, rings));
+        parts.push((s.part.to_string(), rings));
     }
     if let Some((_, rings)) = parts.last_mut() {
         let top = rings.last().map_or(0.0, |r| r[0]);
