@@ -115,7 +115,7 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
             };
             let [Binding::Part { tool, face, .. }, Binding::Part { .. }] = by else { continue };
             looked.named += 1;
-            let named: Vec<_> = segments.iter().filter(|s| s.name == *tool).cloned().collect();
+            let named: Vec<_> = segments.iter().filter(|s| s.part == *tool).cloned().collect();
             let away = faces[*face as usize].as_ref().map_or(f64::INFINITY, |f| stands(f, &named, outside.theta[row]));
             if away < untold_mm {
                 looked.touched += 1;

@@ -156,7 +156,7 @@ impl Reporter<'_> {
                 continue;
             }
             let by = self.free_with(sample, &|p| p == part, &wide).into_iter().find(|b| *b != Binding::Free);
-            let b = by.unwrap_or_else(|| Binding::Part { tool: part, face: 0, triangle: 0 });
+            let b = by.unwrap_or(Binding::Part { tool: part, face: 0, triangle: 0 });
             said.push(format!("without the {part} there would be room ({})", self.blame(&b)));
             ends.push(b);
         }
