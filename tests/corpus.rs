@@ -301,7 +301,7 @@ fn corpus_fir_tree_blade_above_its_fillet() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_in_its_fillet() {
-    let options = set(&["tool.radius_mm=1.4", "region.start_mm=28", "region.end_mm=22.5"]);
+    let options = set(&["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"]);
     plans("turbine_blade_firtree.igs", &options);
 }
 
