@@ -6,12 +6,12 @@ use super::super::{ChannelOptions, FreeInterval, Surroundings, intervals};
 use super::world::{blade, inside_by, tool};
 use crate::artifact::channel::Binding;
 use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
-use crate::geometry::{Point, Vector};
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{loft, torus};
 use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
 /// Balls that touch the part from both sides, where they touch nothing else.
@@ -141,7 +141,8 @@ fn ends_are_those_of_the_faces() {
 /// Surface that the file has otherwise is kept clear of too; what it stands off the part takes the place of the mesh's deflection, not of the faces.
 #[test]
 fn ends_keep_clear_of_faces_as_published() {
-    let o = ChannelOptions { clearance_mm: 0.2, holder_clearance_mm: 0.5, exact_ends: true, ..ChannelOptions::default() };
+    let o =
+        ChannelOptions { clearance_mm: 0.2, holder_clearance_mm: 0.5, exact_ends: true, ..ChannelOptions::default() };
     let (surface, shift) = (loft(), Vector::new(0.0, 0.003, 0.001));
     let face =
         Face { name: "f".into(), kind: SurfaceKind::BSpline, surface: surface.clone(), reversed: false, loops: vec![] };
