@@ -270,9 +270,9 @@ fn corpus_thin_blades_are_cut_once() {
         (propeller, 0.01, 8500.0, false),
         (propeller, 0.03, 9500.0, true),
         (propeller, 0.1, 8500.0, false),
-        (fan, 0.01, 270.0, true),
-        (fan, 0.05, 260.0, false),
-        (fan, 0.06, 260.0, false),
+        (fan, 0.01, 350.0, true),
+        (fan, 0.05, 340.0, false),
+        (fan, 0.06, 340.0, false),
     ];
     for (file, scallop_mm, least_mm2, is_whole) in plans {
         let model = folder.join(file);
@@ -301,7 +301,7 @@ fn corpus_fir_tree_blade_above_its_fillet() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_in_its_fillet() {
-    let options = set(&["tool.radius_mm=1.4", "region.start_mm=28", "region.end_mm=22.5"]);
+    let options = set(&["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"]);
     plans("turbine_blade_firtree.igs", &options);
 }
 

@@ -139,7 +139,8 @@ impl<'a> Surroundings<'a> {
         let options = scene.options;
         let mut layers = track::free_everywhere(scene, samples, observer)?;
         if options.exact_ends {
-            let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
+            let room = [options.clearance_mm, options.holder_clearance_mm];
+            let profile = Profile::new(tool, room, self.blade.part.off_own_mm());
             let tolerance = options.tolerance_rad / self.share(options);
             tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
         }

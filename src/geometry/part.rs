@@ -236,22 +236,27 @@ impl Part {
         }
     }
 
-    /// The exact faces and the index of their pieces, where they are all of the part: with surface that was published otherwise bounds keep to
-    /// the mesh and its deflection.
+    /// The part's own exact faces and the index of their pieces. Bounds from them keep [`Part::off_own_mm`] as room for what was published otherwise.
     pub fn exact(&self) -> Option<(&Brep, &Exact)> {
         match (&self.brep, &self.tie) {
-            (Some(brep), Tie::Exact(exact)) if self.published.is_none() => Some((brep, exact)),
+            (Some(brep), Tie::Exact(exact)) => Some((brep, exact)),
             _ => None,
         }
     }
 
+    /// How far surface that the file has otherwise stands off the part's own, mm; 0 where nothing was changed.
+    pub fn off_own_mm(&self) -> f64 {
+        self.published.as_ref().map_or(0.0, |p| p.off_mm)
+    }
+
     /// Triangles within `limit_mm` of the exact faces, where the part has them, no more than about `most`; nearer to the part than its own
-    /// mesh, for bounds alone.
+    /// mesh, for bounds alone. What was published otherwise counts in their deflection.
     pub fn fine(&self, limit_mm: f64, most: usize) -> Option<Fine> {
         let (brep, exact) = self.exact()?;
         let mut fine = exact.fine(brep, &self.mesh, limit_mm, most);
         let nearest = |p: &Point| self.closest_on_mesh(p, f64::INFINITY).and_then(|c| c.triangle);
         fine.finish(|p| nearest(p).unwrap_or(0));
+        fine.deflection_mm += self.off_own_mm();
         Some(fine)
     }
 
@@ -319,7 +324,7 @@ impl Part {
     fn own_mirrored(&self, observer: &dyn Observer) -> Result<Self> {
         if let Some(brep) = &self.brep {
             let mirrored = brep.clone().mirrored();
-            let deflection_mm = self.deflection_mm - self.published.as_ref().map_or(0.0, |p| p.off_mm);
+            let deflection_mm = self.deflection_mm - self.off_own_mm();
             return match self.tie {
                 Tie::Exact(_) => Part::from_brep(mirrored, deflection_mm, observer),
                 _ => Part::meshed(mirrored, deflection_mm, observer),

@@ -196,6 +196,41 @@ fn a_closed_spline_whose_beginning_lies_on_the_edge() {
     check("the other way", &sheet(closed, false, &[A, B]), on_circle, [2., 2., 0.]);
 }
 
+/// A closed spline cut at two vertices a hundredth apart, one of them its own beginning but for rounding: nearly all of it, and the hundredth.
+#[test]
+fn a_closed_spline_cut_beside_its_beginning() {
+    for sense in [true, false] {
+        let mut s = Sheet::default();
+        let frame = s.frame([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+        let plane = s.add(format!("PLANE('',#{frame})"));
+        let at = |angle: f64| [2.0 + 2.0 * angle.cos(), 2.0 * angle.sin(), 0.0];
+        let [begin, cut] = [5e-6, 0.005].map(|angle| s.vertex(at(angle)));
+        let w = std::f64::consts::FRAC_1_SQRT_2;
+        let round = [B, [4., 2., 0.], [2., 2., 0.], [0., 2., 0.], A, [0., -2., 0.], [2., -2., 0.], [4., -2., 0.], B];
+        let p = ids(&mut s, &round);
+        let circle = s.add(format!(
+            "(BOUNDED_CURVE()B_SPLINE_CURVE(2,({p}),.UNSPECIFIED.,.T.,.F.)\
+             B_SPLINE_CURVE_WITH_KNOTS((3,2,2,2,3),(0.,1.,2.,3.,4.),.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()\
+             RATIONAL_B_SPLINE_CURVE((1.,{w:?},1.,{w:?},1.,{w:?},1.,{w:?},1.))REPRESENTATION_ITEM(''))"
+        ));
+        let (long, flag) = if sense { ([cut, begin], ".T.") } else { ([begin, cut], ".F.") };
+        let edges = [long, [long[1], long[0]]]
+            .map(|[a, b]| (s.add(format!("EDGE_CURVE('',#{a},#{b},#{circle},{flag})")), true));
+        let face = s.face(plane, true, &edges);
+        let shell = s.add(format!("OPEN_SHELL('',(#{face}))"));
+        let model = s.add(format!("SHELL_BASED_SURFACE_MODEL('',(#{shell}))"));
+        let read = read(&s.file("mm", &[model])).unwrap();
+        let length = |edge: &Edge| -> f64 {
+            (0..400).map(|k| (edge.at(f64::from(k + 1) / 400.0) - edge.at(f64::from(k) / 400.0)).norm()).sum()
+        };
+        let [long, short] = [0, 1].map(|k| length(&read.brep.edges[k]));
+        assert!((long - (4.0 * std::f64::consts::PI - 0.01)).abs() < 1e-3, "{sense}: {long}");
+        assert!((short - 0.00999).abs() < 1e-6, "{sense}: {short}");
+        let part = Part::meshed(read.brep, 0.001, &Silent).unwrap();
+        assert!((part.mesh.area_mm2() - 4.0 * std::f64::consts::PI).abs() < 0.02);
+    }
+}
+
 /// A closed spline between two vertices of which one lies a hundredth off it, beside the other: the edge is the whole curve.
 #[test]
 fn a_closed_spline_between_vertices_in_one_place() {

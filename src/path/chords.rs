@@ -110,7 +110,8 @@ mod tests {
                 loops: vec![],
             };
             let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.01, &Silent).unwrap();
-            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm: 3.0, rim: None };
+            let level =
+                LevelSet { part: Allowed::new(&part, 0.0), radius_mm: 3.0, rim: None, lowest_mm: f64::NEG_INFINITY };
             let on_circle = |k: u32| {
                 let (s, c) = (f64::from(k) * 0.1).sin_cos();
                 level.touch(&Point::new(r * c, r * s, 20.0), 1.0).unwrap()

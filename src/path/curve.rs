@@ -97,10 +97,15 @@ impl Curve<'_> {
         let guess = a.centre + chord * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g);
         let along = chord * (6.0 * f * g) + m0 * (g * (g - 2.0 * f)) + m1 * (f * (f - 2.0 * g));
         let reach = 0.5 * length + 0.01 * self.level.radius_mm;
-        along
+        let touch = along
             .try_normalize(1e-12)
             .and_then(|t| self.level.touch_across(&guess, &t, reach))
-            .or_else(|| self.level.touch(&(a.centre + chord * f), reach))
+            .or_else(|| self.level.touch(&(a.centre + chord * f), reach))?;
+        // Through places at the region's end, and others that are held up above it, a smooth curve swings beyond it.
+        let lowest_mm = self.level.lowest_mm;
+        let swings = touch.centre.x < lowest_mm;
+        let at_end = Point::new(lowest_mm, touch.centre.y, touch.centre.z);
+        swings.then(|| self.level.touch_in_plane(&at_end, reach)).flatten().or(Some(touch))
     }
 
     /// Places evenly shared, from the first touch to the last: near enough for the chord tolerance where the curve bends, and

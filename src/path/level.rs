@@ -41,6 +41,8 @@ pub struct LevelSet<'a> {
     pub radius_mm: f64,
     /// Where the airfoil ends without a platform.
     pub rim: Option<&'a Rim>,
+    /// Height below which the ball's centre may not go, mm: the end of the region that was asked for, or −∞.
+    pub lowest_mm: f64,
 }
 
 /// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance in use.

@@ -86,7 +86,8 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     let rim = Rim::of(blade, options.radius_mm, options.stock_mm);
     let part = Allowed::new(&blade.part, options.stock_mm);
-    let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref() };
+    let lowest_mm = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
+    let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
     let start_x = start_height(blade, options);
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -103,7 +104,7 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
 pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
     validate(blade, options)?;
     let part = Allowed::new(&blade.part, options.stock_mm);
-    let level = LevelSet { part, radius_mm: options.radius_mm, rim: None };
+    let level = LevelSet { part, radius_mm: options.radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
 }

@@ -554,7 +554,8 @@ mod tests {
         // A turn on the flat side of a bar, whose sides run towards one another at `half_rad` from the line between them, down at 0.
         let blade = turned(4, &[1.0, 200.0], |_, s, c| [100.0 * c, 100.0 * s]);
         let (radius_mm, scallop_mm) = (4.0, 0.01);
-        let level = LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm, rim: None };
+        let level =
+            LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
         let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
         let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
         let march = March {

@@ -12,9 +12,12 @@ use crate::geometry::{Point, Vector};
 
 /// Edges at which the surface turns by more than this are sharp (cosine of 34°, as where a ball rolls over an edge).
 const SHARP: f64 = 0.83;
-/// A cap faces the root by more than this (sine of 17°) …
-const FACES_ROOT: f64 = 0.3;
-/// … and a wall leans by less than this (sine of 50°).
+/// A cap faces the root by more than this (sine of 60°, the lean that ends a path unless another is asked for): what leans less is a wall, and turns go
+/// over it, as over the end of a slanted or twisted foot …
+const FACES_ROOT: f64 = 0.866;
+/// … and by so much more than the wall at it …
+const MORE: f64 = 0.3;
+/// … which leans by less than this (sine of 50°).
 const WALL: f64 = 0.77;
 /// A level rim lies within this share of the airfoil's height from its foot; one that slants, as far above the whole sections' end as the part goes on
 /// below it, and so much more. Creases farther up are folds of the wall.
@@ -84,7 +87,7 @@ impl Rim {
 
 /// Whether a wall ends at a cap in a sharp edge.
 fn ends_at(wall: &Vector, cap: &Vector) -> bool {
-    wall.dot(cap) < SHARP && wall.x.abs() < WALL && cap.x < -FACES_ROOT && cap.x < wall.x - FACES_ROOT
+    wall.dot(cap) < SHARP && wall.x.abs() < WALL && cap.x < -FACES_ROOT && cap.x < wall.x - MORE
 }
 
 #[cfg(test)]
@@ -184,5 +187,9 @@ mod tests {
         assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&blade.part.mesh.points[3 * n])));
         blade.regions.platform_x_mm = Some(0.0);
         assert!(Rim::of(&blade, 2.0, 0.0).is_none());
+        // Where a foot is cut off at 75° from the axis it has a rim; at 50° the cut is a wall.
+        let cut_at = |from_axis_deg: f64| column(1.0 / from_axis_deg.to_radians().tan(), true);
+        assert!(Rim::of(&cut_at(75.0), 2.0, 0.0).is_some());
+        assert!(Rim::of(&cut_at(50.0), 2.0, 0.0).is_none());
     }
 }

@@ -185,7 +185,7 @@ mod tests {
             }
             mesh.triangles.extend([[0, 3, 1], [1, 3, 4], [1, 4, 2], [2, 4, 5]]);
             let part = Part::from_mesh(mesh);
-            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm, rim: None };
+            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
             let passes = [-s, s].map(|t| Point::new(0.0, t * half.cos(), radius_mm / half.cos() + s * half.sin()));
             for p in &passes {
                 assert!((level.touch(p, 0.1).unwrap().centre - p).norm() < 1e-6);

@@ -25,8 +25,6 @@ use crate::machine::Machine;
 const LENGTH_MM: f64 = 1e-6;
 /// Contacts lie on the part within this, mm: what the distance to exact faces is good for.
 const CONTACT_MM: f64 = 1e-4;
-/// Between turns of a helix the ball may lift off a hollow by so much more, mm: what it leaves there is judged as a ridge.
-const LIFT_MM: f64 = 0.05;
 /// Contacts farther off are so far off, mm.
 const FAR_MM: f64 = 1.0;
 /// Feeds are of arcs on the leads, lengths of their chords; relative.
@@ -109,7 +107,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
     let off = |l: &CutterLocation| {
         let along = (l.centre - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
-        along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs() - LIFT_MM))
+        along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))
     };
     let all: Vec<f64> = path.locations.par_iter().map(off).collect();
     let worst = all.iter().enumerate().fold((0.0f64, 0), |best, (row, off)| {

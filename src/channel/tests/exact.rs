@@ -2,16 +2,16 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
-use super::super::{ChannelOptions, Surroundings, intervals};
+use super::super::{ChannelOptions, FreeInterval, Surroundings, intervals};
 use super::world::{blade, inside_by, tool};
 use crate::artifact::channel::Binding;
 use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
-use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{loft, torus};
 use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
 /// Balls that touch the part from both sides, where they touch nothing else.
@@ -136,4 +136,42 @@ fn ends_are_those_of_the_faces() {
     }
     assert!(ends > 25, "{ends}");
     assert_eq!(far, 0, "of {ends} ends are timid");
+}
+
+/// Surface that the file has otherwise is kept clear of too; what it stands off the part takes the place of the mesh's deflection, not of the faces.
+#[test]
+fn ends_keep_clear_of_faces_as_published() {
+    let o =
+        ChannelOptions { clearance_mm: 0.2, holder_clearance_mm: 0.5, exact_ends: true, ..ChannelOptions::default() };
+    let (surface, shift) = (loft(), Vector::new(0.0, 0.003, 0.001));
+    let face =
+        Face { name: "f".into(), kind: SurfaceKind::BSpline, surface: surface.clone(), reversed: false, loops: vec![] };
+    let own = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.05, &Silent).unwrap();
+    let published = own.clone().moved(&Isometry3::from_parts(shift.into(), UnitQuaternion::identity()));
+    let turned = UnitQuaternion::from_euler_angles(2.1, 1.6, 0.3);
+    let pose = Isometry3::from_parts(Translation3::new(5.0, 6.0, -4.0), turned);
+    let (locations, uvs): (Vec<_>, Vec<_>) =
+        touching(&own.clone().moved(&pose), &surface, &pose, 3.0).into_iter().unzip();
+    let mut blade = blade(Mesh::default());
+    blade.part = own.with_published(published, vec![Some(0)]).moved(&pose);
+    let off_mm = blade.part.off_own_mm();
+    assert!((0.002..=shift.norm()).contains(&off_mm) && blade.part.deflection_mm > 4.0 * off_mm);
+    let (t, path) = (tool(3.0, 4.0), path_of(locations, 3.0));
+    let around = Surroundings::new(&blade, &[], 3.0).unwrap().finer(3.0);
+    let all = intervals(&around, &t, &path, &o, &Silent).unwrap();
+    let coarse = Surroundings::new(&blade, &[], 3.0).unwrap();
+    let by_mesh = intervals(&coarse, &t, &path, &ChannelOptions { exact_ends: false, ..o.clone() }, &Silent).unwrap();
+    let width = |all: &[Vec<FreeInterval>]| all.iter().flatten().map(|f| f.theta_max - f.theta_min).sum::<f64>();
+    assert!(width(&all) > width(&by_mesh) + 1e-3, "{} {}", width(&all), width(&by_mesh));
+    let mut ends = 0;
+    for ((l, uv), free) in path.locations.iter().zip(&uvs).zip(&all) {
+        let (room, segments) = ((o.clearance_mm, o.holder_clearance_mm), t.segments());
+        for at in free.iter().flat_map(|f| [f.theta_min, f.theta_max]) {
+            ends += 1;
+            let inside = |p: &Point| inside_by(&segments, room, o.b_rad, &l.centre, at, &(pose * (p + shift)));
+            let depth = depth(&surface, *uv, inside);
+            assert!(depth < 1e-5, "{l:?}: {at} is {depth} too near");
+        }
+    }
+    assert!(ends > 10, "{ends}");
 }

@@ -309,12 +309,17 @@ impl Search<'_> {
         if leaf.border == NO_BORDER {
             return true;
         }
-        // Where the piece ends and the distance still falls, the next piece or an edge is nearer.
+        // Where the piece ends and the distance still falls beyond, the next piece or an edge is nearer. Elsewhere Newton has settled: what its last
+        // step leaves of the slope grows with the bend, and says nothing.
         let r = self.q - foot.point;
-        let slope = |d: &Vector| r.dot(d).abs() > 1e-6 * d.norm() * r.norm().max(1e-3);
+        let falls = |a: usize, d: &Vector| {
+            let (slope, [from, to]) = (r.dot(d), leaf.rect.range[a]);
+            let beyond = !foot.settled || if slope < 0.0 { foot.st[a] <= from } else { foot.st[a] >= to };
+            beyond && slope.abs() > 1e-6 * d.norm() * r.norm().max(1e-3)
+        };
         let (nu, nv) = (foot.at.du.norm(), foot.at.dv.norm());
         let pole = nu.min(nv) < 1e-9 * nu.max(nv);
-        if !pole && (slope(&foot.at.du) || slope(&foot.at.dv)) {
+        if !pole && (falls(0, &foot.at.du) || falls(1, &foot.at.dv)) {
             return false;
         }
         let region = &self.exact.loops.regions[leaf.rect.face as usize];

@@ -479,3 +479,35 @@ fn seams_are_no_borders() {
         }
     }
 }
+
+/// Newton's last step leaves a slope of about its square over the radius of the bend, which is no reason to leave a foot out.
+#[test]
+fn a_sharp_bend_beside_an_edge_holds_its_own_points() {
+    for radius in [0.05, 0.02, 0.005] {
+        // A parabola with this radius at its vertex, along z; its ends are edges that all its pieces reach.
+        let (a, low) = (10.0 * radius, 50.0 * radius);
+        let row = |x: f64, y: f64| [0.0, 10.0].map(|z| Vector4::new(x, y, z, 1.0));
+        let wall = NurbsSurface {
+            degree_u: 2,
+            degree_v: 1,
+            knots_u: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            knots_v: vec![0.0, 0.0, 1.0, 1.0],
+            n_u: 3,
+            n_v: 2,
+            points: [row(-a, -low), row(0.0, low), row(a, -low)].concat(),
+        };
+        let wall = part(wall, 0.001);
+        for k in 0..2000 {
+            let [s, t] = [0.618_034, 0.754_877].map(|step| (f64::from(k) * step).fract());
+            let x = 0.8 * a * (2.0 * s - 1.0);
+            let on = Point::new(x, -0.5 * x * x / radius, 0.2 + 0.3 * t);
+            let away = Vector::new(x / radius, 1.0, 0.0).normalize();
+            let foot = wall.closest(&(on + away * 3.0), 10.0).unwrap().point;
+            assert!((foot - on).norm() < 1e-9);
+            for off in [0.0, 1e-6, 1e-4] {
+                let d = wall.closest(&(foot + away * off), 10.0).unwrap().distance_mm;
+                assert!((d - off).abs() < 1e-8, "radius {radius}, {off} mm above {foot}: {d}");
+            }
+        }
+    }
+}

@@ -44,20 +44,31 @@ pub fn from_vertex(curve: NurbsCurve, vertex: &Point, tolerance_mm: f64) -> Nurb
     NurbsCurve { degree, knots, points }
 }
 
-/// Parameter and distance of the point of the curve closest to `q`: sampled, then narrowed by golden section.
+/// Parameter and distance of the point of the curve closest to `q`: sampled, then narrowed by golden section about every sample beside which it
+/// may lie. On a closed curve both ends are equally near to what lies beside its beginning.
 pub fn foot(curve: &NurbsCurve, t: [f64; 2], q: &Point) -> (f64, f64) {
     let at = |k: usize| t[0] + (t[1] - t[0]) * k as f64 / SAMPLES as f64;
     let distance = |t: f64| (curve.point(t) - q).norm();
-    let nearest = (0..=SAMPLES).min_by(|&i, &j| distance(at(i)).total_cmp(&distance(at(j)))).unwrap_or(0);
-    let (mut a, mut b) = (at(nearest.saturating_sub(1)), at((nearest + 1).min(SAMPLES)));
+    let points: Vec<Point> = (0..=SAMPLES).map(|k| curve.point(at(k))).collect();
+    let off: Vec<f64> = points.iter().map(|p| (p - q).norm()).collect();
+    let nearest = (0..=SAMPLES).min_by(|&i, &j| off[i].total_cmp(&off[j])).unwrap_or(0);
+    let may_be_beside = |k: &usize| {
+        let sides = [k.saturating_sub(1), (k + 1).min(SAMPLES)];
+        let step_mm = sides.map(|j| (points[j] - points[*k]).norm());
+        let is_least = sides.iter().all(|j| off[*k] <= off[*j]);
+        *k == nearest || is_least && off[*k] - step_mm[0].max(step_mm[1]) < off[nearest]
+    };
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    for _ in 0..48 {
-        let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
-        if distance(c) < distance(d) { b = d } else { a = c }
-    }
-    let (narrowed, sampled) = (0.5 * (a + b), at(nearest));
-    // The ends of the interval are feet of their own.
-    [narrowed, sampled].into_iter().map(|t| (t, distance(t))).min_by(|x, y| x.1.total_cmp(&y.1)).unwrap_or((t[0], 0.0))
+    let narrowed = (0..=SAMPLES).filter(may_be_beside).flat_map(|k| {
+        let (mut a, mut b) = (at(k.saturating_sub(1)), at((k + 1).min(SAMPLES)));
+        for _ in 0..48 {
+            let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
+            if distance(c) < distance(d) { b = d } else { a = c }
+        }
+        // The ends of the interval are feet of their own.
+        [0.5 * (a + b), at(k)]
+    });
+    narrowed.map(|t| (t, distance(t))).min_by(|x, y| x.1.total_cmp(&y.1)).unwrap_or((t[0], 0.0))
 }
 
 /// Begin and end of an edge.
