@@ -14,18 +14,18 @@
 
 use rayon::prelude::*;
 
-use super::asked::{bare, placed};
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{AxisMotion, Blade, Plan};
 use crate::geometry::Point;
+use crate::geometry::part::Closest;
 use crate::machine::Machine;
 
 /// Lengths that follow from sums of thousands of distances, mm.
 const LENGTH_MM: f64 = 1e-6;
 /// Contacts lie on the part within this, mm: what the distance to exact faces is good for.
 const CONTACT_MM: f64 = 1e-4;
-/// Between turns of a helix the ball may lift off a hollow by so much more, mm: what it leaves there is judged as a ridge.
+/// Between turns of a helix the ball may lift off a hollow, away from the part, by so much more, mm: what it leaves there is judged as a ridge.
 const LIFT_MM: f64 = 0.05;
 /// Contacts farther off are so far off, mm.
 const FAR_MM: f64 = 1.0;
@@ -66,8 +66,11 @@ impl Found {
 
     fn check(self, name: &str, quantity: &str, plan: &Plan, blade: &Blade) -> Check {
         let (row, note) = self.first.map_or((None, String::new()), |(row, says)| (Some(row), says));
-        let check = bare(name, quantity, self.count as f64, 0.0, "", note);
-        row.map_or(check.clone(), |row| placed(check, row, plan, blade))
+        let check = Check::at_most(name, quantity, self.count as f64, 0.0, "", note);
+        match row {
+            Some(row) => check.at_location(row, plan, blade),
+            None => check,
+        }
     }
 }
 
@@ -109,7 +112,12 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
     let off = |l: &CutterLocation| {
         let along = (l.centre - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
-        along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs() - LIFT_MM))
+        let lift = |c: Closest| {
+            let outside = (l.contact - c.point).dot(&l.normal) >= 0.0;
+            (if outside { c.distance_mm } else { -c.distance_mm }) - path.stock_mm
+        };
+        let lift = near.map_or(f64::MAX, lift);
+        along.max(if lift > 0.0 { lift - LIFT_MM } else { -lift })
     };
     let all: Vec<f64> = path.locations.par_iter().map(off).collect();
     let worst = all.iter().enumerate().fold((0.0f64, 0), |best, (row, off)| {
@@ -123,7 +131,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
         format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
     };
     let note = path.locations.get(worst.1).filter(|_| worst.0 > CONTACT_MM).map_or(String::new(), says);
-    placed(bare("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note), worst.1, plan, blade)
+    Check::at_most("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note).at_location(worst.1, plan, blade)
 }
 
 /// All rows of the motion, leads and path, and the ball centre at each.
