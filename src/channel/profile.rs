@@ -212,7 +212,7 @@ impl Profile {
         let frusta: Vec<Frustum> = segments
             .iter()
             .map(|s| {
-                let c = room_mm[usize::from(s.name.starts_with("holder"))];
+                let c = room_mm[usize::from(s.is_of_holder())];
                 Frustum::new(s, c + deflection_mm)
             })
             .collect();

@@ -52,6 +52,13 @@ pub struct Segment {
     pub r1: f64,
 }
 
+impl Segment {
+    /// It is a stage of the holder, not taper or shank.
+    pub fn is_of_holder(&self) -> bool {
+        self.name.starts_with("holder")
+    }
+}
+
 impl Tool {
     /// Reads a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job will do.
     ///
@@ -144,6 +151,12 @@ impl Tool {
             z += h.length_mm;
         }
         out
+    }
+
+    /// The same in two: taper and shank, and the holder.
+    pub fn cutter_and_holder(&self) -> [Vec<Segment>; 2] {
+        let (holder, cutter) = self.segments().into_iter().partition(Segment::is_of_holder);
+        [cutter, holder]
     }
 
     /// Length from the ball centre to the end of the last holder stage, mm.

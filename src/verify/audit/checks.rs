@@ -109,8 +109,7 @@ fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
 
 /// Taper and shank, and the holder, at a feed.
 pub(super) fn clearances(scene: &Scene) -> Vec<LineCheck> {
-    let segments = scene.bench.tool.segments();
-    let (holder, cutter): (Vec<_>, Vec<_>) = segments.into_iter().partition(|s| s.name.starts_with("holder"));
+    let [cutter, holder] = scene.bench.tool.cutter_and_holder();
     let wanted = scene.legs.of(Kind::Cut);
     let groups = [("clearance", "taper and shank", cutter), ("holder-clearance", "the holder", holder)];
     let check = |(name, what, segments): (&str, &str, Vec<Segment>)| {
