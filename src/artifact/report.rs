@@ -1,5 +1,6 @@
 //! What the checks found.
 
+use super::{Blade, Plan};
 use crate::geometry::{Point, Vector};
 
 /// One check.
@@ -25,6 +26,33 @@ pub struct Check {
     pub point_mm: Option<[f64; 3]>,
     /// More, in words (which face, which part of the tool).
     pub note: String,
+}
+
+impl Check {
+    /// A check without a place, passed where the worst value is at most its limit. What is not finite is worse than everything.
+    pub fn at_most(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Self {
+        let worst = if worst.is_finite() { worst } else { f64::MAX };
+        Check {
+            name: name.into(),
+            quantity: quantity.into(),
+            worst,
+            limit,
+            unit: unit.into(),
+            passed: worst <= limit,
+            row: None,
+            turn: None,
+            point_mm: None,
+            note,
+        }
+    }
+
+    /// The check at a cutter location of a plan, its place the ball centre.
+    #[must_use]
+    pub fn at_location(self, row: usize, plan: &Plan, blade: &Blade) -> Self {
+        let location = plan.toolpath.locations.get(row);
+        let point = location.map(|l| blade.model_from_blade * l.centre);
+        Check { row: Some(row), turn: location.map(|l| l.turn), point_mm: point.map(|p| [p.x, p.y, p.z]), ..self }
+    }
 }
 
 /// What a limit was computed from.

@@ -27,10 +27,15 @@ struct Place {
     normal: Vector,
 }
 
+/// Places that stand for equal pieces of a surface.
+struct Surface {
+    places: Vec<Place>,
+    area_mm2: f64,
+}
+
 /// Places on the wall near the platform, then on the fillet.
 pub(super) struct Places {
-    of: [Vec<Place>; 2],
-    area_mm2: [f64; 2],
+    of: [Surface; 2],
     /// Heights between which the wall is looked at, mm.
     pub(super) heights_mm: [f64; 2],
     /// The airfoil's chord near the platform, and its height, mm.
@@ -62,12 +67,12 @@ impl Places {
             .map(|k| foot + (0.02 + 0.96 * k as f64 / (HEIGHTS - 1) as f64) * (top - foot))
             .filter_map(|x| Some((x, bounds(&outline(blade, x)?))))
             .collect();
-        let (on_wall, wall_mm2) = spread(blade, &outlines, wall, WALL_LEAN);
-        let (on_fillet, fillet_mm2) =
-            fillet.map_or_else(Default::default, |f| spread(blade, &outlines, f, FILLET_LEAN));
+        let none = || Surface { places: Vec::new(), area_mm2: 0.0 };
         Places {
-            of: [on_wall, on_fillet],
-            area_mm2: [wall_mm2, fillet_mm2],
+            of: [
+                spread(blade, &outlines, wall, WALL_LEAN),
+                fillet.map_or_else(none, |f| spread(blade, &outlines, f, FILLET_LEAN)),
+            ],
             heights_mm: wall,
             chord_mm: (outline(blade, chord_at).map_or(0.0, |l| extent_mm(&l.points)), chord_at),
         }
@@ -75,12 +80,12 @@ impl Places {
 
     /// There is nothing to lay a ball on.
     pub(super) fn is_empty(&self) -> bool {
-        self.of.iter().all(Vec::is_empty)
+        self.of.iter().all(|s| s.places.is_empty())
     }
 
     /// Where the smallest ball goes, of all places together.
     pub(super) fn sound(&self, blade: &Blade, radius_mm: f64) -> Share {
-        let all = vec![true; self.of[0].len() + self.of[1].len()];
+        let all = vec![true; self.of.iter().map(|s| s.places.len()).sum()];
         let [wall, fillet] = self.shares(blade, radius_mm, [1.0; 2], &all);
         let area_mm2 = wall.area_mm2 + fillet.area_mm2;
         let share = (wall.share * wall.area_mm2 + fillet.share * fillet.area_mm2) / area_mm2.max(f64::MIN_POSITIVE);
@@ -94,20 +99,20 @@ impl Places {
 
     /// Where a ball goes on the wall and on the fillet, of the `sound` places; with `spare`, where one larger by its inverse does.
     pub(super) fn shares(&self, blade: &Blade, radius_mm: f64, spare: [f64; 2], sound: &[bool]) -> [Share; 2] {
-        let n = self.of[0].len().min(sound.len());
+        let n = self.of[0].places.len().min(sound.len());
         let (wall, fillet) = sound.split_at(n);
         // Lower places of the wall are the platform's matter.
         let lowest = self.lowest(radius_mm / spare[0]);
         [
-            share(blade, &self.of[0], radius_mm, spare[0], wall, self.area_mm2[0], lowest),
-            share(blade, &self.of[1], radius_mm, spare[1], fillet, self.area_mm2[1], f64::NEG_INFINITY),
+            share(blade, &self.of[0], [radius_mm, spare[0]], wall, lowest),
+            share(blade, &self.of[1], [radius_mm, spare[1]], fillet, f64::NEG_INFINITY),
         ]
     }
 
     /// A ball on the wall lower than this touches the platform first; where a fillet lies between, it need not.
     fn lowest(&self, radius_mm: f64) -> f64 {
         let [lo, hi] = self.heights_mm;
-        if self.of[1].is_empty() { lo + radius_mm.min(0.6 * (hi - lo)) } else { lo }
+        if self.of[1].places.is_empty() { lo + radius_mm.min(0.6 * (hi - lo)) } else { lo }
     }
 }
 
@@ -118,15 +123,8 @@ fn near_platform(blade: &Blade) -> f64 {
 }
 
 /// Lays the ball on every sound place above `lowest`.
-fn share(
-    blade: &Blade,
-    places: &[Place],
-    radius_mm: f64,
-    spare: f64,
-    sound: &[bool],
-    area_mm2: f64,
-    lowest: f64,
-) -> Share {
+fn share(blade: &Blade, on: &Surface, [radius_mm, spare]: [f64; 2], sound: &[bool], lowest: f64) -> Share {
+    let Surface { places, area_mm2 } = on;
     let r = radius_mm / spare;
     let counts: Vec<bool> = places.iter().zip(sound).map(|(p, sound)| *sound && p.at.x >= lowest).collect();
     // How near the centre comes; infinite where it is clear.
@@ -147,8 +145,8 @@ fn share(
     }
 }
 
-/// Middles of triangles of the airfoil's walls between two heights, one for each equal piece of their area, and the area, mm².
-fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_lean: f64) -> (Vec<Place>, f64) {
+/// Middles of triangles of the airfoil's walls between two heights, one for each equal piece of their area.
+fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_lean: f64) -> Surface {
     let mesh = &blade.part.mesh;
     let wide = |b: &[f64; 4]| (b[2] - b[0]).max(b[3] - b[1]);
     let on_airfoil = |p: &Point| {
@@ -178,7 +176,7 @@ fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_
             next += piece;
         }
     }
-    (out, total)
+    Surface { places: out, area_mm2: total }
 }
 
 /// The outline of the airfoil at a height: of the loops whose box holds the blade axis the widest, since hollow blades have more than one; where none

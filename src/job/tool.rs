@@ -25,6 +25,8 @@ const MOST_OF: [f64; 2] = [0.97, 0.9];
 /// tool room to turn. In the fillet a ball as large as the fillet itself could go only along one
 /// line.
 const TO_SPARE: [f64; 2] = [0.9, 0.85];
+/// A ball that just fits.
+const NONE_TO_SPARE: [f64; 2] = [1.0; 2];
 /// Below this share of all places that any ball goes to, the surface is folded over itself, or is none.
 const LEAST_SOUND: f64 = 0.5;
 /// Slits and damage over more than this share are reported.
@@ -137,10 +139,7 @@ fn default_cutter(
     let long_enough = catalogue.cutter.iter().any(&reaches);
     // Where none is long enough the longest are; the stick-out's message says so.
     let able = |c: &&Cutter| !long_enough || reaches(c);
-    let goes = |c: &Cutter| {
-        let on = places.shares(blade, c.radius_mm, TO_SPARE, &sound.places);
-        on.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
-    };
+    let goes = |c: &Cutter| has_room(&places.shares(blade, c.radius_mm, TO_SPARE, &sound.places));
     let slim = |c: &&Cutter| c.radius_mm <= most_mm;
     if let Some(c) = catalogue.cutter.iter().rev().filter(slim).filter(able).find(|c| goes(c)) {
         let more = catalogue.cutter.iter().find(|d| d.radius_mm > c.radius_mm);
@@ -156,7 +155,7 @@ fn default_cutter(
     }
     // What the part asks for is not to be had: the smallest that is long enough, and what it leaves.
     let c = catalogue.cutter.iter().find(able).unwrap_or(smallest);
-    let left = left_over(blade, places, c.radius_mm, [1.0; 2], &sound.places);
+    let left = left_over(blade, &places.shares(blade, c.radius_mm, NONE_TO_SPARE, &sound.places));
     let short = catalogue.cutter.iter().find(|d| goes(d)).filter(|d| d.radius_mm < c.radius_mm);
     warnings.push(match (&left, short) {
         (Some(left), Some(d)) => format!(
@@ -183,15 +182,12 @@ fn default_cutter(
 fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<String> {
     let smallest = catalogue.cutter.first()?.radius_mm.min(radius_mm);
     let sound = places.sound(blade, smallest);
-    let shares = places.shares(blade, radius_mm, [1.0; 2], &sound.places);
-    if shares.iter().zip(MOST_OF).all(|(s, least)| s.share >= least) {
+    let shares = places.shares(blade, radius_mm, NONE_TO_SPARE, &sound.places);
+    if has_room(&shares) {
         return None;
     }
-    let left = left_over(blade, places, radius_mm, [1.0; 2], &sound.places)?;
-    let goes = |r: f64| {
-        let on = places.shares(blade, r, TO_SPARE, &sound.places);
-        on.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
-    };
+    let left = left_over(blade, &shares)?;
+    let goes = |r: f64| has_room(&places.shares(blade, r, TO_SPARE, &sound.places));
     let fits = catalogue.cutter.iter().map(|c| c.radius_mm).rev().find(|r| *r < radius_mm && goes(*r));
     let other = fits.map_or_else(String::new, |r| format!("; a ball of {r} mm would"));
     Some(format!(
@@ -199,9 +195,13 @@ fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f
     ))
 }
 
+/// Whether a ball goes to nearly all of wall and fillet.
+fn has_room(shares: &[Share; 2]) -> bool {
+    shares.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
+}
+
 /// Where a ball does not go, in words; `None` where it goes everywhere.
-fn left_over(blade: &Blade, places: &Places, radius_mm: f64, spare: [f64; 2], sound: &[bool]) -> Option<String> {
-    let shares = places.shares(blade, radius_mm, spare, sound);
+fn left_over(blade: &Blade, shares: &[Share; 2]) -> Option<String> {
     let names = ["wall near the platform", "fillet"];
     let told: Vec<String> = shares
         .iter()

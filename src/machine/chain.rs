@@ -168,6 +168,11 @@ impl Chain {
         Pose { centre: blade * at, axis: blade * (turned * self.tool) }
     }
 
+    /// See [`Machine::blade_from_frame_fixed_at`]; rotary axes of the tool at 0.
+    pub(super) fn blade_from_frame_fixed_at(&self, table: [f64; 2]) -> Rigid {
+        self.mount.inverse() * self.turned(table) * self.mount
+    }
+
     /// The tool axis, blade frame.
     pub(super) fn axis(&self, rotary: [f64; 2]) -> Vector {
         self.mount.rotation.inverse() * (self.turned(rotary).rotation * self.tool)

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::UnitQuaternion;
 
 use super::chain::Chain;
-use super::{Machine, PositiveA, PositiveB};
+use super::{AxisName, Machine, PositiveA, PositiveB};
 use crate::error::Result;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
@@ -240,6 +240,29 @@ impl Machine {
     /// Whether the rotary axis nearest to the workpiece alone turns the tool round the blade, while the other one stands still.
     pub fn turns_the_blade(&self) -> bool {
         Chain::of(self).is_none_or(|chain| chain.along_blade().is_some())
+    }
+
+    /// Which rotary axes turn the part and not the tool: those with a linear axis between them and the tool.
+    pub fn table_axes(&self) -> [bool; 2] {
+        if self.chain.is_empty() {
+            return [true, false];
+        }
+        let carries = |name: AxisName| self.chain.iter().skip_while(|n| **n != name).any(|n| n.linear().is_some());
+        self.rotary_axes().map(|axis| axis.is_some_and(carries))
+    }
+
+    /// The frame that is fixed to the table where the blade frame is while the table reads 0, but while it reads `rotary`: to the blade frame. Linear axes that carry
+    /// the table are taken to stand at 0.
+    pub fn blade_from_frame_fixed_at(&self, rotary: [f64; 2]) -> Rigid {
+        let [first, second] = self.table_axes();
+        let table = [if first { rotary[0] } else { 0.0 }, if second { rotary[1] } else { 0.0 }];
+        match Chain::of(self) {
+            Some(chain) => chain.blade_from_frame_fixed_at(table),
+            None => {
+                let t = TableHead::of(self);
+                t.machine_from_part(table[0]).inverse() * t.machine_from_part(0.0)
+            }
+        }
     }
 
     /// The part's place under a tool that stands still, for showing it: on a machine without a chain its true place on the table, else turned

@@ -93,13 +93,12 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
     let locations = texts[0].as_deref().map(|t| tables::read_cutter_locations(t, &setup.blade, &mut read));
     // A table that cannot be read is reported below.
     let plan = if locations.is_some_and(|l| l.is_ok()) { read } else { plan };
-    let mut k = 0;
-    let checks = names.map(|(name, file)| {
+    let checks = std::array::from_fn(|k| {
+        let (name, file) = names[k];
         let difference = match &texts[k] {
             Some(text) => tables::difference(text, &wanted[k]),
             None => tables::Difference { count: 1, first: "it is missing, or no text".into() },
         };
-        k += 1;
         let note = if difference.count == 0 { file.to_owned() } else { format!("{file}, {}", difference.first) };
         count(name, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
     });
@@ -146,16 +145,5 @@ fn inputs(now: &[Input], kept: Option<&Manifest>) -> Check {
 
 /// A check that nothing was found.
 fn count(name: &str, quantity: &str, found: usize, note: String) -> Check {
-    Check {
-        name: name.into(),
-        quantity: quantity.into(),
-        worst: found as f64,
-        limit: 0.0,
-        unit: String::new(),
-        passed: found == 0,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note,
-    }
+    Check::at_most(name, quantity, found as f64, 0.0, "", note)
 }

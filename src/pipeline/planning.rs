@@ -111,10 +111,11 @@ fn keep_clear(
     observer: &dyn Observer,
 ) -> Result<()> {
     let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
+    let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
     for _ in 0..MOST_PROOFS {
         let short = clock.time(Stage::Channel, || {
             let (theta, b_rad) = (&schedule.theta, channel.b_rad);
-            Ok(verify::short_moves(path, theta, b_rad, &setup.blade, &setup.obstacles, tool, &verify))
+            Ok(verify::short_moves(path, theta, b_rad, &apart, &verify))
         })?;
         if short.is_empty() {
             return Ok(());

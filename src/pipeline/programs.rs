@@ -128,25 +128,10 @@ fn other(
 /// A program that a control would not understand either, or that nobody can judge.
 fn unreadable(file_name: &str, why: String) -> Check {
     let quantity = format!("{file_name}: lines that cannot be read");
-    finding("program-readable", quantity, "lines", format!("{file_name}: {why}"))
+    Check::at_most("program-readable", &quantity, 1.0, 0.0, "lines", format!("{file_name}: {why}"))
 }
 
 fn absent(file_name: &str) -> Check {
     let note = format!("{file_name} is not in the folder, the job asks for it: write it with `post`, or plan again");
-    finding("program-absent", "programs that the job asks for and that are not there".into(), "", note)
-}
-
-fn finding(name: &str, quantity: String, unit: &str, note: String) -> Check {
-    Check {
-        name: name.into(),
-        quantity,
-        worst: 1.0,
-        limit: 0.0,
-        unit: unit.into(),
-        passed: false,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note,
-    }
+    Check::at_most("program-absent", "programs that the job asks for and that are not there", 1.0, 0.0, "", note)
 }

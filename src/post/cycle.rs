@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use super::dialect::Dialect;
-use super::{End, Run};
+use super::{End, Run, turn_in};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::CycleTime;
 use crate::machine::{AxisLimits, Machine};
@@ -16,8 +16,9 @@ use crate::machine::{AxisLimits, Machine};
 pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
     let [first, last] = &run.ends;
     let [lead_in_s, cutting_s, lead_out_s] = planned(run);
-    let (approach_s, retract_s) = (outside(run, first), outside(run, last));
-    let unwinding_s = unwinding(run, dialect);
+    let places = if dialect.turns_in() { turn_in::places(run, dialect.file.programmed) } else { Vec::new() };
+    let (approach_s, retract_s) = (outside(run, first, &places), outside(run, last, &[]));
+    let unwinding_s = unwinding(run, dialect, places.first());
     let total_s = approach_s + lead_in_s + cutting_s + lead_out_s + retract_s + unwinding_s;
     CycleTime { approach_s, lead_in_s, cutting_s, lead_out_s, retract_s, unwinding_s, total_s }
 }
@@ -36,14 +37,17 @@ fn planned(run: &Run) -> [f64; 3] {
     [begins - first.unwrap_or(begins), ends - begins, last - ends]
 }
 
-/// Between the end of travel in Z and an end of the path: a rapid to the safe position, the approach feed to the feed height, the plunge feed from there on.
-fn outside(run: &Run, end: &End) -> f64 {
+/// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by places one after another, the approach feed to the feed height, the
+/// plunge feed from there on.
+fn outside(run: &Run, end: &End, by: &[[f64; 5]]) -> f64 {
     let (o, height) = (run.options, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
-    let mut over = at;
+    let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
+    let mut over = by[0];
     over[2] = safe_z(run);
+    let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| rapid(run.machine, from, to)).sum();
     let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
-    60.0 * at_feed + rapid(run.machine, &at, &over)
+    60.0 * at_feed + rapids
 }
 
 /// The end of travel in Z, where programs retract to.
@@ -52,12 +56,13 @@ pub(super) fn safe_z(run: &Run) -> f64 {
     run.machine.limits()[2].travel.map_or(here, |[_, up]| up)
 }
 
-/// The rotary axes back to where the first location has them.
-fn unwinding(run: &Run, dialect: &Dialect) -> f64 {
+/// The rotary axes back to where the program began with them: at `begun`, or at the first location's.
+fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64; 5]>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }
-    let [to, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.rotary_of(e.theta, run.b_rad()));
+    let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.rotary_of(e.theta, run.b_rad()));
+    let to = begun.map_or(first, |axes| [axes[3], axes[4]]);
     let mut turned = from[0] - to[0];
     if dialect.turns_back_by_the_shorter_way() && run.machine.limits()[3].travel.is_none() {
         turned -= TAU * (turned / TAU).round();

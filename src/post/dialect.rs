@@ -3,13 +3,14 @@
 //! A program is a list of *sections* in a fixed order, each a list of lines:
 //!
 //! ```text
-//! file_begin  header (warnings within)  notes  start  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
+//! file_begin  header (warnings within)  notes  start  turn_in …  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
 //! ```
 //!
 //! In a program of several operations all from `header` to `unwind` comes once for each, with `operation_end` between two.
 //! `start` sees the safe position over the first location, `approach` the feed height, `plunge` the first location, `cut` (once
 //! for each move) every location after it, `turn` (before the first cut of each turn) its number and the place where it begins, `leave` the feed height over the last location, `retract` the safe position over
-//! it, `unwind` the first location again. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
+//! it, `unwind` the first location again. With `turn_in` the table stands at 0 in `start` and behind `unwind`, and `turn_in` is written for each place on the way
+//! from there to the safe position. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
 //! `{key:3}` for one with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the
 //! value before are left out for the keys in `modal`. The line `{look_ahead}` in `start` stands for all lines of `look_ahead`, `{look_ahead_end}` in
 //! `retract` for those of `look_ahead_end`; both are left out where the job says `post.look_ahead = false`.
@@ -119,8 +120,12 @@ pub struct Text {
     /// Comments after the header.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// Up to the safe position over the first location.
+    /// Up to the safe position over the first location; with `turn_in` up to where tool-centre-point control comes on, with the table at 0.
     pub start: Vec<String>,
+    /// From there in steps, the table turning, to the safe position: for a control that fixes X, Y, Z to the table as it stands when tool-centre-point control
+    /// comes on. Without it the table has turned before.
+    #[serde(default)]
+    pub turn_in: Vec<String>,
     /// What switches the control's high-speed cutting on: stands for the line `{look_ahead}` of `start`.
     #[serde(default)]
     pub look_ahead: Vec<String>,
@@ -146,7 +151,7 @@ pub struct Text {
     pub leave: Vec<String>,
     /// To the safe position, and home.
     pub retract: Vec<String>,
-    /// Back to the first position of `A`; left out where the part may not turn freely.
+    /// Back to the first position of `A`, with `turn_in` to 0; left out where the part may not turn freely.
     #[serde(default)]
     pub unwind: Vec<String>,
     /// Between two operations: behind the retract and the unwinding of one, before the tool call in `start` of the next.
@@ -244,6 +249,7 @@ pub struct Dialect {
     pub(super) warnings: Vec<Line>,
     pub(super) notes: Vec<Line>,
     pub(super) start: Vec<Line>,
+    pub(super) turn_in: Vec<Line>,
     pub(super) approach: Vec<Line>,
     pub(super) plunge: Vec<Line>,
     pub(super) cutting: Vec<Line>,
@@ -328,6 +334,7 @@ impl Dialect {
             warnings: take("text.warnings", &comments(&t.warnings))?,
             notes: take("text.notes", &comments(&t.notes))?,
             start: filled("text.start", &t.start, LOOK_AHEAD, &t.look_ahead)?,
+            turn_in: take("text.turn_in", &t.turn_in)?,
             approach: take("text.approach", &t.approach)?,
             plunge: take("text.plunge", &t.plunge)?,
             cutting: take("text.cutting", &t.cutting)?,
@@ -352,6 +359,11 @@ impl Dialect {
     /// File name of its programs.
     pub fn file_name(&self) -> &str {
         &self.file.file
+    }
+
+    /// The table turns in under tool-centre-point control.
+    pub(super) fn turns_in(&self) -> bool {
+        !self.turn_in.is_empty()
     }
 
     /// Its unwinding takes less than a turn on an axis that turns without end.

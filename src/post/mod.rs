@@ -38,6 +38,7 @@ mod template;
 #[cfg(test)]
 mod tests;
 mod text;
+mod turn_in;
 mod write;
 
 pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rotary, Text};

@@ -5,11 +5,11 @@ use super::moves::{self, Move};
 use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header, title};
-use super::{End, Run, cycle, merge, smoothing};
+use super::{End, Run, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::{Point, Rigid};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
 
 /// The whole program: one operation after another.
@@ -47,8 +47,21 @@ fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
     w.lines.mark();
     let [first, last] = run.ends;
     let height = run.feed_height(&first);
-    w.at(&first, first.safe_mm)?;
-    w.put(&dialect.start)?;
+    let places = dialect.turns_in().then(|| turn_in::places(run, dialect.file.programmed));
+    match places.as_deref() {
+        Some([zero, then @ ..]) => {
+            w.stand(zero)?;
+            w.put(&dialect.start)?;
+            for place in then {
+                w.stand(place)?;
+                w.put(&dialect.turn_in)?;
+            }
+        }
+        _ => {
+            w.at(&first, first.safe_mm)?;
+            w.put(&dialect.start)?;
+        }
+    }
     w.at(&first, height)?;
     w.put(&dialect.approach)?;
     w.at(&first, 0.0)?;
@@ -62,7 +75,10 @@ fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
     w.at(&last, last.safe_mm)?;
     w.put(&dialect.retract)?;
     if run.ends.iter().all(|e| e.clear) {
-        w.at(&first, 0.0)?;
+        match places.as_deref() {
+            Some([zero, ..]) => w.stand(zero)?,
+            _ => w.at(&first, 0.0)?,
+        }
         w.put(&dialect.unwind)?;
     }
     Ok(())
@@ -162,16 +178,26 @@ impl<'a> Writer<'a> {
         self.take(&placed, &polynomial::NONE)
     }
 
+    /// Sets the values of axis positions.
+    fn stand(&mut self, axes: &[f64; 5]) -> Result<()> {
+        let pose = self.run.machine.forward(axes, self.run.tool.length_mm());
+        self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), &polynomial::NONE)
+    }
+
     fn placed(&self, centre: &Point, theta: f64) -> Placed {
         let run = self.run;
         let axes = run.machine.inverse(centre, theta, run.b_rad(), run.tool.length_mm());
-        let axis = tool::axis(run.b_rad(), theta);
+        self.placed_by(centre, &tool::axis(run.b_rad(), theta), axes)
+    }
+
+    /// A pose by its centre and tool axis, and the axis positions that bring it about.
+    fn placed_by(&self, centre: &Point, axis: &Vector, axes: [f64; 5]) -> Placed {
         let point = match self.dialect.file.programmed {
-            Programmed::Tip => tool::tip(centre, &axis, run.tool.radius_mm).into(),
+            Programmed::Tip => tool::tip(centre, axis, self.run.tool.radius_mm).into(),
             Programmed::Centre => (*centre).into(),
             Programmed::Machine => [axes[0], axes[1], axes[2]],
         };
-        Placed { point, a_deg: self.a_deg(axes[3]), axes, axis: axis.into() }
+        Placed { point, a_deg: self.a_deg(axes[3]), axes, axis: (*axis).into() }
     }
 
     /// `A` in degrees as the program counts it.
@@ -181,11 +207,7 @@ impl<'a> Writer<'a> {
             // An axis with ends of travel stands where it is told.
             _ if self.run.machine.limits()[3].travel.is_some() => a,
             Rotary::Modulo => a.rem_euclid(360.0),
-            // Whole turns before the first location are dropped: all dialects begin in the same one.
-            Rotary::Accumulate | Rotary::Vector | Rotary::Incremental => {
-                let first = self.run.plan.axes().next().map_or(0.0, |q| q[3].to_degrees());
-                a - 360.0 * (first / 360.0).floor()
-            }
+            Rotary::Accumulate | Rotary::Vector | Rotary::Incremental => a - self.run.turns_before_rad().to_degrees(),
         }
     }
 

@@ -69,30 +69,6 @@ pub(super) fn check(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyO
     vec![values(plan, asked, options), region(plan, blade, asked, options), feed(plan, blade, asked)]
 }
 
-/// A check without a place.
-pub(super) fn bare(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Check {
-    let worst = if worst.is_finite() { worst } else { f64::MAX };
-    Check {
-        name: name.into(),
-        quantity: quantity.into(),
-        worst,
-        limit,
-        unit: unit.into(),
-        passed: worst <= limit,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note,
-    }
-}
-
-/// The check at a location.
-pub(super) fn placed(check: Check, row: usize, plan: &Plan, blade: &Blade) -> Check {
-    let location = plan.toolpath.locations.get(row);
-    let point = location.map(|l| blade.model_from_blade * l.centre);
-    Check { row: Some(row), turn: location.map(|l| l.turn), point_mm: point.map(|p| [p.x, p.y, p.z]), ..check }
-}
-
 /// Single values.
 fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
     let (path, channel) = (&plan.toolpath, &plan.channel);
@@ -124,7 +100,7 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
         }
     }
     let quantity = "values of the plan that are not those of the job";
-    bare("job", quantity, wrong.len() as f64, 0.0, "", wrong.join("; "))
+    Check::at_most("job", quantity, wrong.len() as f64, 0.0, "", wrong.join("; "))
 }
 
 /// Heights of a turn's ball centres: least, mean, greatest.
@@ -143,7 +119,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let (Some(first), Some(last)) = (path.turns.first(), path.turns.last()) else {
         let note = "plan.json has no turns".into();
         let asked_mm = asked.end_mm.map_or(asked.radius_mm, |end| asked.start_mm - end);
-        return bare("job-region", quantity, asked_mm, 0.0, unit, note);
+        return Check::at_most("job-region", quantity, asked_mm, 0.0, unit, note);
     };
     let climbs = asked.direction == Direction::Climb;
     let (upper, lower) = if climbs { (first, last) } else { (last, first) };
@@ -195,8 +171,8 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let worst = found.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let (over, row, says) = worst.unwrap_or_default();
     let note = if over > 0.0 { says } else { format!("heights {hi:.3} to {lo:.3}: {}", path.end_reason) };
-    let check = bare("job-region", quantity, over.max(0.0), 0.0, unit, note);
-    placed(check, row, plan, blade)
+    let check = Check::at_most("job-region", quantity, over.max(0.0), 0.0, unit, note);
+    check.at_location(row, plan, blade)
 }
 
 fn ends_as_asked(path: &Toolpath) -> bool {
@@ -221,5 +197,5 @@ fn feed(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
     let quantity = "greatest feed of the ball centre, from locations and times";
     let row = worst.1.saturating_sub(plan.leads[0].centres.len()).min(plan.toolpath.locations.len().saturating_sub(1));
     let note = format!("the job asks for at most {}", asked.feed_mm_min);
-    placed(bare("job-feed", quantity, worst.0, limit, "mm/min", note), row, plan, blade)
+    Check::at_most("job-feed", quantity, worst.0, limit, "mm/min", note).at_location(row, plan, blade)
 }

@@ -8,13 +8,14 @@
 use parry3d_f64::partitioning::TraversalAction;
 use rayon::prelude::*;
 
+use super::apart::Apart;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Obstacle, Plan, Toolpath};
+use crate::artifact::{Blade, Plan, Toolpath};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
-use crate::tool::{self, Segment, Tool};
+use crate::tool::{self, Segment};
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
 const CHUNK: usize = 128;
@@ -205,60 +206,48 @@ impl<'a> Motion<'a> {
 }
 
 impl Motion<'_> {
-    /// Whether something comes nearer than `limit_mm` at any time of a move, as far as can be told apart.
-    fn falls_short(&self, row: usize, limit_mm: f64) -> bool {
+    /// Whether something comes nearer than `limit_mm` at some time of a move, or may: it is halved until one or the other is known.
+    fn may_fall_short(&self, row: usize, limit_mm: f64) -> bool {
+        let cap = limit_mm + self.resolution;
         let mut open = vec![(0.0, 1.0, 0)];
         let mut hint = u32::MAX;
         while let Some((t0, t1, depth)) = open.pop() {
-            let (lower, seen) = self.least(&self.place(row, t0, t1), limit_mm, hint, row);
-            if seen.found_mm < limit_mm - self.resolution
-                || (lower < limit_mm - self.resolution && depth >= DEEPEST_SHORT)
-            {
+            let (lower, seen) = self.least(&self.place(row, t0, t1), cap, hint, row);
+            if lower >= limit_mm {
+                continue;
+            }
+            if seen.found_mm < limit_mm || depth >= DEEPEST_SHORT {
                 return true;
             }
-            if lower < limit_mm - self.resolution {
-                hint = seen.triangle;
-                let mid = 0.5 * (t0 + t1);
-                open.extend([(mid, t1, depth + 1), (t0, mid, depth + 1)]);
-            }
+            hint = seen.triangle;
+            let mid = 0.5 * (t0 + t1);
+            open.extend([(mid, t1, depth + 1), (t0, mid, depth + 1)]);
         }
         false
     }
 }
 
-/// Moves between two locations on which the tool comes nearer to the part, or to what stands around it, than is asked for, by their first location: where a motion
-/// keeps the clearance at its locations and not between them.
-pub fn short_moves(
-    path: &Toolpath,
-    theta: &[f64],
-    b_rad: f64,
-    blade: &Blade,
-    obstacles: &[Obstacle],
-    tool: &Tool,
-    options: &VerifyOptions,
-) -> Vec<usize> {
+/// Moves between two locations, by their first, on which the tool may come nearer to something than passes its check: where a motion keeps the clearance at its
+/// locations and not between them.
+pub fn short_moves(path: &Toolpath, theta: &[f64], b_rad: f64, apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
     let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
-    let [cutter, holder] = tool.cutter_and_holder();
-    let part = (&blade.part, options.clearance_mm, options.holder_clearance_mm, true);
-    let around = obstacles.iter().map(|o| (&o.part, o.clearance_mm, o.holder_clearance_mm, !o.cut_by_the_tool));
+    let (share, resolution) = CLOSELY;
     let mut out = Vec::new();
-    for (part, room, holder_room, whole) in std::iter::once(part).chain(around) {
-        let groups = [(&cutter, room), (&holder, holder_room)];
-        for (segments, asked) in groups.into_iter().skip(usize::from(!whole)).filter(|(s, _)| !s.is_empty()) {
-            let limit = options.least_clearance(asked);
-            let ((share, resolution), b_rad) = (CLOSELY, &[b_rad]);
-            let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
-                let track = Track { centres: &centres, theta, b_rad, wanted: None };
-                let motion = Motion { part: on, track, segments, resolution, share };
-                let short = |row: &usize| motion.falls_short(*row, limit + on.deflection_mm);
-                moves.into_par_iter().filter(short).collect()
-            };
-            let mut short = among(part, (0..centres.len().saturating_sub(1)).collect());
-            if let Some(sharper) = part.sharper().filter(|_| !short.is_empty()) {
-                short = among(sharper, short);
-            }
-            out.extend(short);
+    for a in apart {
+        let limit = options.least_clearance(a.asked_mm);
+        // What the check takes off what it has measured.
+        let needed = (limit + resolution).max(limit / (1.0 - share));
+        let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
+            let track = Track { centres: &centres, theta, b_rad: &[b_rad], wanted: None };
+            let motion = Motion { part: on, track, segments: &a.segments, resolution, share };
+            let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
+            moves.into_par_iter().filter(short).collect()
+        };
+        let mut short = among(a.part, (0..centres.len().saturating_sub(1)).collect());
+        if let Some(sharper) = a.part.sharper().filter(|_| !short.is_empty()) {
+            short = among(sharper, short);
         }
+        out.extend(short);
     }
     out.sort_unstable();
     out.dedup();
@@ -295,12 +284,6 @@ pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f6
     let motion = Motion { part: on, track, segments, resolution, share };
     let near = motion.whole();
     of(on, (near, near.found_mm - motion.may_miss(near.found_mm)))
-}
-
-/// The motion of a plan along its path.
-fn track_of<'a>(plan: &'a Plan, centres: &'a [Point]) -> Track<'a> {
-    let b_rad = std::slice::from_ref(&plan.channel.b_rad);
-    Track { centres, theta: &plan.schedule.theta, b_rad, wanted: None }
 }
 
 /// Least distance between `segments` of the tool and the part over a motion of at least two rows, to `resolution_mm` (or a
@@ -393,83 +376,48 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
     moves.into_par_iter().filter(|row| track.wants(*row)).filter(touches).collect()
 }
 
-/// The checks `clearance` (taper, shank) and `holder-clearance`, and the least of both, mm.
-pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions) -> (Vec<Check>, f64) {
-    let [cutter, holder] = tool.cutter_and_holder();
-    let groups =
-        [("clearance", cutter, options.clearance_mm), ("holder-clearance", holder, options.holder_clearance_mm)];
+/// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance` of all else; and the least distance to the part, mm.
+pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &VerifyOptions) -> (Vec<Check>, f64) {
     let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
-    let mut least = f64::INFINITY;
+    let b_rad = std::slice::from_ref(&plan.channel.b_rad);
+    let track = Track { centres: &centres, theta: &plan.schedule.theta, b_rad, wanted: None };
+    let mut least = FAR_MM;
     let mut checks = Vec::new();
-    for (name, segments, asked) in groups {
-        if segments.is_empty() {
-            continue;
+    for a in apart {
+        let limit = options.least_clearance(a.asked_mm);
+        let kept = kept(track, a.part, &a.segments, limit, options);
+        if a.obstacle.is_none() {
+            least = least.min(kept.least_mm);
         }
-        let limit = options.least_clearance(asked);
-        let kept = kept(track_of(plan, &centres), &blade.part, &segments, limit, options);
-        let place = kept.face.map(|f| blade.part.face_name(f));
-        let to = place.unwrap_or_else(|| format!("nothing within {FAR_MM} mm"));
-        let quantity = "least distance of the tool without its ball to the part, between locations too";
-        checks.push(judge(name, quantity, &to, &kept, (asked, limit), plan, blade, &segments));
-        least = least.min(kept.least_mm);
+        checks.push(judge(a, &kept, limit, plan, blade));
     }
-    (checks, if least.is_finite() { least } else { FAR_MM })
+    (checks, least)
 }
 
-/// The checks of one fixture, or of the stock, of which only the holder keeps clear.
-pub(super) fn check_obstacle(
-    plan: &Plan,
-    blade: &Blade,
-    obstacle: &Obstacle,
-    tool: &Tool,
-    options: &VerifyOptions,
-) -> Vec<Check> {
-    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
-    let [cutter, holder] = tool.cutter_and_holder();
-    let cutter = if obstacle.cut_by_the_tool { Vec::new() } else { cutter };
-    let groups = [("taper and shank", cutter, obstacle.clearance_mm), ("holder", holder, obstacle.holder_clearance_mm)];
-    let mut out = Vec::new();
-    for (who, segments, asked) in groups {
-        if segments.is_empty() || obstacle.part.mesh.triangles.is_empty() {
-            continue;
-        }
-        let limit = options.least_clearance(asked);
-        let kept = kept(track_of(plan, &centres), &obstacle.part, &segments, limit, options);
-        let quantity = format!("least distance of {who} to {}, between locations too", obstacle.name);
-        out.push(judge("obstacle-clearance", &quantity, &obstacle.name, &kept, (asked, limit), plan, blade, &segments));
-    }
-    out
-}
-
-#[allow(clippy::too_many_arguments)]
-fn judge(
-    name: &str,
-    quantity: &str,
-    to: &str,
-    kept: &Kept,
-    (asked, limit): (f64, f64),
-    plan: &Plan,
-    blade: &Blade,
-    segments: &[Segment],
-) -> Check {
+fn judge(a: &Apart, kept: &Kept, limit: f64, plan: &Plan, blade: &Blade) -> Check {
     let near = &kept.near;
-    let point = blade.model_from_blade * near.point;
-    let found = kept.face.is_some();
-    let who = segments.get(near.segment).filter(|_| found).map_or_else(String::new, |s| s.part.to_string());
-    let place = if found { format!("{who} to {to}") } else { to.to_owned() };
+    let (name, quantity) = match (a.obstacle, a.is_holder) {
+        (None, false) => ("clearance", "the tool without its ball to the part".to_owned()),
+        (None, true) => ("holder-clearance", "the tool without its ball to the part".to_owned()),
+        (Some(o), false) => ("obstacle-clearance", format!("taper and shank to {}", o.name)),
+        (Some(o), true) => ("obstacle-clearance", format!("holder to {}", o.name)),
+    };
+    let quantity = format!("least distance of {quantity}, between locations too");
+    let who = a.segments.get(near.segment).map_or_else(String::new, |s| s.part.to_string());
+    let place = match kept.face {
+        Some(_) => format!("{who} to {}", a.named(kept.face)),
+        None => format!("nothing within {FAR_MM} mm"),
+    };
+    let note = format!(
+        "{place}; measured {:.6}, known to {:.6}, nowhere less than {:.6}; asked for {}",
+        near.found_mm, kept.known_mm, kept.least_mm, a.asked_mm
+    );
+    let point = kept.face.map(|_| blade.model_from_blade * near.point);
     Check {
-        name: name.into(),
-        quantity: quantity.into(),
-        worst: kept.least_mm,
-        limit,
-        unit: "mm".into(),
         passed: kept.least_mm >= limit,
-        row: found.then_some(near.row),
-        turn: found.then(|| plan.toolpath.locations[near.row].turn),
-        point_mm: found.then_some([point.x, point.y, point.z]),
-        note: format!(
-            "{place}; measured {:.6}, known to {:.6}, nowhere less than {:.6}; asked for {asked}",
-            near.found_mm, kept.known_mm, kept.least_mm
-        ),
+        row: point.map(|_| near.row),
+        turn: point.map(|_| plan.toolpath.locations[near.row].turn),
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        ..Check::at_most(name, &quantity, kept.least_mm, limit, "mm", note)
     }
 }

@@ -26,8 +26,7 @@ const SHORTEST_MM: f64 = 1e-5;
 const MISSED_SHARE: f64 = 0.02;
 
 /// What is said of a place that the part has otherwise than its file.
-const AS_PUBLISHED: &str =
-    " as its file has it; sewing or healing moved it: sew the part in CAD, or take verify.gouge_mm as deep as that";
+const AS_PUBLISHED: &str = " as its file has it, which sewing or healing moved";
 
 /// The deepest gouge found, and a bound on what may lie between the samples.
 #[derive(Clone, Copy, Debug)]
@@ -162,20 +161,14 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         false => "",
     };
     let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
+    let note =
+        format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}{advice}", g.found_mm.max(0.0));
+    let quantity = "depth of the swept ball in the part, between locations too";
     let check = Check {
-        name: "gouge".into(),
-        quantity: "depth of the swept ball in the part, between locations too".into(),
-        worst: bound,
-        limit: options.gouge_mm,
-        unit: "mm".into(),
-        passed: bound <= options.gouge_mm,
         row: Some(g.segment),
         turn: sweep.turns.get(g.segment).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!(
-            "{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}{advice}",
-            g.found_mm.max(0.0)
-        ),
+        ..Check::at_most("gouge", quantity, bound, options.gouge_mm, "mm", note)
     };
     (check, g)
 }

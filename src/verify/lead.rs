@@ -4,6 +4,7 @@
 //! is looked at with the same measures as the path: the swept ball ([`super::gouge`]), taper and shank, holder
 //! ([`super::clearance`]), continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence for both.
 
+use super::apart::{Apart, apart};
 use super::clearance::{self, Kept, Track};
 use super::gouge;
 use super::options::VerifyOptions;
@@ -14,7 +15,7 @@ use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
-use crate::tool::{self, Segment, Tool};
+use crate::tool::{self, Tool};
 
 /// At its outer end an arc must be this share of its height off the part, or the ball has not left it.
 const OFF: f64 = 0.25;
@@ -38,6 +39,12 @@ pub struct Room<'a> {
     pub b_rad: f64,
     /// Limits and resolution.
     pub options: &'a VerifyOptions,
+}
+
+impl<'a> Room<'a> {
+    fn apart(&self) -> Vec<Apart<'a>> {
+        apart(self.blade, self.obstacles, self.tool, self.options)
+    }
 }
 
 /// The location that a way leads to, or comes from.
@@ -69,10 +76,10 @@ impl Way {
         Way { centres, theta }
     }
 
-    /// How near segments come to a part, of which they are to keep `limit_mm`.
-    fn least(&self, part: &Part, segments: &[Segment], limit_mm: f64, room: &Room) -> Kept {
+    /// How near the tool comes to what it is to keep `limit_mm` of.
+    fn least(&self, a: &Apart, limit_mm: f64, room: &Room) -> Kept {
         let track = Track { centres: &self.centres, theta: &self.theta, b_rad: &[room.b_rad], wanted: None };
-        clearance::kept(track, part, segments, limit_mm, room.options)
+        clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
 
     fn gouge(&self, room: &Room) -> gouge::Gouge {
@@ -87,40 +94,6 @@ impl Way {
 fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
     let farthest = part.mesh.points.iter().map(|p| (p - from).dot(axis)).fold(0.0, f64::max);
     farthest + radius_mm + BEYOND_MM
-}
-
-/// Something to keep clear of.
-struct Body<'a> {
-    part: &'a Part,
-    obstacle: Option<&'a Obstacle>,
-}
-
-impl Body<'_> {
-    /// Segments that keep clear of it, and by how much: taper and shank, and the holder.
-    fn asks(&self, room: &Room) -> [(Vec<Segment>, f64); 2] {
-        let [(mut cutter, clearance_mm), (holder, holder_mm)] = groups(room);
-        let Some(o) = self.obstacle else { return [(cutter, clearance_mm), (holder, holder_mm)] };
-        cutter.retain(|_| !o.cut_by_the_tool);
-        [(cutter, o.clearance_mm), (holder, o.holder_clearance_mm)]
-    }
-
-    fn named(&self, face: Option<u32>) -> String {
-        let of_part = || face.map_or_else(|| "nothing".to_owned(), |f| self.part.face_name(f));
-        self.obstacle.map_or_else(of_part, |o| o.name.clone())
-    }
-}
-
-/// The part and all that stands around it.
-fn bodies<'a>(room: &'a Room) -> impl Iterator<Item = Body<'a>> {
-    let others = room.obstacles.iter().map(|o| Body { part: &o.part, obstacle: Some(o) });
-    let all = std::iter::once(Body { part: &room.blade.part, obstacle: None }).chain(others);
-    all.filter(|b| !b.part.mesh.triangles.is_empty())
-}
-
-/// The tool without its ball: taper and shank, and the holder, each with the clearance asked for.
-fn groups(room: &Room) -> [(Vec<Segment>, f64); 2] {
-    let [cutter, holder] = room.tool.cutter_and_holder();
-    [(cutter, room.options.clearance_mm), (holder, room.options.holder_clearance_mm)]
 }
 
 /// What stands in the way of a lead, in words; `None`: there is room: the tool keeps the clearance that is asked for.
@@ -139,18 +112,13 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
             return Some("the part is beside its outer end as well".into());
         }
     }
-    for body in bodies(room) {
-        for (segments, asked_mm) in body.asks(room) {
-            if segments.is_empty() {
-                continue;
-            }
-            let limit_mm = room.options.least_clearance(asked_mm);
-            let kept = way.least(body.part, &segments, limit_mm, room);
-            if kept.least_mm < limit_mm {
-                let who = segments.get(kept.near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
-                let what = body.named(kept.face);
-                return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
-            }
+    for a in room.apart() {
+        let limit_mm = room.options.least_clearance(a.asked_mm);
+        let kept = way.least(&a, limit_mm, room);
+        if kept.least_mm < limit_mm {
+            let who = a.segments.get(kept.near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
+            let what = a.named(kept.face);
+            return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
         }
     }
     lead.is_arc().then(|| off_travel(lead, room)).flatten()
@@ -171,13 +139,7 @@ fn off_travel(lead: &Lead, room: &Room) -> Option<String> {
 pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];
-    let names = ["lead-clearance", "lead-holder-clearance"];
-    for body in bodies(room) {
-        let names = if body.obstacle.is_some() { ["lead-obstacle"; 2] } else { names };
-        for (name, (segments, asked_mm)) in names.into_iter().zip(body.asks(room)) {
-            out.extend((!segments.is_empty()).then(|| nearest(name, &ways, &body, &segments, asked_mm, plan, room)));
-        }
-    }
+    out.extend(room.apart().iter().map(|a| nearest(&ways, a, plan, room)));
     if plan.leads.iter().any(Lead::is_arc) {
         out.extend([placed(plan, room), within_travel(plan, room), within_limits(plan, room)]);
     }
@@ -200,22 +162,6 @@ fn at(check: Check, row: usize, point: Option<Point>, plan: &Plan, blade: &Blade
     Check { row: Some(row), turn: plan.toolpath.locations.get(row).map(|l| l.turn), point_mm, ..check }
 }
 
-fn bare(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, passed: bool, note: String) -> Check {
-    let worst = if worst.is_finite() { worst } else { f64::MAX };
-    Check {
-        name: name.into(),
-        quantity: quantity.into(),
-        worst,
-        limit,
-        unit: unit.into(),
-        passed,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note,
-    }
-}
-
 fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
     let found = ways.iter().map(|(name, row, way)| (name, *row, way.gouge(room)));
     let worst = found.reduce(|a, b| if b.2.bound_mm > a.2.bound_mm { b } else { a });
@@ -223,29 +169,26 @@ fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
         worst.map_or(("", 0, 0.0, None), |(n, r, g)| (*n, r, g.bound_mm.max(g.found_mm).max(0.0), Some(g.centre)));
     let limit = room.options.gouge_mm;
     let quantity = "depth of the ball in the part on the ways onto the path and off it";
-    let check = bare("lead-gouge", quantity, bound, limit, "mm", bound <= limit, name.to_owned());
+    let check = Check::at_most("lead-gouge", quantity, bound, limit, "mm", name.to_owned());
     at(check, row, centre, plan, room.blade)
 }
 
-fn nearest(
-    name: &str,
-    ways: &[(&str, usize, Way)],
-    body: &Body,
-    segments: &[Segment],
-    asked_mm: f64,
-    plan: &Plan,
-    room: &Room,
-) -> Check {
-    let limit = room.options.least_clearance(asked_mm);
-    let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(body.part, segments, limit, room)));
+fn nearest(ways: &[(&str, usize, Way)], a: &Apart, plan: &Plan, room: &Room) -> Check {
+    let name = match (a.obstacle, a.is_holder) {
+        (None, false) => "lead-clearance",
+        (None, true) => "lead-holder-clearance",
+        (Some(_), _) => "lead-obstacle",
+    };
+    let limit = room.options.least_clearance(a.asked_mm);
+    let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(a, limit, room)));
     let worst = found.reduce(|a, b| if b.2.least_mm < a.2.least_mm { b } else { a });
     let (which, row, kept) = worst.map_or(("", 0, None), |(w, r, k)| (w, r, Some(k)));
     let worst = kept.map_or(0.0, |k| k.least_mm);
-    let who = kept.and_then(|k| segments.get(k.near.segment)).map_or_else(String::new, |s| s.part.to_string());
-    let what = kept.map_or_else(String::new, |k| body.named(k.face));
+    let who = kept.and_then(|k| a.segments.get(k.near.segment)).map_or_else(String::new, |s| s.part.to_string());
+    let what = kept.map_or_else(String::new, |k| a.named(k.face));
     let quantity = "least distance of the tool without its ball on the ways onto the path and off it";
-    let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {asked_mm}");
-    let check = bare(name, quantity, worst, limit, "mm", worst >= limit, note);
+    let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {}", a.asked_mm);
+    let check = Check { passed: worst >= limit, ..Check::at_most(name, quantity, worst, limit, "mm", note) };
     at(check, row, kept.map(|k| k.near.point), plan, room.blade)
 }
 
@@ -262,7 +205,7 @@ fn placed(plan: &Plan, room: &Room) -> Check {
         }
     }
     let quantity = "distance of ball centre and gauge line that the axes give from the leads";
-    bare("lead-axes", quantity, worst, 1e-6, "mm", worst <= 1e-6, String::new())
+    Check::at_most("lead-axes", quantity, worst, 1e-6, "mm", String::new())
 }
 
 /// How far an axis leaves its travel on the leads.
@@ -274,7 +217,7 @@ fn within_travel(plan: &Plan, room: &Room) -> Check {
     let quantity = "how far an axis leaves its travel on the leads";
     let note = worst.map_or(String::new(), |w| format!("axis {}", w.axis));
     // Rounding of positions.
-    bare("lead-travel", quantity, over * scale, 0.0, unit, over <= 1e-9, note)
+    Check { passed: over <= 1e-9, ..Check::at_most("lead-travel", quantity, over * scale, 0.0, unit, note) }
 }
 
 /// Velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
@@ -302,7 +245,7 @@ fn within_limits(plan: &Plan, room: &Room) -> Check {
     }
     let limit = 1.0 + room.options.limit_tolerance;
     let quantity = "greatest share of an axis' velocity or acceleration on the leads";
-    bare("lead-limits", quantity, worst.0, limit, "", worst.0 <= limit, worst.1)
+    Check::at_most("lead-limits", quantity, worst.0, limit, "", worst.1)
 }
 
 #[cfg(test)]

@@ -110,7 +110,7 @@ fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     let mut report = sample::report();
     report.checks.retain(|c| c.passed);
     let kept = report.checks[0].name.clone();
-    report.checks.push(bare("lead-gouge", "of the whole", 9.0, 0.0, "mm", true, String::new()));
+    report.checks.push(Check::at_most("lead-gouge", "of the whole", 9.0, 10.0, "mm", String::new()));
     let verified = Verified::for_tests(whole.clone(), report, false);
     let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
     let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };

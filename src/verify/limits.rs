@@ -112,49 +112,20 @@ fn judge(
         v if v.is_finite() => v * scale,
         _ => f64::MAX,
     };
-    at_row(
-        Check {
-            name: format!("{}-{kind}", name.to_lowercase()),
-            quantity: format!("axis {name}: {quantity}"),
-            worst: if kind == "travel" { worst.max(0.0) } else { worst },
-            limit: limit * scale,
-            unit: unit.into(),
-            passed: found.value <= limit + slack,
-            row: None,
-            turn: None,
-            point_mm: None,
-            note: if kind == "travel" { where_it_goes(axis, plan, machine) } else { String::new() },
-        },
-        row,
-        plan,
-        blade,
-    )
-}
-
-/// Adds where: row, turn, ball centre in the model frame.
-fn at_row(check: Check, row: usize, plan: &Plan, blade: &Blade) -> Check {
-    let location = plan.toolpath.locations.get(row);
-    let point = location.map(|l| blade.model_from_blade * l.centre);
-    Check { row: Some(row), turn: location.map(|l| l.turn), point_mm: point.map(|p| [p.x, p.y, p.z]), ..check }
+    let (check_name, quantity) = (format!("{}-{kind}", name.to_lowercase()), format!("axis {name}: {quantity}"));
+    let worst = if kind == "travel" { worst.max(0.0) } else { worst };
+    let note = if kind == "travel" { where_it_goes(axis, plan, machine) } else { String::new() };
+    let check = Check::at_most(&check_name, &quantity, worst, limit * scale, unit, note);
+    Check { passed: found.value <= limit + slack, ..check }.at_location(row, plan, blade)
 }
 
 /// Times rise from row to row.
 fn forward_in_time(plan: &Plan, blade: &Blade) -> Check {
     let t = &plan.motion.t_s;
     let back = worst(t.windows(2).map(|w| w[0] - w[1]));
-    let check = Check {
-        name: "time".into(),
-        quantity: "greatest step back in time, seconds (negative: all steps are forward)".into(),
-        worst: back.value,
-        limit: 0.0,
-        unit: "s".into(),
-        passed: back.value < 0.0,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note: String::new(),
-    };
-    at_row(check, back.row, plan, blade)
+    let quantity = "greatest step back in time, seconds (negative: all steps are forward)";
+    let check = Check::at_most("time", quantity, back.value, 0.0, "s", String::new());
+    Check { passed: back.value < 0.0, ..check }.at_location(back.row, plan, blade)
 }
 
 /// The axes place ball centre and tool axis where the plan has them.
@@ -169,19 +140,7 @@ fn placed(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &
     });
     let axis = worst(turned);
     let check = |name: &str, quantity: &str, found: Worst, limit: f64, unit: &str| {
-        let check = Check {
-            name: name.into(),
-            quantity: quantity.into(),
-            worst: if found.value.is_finite() { found.value } else { f64::MAX },
-            limit,
-            unit: unit.into(),
-            passed: found.value <= limit,
-            row: None,
-            turn: None,
-            point_mm: None,
-            note: String::new(),
-        };
-        at_row(check, found.row, plan, blade)
+        Check::at_most(name, quantity, found.value, limit, unit, String::new()).at_location(found.row, plan, blade)
     };
     let limit = options.angle_tolerance_deg;
     [

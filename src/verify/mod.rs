@@ -27,6 +27,7 @@
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
 //! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
 
+mod apart;
 mod asked;
 pub mod audit;
 mod clearance;
@@ -52,6 +53,7 @@ mod verdict;
 mod walls;
 mod whole;
 
+pub use apart::{Apart, apart};
 pub use asked::Asked;
 pub use clearance::{Standing, short_moves, standing};
 pub use deviation::deviation;
@@ -113,10 +115,10 @@ pub fn check_among(
     step(1)?;
     scallop::check(&plan, blade, &part, &sweep, options, &mut report, observer);
     step(2)?;
-    let (checks, least) = clearance::check(&plan, blade, tool, options);
+    let apart = apart::apart(blade, obstacles, tool, options);
+    let (checks, least) = clearance::check(&plan, blade, &apart, options);
     report.clearance_mm = least;
     report.checks.extend(checks);
-    report.checks.extend(obstacles.iter().flat_map(|o| clearance::check_obstacle(&plan, blade, o, tool, options)));
     let room = lead::Room {
         blade,
         stock_mm: plan.toolpath.stock_mm,
@@ -133,7 +135,7 @@ pub fn check_among(
     if let Some(asked) = &options.asked {
         report.checks.extend(asked::check(&plan, blade, asked, options));
         report.checks.extend(whole::check(&plan, blade, machine));
-        report.checks.extend(walls::check(&plan, blade, obstacles, tool, asked, options));
+        report.checks.extend(walls::check(&plan, blade, &apart, asked));
     }
     step(4)?;
     Ok(Verdict::of(plan, report))

@@ -21,8 +21,8 @@ pub struct VerifyOptions {
     /// What the clearance check may miss between two of its samples, mm. Default 0.005: well below any clearance asked
     /// for.
     pub clearance_resolution_mm: f64,
-    /// What may be missing of a clearance asked for, mm. Default 0.01, or a hundredth of the clearance where that is more: what triangles are off exact
-    /// faces, what moves are told apart by, and what moves between two locations that keep the clearance may lose.
+    /// What may be missing of a clearance asked for, mm. Default 0.005, or a hundredth of the clearance where that is more: what triangles are off exact
+    /// faces, and what moves are told apart by. Planning keeps it between locations as well.
     pub clearance_tolerance_mm: f64,
     /// How far θ may leave the channel or turn back, degrees: rounding only. Default 1e-6.
     pub angle_tolerance_deg: f64,
@@ -45,7 +45,7 @@ impl Default for VerifyOptions {
             holder_clearance_mm: 1.0,
             resolution_mm: 0.0005,
             clearance_resolution_mm: 0.005,
-            clearance_tolerance_mm: 0.01,
+            clearance_tolerance_mm: 0.005,
             angle_tolerance_deg: 1e-6,
             limit_tolerance: 1e-4,
             asked: None,

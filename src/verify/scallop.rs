@@ -284,16 +284,12 @@ fn ray_gouge(
     };
     let depth = deepest.map_or(0.0, |h| (-h.height_mm).max(0.0));
     let point = deepest.map(|h| blade.model_from_blade * h.point);
+    let (quantity, note) =
+        ("how deep samples of the surface lie in the swept ball", format!("{samples} samples{besides}"));
     Check {
-        name: "gouge-surface".into(),
-        quantity: "how deep samples of the surface lie in the swept ball".into(),
-        worst: depth,
-        limit: options.gouge_mm,
-        unit: "mm".into(),
-        passed: depth <= options.gouge_mm,
         row: deepest.map(|h| h.row),
         turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        note: format!("{samples} samples{besides}"),
+        ..Check::at_most("gouge-surface", quantity, depth, options.gouge_mm, "mm", note)
     }
 }

@@ -5,32 +5,6 @@ use crate::artifact::{Blade, Plan};
 
 use super::VerifyOptions;
 
-/// A check whose worst value, an angle in degrees, was found at `row`.
-fn angle(
-    name: &str,
-    quantity: &str,
-    worst: (f64, usize),
-    plan: &Plan,
-    blade: &Blade,
-    limit: f64,
-    note: String,
-) -> Check {
-    let location = &plan.toolpath.locations[worst.1];
-    let point = blade.model_from_blade * location.centre;
-    Check {
-        name: name.into(),
-        quantity: quantity.into(),
-        worst: worst.0,
-        limit,
-        unit: "deg".into(),
-        passed: worst.0 <= limit,
-        row: Some(worst.1),
-        turn: Some(location.turn),
-        point_mm: Some([point.x, point.y, point.z]),
-        note,
-    }
-}
-
 /// Greatest value and its index; the first one of equals. (0, 0) when all values are below 0.
 fn greatest(values: impl Iterator<Item = f64>) -> (f64, usize) {
     values.enumerate().fold((0.0, 0), |best, (i, v)| if v > best.0 { (v, i) } else { best })
@@ -44,15 +18,9 @@ pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<
     let limit = options.angle_tolerance_deg;
     let (worst, before) = greatest((0..theta.len() - 1).map(back));
     let count = (0..theta.len() - 1).filter(|&i| back(i) > limit).count();
-    let reversal = angle(
-        "theta-reversal",
-        "greatest step of θ against the direction of travel, degrees",
-        (worst, before + 1),
-        plan,
-        blade,
-        limit,
-        format!("{count} reversals"),
-    );
+    let quantity = "greatest step of θ against the direction of travel, degrees";
+    let reversal = Check::at_most("theta-reversal", quantity, worst, limit, "deg", format!("{count} reversals"));
+    let reversal = reversal.at_location(before + 1, plan, blade);
     let outside = |i: usize| {
         let row = &plan.channel.rows[i];
         (row.theta_min - theta[i]).max(theta[i] - row.theta_max).to_degrees()
@@ -61,7 +29,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<
     let binds = &plan.channel.rows[row];
     let note =
         if worst > limit { format!("between {:?} and {:?}", binds.binds_min, binds.binds_max) } else { String::new() };
-    let channel =
-        angle("theta-channel", "how far θ lies outside the channel, degrees", (worst, row), plan, blade, limit, note);
-    vec![reversal, channel]
+    let quantity = "how far θ lies outside the channel, degrees";
+    let channel = Check::at_most("theta-channel", quantity, worst, limit, "deg", note);
+    vec![reversal, channel.at_location(row, plan, blade)]
 }

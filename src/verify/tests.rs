@@ -266,25 +266,51 @@ fn a_scallop_twice_too_high_is_found() {
     assert!((report.scallop_max_mm - 0.02).abs() < 0.0013, "{}", report.scallop_max_mm);
 }
 
-#[test]
-fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
-    let p = plan(3, 180, 0.2, helix);
-    let row = 100;
+/// A cylinder with a spike whose tip the holder's side passes at a distance halfway between two rows, near the holder's upper end; and that tip.
+fn with_spike(p: &Plan, row: usize, distance_mm: f64) -> (Blade, Point) {
     let l = |i: usize| p.toolpath.locations[i].centre;
     let (centre, theta) =
         (l(row) + (l(row + 1) - l(row)) * 0.5, 0.5 * (p.schedule.theta[row] + p.schedule.theta[row + 1]));
-    // A spike that reaches into the holder's side from above, near its upper end.
     let a = tool::axis(B, theta);
     let out = (Vector::x() - a * a.x).normalize();
     let across = a.cross(&out);
-    let tip = centre + a * 105.0 + out * (25.0 - 0.02);
+    let tip = centre + a * 105.0 + out * (25.0 + distance_mm);
     let mut mesh = cylinder();
     let n = mesh.points.len() as u32;
     mesh.points.extend([tip, tip + out * 5.0 + across * 0.1, tip + out * 5.0 - across * 0.1]);
     mesh.triangles.push([n, n + 1, n + 2]);
     mesh.face_of = vec![0; mesh.triangles.len() - 1];
     mesh.face_of.push(7);
-    let blade = blade(mesh, Rigid::identity());
+    (blade(mesh, Rigid::identity()), tip)
+}
+
+/// What planning takes for clear between locations passes its check, however near to the limit.
+#[test]
+fn moves_that_planning_leaves_pass_the_check() {
+    let (p, row) = (plan(3, 180, 0.2, helix), 100);
+    let options = VerifyOptions { gouge_mm: 0.01, ..options() };
+    let mut seen = [0, 0];
+    for k in -8..=8 {
+        // The limit is 0.99.
+        let (blade, _) = with_spike(&p, row, 0.99 + 0.0004 * f64::from(k));
+        let tool = tool();
+        let apart = apart(&blade, &[], &tool, &options);
+        let short = short_moves(&p.toolpath, &p.schedule.theta, B, &apart, &options);
+        let (checks, _) = clearance::check(&p, &blade, &apart, &options);
+        let passed = checks.iter().all(|c| c.passed);
+        assert!(passed || short == [row], "{k}: {short:?}, {checks:#?}");
+        seen[usize::from(passed)] += 1;
+        // Nor are walls moved in for what is farther off by twice what is told apart.
+        assert!(k < 5 || short.is_empty(), "{k}");
+    }
+    assert!(seen[0] > 3 && seen[1] > 3, "{seen:?}");
+}
+
+#[test]
+fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
+    let p = plan(3, 180, 0.2, helix);
+    let row = 100;
+    let (blade, tip) = with_spike(&p, row, -0.02);
     let report = run(p.clone(), &blade, &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
     assert_eq!(failed(&report), ["holder-clearance"]);
     let touch = find(&report, "holder-clearance");
@@ -293,7 +319,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     assert!((Point::from(touch.point_mm.unwrap()) - tip).norm() < 0.01);
     assert!(touch.note.contains("holder 1") && touch.note.contains("group 8"), "{}", touch.note);
     // At the rows themselves the holder is clear: a check of rows alone would miss it.
-    let holder: Vec<_> = tool().segments().into_iter().filter(|s| s.part.is_holder()).collect();
+    let [_, holder] = tool().cutter_and_holder();
     for i in [row, row + 1] {
         let (centres, theta) = ([p.toolpath.locations[i].centre; 2], [p.schedule.theta[i]; 2]);
         let still = clearance::Track { centres: &centres, theta: &theta, b_rad: &[B], wanted: None };

@@ -10,14 +10,13 @@
 
 use rayon::prelude::*;
 
-use super::asked::{Asked, bare, placed};
+use super::apart::Apart;
+use super::asked::Asked;
 use super::clearance;
-use super::options::VerifyOptions;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Obstacle, Plan};
-use crate::geometry::part::Part;
-use crate::tool::{self, Segment, Tool};
+use crate::artifact::{Blade, Plan};
+use crate::tool;
 
 /// Rows that are looked at along the path.
 const EVENLY: usize = 160;
@@ -27,17 +26,12 @@ const JUMPS: usize = 40;
 const ANGLES: usize = 5;
 /// Rounding of angles, rad.
 const ROUNDING: f64 = 1e-9;
+/// Ends by the contact angle are closed forms, whose cosine is rounded.
+const CONTACT_RAD: f64 = 1e-6;
 
 /// The checks of this module.
-pub(super) fn check(
-    plan: &Plan,
-    blade: &Blade,
-    obstacles: &[Obstacle],
-    tool: &Tool,
-    asked: &Asked,
-    options: &VerifyOptions,
-) -> Vec<Check> {
-    vec![rows(plan, blade, asked), clear(plan, blade, obstacles, tool, options)]
+pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], asked: &Asked) -> Vec<Check> {
+    vec![rows(plan, blade, asked), clear(plan, blade, apart)]
 }
 
 /// What of all rows can be told without the part.
@@ -98,9 +92,9 @@ fn rows(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
     }
     let quantity = "rows of the channel that cannot be";
     let note = wrong.first().map_or(String::new(), |(k, says)| format!("plan.json, channel row {k}: {says}"));
-    let check = bare("plan-channel", quantity, wrong.len() as f64, 0.0, "", note);
+    let check = Check::at_most("plan-channel", quantity, wrong.len() as f64, 0.0, "", note);
     match wrong.first() {
-        Some((row, _)) => placed(check, *row, plan, blade),
+        Some((row, _)) => check.at_location(*row, plan, blade),
         None => check,
     }
 }
@@ -112,39 +106,6 @@ fn contact_outside(plan: &Plan, k: usize, row: &ChannelRow, asked: &Asked) -> Op
     let room = asked.tolerance_rad + CONTACT_RAD;
     let angle = |theta: f64| normal.dot(&tool::axis(plan.channel.b_rad, theta)).clamp(-1.0, 1.0).acos();
     [row.theta_min, row.theta_max].map(angle).into_iter().find(|a| *a > most + room || *a < least - room)
-}
-
-/// Ends by the contact angle are closed forms, whose cosine is rounded.
-const CONTACT_RAD: f64 = 1e-6;
-
-/// A body, its segments of the tool, and what they must keep from its mesh, mm.
-struct Room<'a> {
-    part: &'a Part,
-    name: &'a str,
-    segments: Vec<Segment>,
-    least_mm: f64,
-    asked_mm: f64,
-}
-
-/// What keeps clear of what: ends by exact faces may be nearer to their mesh by its deflection.
-fn rooms<'a>(blade: &'a Blade, obstacles: &'a [Obstacle], tool: &Tool, options: &VerifyOptions) -> Vec<Room<'a>> {
-    let [cutter, holder] = tool.cutter_and_holder();
-    let mut out = Vec::new();
-    let mut push = |part: &'a Part, name: &'a str, segments: &Vec<Segment>, asked_mm: f64, off_mm: f64| {
-        if !segments.is_empty() && !part.mesh.triangles.is_empty() {
-            out.push(Room { part, name, segments: segments.clone(), least_mm: asked_mm - off_mm, asked_mm });
-        }
-    };
-    let part = &blade.part;
-    push(part, "the part", &cutter, options.clearance_mm, part.deflection_mm);
-    push(part, "the part", &holder, options.holder_clearance_mm, part.deflection_mm);
-    for o in obstacles {
-        if !o.cut_by_the_tool {
-            push(&o.part, &o.name, &cutter, o.clearance_mm, 0.0);
-        }
-        push(&o.part, &o.name, &holder, o.holder_clearance_mm, 0.0);
-    }
-    out
 }
 
 /// Rows to look at: evenly, and where walls jump.
@@ -164,8 +125,8 @@ fn chosen(rows: &[ChannelRow]) -> Vec<usize> {
 }
 
 /// The tool from wall to wall.
-fn clear(plan: &Plan, blade: &Blade, obstacles: &[Obstacle], tool: &Tool, options: &VerifyOptions) -> Check {
-    let (rows, rooms) = (chosen(&plan.channel.rows), rooms(blade, obstacles, tool, options));
+fn clear(plan: &Plan, blade: &Blade, apart: &[Apart]) -> Check {
+    let rows = chosen(&plan.channel.rows);
     let b = plan.channel.b_rad;
     // How much is missing of what is asked for, and where.
     let one = |&k: &usize| {
@@ -173,22 +134,22 @@ fn clear(plan: &Plan, blade: &Blade, obstacles: &[Obstacle], tool: &Tool, option
         let mut worst: Option<(f64, usize, String)> = None;
         for step in 0..ANGLES {
             let theta = row.theta_min + (row.theta_max - row.theta_min) * step as f64 / (ANGLES - 1) as f64;
-            for room in &rooms {
-                let Some(near) = clearance::nearer(room.part, &room.segments, &centre, (b, theta), room.least_mm)
-                else {
-                    continue;
-                };
-                let missing = room.least_mm - near.distance_mm;
+            for a in apart {
+                // Ends by exact faces may be nearer to their mesh by its deflection.
+                let off_mm = if a.obstacle.is_some() { 0.0 } else { a.part.deflection_mm };
+                let least_mm = a.asked_mm - off_mm;
+                let near = clearance::nearer(a.part, &a.segments, &centre, (b, theta), least_mm);
+                let Some((near, missing)) = near.map(|near| (near, least_mm - near.distance_mm)) else { continue };
                 if worst.as_ref().is_none_or(|w| missing > w.0) {
-                    let who = room.segments.get(near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
+                    let who = a.segments.get(near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
                     let says = format!(
                         "plan.json, channel row {k}, from {:.4}° to {:.4}°: at {:.4}° the {who} is {:.6} from {}, asked for {}",
                         row.theta_min.to_degrees(),
                         row.theta_max.to_degrees(),
                         theta.to_degrees(),
                         near.distance_mm,
-                        room.name,
-                        room.asked_mm
+                        a.obstacle.map_or("the part", |o| o.name.as_str()),
+                        a.asked_mm
                     );
                     worst = Some((missing, k, says));
                 }
@@ -200,6 +161,6 @@ fn clear(plan: &Plan, blade: &Blade, obstacles: &[Obstacle], tool: &Tool, option
     let worst = found.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let quantity = "how much is missing of the clearance between the walls of the channel, at places along the path";
     let (missing, row, note) = worst.unwrap_or((0.0, 0, format!("{} rows, {ANGLES} angles each", rows.len())));
-    let check = bare("channel-clear", quantity, missing, clearance::TOUCH_MM, "mm", note);
-    if missing > 0.0 { placed(check, row, plan, blade) } else { check }
+    let check = Check::at_most("channel-clear", quantity, missing, clearance::TOUCH_MM, "mm", note);
+    if missing > 0.0 { check.at_location(row, plan, blade) } else { check }
 }

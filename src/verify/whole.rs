@@ -14,7 +14,6 @@
 
 use rayon::prelude::*;
 
-use super::asked::{bare, placed};
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{AxisMotion, Blade, Plan};
@@ -64,8 +63,11 @@ impl Found {
 
     fn check(self, name: &str, quantity: &str, plan: &Plan, blade: &Blade) -> Check {
         let (row, note) = self.first.map_or((None, String::new()), |(row, says)| (Some(row), says));
-        let check = bare(name, quantity, self.count as f64, 0.0, "", note);
-        row.map_or(check.clone(), |row| placed(check, row, plan, blade))
+        let check = Check::at_most(name, quantity, self.count as f64, 0.0, "", note);
+        match row {
+            Some(row) => check.at_location(row, plan, blade),
+            None => check,
+        }
     }
 }
 
@@ -121,7 +123,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
         format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
     };
     let note = path.locations.get(worst.1).filter(|_| worst.0 > CONTACT_MM).map_or(String::new(), says);
-    placed(bare("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note), worst.1, plan, blade)
+    Check::at_most("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note).at_location(worst.1, plan, blade)
 }
 
 /// All rows of the motion, leads and path, and the ball centre at each.

@@ -305,12 +305,13 @@ fn same_place(a: &Outline, b: &Outline, size: f64) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use std::f64::consts::{PI, TAU};
 
-    fn ellipse(n: usize) -> Vec<Point> {
+    /// Points round an ellipse of 20 by 4 mm, each once.
+    pub(in crate::model::table) fn ellipse(n: usize) -> Vec<Point> {
         (0..n).map(|k| TAU * k as f64 / n as f64).map(|a| Point::new(10.0 * a.cos(), 2.0 * a.sin(), 0.0)).collect()
     }
 

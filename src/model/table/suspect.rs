@@ -53,7 +53,7 @@ impl Outline {
         };
         let found = (0..n).filter(displaced).max_by(|a, b| turns[*a].abs().total_cmp(&turns[*b].abs()))?;
         let p = self.points[found];
-        let number = self.table.iter().position(|q| *q == p).map_or(found, |k| k) + 1;
+        let number = self.table.iter().position(|q| *q == p).unwrap_or(found) + 1;
         let off_mm = (p - nalgebra::center(&at(found + n - 1), &at(found + 1))).norm();
         Some(StandingOut { number, at: p, off_mm, spike: turns[found].abs() > SPIKE })
     }
@@ -69,12 +69,9 @@ pub fn unordered(points: &[Point]) -> bool {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+    use super::super::outline::tests::ellipse;
     use super::*;
     use std::f64::consts::TAU;
-
-    fn ellipse(n: usize) -> Vec<Point> {
-        (0..n).map(|k| TAU * k as f64 / n as f64).map(|a| Point::new(10.0 * a.cos(), 2.0 * a.sin(), 0.0)).collect()
-    }
 
     #[test]
     fn a_displaced_point_stands_out_and_an_edge_does_not() {

@@ -1,6 +1,7 @@
 //! Machines whose axes are others than the demo machine's.
 
 use super::*;
+use crate::artifact::program::Programmed;
 use crate::machine::{PositiveA, PositiveB};
 use crate::verify::program;
 
@@ -127,4 +128,56 @@ fn a_word_of_an_axis_that_the_machine_has_not_is_named() {
     let bench = program::Bench { language, zero: program::Zero::default(), tool: &tool, machine: &machine };
     let blocks = program::read("G1 X1 Y0 Z0 C5 F1\n", language).unwrap().blocks;
     assert!(program::follow(&blocks, &bench).unwrap_err().message.contains("no axis C"));
+}
+
+/// Manuals fix X, Y, Z to the table as it stands when tool-centre-point control comes on: it stands at 0 then, and turns in by steps that leave no doubt.
+#[test]
+fn fanuc_turns_in_under_tool_centre_point_control() {
+    let chains = chains().into_iter().map(|(machine, _)| machine);
+    for (k, machine) in [Machine::demo().unwrap(), other()].into_iter().chain(chains).enumerate() {
+        let plan = plan(&machine);
+        let (blade, tool) = (sample::blade(), sample::tool());
+        for control in [Control::Fanuc, Control::FanucVector] {
+            let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+            let p = post(&Dialect::built_in(control).unwrap(), &verified, &blade, &tool, &machine, &options()).unwrap();
+            let script = program::read(&p.text, p.language).unwrap();
+            let bench =
+                program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+            let moves = program::follow(&script.blocks, &bench).unwrap();
+            let on = moves.iter().position(|m| m.words == Programmed::Tip).unwrap();
+            let cuts = moves.iter().position(|m| m.seconds.is_some()).unwrap();
+            let table = |axes: [f64; 5]| [0, 1].map(|i| if machine.table_axes()[i] { axes[3 + i] } else { 0.0 });
+            assert_eq!(table(moves[on].to), [0.0; 2], "{k} {control:?}");
+            let end = |m: &program::Moved| m.axes(1.0, &tool, &machine);
+            let first = end(&moves[on]);
+            let room_mm = 0.5 * options().safe_clearance_mm;
+            for m in &moves[on + 1..cuts - 1] {
+                let (from, to) = (m.axes(0.0, &tool, &machine), end(m));
+                assert!(
+                    (3..5).all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
+                    "{k} {control:?}"
+                );
+                for f in 0..=8 {
+                    let at = m.axes(f64::from(f) / 8.0, &tool, &machine);
+                    let off = Vector::new(at[0] - first[0], at[1] - first[1], at[2] - first[2]).norm();
+                    assert!(off <= room_mm + 0.01, "{k} {control:?}: {off}");
+                }
+            }
+            // The last rapid comes to the safe position, as all dialects do.
+            let start = plan.rows().next().unwrap();
+            let reached = moves[cuts - 1].pose(1.0, &tool, &machine);
+            let axis = tool::axis(sample::B_RAD, start.theta);
+            assert!((reached.axis - axis).norm() < 1e-5, "{k} {control:?}");
+            assert!((reached.centre - start.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
+            // The same moves where the table has turned before are others, and the read-back tells so.
+            let lines: Vec<&str> = p.text.lines().collect();
+            let g43 = lines.iter().position(|l| l.starts_with("G43.")).unwrap();
+            let turned =
+                lines[..g43].iter().chain(&["G0 A90"]).chain(&lines[g43..]).map(|l| format!("{l}\n")).collect();
+            if k < 2 {
+                let bad = read_back(&Program { text: turned, ..p.clone() }, &plan, &blade, &tool, &machine).unwrap();
+                assert!(bad.iter().any(|c| !c.passed && c.name == "program-missing"), "{k} {control:?}");
+            }
+        }
+    }
 }

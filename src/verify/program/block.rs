@@ -79,6 +79,8 @@ pub struct Block {
     pub tool_length: bool,
     /// Tool-centre-point control is on.
     pub centre_point: bool,
+    /// The line that fixed X, Y, Z to the table as it stood there; `None`: to the table as it stands at 0.
+    pub fixed_by: Option<usize>,
     /// Tool calls before it.
     pub tool_calls: usize,
     /// What is set beside.
@@ -131,6 +133,7 @@ impl Block {
             machine: false,
             tool_length: false,
             centre_point: true,
+            fixed_by: None,
             tool_calls: 0,
             setting: Setting::default(),
         }

@@ -130,21 +130,16 @@ pub(super) fn checks(
         let point = at.map(|r| blade.model_from_blade * r.centre);
         let last = plan.toolpath.locations.len().saturating_sub(1);
         let line = if worst.line > 0 { format!(", line {}", worst.line) } else { String::new() };
+        let note = match at.map(|r| r.stretch) {
+            Some(Stretch::LeadIn) => format!("{}{line}, lead-in", program.file_name),
+            Some(Stretch::LeadOut) => format!("{}{line}, lead-out", program.file_name),
+            _ => format!("{}{line}", program.file_name),
+        };
         Check {
-            name: name.into(),
-            quantity: quantity.into(),
-            worst: if worst.value.is_finite() { worst.value } else { f64::MAX },
-            limit,
-            unit: unit.into(),
-            passed: worst.value <= limit,
             row: Some(worst.row.saturating_sub(before).min(last)),
             turn: plan.toolpath.locations.get(worst.row.saturating_sub(before).min(last)).map(|l| l.turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
-            note: match at.map(|r| r.stretch) {
-                Some(Stretch::LeadIn) => format!("{}{line}, lead-in", program.file_name),
-                Some(Stretch::LeadOut) => format!("{}{line}, lead-out", program.file_name),
-                _ => format!("{}{line}", program.file_name),
-            },
+            ..Check::at_most(name, quantity, worst.value, limit, unit, note)
         }
     })
     .collect()

@@ -1,7 +1,8 @@
 //! The machine moved through a program's blocks.
 //!
 //! The state is where the machine's axes stand. A block in machine axes moves them straight; a block under tool-centre-point control
-//! moves the programmed point straight over the part and the rotary axes evenly; under polynomial interpolation every word goes as its polynomial says. What the program has not said yet is not known
+//! moves the programmed point straight over the part and the rotary axes evenly, in the blade frame or, where the control fixes its frame to the table when
+//! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed; under polynomial interpolation every word goes as its polynomial says. What the program has not said yet is not known
 //! (`NaN`), save for the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
@@ -128,7 +129,7 @@ fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f6
 /// # Errors
 /// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame before tool-centre-point control is on.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
-    let mut follower = Follower { bench, stands: UNKNOWN, said: None };
+    let mut follower = Follower { bench, stands: UNKNOWN, said: None, fixed: None };
     blocks.iter().map(|b| follower.step(b)).collect()
 }
 
@@ -151,7 +152,7 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
     for (k, bench) in benches.iter().enumerate() {
         let own = rest.iter().take_while(|b| b.tool_calls <= k + 1).count();
         let (mine, later) = rest.split_at(own);
-        let mut follower = Follower { bench, stands, said: None };
+        let mut follower = Follower { bench, stands, said: None, fixed: None };
         out.push(mine.iter().map(|b| follower.step(b)).collect::<Result<_>>()?);
         (stands, rest) = (follower.stands, later);
     }
@@ -167,14 +168,35 @@ struct Follower<'a> {
     stands: [f64; 5],
     /// The programmed point, as long as it is the program's own: not taken back from the axes, so that it keeps its digits.
     said: Option<[f64; 3]>,
+    /// The line that fixed the frame to the table, and the frame: to the blade frame.
+    fixed: Option<(usize, Rigid)>,
 }
 
 impl Follower<'_> {
+    /// Coordinates of the program to the blade frame.
+    fn blade_from_program(&self) -> Rigid {
+        self.fixed.map_or_else(Rigid::identity, |f| f.1) * self.bench.zero.blade_from_program
+    }
+
+    /// Fixes the frame to the table, where a line before has done so, as it stands.
+    fn fix(&mut self, block: &Block, rotary: [f64; 2], in_this_line: bool) {
+        if let Some(line) = block.fixed_by
+            && self.fixed.is_none_or(|f| f.0 != line)
+            && (line == block.line) == in_this_line
+        {
+            self.fixed = Some((line, self.bench.machine.blade_from_frame_fixed_at(rotary)));
+        }
+    }
+
     fn step(&mut self, block: &Block) -> Result<Moved> {
+        if block.fixed_by.is_none() {
+            self.fixed = None;
+        }
+        self.fix(block, [self.stands[3], self.stands[4]], false);
         let (point, rotary) = match block.place {
             Place::Words { point, rotary } => (point, self.rotary(block, rotary)?),
             Place::Vector { point, axis } => {
-                let axis = self.bench.zero.blade_from_program.rotation * Vector::from(axis);
+                let axis = self.blade_from_program().rotation * Vector::from(axis);
                 let near = self.bench.machine.rotary_of_axis(&axis, [self.stands[3], self.stands[4]]);
                 let reached = near.ok_or_else(|| {
                     unreachable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
@@ -182,6 +204,8 @@ impl Follower<'_> {
                 (point, reached)
             }
         };
+        // Rotary words of the line that fixes it turn the table before.
+        self.fix(block, rotary, true);
         let own = self.bench.language.programmed == Programmed::Machine;
         if !own && !block.machine && !block.centre_point && point.iter().any(Option::is_some) {
             return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
@@ -218,22 +242,23 @@ impl Follower<'_> {
 
     /// X, Y, Z are the programmed point over the part.
     fn over_the_part(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
-        let Bench { language, zero, tool, machine } = *self.bench;
+        let Bench { language, tool, machine, .. } = *self.bench;
+        let blade_from_program = self.blade_from_program();
         let words = language.programmed;
         let here = self.said.unwrap_or_else(|| {
             let pose = machine.forward(&self.stands, tool.length_mm());
             let point = if words == Programmed::Tip { pose.tip(tool.radius_mm) } else { pose.centre };
-            (zero.blade_from_program.inverse() * point).into()
+            (blade_from_program.inverse() * point).into()
         });
         let mut there = here;
         for ((t, word), step) in there.iter_mut().zip(point).zip(block.steps) {
             *t = word.map_or(*t, |w| if step { *t + w } else { w });
         }
-        let in_blade = |p: [f64; 3]| zero.blade_from_program * Point::from(p);
+        let in_blade = |p: [f64; 3]| blade_from_program * Point::from(p);
         let (from, to) = (in_blade(here), in_blade(there));
         let from = [from.x, from.y, from.z, self.stands[3], self.stands[4]];
         let to = [to.x, to.y, to.z, a, b];
-        let bend = self.bend(block, |point| zero.blade_from_program.rotation * point);
+        let bend = self.bend(block, |point| blade_from_program.rotation * point);
         let moved = Moved { line: block.line, words, from, to, bend, seconds: None };
         (self.stands, self.said) = (axes(words, &to, tool, machine), Some(there));
         moved

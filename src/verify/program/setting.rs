@@ -38,18 +38,8 @@ impl Finding {
     pub fn of_own(self, program: &Program) -> Check {
         let line = self.line.map(|l| format!(", line {l}")).unwrap_or_default();
         let note = if self.note.is_empty() { String::new() } else { format!("; {}", self.note) };
-        Check {
-            name: format!("program-{}", self.name),
-            quantity: self.quantity.into(),
-            worst: self.worst,
-            limit: self.limit,
-            unit: self.unit.into(),
-            passed: self.worst <= self.limit,
-            row: None,
-            turn: None,
-            point_mm: None,
-            note: format!("{}{line}{note}", program.file_name),
-        }
+        let note = format!("{}{line}{note}", program.file_name);
+        Check::at_most(&format!("program-{}", self.name), self.quantity, self.worst, self.limit, self.unit, note)
     }
 }
 

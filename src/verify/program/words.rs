@@ -17,18 +17,8 @@ pub(super) fn check(program: &Program) -> Check {
             first.get_or_insert_with(|| format!("{} line {}: {address}{value} {what}", program.file_name, i + 1));
         }
     }
-    Check {
-        name: "program-words".into(),
-        quantity: "words that the control does not read".into(),
-        worst: found as f64,
-        limit: 0.0,
-        unit: "words".into(),
-        passed: found == 0,
-        row: None,
-        turn: None,
-        point_mm: None,
-        note: first.unwrap_or_else(|| program.file_name.clone()),
-    }
+    let note = first.unwrap_or_else(|| program.file_name.clone());
+    Check::at_most("program-words", "words that the control does not read", found as f64, 0.0, "words", note)
 }
 
 /// What is wrong with a value; `None`: nothing, or it is no number.

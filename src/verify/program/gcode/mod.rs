@@ -61,6 +61,8 @@ struct Modal {
     inch: bool,
     inch_feed: bool,
     centre: Centre,
+    /// The line that switched on `G43.4` or `G43.5`.
+    fixed_by: Option<usize>,
     /// `G43`.
     length: bool,
     /// `H`.
@@ -162,6 +164,7 @@ impl Reader {
         let upper = code.to_ascii_uppercase();
         let words = words::words(&code, &upper)?;
         let mut said = Said::default();
+        let centre = self.modal.centre;
         // Preparatory functions count for the whole line, wherever they stand.
         for word in words.iter().filter(|w| w.address == "G") {
             codes::preparatory(word, &mut self.modal, &mut said)?;
@@ -171,6 +174,10 @@ impl Reader {
                 Some(axis) => axes::to_axis(word, axis, &self.modal, &mut said)?,
                 None => codes::take(word, &mut self.modal, &mut said)?,
             }
+        }
+        if self.modal.centre != centre {
+            let to_table = matches!(self.modal.centre, Centre::Axes | Centre::Vectors);
+            self.modal.fixed_by = to_table.then_some(number);
         }
         self.modal.begun |= words.iter().any(|w: &Word| w.address != "N");
         self.finish(number, said)
@@ -279,6 +286,7 @@ impl Modal {
             machine: said.machine,
             tool_length: added && (!said.machine || said.with_length),
             centre_point,
+            fixed_by: self.fixed_by,
             setting: Setting { length, ..self.setting },
             ..Block::straight(line, place, feed)
         }))
