@@ -7,8 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
-use crate::files;
-use crate::job::JobFile;
+use crate::job::{self, JobFile};
 
 /// The family file. Exactly one of `models`, `table` and `design` says what the members are, or none, where the template names the
 /// model; `ranges` multiply them. A parameter is a key of the job (`tool.radius_mm`), of the generator's design
@@ -159,16 +158,8 @@ pub fn schema() -> schemars::Schema {
 /// # Errors
 /// `InputOutput` where it cannot be read; `Usage` with file, line and key where it is no family file.
 pub fn load(path: &Path) -> Result<FamilyFile> {
-    let bytes = files::read(path, files::SHORT).map_err(|e| match e.kind() {
-        std::io::ErrorKind::FileTooLarge => {
-            Error::usage(Stage::Batch, format!("{} is too large for a family file", path.display()))
-                .advise("a family file is a short TOML text; name models and tables in it")
-        }
-        _ => Error::io(Stage::Batch, format!("the family file {} cannot be read: {e}", path.display())).caused_by(e),
-    })?;
-    let text = String::from_utf8(bytes)
-        .map_err(|e| Error::usage(Stage::Batch, format!("{} is not a text in UTF-8: {e}", path.display())))?;
-    parse(&text, &path.display().to_string())
+    let short = "a family file is a short TOML text; name models and tables in it";
+    parse(&job::text_of(path, Stage::Batch, "family file", short)?, &path.display().to_string())
 }
 
 /// Parses the text of a family file; `name` is used in messages.

@@ -7,46 +7,20 @@ use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckReport, Plan};
+use crate::artifact::{Blade, CheckReport};
 use crate::error::{Error, ErrorKind, Result, Stage};
-use crate::observe::Observer;
 use crate::output::{self, RunFolder, tables};
-use crate::pipeline::again::{Finished, read};
+use crate::pipeline;
+use crate::pipeline::again::{Checked, read};
 use crate::pipeline::operations::{self, Done};
-use crate::pipeline::{self, Setup};
 use crate::post::{self, Dialect, PostOptions};
 use crate::preview::{self, drawing};
 use crate::verify;
 
-/// A finished run with its verdict: of the plan, and of the files that others read.
-struct Checked {
-    setup: Setup,
-    verdict: verify::Verdict<Plan>,
-    /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
-    files: Vec<Check>,
-    /// The run is to have its programs: it was not stopped before, and it was good or is.
-    wrote_programs: bool,
-}
-
-fn check(run: Finished, observer: &dyn Observer) -> Result<Checked> {
-    let Finished { setup, plan, checks, wrote_programs, stopped } = run;
-    let verdict = verify::check_among(
-        plan,
-        &setup.blade,
-        &setup.obstacles,
-        &setup.job.tool,
-        &setup.machine,
-        &setup.verify_options(),
-        observer,
-    )?;
-    let wrote_programs = wrote_programs || (!stopped && matches!(verdict, verify::Verdict::Passed(_)));
-    Ok(Checked { setup, verdict, files: checks, wrote_programs })
-}
-
 /// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
 pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let checked = read(out, &terminal).and_then(|run| check(run, &terminal));
+    let checked = read(out, &terminal).and_then(|run| run.check(&terminal));
     terminal.finish();
     let Checked { setup, verdict, files, wrote_programs } = checked?;
     if let Some((file, tolerance)) = map {
@@ -137,7 +111,7 @@ fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Re
     let terminal = Terminal::new(quiet);
     let checked = read(run, &terminal).and_then(|run| {
         post::planned(&run.plan, &PostOptions { from_turn, ..run.setup.post_options() })?;
-        check(run, &terminal)
+        run.check(&terminal)
     });
     terminal.finish();
     let Checked { setup, verdict, files, .. } = checked?;
@@ -159,11 +133,9 @@ fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Re
 /// `preview`: preview.glb and report.html again.
 pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let written = read(&args.out, &terminal).and_then(|run| check(run, &terminal)).and_then(|run| {
+    let written = read(&args.out, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let mut folder = RunFolder::begin(&args.out)?;
-        let budget = args.preview_budget.map(|b| b.0);
-        let (setup, verdict) = (&run.setup, &run.verdict);
-        pipeline::preview_again(setup, verdict, &run.files, run.wrote_programs, budget, &mut folder, &terminal)?;
+        pipeline::preview_again(&run, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();
@@ -174,7 +146,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
 /// `plot`: the report's plots as files.
 pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let drawn = read(&args.run, &terminal).and_then(|run| check(run, &terminal)).and_then(|run| {
+    let drawn = read(&args.run, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2);
         pipeline::plots(&run.setup, &run.verdict, turn, &terminal)
     });

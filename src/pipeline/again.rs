@@ -20,7 +20,7 @@ use crate::job;
 use crate::observe::Observer;
 use crate::output::manifest::{self, Input, Manifest};
 use crate::output::{self, tables};
-use crate::verify;
+use crate::verify::{self, Verdict};
 
 /// A finished run, its plan not checked yet.
 pub struct Finished {
@@ -34,6 +34,33 @@ pub struct Finished {
     pub wrote_programs: bool,
     /// The run was stopped before programs were written.
     pub stopped: bool,
+}
+
+/// A finished run with its verdict: of the plan, and of the files that others read.
+pub struct Checked {
+    /// Job, blade, machine.
+    pub setup: Setup,
+    /// The verdict on the plan.
+    pub verdict: Verdict<Plan>,
+    /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
+    pub files: Vec<Check>,
+    /// The run is to have its programs: it was not stopped before, and it was good or is.
+    pub wrote_programs: bool,
+}
+
+impl Finished {
+    /// Checks the plan.
+    ///
+    /// # Errors
+    /// Those of [`verify::check_among`].
+    pub fn check(self, observer: &dyn Observer) -> Result<Checked> {
+        let Finished { setup, plan, checks: files, wrote_programs, stopped } = self;
+        let (tool, options) = (&setup.job.tool, setup.verify_options());
+        let verdict =
+            verify::check_among(plan, &setup.blade, &setup.obstacles, tool, &setup.machine, &options, observer)?;
+        let wrote_programs = wrote_programs || (!stopped && matches!(verdict, Verdict::Passed(_)));
+        Ok(Checked { setup, verdict, files, wrote_programs })
+    }
 }
 
 /// Reads the job of a folder, the model that it names, and the plan.

@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use serde_json::Value;
 
+use super::again::Checked;
 use super::{Baseline, Setup, around, compare, leads, programs_again, sketch};
-use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
@@ -172,14 +172,12 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
 /// # Errors
 /// Those of the stages.
 pub fn preview_again(
-    setup: &Setup,
-    verdict: &Verdict<Plan>,
-    files: &[Check],
-    wrote_programs: bool,
+    run: &Checked,
     budget_bytes: Option<usize>,
     folder: &mut RunFolder,
     observer: &dyn Observer,
 ) -> Result<()> {
+    let Checked { setup, verdict, files, wrote_programs } = run;
     let recorder = Recorder::new(observer);
     let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;
     let plan = verdict.value();
@@ -187,7 +185,7 @@ pub fn preview_again(
     let mut report = verdict.report().clone();
     report.checks.extend_from_slice(files);
     if let Verdict::Passed(verified) = verdict {
-        report.checks.extend(programs_again(setup, verified, folder, wrote_programs)?);
+        report.checks.extend(programs_again(setup, verified, folder, *wrote_programs)?);
     }
     let figures = compare(setup, plan, &baseline)?;
     let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;

@@ -14,6 +14,10 @@ use crate::geometry::Vector;
 const LONGEST_RAD: f64 = FRAC_PI_2;
 /// Share of the clearance of the safe position that the linear axes may leave their place by.
 const STRAY: f64 = 0.5;
+/// Rounding of positions at an end of travel.
+const ROUNDING_MM: f64 = 1e-9;
+/// Places within a step that are looked at.
+const WITHIN: usize = 8;
 /// Most steps: none strays by more than 0.01 mm then on a way of a metre's radius.
 const MOST_STEPS: usize = 1000;
 
@@ -36,11 +40,11 @@ pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<[f64; 5]> {
     let least = (way / LONGEST_RAD).ceil() as usize;
     let steps =
         |n: usize| (0..=n).map(move |k| between(&zero, &turned, if n == 0 { 1.0 } else { k as f64 / n as f64 }));
-    let strays = |n: usize| {
+    let keeps = |n: usize| {
         let ends: Vec<_> = steps(n).collect();
-        ends.windows(2).map(|w| stray(run, programmed, &w[0], &w[1])).fold(0.0, f64::max)
+        ends.windows(2).all(|w| (1..WITHIN).all(|k| keeps(run, programmed, w, k as f64 / WITHIN as f64, stray_mm)))
     };
-    let n = (least..MOST_STEPS).find(|n| strays(*n) <= stray_mm).unwrap_or(MOST_STEPS);
+    let n = (least..MOST_STEPS).find(|n| keeps(*n)).unwrap_or(MOST_STEPS);
     steps(n).chain([safe]).collect()
 }
 
@@ -48,16 +52,25 @@ fn between(a: &[f64; 5], b: &[f64; 5], share: f64) -> [f64; 5] {
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share)
 }
 
-/// How far the linear axes are from evenly between two places in the middle, while the programmed point goes straight over the part, mm.
-fn stray(run: &Run, programmed: Programmed, a: &[f64; 5], b: &[f64; 5]) -> f64 {
+/// Whether the linear axes, at a share of the way between two places on which the programmed point goes straight over the part, are near the one where they stand at
+/// both ends, and within their travel.
+fn keeps(run: &Run, programmed: Programmed, ends: &[[f64; 5]], share: f64, stray_mm: f64) -> bool {
     let (machine, gauge) = (run.machine, run.tool.length_mm());
     let lift_mm = if programmed == Programmed::Tip { run.tool.radius_mm } else { 0.0 };
-    let [p, q] = [a, b].map(|at| machine.forward(at, gauge).tip(lift_mm));
-    let middle = between(a, b, 0.5);
-    let rotary = [middle[3], middle[4]];
-    let centre = nalgebra::center(&p, &q) + machine.axis_at(rotary) * lift_mm;
-    let reached = Vector::from(machine.linear_at(&centre, rotary, gauge));
-    (reached - Vector::new(middle[0], middle[1], middle[2])).norm()
+    let [p, q] = [0, 1].map(|k| machine.forward(&ends[k], gauge).tip(lift_mm));
+    let [.., a, b] = between(&ends[0], &ends[1], share);
+    let centre = p + (q - p) * share + machine.axis_at([a, b]) * lift_mm;
+    let at = machine.linear_at(&centre, [a, b], gauge);
+    let stands = &ends[0][..3];
+    let off_mm = (Vector::from(at) - Vector::from_column_slice(stands)).norm();
+    let limits = machine.limits();
+    // Where an axis is beyond its travel anyhow, that is found as such.
+    let inside = |i: usize| {
+        let within =
+            |[lo, hi]: [f64; 2]| (lo.min(stands[i]) - ROUNDING_MM..=hi.max(stands[i]) + ROUNDING_MM).contains(&at[i]);
+        limits[i].travel.is_none_or(within)
+    };
+    off_mm <= stray_mm && (0..3).all(inside)
 }
 
 impl Run<'_> {

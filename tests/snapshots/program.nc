@@ -1,6 +1,6 @@
 %
 O0001
-(Size           100 lines,       4536 bytes)
+(Size           115 lines,       5270 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.4, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -17,7 +17,7 @@ O0001
 (Lead-out arc of radius 4.000 mm, 90.0 deg, tangential to the path)
 (Scallop  0.01 mm asked for, chord tolerance 100 mm)
 (Time     7.9 s of cutting)
-(Cycle    15.6 s: approach 2.4, lead-in 0.3, cutting 7.9, lead-out 0.3, retract 2.4, unwinding 2.4)
+(Cycle    22.0 s: approach 7.2, lead-in 0.3, cutting 7.9, lead-out 0.3, retract 2.4, unwinding 3.9)
 (         [without tool change and the way to over the part])
 (Verified before posting:)
 (  ok     gouge: 0.000500 mm, limit 0.003000 mm)
@@ -31,18 +31,33 @@ O0001
 (F        G94, mm/min of the TIP over the part; degrees/min on lines on which it stands still.)
 (Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds where the tip stands still;)
 (         increment system IS-C: 0.0001 mm and deg. IS-B rounds each word to 0.001, nothing adds up.)
-(PROVE    above the part that the control takes G54 as it is at A=0, wherever A stands when G43.4 comes on.)
+(G43.4    fixes X Y Z to the table as it stands then: it comes on with the table at 0, which turns in step by step)
+(afterwards.)
 N1 G17 G21 G40 G49 G80 G90 G94
 G53 G0 Z630.000
 T1 M6
 S6000 M3
-G0 A279.9888 B5.0000
+G0 A0.0000 B5.0000
 G53 G0 X1452.151 Y8.865
 G54
 (AI contour control, an option of the control: without it leave this out with post.look_ahead = false)
 G5.1 Q1
-(Down to the safe position, then along the tool axis)
-G43.4 H1 X22.5181 Y57.5989 Z1.1436
+(Tool-centre-point control, the table at 0)
+G43.4 H1 X22.5181 Y8.8645 Z481.2938
+(Turn in, down to the safe position, then along the tool axis)
+G0 X22.5181 Y-182.4839 Z445.4458 A23.3324 B5.0000
+G0 X22.5181 Y-343.9862 Z336.7429 A46.6648 B5.0000
+G0 X22.5181 Y-449.2279 Z172.9641 A69.9972 B5.0000
+G0 X22.5181 Y-480.9962 Z-19.1038 A93.3296 B5.0000
+G0 X22.5181 Y-434.0952 Z-208.0472 A116.6620 B5.0000
+G0 X22.5181 Y-316.1959 Z-362.9634 A139.9944 B5.0000
+G0 X22.5181 Y-146.5812 Z-458.5153 A163.3268 B5.0000
+G0 X22.5181 Y47.0076 Z-479.0747 A186.6592 B5.0000
+G0 X22.5181 Y232.9081 Z-421.2792 A209.9916 B5.0000
+G0 X22.5181 Y380.7153 Z-294.5814 A233.3240 B5.0000
+G0 X22.5181 Y466.2547 Z-119.7034 A256.6564 B5.0000
+G0 X22.5181 Y475.5358 Z74.7527 A279.9888 B5.0000
+G0 X22.5181 Y57.5989 Z1.1436 A279.9888 B5.0000
 M8
 G1 X19.9886 Y29.1246 Z-3.8714 F5000
 G1 X19.5528 Y24.2191 Z-4.7354 F300
@@ -95,6 +110,6 @@ G5.1 Q0
 G53 G0 Z630.000
 M5
 (Unwind of A: back to its first position, over all turns.)
-G0 A279.9888
+G0 A0.0000 B5.0000
 M30
 %

@@ -1,6 +1,6 @@
 %
 O0001
-(Size           100 lines,       5678 bytes)
+(Size           115 lines,       6665 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.5, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -17,7 +17,7 @@ O0001
 (Lead-out arc of radius 4.000 mm, 90.0 deg, tangential to the path)
 (Scallop  0.01 mm asked for, chord tolerance 100 mm)
 (Time     7.9 s of cutting)
-(Cycle    15.6 s: approach 2.4, lead-in 0.3, cutting 7.9, lead-out 0.3, retract 2.4, unwinding 2.4)
+(Cycle    22.0 s: approach 7.2, lead-in 0.3, cutting 7.9, lead-out 0.3, retract 2.4, unwinding 3.9)
 (         [without tool change and the way to over the part])
 (Verified before posting:)
 (  ok     gouge: 0.000500 mm, limit 0.003000 mm)
@@ -30,18 +30,33 @@ O0001
 (F        G94, mm/min of the TIP over the part; degrees/min on lines on which it stands still.)
 (Relies on parameters 19696#5 WKP=0: X Y Z turn with the table; 19696#6 RFC=1: F holds where the tip stands still;)
 (         increment system IS-C: 0.0001 mm and deg. IS-B rounds each word to 0.001, nothing adds up.)
-(PROVE    above the part that the control takes G54 as it is at A=0, wherever A stands when G43.5 comes on.)
+(G43.5    fixes X Y Z to the table as it stands then: it comes on with the table at 0, which turns in step by step)
+(afterwards.)
 N1 G17 G21 G40 G49 G80 G90 G94
 G53 G0 Z630.000
 T1 M6
 S6000 M3
-G0 A279.9888 B5.0000
+G0 A0.0000 B5.0000
 G53 G0 X1452.151 Y8.865
 G54
 (AI contour control, an option of the control: without it leave this out with post.look_ahead = false)
 G5.1 Q1
-(Down to the safe position, then along the tool axis)
+(Tool-centre-point control, the table at 0)
 G43.5 H1
+G0 X22.5181 Y8.8645 Z481.2938 I0.08715574 J0.00000000 K0.99619470
+(Turn in, down to the safe position, then along the tool axis)
+G0 X22.5181 Y-182.4839 Z445.4458 I0.08715574 J-0.39455762 K0.91472846
+G0 X22.5181 Y-343.9862 Z336.7429 I0.08715574 J-0.72458343 K0.68365395
+G0 X22.5181 Y-449.2279 Z172.9641 I0.08715574 J-0.93610011 K0.34076452
+G0 X22.5181 Y-480.9962 Z-19.1038 I0.08715574 J-0.99451308 K-0.05785860
+G0 X22.5181 Y-434.0952 Z-208.0472 I0.08715574 J-0.89026861 K-0.44701866
+G0 X22.5181 Y-316.1959 Z-362.9634 I0.08715574 J-0.64041639 K-0.76306666
+G0 X22.5181 Y-146.5812 Z-458.5153 I0.08715574 J-0.28582097 K-0.95431140
+G0 X22.5181 Y47.0076 Z-479.0747 I0.08715574 J0.11552186 K-0.98947389
+G0 X22.5181 Y232.9081 Z-421.2792 I0.08715574 J0.49797053 K-0.86280312
+G0 X22.5181 Y380.7153 Z-294.5814 I0.08715574 J0.79897370 K-0.59501673
+G0 X22.5181 Y466.2547 Z-119.7034 I0.08715574 J0.96930085 K-0.22991246
+G0 X22.5181 Y475.5358 Z74.7527 I0.08715574 J0.98109415 K0.17279511
 G0 X22.5181 Y57.5989 Z1.1436 I0.08715574 J0.98109415 K0.17279511
 M8
 G1 X19.9886 Y29.1246 Z-3.8714 I0.08715574 J0.98109415 K0.17279511 F5000
@@ -95,6 +110,6 @@ G5.1 Q0
 G53 G0 Z630.000
 M5
 (Unwind of A: back to its first position, over all turns where A is a linear axis.)
-G0 A279.9888
+G0 A0.0000 B5.0000
 M30
 %

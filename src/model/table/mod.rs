@@ -200,21 +200,7 @@ fn outlines(
             other: if two { points(b, 1, 1.0) } else { Vec::new() },
         })
         .collect();
-    if let Some(b) =
-        flat.iter().find(|b| b.points.iter().chain(&b.other).any(|p| p.coords.iter().any(|x| !x.is_finite())))
-    {
-        return Err(format!(
-            "the block from {} has a point that is no number (r*theta with r = 0, or a number too large)",
-            b.place
-        ));
-    }
-    if let Some(b) = flat.iter().find(|b| suspect::unordered(&b.points) || suspect::unordered(&b.other)) {
-        return Err(format!(
-            "the {} points from {} are in no order, from each to the next it goes to and fro: a section is written once round, or one side after the other",
-            b.points.len(),
-            b.place
-        ));
-    }
+    flat.iter().try_for_each(suspect::sound)?;
     let (blocks, flat) = if two { (blocks, flat) } else { split(blocks, flat) };
     let paired = !two && order(header, &flat)? == Order::Sides;
     let per_section = if paired { 2 } else { 1 };
@@ -247,13 +233,7 @@ fn outlines(
         out.push(outline);
     }
     let out = without_collapsed(out, notes)?;
-    for (place, found) in out.iter().filter_map(|o| Some((&o.place, o.standing_out()?))) {
-        let words = format!("in the section at {place} {}", found.words());
-        if found.spike {
-            return Err(format!("{words}: correct it or leave it out"));
-        }
-        notes.push(format!("{words}: is it right?"));
-    }
+    suspect::displaced(&out, notes)?;
     let mut out = extruded(header, out, mm)?;
     if out.len() < 2 {
         return Err("this is a single profile: one section makes no blade".into());

@@ -1,5 +1,6 @@
 //! Points that are hardly meant: in no order, or one displaced.
 
+use super::columns::Block;
 use super::outline::Outline;
 use crate::geometry::Point;
 
@@ -57,6 +58,42 @@ impl Outline {
         let off_mm = (p - nalgebra::center(&at(found + n - 1), &at(found + 1))).norm();
         Some(StandingOut { number, at: p, off_mm, spike: turns[found].abs() > SPIKE })
     }
+}
+
+/// Looks at the points of a block, whatever their height: all are numbers, and in order.
+///
+/// # Errors
+/// What is wrong.
+pub fn sound(b: &Block) -> Result<(), String> {
+    if b.points.iter().chain(&b.other).any(|p| p.coords.iter().any(|x| !x.is_finite())) {
+        return Err(format!(
+            "the block from {} has a point that is no number (r*theta with r = 0, or a number too large)",
+            b.place
+        ));
+    }
+    if unordered(&b.points) || unordered(&b.other) {
+        return Err(format!(
+            "the {} points from {} are in no order, from each to the next it goes to and fro: a section is written once round, or one side after the other",
+            b.points.len(),
+            b.place
+        ));
+    }
+    Ok(())
+}
+
+/// Looks for displaced points in all sections: one that is hardly right is noted.
+///
+/// # Errors
+/// The first with which a section has no shape of a blade.
+pub fn displaced(sections: &[Outline], notes: &mut Vec<String>) -> Result<(), String> {
+    for (place, found) in sections.iter().filter_map(|o| Some((&o.place, o.standing_out()?))) {
+        let words = format!("in the section at {place} {}", found.words());
+        if found.spike {
+            return Err(format!("{words}: correct it or leave it out"));
+        }
+        notes.push(format!("{words}: is it right?"));
+    }
+    Ok(())
 }
 
 /// Whether points are in no order: the chain through them goes to and fro.

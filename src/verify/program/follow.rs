@@ -31,6 +31,8 @@ impl Default for Zero {
     }
 }
 
+/// A vector is along the tool axis within this, rad: its components are rounded.
+const ALONG_RAD: f64 = 1e-6;
 /// Chords that the length of a bent move is taken from.
 const CHORDS: usize = 64;
 
@@ -197,7 +199,10 @@ impl Follower<'_> {
             Place::Words { point, rotary } => (point, self.rotary(block, rotary)?),
             Place::Vector { point, axis } => {
                 let axis = self.blade_from_program().rotation * Vector::from(axis);
-                let near = self.bench.machine.rotary_of_axis(&axis, [self.stands[3], self.stands[4]]);
+                let (machine, stands) = (self.bench.machine, [self.stands[3], self.stands[4]]);
+                // Along the first rotary axis any position of that would do: it stays where the tool stands so already.
+                let stays = || axis.angle(&machine.axis_at(stands)) < ALONG_RAD;
+                let near = machine.rotary_of_axis(&axis, stands).or_else(|| stays().then_some(stands));
                 let reached = near.ok_or_else(|| {
                     unreachable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
                 })?;

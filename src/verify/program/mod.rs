@@ -17,12 +17,13 @@
 //! | `program-time` | whole time of the cutting lines against the plan's |
 //! | `program-end` | whether the program ends, and lines behind its end, which are not machined |
 //! | `program-tool`, `program-tool-length`, `program-spindle`, `program-smoothing`, `program-frame` | lines at a feed with another tool, length offset, spindle, tolerance of the control or work offset than the program was written with ([`Asked`]) |
-//!
-//! A word that is neither acted on nor known to be harmless is refused with its line.
 //! | `program-words` | words outside what the control reads by its post file: value, digits after the point |
 //!
+//! A word that is neither acted on nor known to be harmless is refused with its line.
+//!
 //! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
-//! them. Approach and retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
+//! them. `G43.4` and `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals say; all other controls to the table as it stands at 0. Approach and
+//! retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
 
 mod apt;
 mod block;
