@@ -42,6 +42,7 @@ mod schedules;
 mod sketch;
 
 pub use look::{plots, preview_again};
+use planning::Reached;
 pub use programs::programs_again;
 
 /// How far to go and what to do with a plan that fails its checks.
@@ -133,6 +134,22 @@ impl Setup {
             inputs.push(manifest::input(file, Stage::Post, "post.files")?);
             post_files.push(Dialect::load(file)?);
         }
+        let mut setup = Setup::of(draft, blade, machine, observer)?;
+        if let Some(model) = inputs.first_mut() {
+            model.path = setup.job.model.file.display().to_string();
+        }
+        setup.obstacles = around::obstacles(&setup.job, &setup.blade, &mut inputs, observer)?;
+        (setup.post_files, setup.inputs) = (post_files, inputs);
+        setup.check_program_names()?;
+        Ok(setup)
+    }
+
+    /// Completes the job for a blade and a machine that are in memory already; no file is read. Obstacles, own post files and inputs are left empty,
+    /// for the caller to set.
+    ///
+    /// # Errors
+    /// Those of the job.
+    pub fn of(draft: &Draft, blade: Blade, machine: Machine, observer: &dyn Observer) -> Result<Setup> {
         let (job, tool) = draft.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
         for message in &tool.warnings {
             observer.warn(Warning { stage: Stage::Job, message: message.clone() });
@@ -141,9 +158,6 @@ impl Setup {
         if let Some(message) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
             observer.warn(Warning { stage: Stage::Feed, message });
         }
-        if let Some(model) = inputs.first_mut() {
-            model.path = job.model.file.display().to_string();
-        }
         for message in openings::check(&blade, &reach(&job, &blade))? {
             observer.warn(Warning { stage: Stage::Model, message });
         }
@@ -151,11 +165,9 @@ impl Setup {
             Start::Concave => None,
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
-        let obstacles = around::obstacles(&job, &blade, &mut inputs, observer)?;
         let end_faces = model::recognise::named::faces_of(&job.region.end_faces, &blade.part)?;
-        let setup = Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, inputs };
-        setup.check_program_names()?;
-        Ok(setup)
+        let (post_files, obstacles, inputs) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, inputs })
     }
 
     fn section_options(&self) -> SectionOptions {
@@ -258,12 +270,12 @@ impl Setup {
 
     /// What programs say in their headers.
     pub fn post_options(&self) -> PostOptions {
-        let (model, p) = (&self.inputs[0], &self.job.post);
+        let p = &self.job.post;
         let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
         PostOptions {
             program_name: program_name(&self.blade.name),
             part_file: file,
-            part_hash: model.blake3.clone(),
+            part_hash: self.inputs.first().map(|model| model.blake3.clone()).unwrap_or_default(),
             job: "job.resolved.toml".into(),
             tool_number: p.tool_number,
             spindle_rpm: p.spindle_rpm,
@@ -433,6 +445,18 @@ struct Made {
     taken: Vec<Stage>,
 }
 
+/// Plans and checks in memory: no file is written. What the setup holds is all that is read.
+///
+/// # Errors
+/// The first stage's that fails; kind `Cancelled` where the observer asks to stop.
+pub fn plan(setup: &Setup, observer: &dyn Observer) -> Result<Verdict<Plan>> {
+    let mut clock = Clock::default();
+    match planning::plan(setup, None, reuse::Taken::default(), &mut clock, observer)? {
+        Reached::Motion(planned) => checking::verdict(setup, planned.0, observer),
+        _ => Err(Error::usage(Stage::Feed, "planning ended before the motion")),
+    }
+}
+
 /// All stages after the model, as far as the course goes.
 fn make(run: &mut checking::Run, earlier: &[Earlier]) -> Result<Made> {
     let (setup, observer) = (run.setup, run.observer);
@@ -446,7 +470,10 @@ fn make(run: &mut checking::Run, earlier: &[Earlier]) -> Result<Made> {
     let mut known = reuse::take(setup, earlier, observer);
     made.taken = std::mem::take(&mut known.stages);
     let before = known.checks.take();
-    if let Some((plan, baseline)) = planning::plan(setup, run.course, known, run.folder, run.clock, observer)? {
+    let reached = planning::plan(setup, run.course.until, known, run.clock, observer)?;
+    reached.write(run.folder)?;
+    if let Reached::Motion(planned) = reached {
+        let (plan, baseline) = *planned;
         let checked = run.check_and_write(&sections, plan, &baseline, before)?;
         made.taken.extend(checked.recalled.then_some(Stage::Verify));
         (made.summary, made.report, made.plan) = (checked.summary, Some(checked.report), Some(checked.plan));

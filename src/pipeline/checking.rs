@@ -5,7 +5,7 @@ use super::reuse::{self, Checks};
 use super::{Baseline, Course, Setup, accept, compare, paths, post_all};
 use crate::artifact::{CheckReport, Plan, Section};
 use crate::error::{Result, Stage};
-use crate::observe::Recorder;
+use crate::observe::{Observer, Recorder};
 use crate::output::manifest::Clock;
 use crate::output::summary::{self, Summary};
 use crate::output::{self, RunFolder, tables};
@@ -94,11 +94,14 @@ impl Run<'_, '_> {
                 Err(plan) => plan,
             },
         };
-        let verdict = self.clock.time(Stage::Verify, || {
-            let (blade, tool) = (&setup.blade, &setup.job.tool);
-            verify::check_among(plan, blade, &setup.obstacles, tool, &setup.machine, &options, self.observer)
-        })?;
+        let verdict = self.clock.time(Stage::Verify, || verdict(setup, plan, self.observer))?;
         let seal = seal::seal(plan_json, verdict.report(), &about)?;
         Ok((verdict, seal, false))
     }
+}
+
+/// A plan judged by all checks.
+pub(super) fn verdict(setup: &Setup, plan: Plan, observer: &dyn Observer) -> Result<Verdict<Plan>> {
+    let (blade, tool, options) = (&setup.blade, &setup.job.tool, setup.verify_options());
+    verify::check_among(plan, blade, &setup.obstacles, tool, &setup.machine, &options, observer)
 }

@@ -1,7 +1,7 @@
 //! The planning stages, one after another.
 
 use super::reuse::Taken;
-use super::{Baseline, Course, Setup, leads, schedules};
+use super::{Baseline, Setup, leads, schedules};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
@@ -24,35 +24,55 @@ const MOST_PROOFS: usize = 4;
 /// How often the helix is laid anew to end higher before the channel's error stands.
 const MOST_ENDS: usize = 12;
 
-/// The planning stages; `None` where the course ends before the motion is known.
+/// How far planning went.
+pub(super) enum Reached {
+    Path(Toolpath),
+    Channel(Toolpath, Channel),
+    Schedule(Toolpath, Channel, Schedule),
+    /// The whole plan, and a fixed lead under the same limits.
+    Motion(Box<(Plan, Baseline)>),
+}
+
+impl Reached {
+    /// Writes what was planned where planning stopped early; a whole plan is written with its checks.
+    pub fn write(&self, folder: &mut RunFolder) -> Result<()> {
+        let (path, channel, schedule) = match self {
+            Reached::Path(path) => (path, None, None),
+            Reached::Channel(path, channel) => (path, Some(channel), None),
+            Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
+            Reached::Motion(..) => return Ok(()),
+        };
+        folder.add_json("toolpath.json", path)?;
+        channel.map_or(Ok(()), |c| folder.add_json("channel.json", c))?;
+        schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))
+    }
+}
+
+/// The planning stages, to `until` or to the end.
 pub(super) fn plan(
     setup: &Setup,
-    course: Course,
+    until: Option<Stage>,
     known: Taken,
-    folder: &mut RunFolder,
     clock: &mut Clock,
     observer: &dyn Observer,
-) -> Result<Option<(Plan, Baseline)>> {
+) -> Result<Reached> {
     // Path and channel are those of any machine of the kind; a motion is not.
-    if !matches!(course.until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
+    if !matches!(until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;
     }
     let mut toolpath = match known.toolpath {
         Some(t) => t,
         None => clock.time(Stage::Path, || path_as_asked(setup, observer))?,
     };
-    if course.ends_at(Stage::Path) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        return Ok(None);
+    if until == Some(Stage::Path) {
+        return Ok(Reached::Path(toolpath));
     }
     let mut channel = match known.channel {
         Some(c) => c,
         None => channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?,
     };
-    if course.ends_at(Stage::Channel) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        folder.add_json("channel.json", &channel)?;
-        return Ok(None);
+    if until == Some(Stage::Channel) {
+        return Ok(Reached::Channel(toolpath, channel));
     }
     let options = setup.schedule_options();
     // What a baseline that nobody asked for does wrong is no warning: its figures stand in the summary. Where it is the job's own schedule it is
@@ -66,11 +86,8 @@ pub(super) fn plan(
     if !schedule.kind.is_wall() {
         keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), clock, observer)?;
     }
-    if course.ends_at(Stage::Schedule) {
-        folder.add_json("toolpath.json", &toolpath)?;
-        folder.add_json("channel.json", &channel)?;
-        folder.add_json("schedule.json", &schedule)?;
-        return Ok(None);
+    if until == Some(Stage::Schedule) {
+        return Ok(Reached::Schedule(toolpath, channel, schedule));
     }
     let (motion, leads, fixed_motion) = clock.time(Stage::Feed, || {
         let chosen = match &motion {
@@ -85,7 +102,8 @@ pub(super) fn plan(
         Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
-    Ok(Some((Plan { toolpath, channel, schedule, motion, leads }, baseline)))
+    let plan = Plan { toolpath, channel, schedule, motion, leads };
+    Ok(Reached::Motion(Box::new((plan, baseline))))
 }
 
 /// The schedule of the job, and its motion where that was found along with it.
