@@ -2,9 +2,8 @@
 //!
 //! What is not convex is that jerk may be greater where the motion is slower, `bracket ≤ 1/√x`. Here every Bernstein coefficient of x
 //! has a slowness `p ≥ 1/√x` of its own, at a joint the same for both cells; it pays for it in time and may have `bracket ≤ p` for it,
-//! without being slow. A profile
-//! within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches are free at both ends: that only makes the
-//! bound lower.
+//! without being slow. A profile within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches are free at both
+//! ends: that only makes the bound lower.
 
 use std::ops::Range;
 
@@ -12,13 +11,13 @@ use super::cells::{dot, of_x};
 use super::rows::{Dual, Problem, Rows, Shares};
 use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
-/// Rows that have not reached these shares of their limits in the profile are left out, where others are below 0 on the far side.
+/// Rows that have not reached these shares of their limits in the profile are left out; jerks may be a little below 0.
 const SHARES: Shares = Shares { accelerations: 0.1, others: -0.2 };
 /// The search begins with this share of the profile's ṡ² and u, and with slownesses greater by this: strictly within all rows.
 const SLOWER: f64 = 0.8;
 const RISE: f64 = 1.1;
 /// Least Bernstein coefficient of x, as a share of the profile's.
-const FLOOR: f64 = 0.1;
+const FLOOR: f64 = 0.01;
 /// Slack × multiplier of all rows at the beginning and at the end, as shares of the time.
 const BEGIN: f64 = 0.3;
 const TOLERANCE: f64 = 3e-3;
