@@ -204,6 +204,14 @@ fn a_plan_that_was_changed_is_found() {
     change_plan(&run, |plan| each(&mut plan["motion"]["feed"], |v| *v = json!(20.0 * v.as_f64().expect("a number"))));
     shop.finds("feed", &[("plan-motion", &["plan.json, location 0", "feed"]), ("files", &["plan.json has BLAKE3"])]);
 
+    for (name, by) in [("jerk-none", 0.0), ("jerk-more", 1.5), ("jerk-against", -1.0)] {
+        let run = shop.copy(name);
+        change_plan(&run, |plan| {
+            each(&mut plan["motion"]["jerk"], |row| each(row, |v| *v = json!(by * v.as_f64().expect("a number"))));
+        });
+        shop.finds(name, &[("plan-motion", &["plan.json: the root mean square", "jerk"])]);
+    }
+
     let run = shop.copy("leads");
     change_plan(&run, |plan| {
         each(&mut plan["leads"], |lead| {

@@ -24,6 +24,8 @@
 //! From and to rest jerk along the path is constant over the outermost cells, `x = 3/2 h u` at their inner ends, with the solver's choice of
 //! `u` there.
 
+use rayon::prelude::*;
+
 use crate::numerics::spline::CubicSpline;
 use crate::observe::Observer;
 
@@ -38,6 +40,9 @@ mod window;
 pub(super) use cells::Limits;
 use cells::{Cell, Units};
 use rows::Problem;
+
+/// Cells that one thread takes at least.
+const PER_THREAD: usize = 1024;
 
 /// Speed along the path on a grid of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +73,8 @@ pub(super) fn fastest(
 ) -> Option<Smooth> {
     let grid = cells::grid(curve.abscissae());
     let units = Units::of(&grid, feed, limits);
-    let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(curve, w, cap, limits, units)).collect();
+    let cells: Vec<Cell> =
+        grid.par_windows(2).with_min_len(PER_THREAD).map(|w| cells::cell(curve, w, cap, limits, units)).collect();
     let scaled = units.scaled(limits);
     let (first, last) = (cells.first()?, cells.last()?);
     let ends = [first, last].map(|c| [c.h, c.end_from_rest(&scaled)]);
@@ -130,12 +136,12 @@ fn duration(v: &[f64; 3], h: f64) -> f64 {
 /// What rounding has left beyond a limit is taken out by running the whole that much slower.
 fn slow_down(out: &mut Smooth, inner: &[Cell], limits: &Limits, units: Units) {
     let acceleration = units.acceleration();
-    let mut over = 1.0f64;
-    for (i, c) in inner.iter().enumerate() {
+    let of = |(i, c): (usize, &Cell)| {
         let k = i + 1;
         let v = [out.x[k] / units.speed.powi(2), out.u[k] / acceleration, out.w[k] * units.length / acceleration];
-        over = over.max(c.excess(&v, limits));
-    }
+        c.excess(&v, limits)
+    };
+    let over = inner.par_iter().enumerate().with_min_len(PER_THREAD).map(of).reduce(|| 1.0, f64::max);
     if over > 1.0 {
         let (slower, last) = (over.sqrt(), out.w.len() - 1);
         out.gap = 1.0 - (1.0 - out.gap) / slower;

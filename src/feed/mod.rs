@@ -36,7 +36,7 @@
 //! the profile is exactly the fastest for the spline; with them it is, up to the solver's tolerance, the fastest near it among profiles
 //! with constant `w` between points of the grid. That problem is not convex, and the bound is that of a convex one: on smooth paths both
 //! agree within some thousandths, where noise moves the axes to and fro at every location within some hundredths; between locations a
-//! hundred times nearer than others it may be a third or more.
+//! hundred times nearer than others it may be a fifth or more.
 //!
 //! ## Failure
 //! Kind `Usage` for bad options or inputs that do not belong together.

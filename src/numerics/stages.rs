@@ -81,6 +81,8 @@ pub struct Options {
     /// The start keeps all rows, and rows that change only widen for an iterate that keeps them.
     /// All iterates then keep all rows, and each of them is an answer.
     pub interior: bool,
+    /// Within the limits and the tolerance it goes on while every step gains much, down to this share of the tolerance.
+    pub further: f64,
 }
 
 impl Default for Options {
@@ -93,14 +95,13 @@ impl Default for Options {
             slack: 1e-2,
             barrier: 1e-2,
             interior: false,
+            further: 1e-5,
         }
     }
 }
 
-/// Within the tolerance, steps that leave less than this share of slack × multiplier are worth making …
+/// Within the tolerance, steps that leave less than this share of slack × multiplier are worth making.
 const FAST: f64 = 0.2;
-/// … down to this share of the tolerance.
-const LEAST: f64 = 1e-5;
 
 /// What was found.
 #[derive(Clone, Debug)]
@@ -197,7 +198,7 @@ pub fn solve<const X: usize, const V: usize>(
         (out.iterations, out.complementarity, out.excess) = (iteration, mu, w.excess);
         let enough = mu < options.tolerance && w.excess <= options.excess && stationarity < 1e-6;
         // An iterate within the limits goes on while each step gains much.
-        let gains = options.interior && mu < FAST * before && mu > LEAST * options.tolerance;
+        let gains = options.interior && mu < FAST * before && mu > options.further * options.tolerance;
         if rows > 0 && enough && !gains || rows == 0 && iteration > 1 {
             out.converged = true;
             break;

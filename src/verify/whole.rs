@@ -10,7 +10,10 @@
 //!
 //! Velocities are the integral of accelerations and positions that of velocities. With a jerk of at most `J` the trapezoidal rule over a step `h` is off by at most
 //! `J h³/12` for positions and `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other. Jerks may jump between locations.
-//! Root mean squares of accelerations and jerks are compared with those of the difference quotients besides: small ones could be lost in these bounds.
+//! Small ones could be lost in these bounds. So root mean squares of accelerations are compared with those of the difference quotients besides, and jerks with
+//! the third derivative of the quintic through positions, velocities and accelerations at both ends of a step: within a step jerk is smooth, and the quintic
+//! knows it up to the third power of the step. The outermost steps are left out, and ways of few rows: there a plan's jerk may jump between two rows, and its
+//! columns tell nothing of that.
 
 use rayon::prelude::*;
 
@@ -32,9 +35,15 @@ const FEED: f64 = 1e-3;
 const JERK: f64 = 1.01;
 /// What rounding leaves of velocities and accelerations, relative to their limits.
 const ROUNDING: f64 = 1e-6;
-/// Root mean squares of a column and of the difference quotients of the one before are alike within this factor: quotients even out what jumps
-/// between rows, by five times where rows are few. A column of nothing, or in another unit, is farther off.
-const ALIKE: f64 = 20.0;
+/// Root mean squares of accelerations and of difference quotients of velocities are alike within this factor.
+const ALIKE: f64 = 3.0;
+/// The root mean square of what jerks are off, as a share of theirs; on the roughest paths it is less than a tenth.
+const OFF: f64 = 0.25;
+/// Outermost steps and least number of steps within which jerk may jump.
+const OUTER: usize = 5;
+const FEW: usize = 24;
+/// A jerk by positions is known where rounding leaves less than this share of its limit.
+const KNOWN: f64 = 0.01;
 
 /// The checks of this module.
 pub(super) fn check(plan: &Plan, blade: &Blade, machine: &Machine) -> Vec<Check> {
@@ -141,6 +150,19 @@ fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
     (out, plan.rows().map(|r| r.centre).collect())
 }
 
+/// The third derivative of the quintic through position, velocity and acceleration of an axis at row `k` and the next, at row `k`. `None` where it
+/// is not known within `most`, since positions and times are rounded.
+fn third(m: &AxisMotion, k: usize, axis: usize, most: f64) -> Option<f64> {
+    let h = m.t_s[k + 1] - m.t_s[k];
+    let [(q0, v0, a0), (q1, v1, a1)] =
+        [k, k + 1].map(|i| (m.position[i][axis], m.velocity[i][axis], m.acceleration[i][axis]));
+    let size = q0.abs().max(q1.abs()) + v0.abs().max(v1.abs()) * m.t_s[k + 1].abs();
+    let rounding = 120.0 * f64::EPSILON * size / h.powi(3);
+    let jerk = (60.0 * (q1 - q0) / h - 36.0 * v0 - 24.0 * v1) / (h * h) - (9.0 * a0 - 3.0 * a1) / h;
+    // Written so that what is not a number is judged.
+    (!(rounding > most)).then_some(jerk)
+}
+
 fn mean_square(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let n = values.len().max(1);
     (values.map(|x| x * x).sum::<f64>() / n as f64).sqrt()
@@ -186,18 +208,23 @@ fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
                 found.add(row(k), || says("acceleration", 0.5 * (a0 + a1), mean_a));
             }
         }
-        for (what, column, from, limit) in [
-            ("acceleration", &m.acceleration, &m.velocity, limit.acceleration),
-            ("jerk", &m.jerk, &m.acceleration, limit.jerk),
-        ] {
-            let mean = |k: usize| (from[k + 1][axis] - from[k][axis]) / (m.t_s[k + 1] - m.t_s[k]);
-            let is = mean_square(column.iter().map(|row| row[axis]));
-            let want = mean_square((0..n - 1).map(mean));
-            let slack = ROUNDING * limit;
-            if !(is <= ALIKE * want + slack && want <= ALIKE * is + slack) {
-                let says = format!("plan.json: the root mean square of axis {name}'s {what} is {}", is * unit);
-                found.add(0, || format!("{says}, by the column before it {}", want * unit));
-            }
+        let steps = if n > FEW { OUTER..n - 1 - OUTER } else { 0..0 };
+        let mean = |k: usize| (m.velocity[k + 1][axis] - m.velocity[k][axis]) / (m.t_s[k + 1] - m.t_s[k]);
+        let is = mean_square(steps.clone().map(|k| m.acceleration[k][axis]));
+        let want = mean_square(steps.clone().map(mean));
+        if !(is <= ALIKE * want + steady && want <= ALIKE * is + steady) {
+            let says = format!("plan.json: the root mean square of axis {name}'s acceleration is {}", is * unit);
+            found.add(0, || format!("{says}, by its velocities {}", want * unit));
+        }
+        let known: Vec<(f64, f64)> =
+            steps.filter_map(|k| Some((m.jerk[k][axis], third(&m, k, axis, KNOWN * limit.jerk)?))).collect();
+        let want = mean_square(known.iter().map(|(_, by)| *by));
+        let off = mean_square(known.iter().map(|(is, by)| is - by));
+        if !(off <= OFF * want + ROUNDING * limit.jerk) {
+            let says = format!(
+                "plan.json: the root mean square of axis {name}'s jerk by positions, velocities and accelerations"
+            );
+            found.add(0, || format!("{says} is {}, its column is off by {}", want * unit, off * unit));
         }
         for k in [0, n - 1] {
             found.number(

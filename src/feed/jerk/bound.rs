@@ -15,6 +15,9 @@
 
 use std::ops::Range;
 
+use rayon::prelude::*;
+
+use super::PER_THREAD;
 use super::rows::{Dual, Problem};
 
 /// Rounds in which every `r` is moved once end where they gain less than this share of the bound.
@@ -36,8 +39,11 @@ pub(super) fn least_time(problem: &Problem, range: Range<usize>, duals: &[Dual],
     r[0] *= f64::from(u8::from(tied.start == 0));
     let mut best = bound.value(&r);
     for _ in 0..rounds {
-        for j in tied.clone() {
-            bound.raise(&mut r, j);
+        // Each depends on its neighbours: every other one at the same time.
+        for parity in 0..2 {
+            let moved = (tied.start + parity..tied.end).into_par_iter().step_by(2).with_min_len(PER_THREAD);
+            let moved: Vec<f64> = moved.map(|j| bound.raised(&r, j)).collect();
+            r[tied.clone()].iter_mut().skip(parity).step_by(2).zip(moved).for_each(|(r, to)| *r = to);
         }
         let value = bound.value(&r);
         let enough = value - best < ENOUGH * value.abs();
@@ -116,10 +122,12 @@ impl Bound {
 
     fn value(&self, r: &[f64]) -> f64 {
         let slope = |j: usize| self.per_length[j] + self.per_length[j + 1];
-        let joints: f64 = self.joints.iter().enumerate().map(|(j, t)| t.least(r[j] * slope(j))).sum();
-        let middle = |(i, t): (usize, &Term)| t.least(-(r[i] + r[i + 1]) * self.per_length[i + 1]);
-        let middles: f64 = self.middles.iter().enumerate().map(middle).sum();
-        joints + middles - self.most
+        let of = |j: usize| {
+            let middle = self.middles.get(j).map(|t| t.least(-(r[j] + r[j + 1]) * self.per_length[j + 1]));
+            self.joints[j].least(r[j] * slope(j)) + middle.unwrap_or(0.0)
+        };
+        let all: Vec<f64> = (0..self.joints.len()).into_par_iter().with_min_len(PER_THREAD).map(of).collect();
+        all.iter().sum::<f64>() - self.most
     }
 
     /// Derivative by the `r` of a joint where that is `at`; it falls with `at`.
@@ -135,12 +143,12 @@ impl Bound {
         out
     }
 
-    /// Moves the `r` of a joint to where the bound is greatest.
-    fn raise(&self, r: &mut [f64], j: usize) {
+    /// The `r` of a joint with which the bound is greatest, others kept.
+    fn raised(&self, r: &[f64], j: usize) -> f64 {
         let begin = r[j];
         let first = self.slope(r, j, begin);
         if first == 0.0 {
-            return;
+            return begin;
         }
         // A step as long as the difference quotient says, doubled until the derivative changes its sign.
         let small = 1e-6 * (self.joints[j].c / self.per_length[j] + begin.abs());
@@ -173,8 +181,6 @@ impl Bound {
                 (high, at_high, at_low) = (middle, at_middle, 0.5 * at_low);
             }
         }
-        if low.is_finite() {
-            r[j] = low;
-        }
+        if low.is_finite() { low } else { begin }
     }
 }

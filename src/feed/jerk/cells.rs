@@ -185,6 +185,8 @@ impl Cell {
     /// By how much ṡ² is too great: with a `κ`th of it (and of u and w) every limit is kept over the whole cell.
     pub fn excess(&self, v: &[f64; 3], limits: &Limits) -> f64 {
         let xs = of_x(self.h).map(|g| dot(&g, v));
+        // Squares of jerks, which grow with the cube of ṡ².
+        let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
         for k in 0..AXES {
             for g in self.acceleration(k) {
@@ -198,9 +200,9 @@ impl Cell {
                 let j = a * bracket[0] + b * bracket[1] + c * bracket[2];
                 worst = worst.max(j * j * x);
             }
-            most = most.max((worst / (limits[k][2] * limits[k][2])).cbrt());
+            jerk = jerk.max(worst / (limits[k][2] * limits[k][2]));
         }
-        most
+        most.max(jerk.cbrt())
     }
 
     /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all limits. Speed, acceleration and jerk of an

@@ -1,9 +1,9 @@
 //! A convex problem whose least time is below that of every profile: its multipliers prove a bound (`bound` module).
 //!
 //! What is not convex is that jerk may be greater where the motion is slower, `bracket ≤ 1/√x`. Here every Bernstein coefficient of x
-//! has a slowness `p ≥ 1/√x` of its own; it pays for it in time and may have `bracket ≤ p` for it, without being slow. A profile
-//! within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches are free at both ends: that only makes the
-//! bound lower.
+//! has a slowness `p ≥ 1/√x` of its own, at a joint the same for both cells; it pays for it in time and may have `bracket ≤ p` for it,
+//! without being slow. A profile within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches are free at both
+//! ends: that only makes the bound lower.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use super::cells::{dot, of_x};
 use super::rows::{Dual, Problem, Rows, Shares};
 use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
-/// Rows that have not reached these shares of their limits in the profile are left out.
-const SHARES: Shares = Shares { accelerations: 0.3, others: 0.3 };
+/// Rows that have not reached these shares of their limits in the profile are left out; jerks may be a little below 0.
+const SHARES: Shares = Shares { accelerations: 0.1, others: -0.2 };
 /// The search begins with this share of the profile's ṡ² and u, and with slownesses greater by this: strictly within all rows.
 const SLOWER: f64 = 0.8;
 const RISE: f64 = 1.1;
 /// Least Bernstein coefficient of x, as a share of the profile's.
-const FLOOR: f64 = 0.1;
+const FLOOR: f64 = 0.01;
 /// Slack × multiplier of all rows at the beginning and at the end, as shares of the time.
 const BEGIN: f64 = 0.3;
 const TOLERANCE: f64 = 3e-3;
@@ -32,15 +32,16 @@ pub(super) fn multipliers(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]
     let relaxed = Relaxed::new(problem, range.clone(), v);
     let at_rest = usize::from(range.start == 0);
     let mut from: Vec<[f64; 6]> = Vec::with_capacity(v.len() + at_rest);
-    let mut stages: Vec<Stage<2, 6>> = Vec::with_capacity(v.len() + at_rest);
+    let mut stages: Vec<Stage<3, 6>> = Vec::with_capacity(v.len() + at_rest);
     if range.start == 0 {
         let h = problem.ends[0][0];
-        from.push([0.0, 0.0, SLOWER * v.first()?[1], 0.0, 0.0, 0.0]);
-        stages.push(Stage { dynamics: [wide([0.0, 0.0, 1.5 * h]), wide([0.0, 0.0, 1.0])], ..Stage::default() });
+        let [x, u, _] = v.first()?.map(|v| SLOWER * v);
+        from.push([0.0, 0.0, 0.0, u, 0.0, RISE / x.sqrt()]);
+        stages.push(Stage { dynamics: [wide([0.0, 0.0, 1.5 * h]), wide([0.0, 0.0, 1.0]), NEXT], ..Stage::default() });
     }
     for (i, v) in range.clone().zip(v) {
         let p = problem.x(i, v).map(|x| RISE / (SLOWER * x).sqrt());
-        from.push([SLOWER * v[0], SLOWER * v[1], SLOWER * v[2], p[0], p[1], p[2]]);
+        from.push([SLOWER * v[0], SLOWER * v[1], p[0], SLOWER * v[2], p[1], p[2]]);
     }
     stages.extend((0..range.len()).map(|i| relaxed.stage(i)));
     let count: usize = stages.iter().map(|s| s.rows.len()).sum();
@@ -73,9 +74,16 @@ struct Relaxed<'a> {
     floor: Vec<[f64; 3]>,
 }
 
-/// A row in `(x, u, w)` among those in that and three slownesses.
+/// Where x, u and w are among the numbers of a cell: `x`, `u` and the first slowness are its state, `w` and two more slownesses its controls.
+const STATE: [usize; 3] = [0, 1, 3];
+/// … and the three slownesses.
+const SLOWNESS: [usize; 3] = [2, 4, 5];
+/// The first slowness of the next cell is the last of this one.
+const NEXT: [f64; 6] = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+
+/// A row in `(x, u, w)` among those in all numbers of a cell.
 fn wide(g: [f64; 3]) -> [f64; 6] {
-    [g[0], g[1], g[2], 0.0, 0.0, 0.0]
+    [g[0], g[1], 0.0, g[2], 0.0, 0.0]
 }
 
 impl<'a> Relaxed<'a> {
@@ -89,16 +97,18 @@ impl<'a> Relaxed<'a> {
     }
 
     /// Limits, then what `refresh` fills in: slownesses; then floors.
-    fn stage(&self, i: usize) -> Stage<2, 6> {
+    fn stage(&self, i: usize) -> Stage<3, 6> {
         let h = self.length(i);
-        let mut out = Stage { dynamics: [wide([1.0, 2.0 * h, h * h]), wide([0.0, 1.0, h])], ..Stage::default() };
-        out.gradient[3..].copy_from_slice(&self.problem.weights(self.range.start + i));
+        let mut out = Stage { dynamics: [wide([1.0, 2.0 * h, h * h]), wide([0.0, 1.0, h]), NEXT], ..Stage::default() };
+        for (at, weight) in SLOWNESS.into_iter().zip(self.problem.weights(self.range.start + i)) {
+            out.gradient[at] = weight;
+        }
         let (linear, jerk) = (self.rows.linear(i), self.rows.jerk(i));
         out.rows.reserve_exact(linear.len() + jerk.len() + 6);
         out.rows.extend(linear.iter().map(|g| Row { g: wide(*g), most: 1.0 }));
         for j in jerk {
             let mut g = wide(j.g);
-            g[3 + j.b] = -1.0;
+            g[SLOWNESS[j.b]] = -1.0;
             out.rows.push(Row { g, most: 0.0 });
         }
         out.rows.extend([Row { g: [0.0; 6], most: 0.0 }; 3]);
@@ -108,18 +118,18 @@ impl<'a> Relaxed<'a> {
     }
 }
 
-impl Model<2, 6> for Relaxed<'_> {
-    fn refresh(&self, stage: usize, v: &[f64; 6], multipliers: &[f64], of: &mut Stage<2, 6>) {
+impl Model<3, 6> for Relaxed<'_> {
+    fn refresh(&self, stage: usize, v: &[f64; 6], multipliers: &[f64], of: &mut Stage<3, 6>) {
         let Some(i) = stage.checked_sub(usize::from(self.range.start == 0)) else { return };
         let weights = self.problem.weights(self.range.start + i);
         let first = of.rows.len() - 6;
-        let state = [v[0], v[1], v[2]];
+        let state = STATE.map(|at| v[at]);
         let mut hessian = [[0.0; 3]; 3];
         for (b, g) in of_x(self.length(i)).into_iter().enumerate() {
             let x = dot(&g, &state).max(self.floor[i][b]);
             let p = 1.0 / x.sqrt();
             let mut row = wide(g.map(|c| -0.5 * p / x * c));
-            row[3 + b] = -1.0;
+            row[SLOWNESS[b]] = -1.0;
             of.rows[first + b] = Row { g: row, most: -1.5 * p };
             let second = 0.75 * p / (x * x) * multipliers.get(first + b).copied().unwrap_or(weights[b]);
             for r in 0..3 {
@@ -128,9 +138,9 @@ impl Model<2, 6> for Relaxed<'_> {
                 }
             }
         }
-        for r in 0..3 {
-            of.hessian[r][..3].copy_from_slice(&hessian[r]);
-            of.gradient[r] = -dot(&hessian[r], &state);
+        for (at, row) in STATE.into_iter().zip(&hessian) {
+            of.hessian[at] = wide(*row);
+            of.gradient[at] = -dot(row, &state);
         }
     }
 }

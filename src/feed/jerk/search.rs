@@ -1,8 +1,10 @@
 //! The fastest profile of the whole path, stretch by stretch: how fast a place can be passed is decided near it.
 //!
-//! Twice. First every stretch is searched from the start profile, with speed and acceleration at its ends as that has them, which is slow.
+//! Three times. First every stretch is searched from the start profile, with speed and acceleration at its ends as that has them, which is slow.
 //! Then the joints of the stretches are moved to the middles of the first ones, where the first search has found how fast the path can
-//! be run, and all is searched again, from that profile made a little slower: slower, every limit is kept with room.
+//! be run, and all is searched again, from that profile made a little slower: slower, every limit is kept with room. At the joints it
+//! stays as slow as that. So the neighbourhood of every joint is searched from there once more, and what is found is put in
+//! between places before and after the joint where it has become what the second search found.
 //! So memory is that of a stretch, a place that is hard to pass holds up nobody else, and stretches are searched at the same time.
 
 use std::ops::Range;
@@ -22,12 +24,25 @@ const RAMPS: f64 = 8.0;
 /// Joints are where the profile is slowest, up to this share of a stretch away.
 const MOVE: f64 = 0.15;
 /// ṡ² is made slower by this before the second search.
-const SLOWER: f64 = 1.02;
+const SLOWER: f64 = 1.005;
 /// ṡ² may be too great by this share; it is taken out of the whole.
 const EXCESS: f64 = 1e-5;
-const FIRST: Search = Search { begin: 1.0, tolerance: 3e-2, shares: Shares::ALL };
-const SECOND: Search =
-    Search { begin: 0.05, tolerance: 2e-5, shares: Shares { accelerations: 0.3, others: f64::NEG_INFINITY } };
+/// Cells on either side of a joint that are searched once more, as a share of a stretch.
+const NEAR: f64 = 0.125;
+const FIRST: Search = Search {
+    begin: 3.0,
+    tolerance: 3e-2,
+    further: 1.0,
+    excess: 1e-2,
+    shares: Shares { accelerations: 0.1, others: f64::NEG_INFINITY },
+};
+const SECOND: Search = Search {
+    begin: 0.05,
+    tolerance: 2e-5,
+    further: 1e-5,
+    excess: EXCESS,
+    shares: Shares { accelerations: 0.3, others: f64::NEG_INFINITY },
+};
 /// The first bound is enough if the time is greater by no more than this share.
 const GOOD: f64 = 5e-3;
 /// Rounds of raising a bound: of the first and of the other.
@@ -60,14 +75,25 @@ pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Obse
         v[r].copy_from_slice(&found.v);
     }
     v.iter_mut().flatten().for_each(|x| *x /= SLOWER);
+    let begin = v.clone();
     let ranges = stretches(&v, length, 0.5);
-    let found = all(&ranges, observer, |r| second(problem, r.clone(), &v[r]))?;
+    let found = all(&ranges, observer, |r| second(problem, r.clone(), &begin[r]))?;
     let mut multipliers = Multipliers { duals: vec![Dual::default(); n], ties: vec![0.0; n] };
     for (r, found) in ranges.iter().zip(found) {
         let Some(found) = found else { continue };
         v[r.clone()].copy_from_slice(&found.v);
         multipliers.duals[r.clone()].copy_from_slice(&found.duals);
         multipliers.ties[r.clone()].copy_from_slice(&found.costates);
+    }
+    let near = (NEAR * length as f64) as usize;
+    let joints: Vec<Range<usize>> =
+        ranges[1..].iter().map(|r| r.start.saturating_sub(near)..(r.start + near).min(n)).collect();
+    let found = all(&joints, observer, |r| second(problem, r.clone(), &begin[r]))?;
+    for (r, found) in joints.into_iter().zip(found) {
+        let Some((r, found)) = found.and_then(|f| fitted(problem, r, &v, f)) else { continue };
+        v[r.clone()].copy_from_slice(&found.v);
+        multipliers.duals[r.clone()].copy_from_slice(&found.duals);
+        multipliers.ties[r].copy_from_slice(&found.costates);
     }
     let least = least(problem, &v, multipliers, &ranges, observer)?;
     let h = problem.inner[n - 1].h;
@@ -110,27 +136,70 @@ fn all<T: Send>(
 
 fn first(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]) -> Option<Found> {
     // What is too fast by less will be slower by more.
-    window::search(problem, range.clone(), v, FIRST)
-        .filter(|found| excess(problem, range, found) < 0.5 * (1.0 + SLOWER))
+    within(problem, range, v, FIRST, 0.5 * (SLOWER - 1.0))
 }
 
-/// With the rows that are near their limits; where others turn out to be missed, with all.
 fn second(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]) -> Option<Found> {
+    within(problem, range, v, SECOND, EXCESS)
+}
+
+/// A faster profile, whose ṡ² is too great by no more than a share. With the rows that are near their limits; where others turn out to
+/// be missed, with all.
+fn within(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], how: Search, share: f64) -> Option<Found> {
     let search = |how| {
         let found = window::search(problem, range.clone(), v, how)?;
         let faster = problem.time(range.start, &found.v) <= problem.time(range.start, v);
-        (faster && excess(problem, range.clone(), &found) <= 1.0 + EXCESS).then_some(found)
+        (faster && excess(problem, range.start, &found.v) <= 1.0 + share).then_some(found)
     };
-    search(SECOND).or_else(|| search(Search { shares: Shares::ALL, ..SECOND }))
+    search(how).or_else(|| search(Search { shares: Shares::ALL, ..how }))
 }
 
-/// By how much ṡ² is too great; infinite where a number is not finite.
-fn excess(problem: &Problem, range: Range<usize>, found: &Found) -> f64 {
-    if !found.v.iter().flatten().all(|x| x.is_finite()) {
+/// By how much ṡ² is too great over cells from one on; infinite where a number is not finite.
+fn excess(problem: &Problem, from: usize, v: &[[f64; 3]]) -> f64 {
+    if !v.iter().flatten().all(|x| x.is_finite()) {
         return f64::INFINITY;
     }
-    let cells = &problem.inner[range];
-    cells.iter().zip(&found.v).map(|(c, v)| c.excess(v, problem.limits)).fold(0.0, f64::max)
+    problem.inner[from..].iter().zip(v).map(|(c, v)| c.excess(v, problem.limits)).fold(0.0, f64::max)
+}
+
+/// The part of what was found over a range that can be put into a profile, by a crossing on either side of the middle. `None` where
+/// the profiles do not come near enough to one another, or nothing is gained.
+fn fitted(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], found: Found) -> Option<(Range<usize>, Found)> {
+    let (old, middle) = (&v[range.clone()], range.len() / 2);
+    let (a, into) = crossing(problem, range.start, 2..middle, old, &found.v)?;
+    let (b, back) = crossing(problem, range.start, middle..range.len(), &found.v, old)?;
+    let part = a - 2..b;
+    let at = range.start + part.start..range.start + part.end;
+    let mut new = found.v[part.clone()].to_vec();
+    new[..2].copy_from_slice(&into);
+    new[part.len() - 2..].copy_from_slice(&back);
+    let faster = problem.time(at.start, &new) < problem.time(at.start, &v[at.clone()]);
+    let found = Found { v: new, duals: found.duals[part.clone()].to_vec(), costates: found.costates[part].to_vec() };
+    faster.then_some((at, found))
+}
+
+/// Where one profile is nearest to another and two cells lead from it to that within the limits: the cell after them, and they.
+fn crossing(
+    problem: &Problem,
+    start: usize,
+    among: Range<usize>,
+    from: &[[f64; 3]],
+    to: &[[f64; 3]],
+) -> Option<(usize, [[f64; 3]; 2])> {
+    let off = |i: usize| {
+        let h = problem.inner[start + i].h;
+        ((from[i][0] - to[i][0]).abs() + h * (from[i][1] - to[i][1]).abs()) / from[i][0]
+    };
+    let across = |i: usize| {
+        let [g, h] = [i - 2, i - 1].map(|k| problem.inner[start + k].h);
+        let ([x, u, _], [next_x, next_u, _]) = (from[i - 2], to[i]);
+        let middle = (next_x - x - g * u - h * next_u) / (g + h);
+        let cells = [[x, u, (middle - u) / g], [x + g * (u + middle), middle, (next_u - middle) / h]];
+        (excess(problem, start + i - 2, &cells) <= 1.0 + EXCESS).then_some((i, cells))
+    };
+    let mut places: Vec<usize> = among.collect();
+    places.sort_by(|a, b| off(*a).total_cmp(&off(*b)));
+    places.into_iter().find_map(across)
 }
 
 /// Cells of a stretch.

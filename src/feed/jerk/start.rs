@@ -5,6 +5,8 @@
 //! neither ṡ² nor ṡ rises faster over the length than a share of the acceleration and of the time `τ = a/j` in which acceleration changes
 //! allow, then averaged over the way that is made in that time. Where that is still too fast, those cells are slowed down and the rest anew.
 
+use rayon::prelude::*;
+
 use super::cells::{AXES, Cell, Limits, greatest};
 
 /// Share of the limits that is used: room to the limits for the solver to start in.
@@ -30,13 +32,10 @@ pub(super) fn profile(inner: &[Cell], ends: [[f64; 2]; 2], limits: &Limits) -> O
     for round in 0..=ROUNDS {
         let b = smooth(inner, &allowed, time);
         let mut v = joined(inner, &b, ends);
-        let mut worst = (v[0][0] / ends[0][1]).max(v[n][0] / ends[1][1]) / SHARE;
-        let mut over = Vec::with_capacity(n);
-        for (c, v) in inner.iter().zip(&v) {
-            let e = c.excess(v, limits) / SHARE;
-            worst = worst.max(e);
-            over.push(e);
-        }
+        let at_ends = (v[0][0] / ends[0][1]).max(v[n][0] / ends[1][1]) / SHARE;
+        let excess = |(c, v): (&Cell, &[f64; 3])| c.excess(v, limits) / SHARE;
+        let over: Vec<f64> = inner.par_iter().zip(&v[..n]).with_min_len(super::PER_THREAD).map(excess).collect();
+        let worst = over.iter().fold(at_ends, |m, e| m.max(*e));
         if !worst.is_finite() {
             return None;
         }
@@ -99,8 +98,7 @@ fn smooth(inner: &[Cell], allowed: &[Allowed], time: f64) -> Vec<f64> {
 /// Means over the cells whose middles are at most `reach` from the middle of each.
 fn averaged(inner: &[Cell], x: &[f64], reach: &[f64]) -> Vec<f64> {
     let n = inner.len();
-    let mut out = Vec::with_capacity(n);
-    for i in 0..n {
+    let of = |i: usize| {
         let (mut sum, mut length) = (inner[i].h * x[i], inner[i].h);
         let (mut before, mut after) = (0.0, 0.0);
         for d in 1..=REACH {
@@ -114,9 +112,9 @@ fn averaged(inner: &[Cell], x: &[f64], reach: &[f64]) -> Vec<f64> {
             sum += inner[a].h * x[a] + inner[b].h * x[b];
             length += inner[a].h + inner[b].h;
         }
-        out.push(sum / length);
-    }
-    out
+        sum / length
+    };
+    (0..n).into_par_iter().with_min_len(super::PER_THREAD).map(of).collect()
 }
 
 /// The curve of the middle coefficients. At its ends x and u are those of constant jerk from and to rest: `x = 3/2 h u`.

@@ -19,8 +19,12 @@ const ITERATIONS: usize = 60;
 pub(super) struct Search {
     /// The gap that the profile it begins with is taken to have, as a share of the time.
     pub begin: f64,
-    /// It ends within this.
+    /// It ends within this …
     pub tolerance: f64,
+    /// … and goes on while every step gains much, down to this share of it.
+    pub further: f64,
+    /// Rows may be missed by this.
+    pub excess: f64,
     /// Rows that have not reached these shares of their limits at the beginning are left out.
     pub shares: Shares,
 }
@@ -54,7 +58,9 @@ pub(super) fn search(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], how
         fixed: [true; 8],
         interior: true,
         tolerance: how.tolerance * mean,
+        excess: how.excess,
         barrier: how.begin * mean,
+        further: how.further,
         iterations: ITERATIONS,
         ..Options::default()
     };
