@@ -348,7 +348,9 @@ fn a_travel_limit_exceeded_by_a_hundredth_is_found() {
     for mut s in shops(&blade(), &sample_plan(PER_TURN)) {
         let moves = s.moves(&s.program.text);
         let (tool, machine) = (s.tool.clone(), s.machine.clone());
-        let y = |m: &Moved| m.axes(1.0, &tool, &machine)[1];
+        // Within a move too: where a table turns in, Y goes to and fro within each step.
+        let y =
+            |m: &Moved| (1..=256).map(|k| m.axes(f64::from(k) / 256.0, &tool, &machine)[1]).fold(f64::MIN, f64::max);
         let cuts: Vec<&Moved> = moves.iter().filter(|m| m.seconds.is_some()).collect();
         let top = cuts.iter().max_by(|a, b| y(a).total_cmp(&y(b))).unwrap();
         let most = moves.iter().map(y).filter(|v| v.is_finite()).fold(f64::MIN, f64::max);
