@@ -1,6 +1,6 @@
 %
 O0001
-(Size           115 lines,       5270 bytes)
+(Size           115 lines,       5281 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.4, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -44,7 +44,7 @@ G54
 G5.1 Q1
 (Tool-centre-point control, the table at 0)
 G43.4 H1 X22.5181 Y8.8645 Z481.2938
-(Turn in, down to the safe position, then along the tool axis)
+(The table turns, then down to the safe position and along the tool axis)
 G0 X22.5181 Y-182.4839 Z445.4458 A23.3324 B5.0000
 G0 X22.5181 Y-343.9862 Z336.7429 A46.6648 B5.0000
 G0 X22.5181 Y-449.2279 Z172.9641 A69.9972 B5.0000

@@ -1,6 +1,6 @@
 %
 O0001
-(Size           115 lines,       6665 bytes)
+(Size           115 lines,       6676 bytes)
 (==============================================================================)
 (CYL_ROOT  for Fanuc, G43.5, by bladewright 0.1.0)
 (Part     cylinder  file cylinder.obj)
@@ -44,7 +44,7 @@ G5.1 Q1
 (Tool-centre-point control, the table at 0)
 G43.5 H1
 G0 X22.5181 Y8.8645 Z481.2938 I0.08715574 J0.00000000 K0.99619470
-(Turn in, down to the safe position, then along the tool axis)
+(The table turns, then down to the safe position and along the tool axis)
 G0 X22.5181 Y-182.4839 Z445.4458 I0.08715574 J-0.39455762 K0.91472846
 G0 X22.5181 Y-343.9862 Z336.7429 I0.08715574 J-0.72458343 K0.68365395
 G0 X22.5181 Y-449.2279 Z172.9641 I0.08715574 J-0.93610011 K0.34076452
