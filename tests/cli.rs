@@ -220,7 +220,8 @@ fn plan_verify_post_and_preview_of_the_prism() {
     let d = dir.path();
     let model = root().join("models/prism.step").display().to_string();
     for threads in ["1", "2"] {
-        let out = bladewright(&["--threads", threads, "plan", &model, "-o", threads, "--set", "region.start_mm=5"], d);
+        let keys = ["--set", "region.start_mm=5", "--set", "path.scallop_mm=0.03"];
+        let out = bladewright(&[&["--threads", threads, "plan", &model, "-o", threads], &keys[..]].concat(), d);
         assert_eq!(
             out.status.code(),
             Some(0),
