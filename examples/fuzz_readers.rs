@@ -24,7 +24,7 @@ use bladewright::model::format::{Format, detect};
 use bladewright::model::table::direct::{self, Kind};
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
-use mutate::{Random, mutated};
+use mutate::{Random, count_own_panics, mutated, own_panics};
 
 /// Longest processor time for one file, s.
 const SLOW_S: u64 = 30;
@@ -114,6 +114,7 @@ fn main() {
     }
     seeds.retain(|(_, bytes)| bytes.len() <= LARGEST);
     std::thread::spawn(watch);
+    count_own_panics();
     let mut total = 0;
     for format in FORMATS.into_iter().filter(|f| wanted(f)) {
         let mine: Vec<(String, Vec<u8>)> = if programs(format) {
@@ -155,6 +156,9 @@ fn run(format: &str, seeds: &[(String, Vec<u8>)], length: Length, shop: &nc::Sho
         match found {
             Ok(good) => read += u64::from(good),
             Err(_) => stop("panicked"),
+        }
+        if own_panics() > 0 {
+            stop("panicked");
         }
         if since.elapsed() > slowest.0 {
             slowest = (since.elapsed(), name.rsplit('/').next().unwrap_or(name).to_owned());

@@ -1,6 +1,28 @@
 //! Damage to model files: a seeded, structure-aware mutation. Used by `examples/fuzz_readers.rs`, by the short form in the test
 //! suite, and by the mutator of the targets of this folder.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
+static OWN_PANICS: AtomicU64 = AtomicU64::new(0);
+
+/// From now on panics of the library's own code are counted, also where a reader makes a sentence of them, as it has to where a parser of others
+/// panics.
+pub fn count_own_panics() {
+    let before = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        // Paths of the package that is tested are relative, those of its dependencies are not.
+        if panic.location().is_some_and(|place| place.file().starts_with("src/")) {
+            OWN_PANICS.fetch_add(1, Ordering::SeqCst);
+            before(panic);
+        }
+    }));
+}
+
+/// How many there were.
+pub fn own_panics() -> u64 {
+    OWN_PANICS.load(Ordering::SeqCst)
+}
+
 /// SplitMix64 (Steele, Lea, Flood 2014): small, seeded, good enough to choose faults.
 pub struct Random(pub u64);
 

@@ -295,7 +295,7 @@ fn plan_verify_post_and_preview_of_the_prism() {
 /// `verify PROGRAM`: clean, with a fault, and with bad input.
 fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     let with = |program: &str, more: &[&str]| {
-        let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.01"];
+        let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.03"];
         bladewright(&[&args[..], more].concat(), d)
     };
     for program in ["1/program.mpf", "1/program.ngc"] {

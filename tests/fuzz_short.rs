@@ -12,7 +12,7 @@ use std::path::Path;
 
 use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
-use mutate::{Random, mutated};
+use mutate::{Random, count_own_panics, mutated, own_panics};
 
 /// Mutations of each seed.
 const RUNS: usize = 60;
@@ -27,7 +27,9 @@ fn survives(path: &Path, bytes: &[u8]) {
     let whole = look(bytes).unwrap_or_else(|e| panic!("{name}: the seed itself is not read: {e}"));
     assert!(whole.diagnosis.closed, "{name}: the seed is not closed");
     let mut random = Random(0xb1ade);
+    count_own_panics();
     let good = (0..RUNS).filter(|_| look(&mutated(bytes, &mut random)).is_ok()).count();
+    assert_eq!(own_panics(), 0, "{name}: our own code panicked");
     assert!(good > 0 && good < RUNS, "{name}: {good} of {RUNS} were read");
     let peak = peak_mb();
     assert!(peak < MOST_MB, "{name}: {peak} MB");

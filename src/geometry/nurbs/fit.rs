@@ -143,16 +143,19 @@ impl ControlRows {
         })
     }
 
-    /// Cuts at `t`, strictly inside the knots' range: both parts describe the same as before on their side, and the last row of
-    /// the first is the first row of the second.
+    /// Cuts at `t`, strictly inside the knots' range, or at the knot within rounding of it: both parts describe the same as before on their
+    /// side, and the last row of the first is the first row of the second.
+    ///
+    /// # Errors
+    /// A cut at an end of the range, or within rounding of one, or outside: one part would be empty.
     pub fn split(&self, t: f64) -> Result<(ControlRows, ControlRows), FitError> {
         let (from, to) = (self.knots[0], self.knots[self.knots.len() - 1]);
+        let t = self.nearest_knot(t);
         if !(t > from && t < to) {
             return Err(FitError::Cut { at: t, from, to });
         }
         let (p, c) = (self.degree, self.columns);
         let mut whole = self.clone();
-        let t = whole.nearest_knot(t);
         while whole.knots.iter().filter(|&&k| k == t).count() < p {
             whole.insert(t);
         }

@@ -115,6 +115,11 @@ fn what_cannot_be_fitted_is_refused() {
     let c = interpolate_curve(&points, &t[..5], 3).unwrap();
     assert!(matches!(split_curve(&c, 0.0), Err(FitError::Cut { .. })));
     assert!(matches!(split_curve(&c, f64::NAN), Err(FitError::Cut { .. })));
+    // Within rounding of an end it is a cut at the end.
+    let [from, to] = c.domain();
+    for t in [from + 1e-14 * (to - from), to - 1e-14 * (to - from)] {
+        assert!(matches!(split_curve(&c, t), Err(FitError::Cut { .. })), "{t}");
+    }
     assert!(split_curve(&NurbsCurve { knots: vec![0.0; 3], ..c }, 1.0).is_err());
 }
 
