@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use bladewright::artifact::Blade;
 use bladewright::artifact::blade::{Diagnosis, Regions, Unit};
-use bladewright::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
+use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
 use bladewright::channel::{ChannelOptions, FreeInterval, Surroundings, intervals, plan_among};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
@@ -118,7 +118,7 @@ fn helix(count: usize) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.001,
         region_x_mm: [30.0, 8.0],
-        end_reason: Toolpath::END_OF_REGION.into(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         turns,
         locations,

@@ -16,7 +16,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use bladewright::artifact::schedule::{Measure, Quality, ScheduleKind};
-use bladewright::artifact::toolpath::{CutterLocation, PathKind};
+use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind};
 use bladewright::artifact::{AxisMotion, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
 use bladewright::feed::{self, FeedOptions};
@@ -65,7 +65,7 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.001,
         region_x_mm: [0.0, 120.0],
-        end_reason: String::new(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         turns: Vec::new(),
         locations,

@@ -12,7 +12,7 @@ use crate::artifact::plan::Plan;
 use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
-use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -115,7 +115,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
         scallop_mm: 0.01,
         chord_mm: 0.002,
         region_x_mm: [x0, x0 + pitch * turns as f64],
-        end_reason: Toolpath::END_OF_REGION.into(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.0099,
         turns: (0..turns)
             .map(|t| Turn {

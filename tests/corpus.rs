@@ -94,7 +94,7 @@ fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
         options.extend(set(region));
         options.extend(["--axis", "0,0,1", "--until", "path"]);
         let path = toolpath(&model, &options);
-        assert!(path.end_reason.starts_with(end), "{region:?}: {}", path.end_reason);
+        assert!(path.end_reason.to_string().starts_with(end), "{region:?}: {}", path.end_reason);
         let length = |short: f64, long: f64, mm: f64| (short.min(mm), long.max(mm));
         let (shortest, longest) = path.turns.iter().fold((f64::INFINITY, 0.0), |(a, b), t| length(a, b, t.length_mm));
         assert!(path.turns.len() > count && longest < 1.2 * shortest, "{region:?}: {shortest} to {longest} mm");

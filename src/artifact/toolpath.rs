@@ -91,8 +91,8 @@ pub struct Toolpath {
     pub chord_mm: f64,
     /// Region machined, along the blade axis, mm: heights of the first and last ball centres.
     pub region_x_mm: [f64; 2],
-    /// Why the path ends where it ends, in words.
-    pub end_reason: String,
+    /// Why the path ends where it ends.
+    pub end_reason: EndReason,
     /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact faces, the 99th percentile
     /// on a mesh.
     pub planned_scallop_mm: f64,
@@ -102,7 +102,23 @@ pub struct Toolpath {
     pub locations: Vec<CutterLocation>,
 }
 
-impl Toolpath {
-    /// [`Toolpath::end_reason`] of a path that goes as far as was asked.
-    pub const END_OF_REGION: &str = "the end of the region";
+/// Why a path ends where it ends.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EndReason {
+    /// It goes as far as was asked.
+    Region,
+    /// The wall leans over by more than `path.max_lean_deg` allows; with the place, in words.
+    Lean(String),
+    /// Ball or tool find no way farther down; what stops them and where, in words.
+    Blocked(String),
+}
+
+impl std::fmt::Display for EndReason {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            EndReason::Region => f.write_str("the end of the region"),
+            EndReason::Lean(why) | EndReason::Blocked(why) => f.write_str(why),
+        }
+    }
 }

@@ -6,6 +6,7 @@
 //! turn and a quarter of the next.
 
 use crate::artifact::Toolpath;
+use crate::artifact::toolpath::EndReason;
 
 use super::samples::Sample;
 
@@ -46,7 +47,7 @@ fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> Stretch 
     let inside = |s: &&Sample| s.row >= from && (s.row + 1 < to || (s.row + 1 == to && s.fraction == 0.0));
     let samples = samples.iter().filter(inside).map(|s| Sample { row: s.row - from, ..*s }).collect();
     let locations = path.locations.get(from..to).unwrap_or_default().to_vec();
-    let path = Toolpath { locations, turns: Vec::new(), end_reason: String::new(), ..*path };
+    let path = Toolpath { locations, turns: Vec::new(), end_reason: EndReason::Region, ..*path };
     Stretch { path, samples, is_start: from == 0 }
 }
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::CutterLocation;
+use crate::artifact::toolpath::{CutterLocation, EndReason};
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
@@ -32,7 +32,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         chord_mm: 0.01,
         region_x_mm: [0.0, 0.0],
         planned_scallop_mm: 0.01,
-        end_reason: String::new(),
+        end_reason: EndReason::Region,
         turns: Vec::new(),
         locations,
     };

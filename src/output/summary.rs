@@ -218,7 +218,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         cutter_locations: path.locations.len(),
         path_length_mm: path.locations.last().map_or(0.0, |l| l.s_mm),
         region_x_mm: path.region_x_mm,
-        end_reason: path.end_reason.clone(),
+        end_reason: path.end_reason.to_string(),
         machining_time_s: plan.motion.time_s,
         scallop_asked_mm: path.scallop_mm,
         stock_mm: path.stock_mm,

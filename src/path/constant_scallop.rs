@@ -36,6 +36,7 @@ use super::neighbour::{Across, Bounds, Stop};
 use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
 use super::{chords, helix, place, rings};
+use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::Observer;
@@ -196,7 +197,8 @@ fn lay(
             let laid = lay_up(&end)?;
             if let Some(lost) = laid.lost {
                 if *left_out == 0 {
-                    reason = format!("turns from farther down would lose the surface at {}", place(blade, &lost));
+                    let why = format!("turns from farther down would lose the surface at {}", place(blade, &lost));
+                    reason = EndReason::Blocked(why);
                 }
                 continue;
             }
@@ -215,34 +217,33 @@ fn lay(
     finish(level, options, down.turns, reason, observer).map(|path| Helix { path, is_from_end: false })
 }
 
-/// Why the helix ends, in words.
-fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> String {
+/// Why the helix ends.
+fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> EndReason {
+    let most_deg = options.max_lean_rad.to_degrees();
+    let blocked = |why: &str, p: &Point| EndReason::Blocked(format!("{why} at {}", place(blade, p)));
     if let Some(p) = laid.lost {
-        return format!("a ball of radius {} mm cannot follow the surface at {}", options.radius_mm, place(blade, &p));
+        return blocked(&format!("a ball of radius {} mm cannot follow the surface", options.radius_mm), &p);
     }
     let early = laid.last().iter().filter_map(|n| n.stop).find(|s| *s != Stop::Height);
     match early {
-        Some(Stop::Lean(p)) => format!(
-            "the wall leans over more than {:.0}° from the blade axis at {}",
-            options.max_lean_rad.to_degrees(),
+        Some(Stop::Lean(p)) => EndReason::Lean(format!(
+            "the wall leans over more than {most_deg:.0}° from the blade axis at {}",
             place(blade, &p)
-        ),
-        Some(Stop::Edge(p)) => format!("the ball comes to an edge of the part at {}", place(blade, &p)),
+        )),
+        Some(Stop::Edge(p)) => blocked("the ball comes to an edge of the part", &p),
         Some(Stop::Face(p, face)) => {
-            format!("the ball comes to face {}, which ends the region, at {}", face + 1, place(blade, &p))
+            blocked(&format!("the ball comes to face {}, which ends the region,", face + 1), &p)
         }
-        Some(Stop::Rim(p)) => rings::ends_without_platform(blade, &p),
-        Some(Stop::Corner(p)) => format!(
-            "in the corner the ball meets a wall that leans over more than {:.0}° at {}",
-            options.max_lean_rad.to_degrees(),
-            place(blade, &p)
-        ),
+        Some(Stop::Rim(p)) => EndReason::Blocked(rings::ends_without_platform(blade, &p)),
+        Some(Stop::Corner(p)) => {
+            blocked(&format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°"), &p)
+        }
         // Places that wait at the height, and others that never come to it.
         _ => match laid.last().iter().find(|n| n.stop.is_none()) {
             Some(free) if !laid.is_at_the_end() => {
-                format!("turns come no nearer to the end of the region at {}", place(blade, &free.touch.centre))
+                blocked("turns come no nearer to the end of the region", &free.touch.centre)
             }
-            _ => Toolpath::END_OF_REGION.into(),
+            _ => EndReason::Region,
         },
     }
 }
@@ -257,7 +258,7 @@ fn finish(
     level: &LevelSet,
     options: &PathOptions,
     turns: Vec<Vec<Node>>,
-    reason: String,
+    reason: EndReason,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
     let turns: Vec<Vec<Touch>> = turns.iter().map(|t| t.iter().map(|n| n.touch).collect()).collect();

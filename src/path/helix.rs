@@ -8,7 +8,7 @@ use super::ring::Ring;
 use super::rings::Stack;
 use super::stepover::{decisive_mm, ridge_height};
 use super::{chords, curve};
-use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::triangle::closest_on_segment;
@@ -92,7 +92,7 @@ pub fn assemble(
     turns: &[Vec<Touch>],
     end: Touch,
     region_x_mm: [f64; 2],
-    end_reason: String,
+    end_reason: EndReason,
 ) -> (Toolpath, Vec<Vec<f64>>) {
     let ridges = ridges(level, turns);
     let planned_scallop_mm = decisive_mm(level, ridges.concat());

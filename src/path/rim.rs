@@ -171,7 +171,7 @@ mod tests {
                 let lowest = path.locations.iter().map(|l| l.centre.x).fold(f64::INFINITY, f64::min);
                 let rim = if kind == PathKind::ConstantHeight { 15.0 * slope } else { -15.0 * slope };
                 assert!(lowest < rim + 1.0, "{what}: the lowest ball is at {lowest}, the rim at {rim}");
-                assert!(path.end_reason.contains("without a platform"), "{what}: {}", path.end_reason);
+                assert!(path.end_reason.to_string().contains("without a platform"), "{what}: {}", path.end_reason);
             }
         }
     }

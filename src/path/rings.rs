@@ -7,6 +7,7 @@ use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
 use super::{place, seed};
+use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -48,7 +49,7 @@ pub struct Stack {
     /// At least two.
     pub rings: Vec<Ring>,
     /// In words.
-    pub end_reason: String,
+    pub end_reason: EndReason,
 }
 
 /// Lays the rings; the first ones may be `kept` from an earlier stack.
@@ -105,7 +106,7 @@ pub fn tracing(options: &PathOptions) -> Tracing {
 
 /// Says why the stack ended and refuses one that is too short.
 fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Broken>) -> Result<Stack> {
-    let Some(broken) = end else { return Ok(Stack { rings, end_reason: Toolpath::END_OF_REGION.into() }) };
+    let Some(broken) = end else { return Ok(Stack { rings, end_reason: EndReason::Region }) };
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {
         let lost = matches!(broken, Broken::Lost(_));
@@ -113,7 +114,8 @@ fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Br
             Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}")).advise(no_turn_advice(lost))
         );
     }
-    Ok(Stack { rings, end_reason: why })
+    let leans = matches!(broken, Broken::Leans(_));
+    Ok(Stack { rings, end_reason: if leans { EndReason::Lean(why) } else { EndReason::Blocked(why) } })
 }
 
 /// What to do where no turn fits: a smaller ball helps where the ball lost the surface, not where the wall leans.

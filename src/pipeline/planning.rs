@@ -3,6 +3,7 @@
 use super::reuse::Taken;
 use super::{Baseline, Setup, leads, schedules};
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::EndReason;
 use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
@@ -165,7 +166,7 @@ fn keep_clear(
 pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
     let path = setup.path(observer)?;
     if let Some(end_mm) = setup.job.region.end_mm
-        && path.end_reason != Toolpath::END_OF_REGION
+        && path.end_reason != EndReason::Region
     {
         let [a, b] = path.region_x_mm;
         let message = format!(
@@ -219,7 +220,7 @@ pub(super) fn channel_as_far_as_it_goes(
         ended_mm = Some(end_mm);
         shorter.region_x_mm[1] = Some(end_mm);
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
-        toolpath.end_reason = blocked.message;
+        toolpath.end_reason = EndReason::Blocked(blocked.message);
         cut = Some(format!(
             "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
             toolpath.end_reason,

@@ -7,7 +7,7 @@ use super::*;
 use crate::artifact::ToolPart;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::schedule::BaseAngle;
-use crate::artifact::toolpath::{CutterLocation, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, Turn};
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
@@ -41,7 +41,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 1.0],
-        end_reason: Toolpath::END_OF_REGION.into(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         turns,
         locations,

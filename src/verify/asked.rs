@@ -15,7 +15,7 @@
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{CutterLocation, Direction, PathKind, Turn};
+use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, PathKind, Turn};
 use crate::artifact::{Blade, Plan, Toolpath};
 
 /// What a plan holds of its job. Lengths in mm.
@@ -148,7 +148,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
                 lower.first,
                 format!("{says}, the mean of its last turn is {:.3}", bottom[1]),
             ));
-        } else if path.end_reason.starts_with("the wall leans over more than") {
+        } else if matches!(path.end_reason, EndReason::Lean(_)) {
             let leans = leans(&path.locations, lower);
             let short = if leans >= asked.max_lean_rad - LEAN_RAD { f64::NEG_INFINITY } else { lo - end };
             found.push((short, lower.first, format!("{says}; the wall leans by {:.1}° there", leans.to_degrees())));
@@ -176,7 +176,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
 }
 
 fn ends_as_asked(path: &Toolpath) -> bool {
-    path.end_reason == Toolpath::END_OF_REGION
+    path.end_reason == EndReason::Region
 }
 
 /// Greatest lean of the wall towards the tip along a turn, rad.

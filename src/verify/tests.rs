@@ -8,7 +8,7 @@ use crate::artifact::blade::{Diagnosis, Regions, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::{Schedule, ScheduleKind};
-use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::artifact::{AxisMotion, Plan};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
@@ -112,7 +112,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             chord_mm: 0.001,
             region_x_mm: [x(0.0), x(angle(n - 1))],
             planned_scallop_mm: 0.01,
-            end_reason: String::new(),
+            end_reason: EndReason::Region,
             turns: (0..turns)
                 .map(|k| Turn { first: k * per_turn, count: per_turn, length_mm: TAU * (PART_RADIUS + BALL) })
                 .collect(),

@@ -56,7 +56,7 @@ fn pushed_out(part: &Allowed, centre: &Point, radius: f64, slack_mm: f64) -> Opt
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
+    use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
     use crate::geometry::Vector;
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
@@ -101,7 +101,7 @@ mod tests {
             scallop_mm,
             chord_mm: 0.001,
             region_x_mm: [-8.0, 8.0],
-            end_reason: String::new(),
+            end_reason: EndReason::Region,
             planned_scallop_mm: scallop_mm,
             turns: vec![Turn { first: 0, count: locations.len(), length_mm: 16.0 }],
             locations,

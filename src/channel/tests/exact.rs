@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 use super::super::{ChannelOptions, FreeInterval, Surroundings, intervals};
 use super::world::{blade, inside_by, tool};
 use crate::artifact::channel::Binding;
-use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
@@ -44,7 +44,7 @@ fn path_of(locations: Vec<CutterLocation>, radius_mm: f64) -> Toolpath {
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 1.0],
-        end_reason: Toolpath::END_OF_REGION.into(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         turns,
         locations,

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::artifact::Blade;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
-use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -145,7 +145,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [from_x, from_x + pitch],
-        end_reason: Toolpath::END_OF_REGION.into(),
+        end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         turns,
         locations,
