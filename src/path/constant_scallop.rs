@@ -39,6 +39,7 @@ use super::{chords, helix, place, rings};
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::geometry::Point;
 use crate::observe::Observer;
 
 /// The scallop of the turns that only look for the end, over that of the path.
