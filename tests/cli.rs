@@ -344,7 +344,7 @@ fn runs_are_joined(d: &Path, model: &str) {
     let text = std::fs::read_to_string(d.join("joined/program.mpf")).expect("readable");
     assert!(text.contains("Operation 1 of 2") && text.contains("Operation 2 of 2") && text.matches("M30").count() == 1);
     let tool = "1/job.resolved.toml";
-    let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.01"];
+    let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.03"];
     let out = bladewright(&[&judged[..], &["--map", "joined/both.csv"]].concat(), d);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(out.status.code(), Some(0), "{said}");
