@@ -73,7 +73,7 @@ fn early_checks(typed: &JobFile) -> Result<()> {
         ("tool.radius_mm", tool.radius_mm.unwrap_or(1.0), TINY, 1000.0),
         ("tool.shank_radius_mm", tool.shank_radius_mm.unwrap_or(1.0), TINY, 1000.0),
         ("tool.stickout_mm", tool.stickout_mm.unwrap_or(1.0), TINY, 10_000.0),
-        // Twice: what is no height at all is told as such.
+        // Twice: a number that is no height at all has a message of its own.
         ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), TINY, 10.0),
         ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), LEAST_SCALLOP_MM, 10.0),
         ("path.chord_mm", path.chord_mm.unwrap_or(0.001), 1e-5, 1.0),

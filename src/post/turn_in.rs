@@ -18,7 +18,7 @@ const STRAY: f64 = 0.5;
 const ROUNDING_MM: f64 = 1e-9;
 /// Places within a step that are looked at.
 const WITHIN: usize = 8;
-/// Most steps: none strays by more than 0.01 mm then on a way of a metre's radius.
+/// Most steps: none strays by more than 0.01 mm then on a way of a metre's radius. Where that still leaves travel, the program's checks find it.
 const MOST_STEPS: usize = 1000;
 
 /// Axis positions one after another: where tool-centre-point control comes on, the ends of the steps, the safe position over the first location.

@@ -167,7 +167,8 @@ fn excess(problem: &Problem, from: usize, v: &[[f64; 3]]) -> f64 {
 fn fitted(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], found: Found) -> Option<(Range<usize>, Found)> {
     let (old, middle) = (&v[range.clone()], range.len() / 2);
     let (a, into) = crossing(problem, range.start, 2..middle, old, &found.v)?;
-    let (b, back) = crossing(problem, range.start, middle..range.len(), &found.v, old)?;
+    // The two cells of one crossing are not those of the other.
+    let (b, back) = crossing(problem, range.start, middle.max(a + 2)..range.len(), &found.v, old)?;
     let part = a - 2..b;
     let at = range.start + part.start..range.start + part.end;
     let mut new = found.v[part.clone()].to_vec();
