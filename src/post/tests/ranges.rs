@@ -110,13 +110,16 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
 fn polynomials_too_short_for_inverse_time_take_from_the_next_or_are_found() {
     let own = Control::SiemensPoly.post_file().replace("greatest = 999999.999", "greatest = 2000.0");
     let plan = sample::with_leads(sample::with_curve(sample::plan(12, 60), 0.05, 7.3));
-    let slow = PostOptions { approach_feed_mm_min: 2000.0, ..options() };
+    let slow = PostOptions { approach_feed_mm_min: 1500.0, ..options() };
     let p = written(&Dialect::from_toml(&own, "own").unwrap(), plan.clone(), false, &slow).unwrap();
     let found = failed(&p, &plan);
     assert!(found.iter().any(|f| f.starts_with("program-feed") && f.contains("lead-out")), "{found:?}");
     assert!(found.iter().all(|f| f.starts_with("program-feed") || f.starts_with("program-time")), "{found:?}");
+    // Polynomials have brackets, behind which the words of other tests are comments.
     let f: Vec<f64> = p.text.split_whitespace().filter_map(|w| w.strip_prefix('F')?.parse().ok()).collect();
-    assert!(f.len() > 100 && f.iter().all(|f| *f <= 2000.0), "{f:?}");
+    assert!(f.len() > 100);
+    let most = f.iter().copied().filter(|f| ![1500.0, 300.0].contains(f)).fold(0.0, f64::max);
+    assert!(most > 1999.0 && most <= 2000.0, "{most}");
 }
 
 /// The words of X, Y, Z and A as a control reads them that computes in thousandths.
