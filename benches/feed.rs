@@ -22,9 +22,9 @@ use bladewright::channel::{self, ChannelOptions};
 use bladewright::feed::{self, FeedOptions};
 use bladewright::geometry::{Point, Vector};
 use bladewright::machine::Machine;
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
+use bladewright::read::model::{self, ModelOptions};
 use bladewright::schedule::{self, Pace, ScheduleOptions};
 use bladewright::tool::{HolderStage, Tool};
 

@@ -14,9 +14,9 @@ use std::time::Instant;
 use bladewright::artifact::Blade;
 use bladewright::artifact::toolpath::PathKind;
 use bladewright::geometry::part::Part;
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
+use bladewright::read::model::{self, ModelOptions};
 
 const LOCATIONS: f64 = 100_000.0;
 const TRIANGLES: usize = 200_000;

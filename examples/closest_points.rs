@@ -6,8 +6,8 @@ use std::io::{BufRead, Write};
 use std::path::PathBuf;
 
 use bladewright::geometry::Point;
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions};
 
 fn run() -> Result<(), String> {
     let path = std::env::args().nth(1).ok_or("which model? give its path")?;

@@ -20,10 +20,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use base64::Engine as _;
-use bladewright::model::format::{Format, detect};
-use bladewright::model::table::direct::{self, Kind};
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
+use bladewright::read::model::format::{Format, detect};
+use bladewright::read::model::table::direct::{self, Kind};
+use bladewright::read::model::{self, ModelOptions};
 use mutate::{Random, count_own_panics, mutated, own_panics};
 
 /// Longest processor time for one file, s.
@@ -297,7 +297,7 @@ fn seeds(folder: &Path, data: &Path) -> Vec<(String, Vec<u8>)> {
         out.extend(seeds::all().into_iter().map(|(name, bytes)| (beside(name), bytes)));
     }
     let prism = model::survey(&folder.join("prism.obj"), &ModelOptions::default(), &Silent);
-    let scene = prism.ok().and_then(|s| bladewright::preview::regions("prism", &s.part.mesh, &s.areas()).ok());
+    let scene = prism.ok().and_then(|s| bladewright::write::preview::regions("prism", &s.part.mesh, &s.areas()).ok());
     if let Some(glb) = scene {
         out.extend(text_form(&glb).map(|gltf| ("prism.gltf".to_owned(), gltf)));
         out.push(("prism.glb".into(), glb));

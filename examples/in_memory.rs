@@ -8,10 +8,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use bladewright::artifact::program::Control;
 use bladewright::error::{Result, Stage};
 use bladewright::machine::Machine;
-use bladewright::model::ModelOptions;
 use bladewright::observe::{Observer, Warning};
-use bladewright::post::Dialect;
-use bladewright::{job, make, model, pipeline};
+use bladewright::read::model;
+use bladewright::read::model::ModelOptions;
+use bladewright::write::post::Dialect;
+use bladewright::{job, make, plan};
 
 /// A coarse helix round the prism, high over its platform.
 const JOB: &str = "
@@ -55,8 +56,8 @@ pub fn program(control: Control, window: &Window) -> Result<Option<String>> {
     let step = make::step_text(&make::build(&make::presets::prism())?)?;
     let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), window)?;
     let draft = job::resolve(job::parse(JOB, "the job")?, Path::new(""))?;
-    let setup = pipeline::Setup::of(&draft, blade, Machine::demo()?, window)?;
-    let Some(verified) = pipeline::accept(pipeline::plan(&setup, window)?, false) else { return Ok(None) };
+    let setup = plan::Setup::of(&draft, blade, Machine::demo()?, window)?;
+    let Some(verified) = plan::accept(plan::plan(&setup, window)?, false) else { return Ok(None) };
     let (program, checks) = setup.program(&Dialect::built_in(control)?, &verified)?;
     Ok(checks.iter().all(|c| c.passed).then_some(program.text))
 }

@@ -11,11 +11,11 @@ use bladewright::artifact::blade::Unit;
 use bladewright::geometry::Point;
 use bladewright::geometry::brep::Brep;
 use bladewright::geometry::part::Part;
-use bladewright::model::format::{Format, detect};
-use bladewright::model::heal::HealOptions;
-use bladewright::model::soup::Soup;
-use bladewright::model::{self, ModelOptions, iges, obj, sew, step, stl};
 use bladewright::observe::Silent;
+use bladewright::read::model::format::{Format, detect};
+use bladewright::read::model::heal::HealOptions;
+use bladewright::read::model::soup::Soup;
+use bladewright::read::model::{self, ModelOptions, iges, obj, sew, step, stl};
 
 /// The loops of the index follow the edges as closely as in loading, mm: with coarse chords its pieces beside edges become many.
 const DEFLECTION_MM: f64 = 0.01;

@@ -4,8 +4,8 @@
 use bladewright::artifact::program::{Grammar, Language, Programmed};
 use bladewright::error::Result;
 use bladewright::machine::Machine;
+use bladewright::read::program::{self, Bench, Moved, Zero};
 use bladewright::tool::{HolderStage, Tool};
-use bladewright::verify::program::{self, Bench, Moved, Zero};
 
 use super::mutate::{Random, mutated};
 

@@ -9,9 +9,9 @@ macro_rules! reader {
         mod mutate;
 
         libfuzzer_sys::fuzz_target!(|data: &[u8]| {
-            let options = bladewright::model::ModelOptions { deflection_mm: 0.5, ..Default::default() };
+            let options = bladewright::read::model::ModelOptions { deflection_mm: 0.5, ..Default::default() };
             let path = std::path::Path::new($name);
-            let _ = bladewright::model::survey_bytes(path, data, &options, &bladewright::observe::Silent);
+            let _ = bladewright::read::model::survey_bytes(path, data, &options, &bladewright::observe::Silent);
         });
 
         libfuzzer_sys::fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {

@@ -37,19 +37,18 @@ pub mod job;
 pub mod lead;
 pub mod machine;
 pub mod make;
-pub mod model;
 pub mod numerics;
 pub mod observe;
-pub mod output;
 pub mod path;
-pub mod pipeline;
-pub mod post;
-pub mod preview;
+pub mod plan;
+pub mod read;
+pub mod run;
 #[cfg(test)]
 pub(crate) mod sample;
 pub mod schedule;
 pub mod section;
 pub mod tool;
 pub mod verify;
+pub mod write;
 
 pub use error::{Error, ErrorKind, Stage};

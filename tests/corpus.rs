@@ -8,8 +8,8 @@ use bladewright::artifact::Toolpath;
 use bladewright::artifact::blade::{Blade, Unit};
 use bladewright::artifact::toolpath::CutterLocation;
 use bladewright::geometry::Point;
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions};
 use bladewright::verify;
 
 fn blades() -> PathBuf {

@@ -10,8 +10,8 @@ mod seeds;
 
 use std::path::Path;
 
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions};
 use mutate::{Random, count_own_panics, mutated, own_panics};
 
 /// Mutations of each seed.

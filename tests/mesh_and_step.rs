@@ -1,9 +1,9 @@
 //! A mesh gives the same path as the NURBS model that it was made of, within the mesh's tolerance.
 
 use bladewright::artifact::{Blade, Toolpath};
-use bladewright::model::{self, ModelOptions};
 use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
+use bladewright::read::model::{self, ModelOptions};
 
 /// What models/*.obj lie off their blades, mm (`accuracy.deflection_mm` of models/steam_root.toml).
 const DEFLECTION: f64 = 0.01;

@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use bladewright::artifact::blade::Unit;
-use bladewright::model::{self, ModelOptions, Survey};
 use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions, Survey};
 
 fn models() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("models")

@@ -7,8 +7,8 @@ use std::process::{Command, Output};
 
 use bladewright::artifact::blade::{Area, Unit};
 use bladewright::job;
-use bladewright::model::{self, ModelOptions, Survey};
 use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions, Survey};
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 type Mesh = (Vec<Point3<f64>>, Vec<[usize; 3]>);

@@ -20,7 +20,7 @@ use bladewright::geometry::tessellate::{Options, tessellate};
 use bladewright::job::{JobFile, resolve};
 use bladewright::observe::Silent;
 use bladewright::path;
-use bladewright::pipeline::Setup;
+use bladewright::plan::Setup;
 use bladewright::schedule::{self, ScheduleOptions};
 use bladewright::verify;
 

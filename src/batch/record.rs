@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::picture::Picture;
 use crate::error::{Error, Stage};
-use crate::output::{
+use crate::run::{
     self,
     manifest::{self, Manifest},
 };
@@ -102,7 +102,7 @@ impl Record {
         let mut manifest: Manifest = serde_json::from_slice(&content).ok()?;
         manifest.outputs.retain(|name, _| self.files.contains_key(name));
         manifest.programs.retain(|name, _| self.files.contains_key(name));
-        let content = output::json(&manifest).ok()?.into_bytes();
+        let content = run::json(&manifest).ok()?.into_bytes();
         fits(&content).then_some(content)
     }
 

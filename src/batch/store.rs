@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use super::record::Record;
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::output::sync;
+use crate::run::sync;
 
 /// The last file of a member.
 pub(super) const RECORD: &str = "member.json";

@@ -7,7 +7,7 @@ use super::members::{self, Member, Source};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::{self, JobFile};
-use crate::model::format::without_mark;
+use crate::read::model::format::without_mark;
 
 /// A table as read.
 pub(super) struct Table {

@@ -16,9 +16,9 @@ use crate::files;
 use crate::job::{self, ModelKeys};
 use crate::make;
 use crate::observe::{Observer, Warning};
-use crate::output::{self, manifest::StageRecord};
-use crate::pipeline::reuse::{Earlier, ReadFile};
-use crate::pipeline::{self, Course, Outcome};
+use crate::plan::reuse::{Earlier, ReadFile};
+use crate::plan::{self, Course, Outcome};
+use crate::run::{self, manifest::StageRecord};
 
 /// The model of a made blade, beside its results.
 const MODEL: &str = "model.step";
@@ -132,10 +132,10 @@ pub(super) fn compute(work: &Work, observer: &dyn Observer) -> Result<(Record, E
     }
     record.warnings = observer.warnings.into_inner();
     record.files = listing(&folder)?;
-    output::write_file(&folder.join(RECORD), output::json(&record)?.as_bytes())?;
+    run::write_file(&folder.join(RECORD), run::json(&record)?.as_bytes())?;
     store.take_in(&record, work.old)?;
     effort.seconds = start.elapsed().as_secs_f64();
-    store.write(&format!("log/{name}.json"), output::json(&effort)?.as_bytes())?;
+    store.write(&format!("log/{name}.json"), run::json(&effort)?.as_bytes())?;
     Ok((record, effort))
 }
 
@@ -152,7 +152,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
         Source::Model(path) => path.clone(),
         Source::Design(design) => {
             let path = folder.join(MODEL);
-            output::write_file(&path, make::step_text(&make::build(design)?)?.as_bytes())?;
+            run::write_file(&path, make::step_text(&make::build(design)?)?.as_bytes())?;
             std::path::absolute(&path).unwrap_or(path)
         }
     };
@@ -166,7 +166,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
     let earlier: Vec<Earlier> =
         own.into_iter().chain(work.helper).filter_map(|name| earlier(work.store, name)).collect();
     let course = Course { timeless: true, ..Course::default() };
-    pipeline::run_on(&draft, folder, course, &earlier, observer)
+    plan::run_on(&draft, folder, course, &earlier, observer)
 }
 
 /// A finished member whose stages may be taken over. A file that changed since counts as missing.

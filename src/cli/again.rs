@@ -9,13 +9,13 @@ use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport};
 use crate::error::{Error, ErrorKind, Result, Stage};
-use crate::output::{self, RunFolder, tables};
-use crate::pipeline;
-use crate::pipeline::again::{Checked, read};
-use crate::pipeline::operations::{self, Done};
-use crate::post::{self, Dialect, PostOptions};
-use crate::preview::{self, drawing};
+use crate::plan;
+use crate::plan::again::{Checked, read};
+use crate::plan::operations::{self, Done};
+use crate::run::{self, RunFolder, tables};
 use crate::verify;
+use crate::write::post::{self, Dialect, PostOptions};
+use crate::write::{draw, preview};
 
 /// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
 pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> {
@@ -31,8 +31,8 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let mut report = verdict.report().clone();
     report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
-    if let Some(verified) = pipeline::accept(verdict, true) {
-        report.checks.extend(pipeline::programs_again(&setup, &verified, &folder, wrote_programs)?);
+    if let Some(verified) = plan::accept(verdict, true) {
+        report.checks.extend(plan::programs_again(&setup, &verified, &folder, wrote_programs)?);
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
@@ -60,9 +60,9 @@ pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64
         }
     }
     if file.extension().is_some_and(|e| e == "csv") {
-        return output::write_file(file, tables::deviation(blade, map).as_bytes());
+        return run::write_file(file, tables::deviation(blade, map).as_bytes());
     }
-    output::write_file(file, &preview::deviation(&blade.name, map, &blade.model_from_blade, scallop_mm)?)
+    run::write_file(file, &preview::deviation(&blade.name, map, &blade.model_from_blade, scallop_mm)?)
 }
 
 /// `post`: checks again, then writes the program.
@@ -76,7 +76,7 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         }
     };
     let (name, dialect) = match (&args.post_file, args.control) {
-        (Some(file), _) => (pipeline::post_name(file), Dialect::load(file)?),
+        (Some(file), _) => (plan::post_name(file), Dialect::load(file)?),
         (None, Some(control)) => (control.to_string(), Dialect::built_in(control)?),
         (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
     };
@@ -117,7 +117,7 @@ fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Re
     let Checked { setup, verdict, files, .. } = checked?;
     let mut report = verdict.report().clone();
     report.checks.extend(files);
-    let accepted = pipeline::accept(verdict, force).map(|v| if report.passed() { v } else { v.as_forced() });
+    let accepted = plan::accept(verdict, force).map(|v| if report.passed() { v } else { v.as_forced() });
     let Some(verified) = accepted.filter(|_| force || report.passed()) else {
         print_failed(&report);
         return Err(Error::new(
@@ -135,7 +135,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let written = read(&args.out, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let mut folder = RunFolder::begin(&args.out)?;
-        pipeline::preview_again(&run, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
+        plan::preview_again(&run, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();
@@ -148,13 +148,13 @@ pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let drawn = read(&args.run, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2);
-        pipeline::plots(&run.setup, &run.verdict, turn, &terminal)
+        plan::plots(&run.setup, &run.verdict, turn, &terminal)
     });
     terminal.finish();
     let mut folder = RunFolder::begin(&args.out.clone().unwrap_or_else(|| args.run.join("plots")))?;
     for (name, svg) in drawn? {
         if args.format.contains(&Format::Png) {
-            folder.add(&format!("{name}.png"), drawing::png(&svg, args.width)?)?;
+            folder.add(&format!("{name}.png"), draw::png(&svg, args.width)?)?;
         }
         if args.format.contains(&Format::Svg) {
             folder.add(&format!("{name}.svg"), svg)?;

@@ -11,12 +11,12 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::geometry::Rigid;
 use crate::machine::Machine;
-use crate::model;
-use crate::output;
-use crate::post::Dialect;
+use crate::read::model;
+use crate::read::program::{self, Bench, Zero};
+use crate::run;
 use crate::tool::Tool;
 use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
-use crate::verify::program::{self, Bench, Zero};
+use crate::write::post::Dialect;
 
 /// Largest program, bytes: what is larger is none.
 const MAX_BYTES: u64 = 1 << 30;
@@ -70,10 +70,10 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     let audits = audit?;
     if let Some(file) = &args.report {
         let json = match &audits[..] {
-            [audit] => output::json(audit)?,
-            all => output::json(&all)?,
+            [audit] => run::json(audit)?,
+            all => run::json(&all)?,
         };
-        output::write_file(file, json.as_bytes())?;
+        run::write_file(file, json.as_bytes())?;
     }
     sayln!("program    {}: {why}", args.what.display());
     for (k, audit) in audits.iter().enumerate() {

@@ -12,9 +12,9 @@ use crate::channel::{self, FreeInterval};
 use crate::error::Result;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
-use crate::output::{self, RunFolder};
-use crate::pipeline::Setup;
-use crate::preview::plot;
+use crate::plan::Setup;
+use crate::run::{self, RunFolder};
+use crate::write::preview::plot;
 
 /// Angles B that advice looks at: from, to, step, degrees.
 const ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 2.5];
@@ -37,7 +37,7 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     folder.add("channel_intervals.csv", table(&toolpath, &intervals, &setup.blade.part))?;
     let planned = channel::plan_among(&around, tool, &toolpath, &options, observer);
     if let Ok(channel) = &planned {
-        folder.add("channel.json", output::json_compact(channel)?)?;
+        folder.add("channel.json", run::json_compact(channel)?)?;
     }
     if let Some(sweep) = args.sweep_b {
         let angles = setup.angles_b(sweep.0);

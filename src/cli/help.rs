@@ -5,7 +5,7 @@ use clap::CommandFactory;
 use super::args::{Args, Completions, Man};
 use super::out::{say, sayln};
 use crate::error::{Error, Result, Stage};
-use crate::output::RunFolder;
+use crate::run::RunFolder;
 
 /// `completions`: a script for the shell, on standard output.
 pub fn completions(args: &Completions) -> Result<u8> {

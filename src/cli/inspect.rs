@@ -4,9 +4,9 @@ use super::args::{Faces, Inspect, Reading, Region};
 use super::out::{say, sayln};
 use super::progress::Terminal;
 use crate::error::Result;
-use crate::model::{self, ModelOptions};
-use crate::output;
-use crate::preview;
+use crate::read::model::{self, ModelOptions};
+use crate::run;
+use crate::write::preview;
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
@@ -17,7 +17,7 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
     say!("{}", model::inspect_text(&survey));
     if let Some(file) = &args.glb {
         let scene = preview::regions(&survey.name, &survey.part.mesh, &survey.areas())?;
-        output::write_file(file, &scene)?;
+        run::write_file(file, &scene)?;
         sayln!("{:<10} {}", "written", file.display());
     }
     Ok(0)

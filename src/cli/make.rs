@@ -7,7 +7,7 @@ use super::out::sayln;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::make::{self, BladeDesign};
-use crate::output::RunFolder;
+use crate::run::RunFolder;
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Make, _quiet: bool) -> Result<u8> {

@@ -10,9 +10,9 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{self, Draft, JobFile};
 use crate::make::BladeDesign;
-use crate::model;
-use crate::output::summary::{ScheduleFigures, Summary};
-use crate::pipeline::{self, Course, Outcome};
+use crate::plan::{self, Course, Outcome};
+use crate::read::model;
+use crate::run::summary::{ScheduleFigures, Summary};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
@@ -20,7 +20,7 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let preview_bytes = args.preview_budget.map(|b| b.0);
     let course = Course { until: args.until, force: args.force, preview_bytes, ..Course::default() };
-    let outcome = pipeline::run(&draft, &args.job.out, course, &terminal);
+    let outcome = plan::run(&draft, &args.job.out, course, &terminal);
     terminal.finish();
     let outcome = outcome?;
     print(&outcome, args.until);

@@ -37,7 +37,7 @@ pub mod lead;
 mod limit;
 mod limits;
 mod options;
-pub mod program;
+pub mod read_back;
 mod restart;
 mod ridge;
 mod samples;

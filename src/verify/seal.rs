@@ -25,7 +25,7 @@ pub struct Subject<'a> {
     pub options: &'a VerifyOptions,
 }
 
-/// The seal of a report; `plan_json` is the plan as [`crate::output::json_compact`] writes it.
+/// The seal of a report; `plan_json` is the plan as [`crate::run::json_compact`] writes it.
 ///
 /// # Errors
 /// `InputOutput` where the report cannot be encoded.

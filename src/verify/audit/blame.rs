@@ -5,7 +5,7 @@ use super::report::{Limit, LineCheck, Worst};
 use super::{Scene, checks};
 use crate::error::Result;
 use crate::machine::{Machine, PositiveA};
-use crate::verify::program::{Bench, Moved};
+use crate::read::program::{Bench, Moved};
 
 /// A sign that is wrong is so all over: with a smaller share of bad legs it is not to blame.
 const WIDESPREAD: f64 = 0.05;

@@ -7,7 +7,7 @@ use crate::artifact::program::Programmed;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::{self, Gouge};
-use crate::verify::program;
+use crate::verify::read_back;
 use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
@@ -246,8 +246,8 @@ pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<Li
     }
     let at_part = source.blocks.iter().zip(&cuts).filter(|(_, cut)| **cut).map(|(b, _)| b);
     let tolerance_mm = scene.options.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
-    let theirs = program::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
-    let end = source.last.then(|| program::end(source.script));
+    let theirs = read_back::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
+    let end = source.last.then(|| read_back::end(source.script));
     theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
-use crate::verify::program::{Bench, Moved};
+use crate::read::program::{Bench, Moved};
 
 /// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
 const OFF_MM: f64 = 0.0002;

@@ -3,7 +3,7 @@
 //! **In**: the text of an NC program, how its words are meant ([`Bench`]: dialect, zero, tool, machine), the [`Blade`].
 //! **Out**: an [`Audit`]: checks, each with the worst place by line of the program, turn and point of the model.
 //!
-//! The text is read by [`super::program::read`], the machine is moved through it ([`super::program::follow`]), and the motion is cut into
+//! The text is read by [`crate::read::program::read`], the machine is moved through it ([`crate::read::program::follow`]), and the motion is cut into
 //! [`legs`] short enough that the ball centre goes straight, θ and B evenly. Then
 //!
 //! | check | measured | bound between samples |
@@ -36,7 +36,6 @@ pub use report::{Audit, LineCheck, Span};
 use rayon::prelude::*;
 
 use super::deviation::{self, Cut};
-use super::program::{self, Bench, Block, Script};
 use super::sweep::Sweep;
 use crate::artifact::Blade;
 use crate::artifact::deviation::DeviationMap;
@@ -44,6 +43,7 @@ use crate::artifact::report::Check;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
+use crate::read::program::{self, Bench, Block, Script};
 use legs::{Kind, Legs};
 
 /// Limits and sampling of [`audit`]. Lengths in mm.

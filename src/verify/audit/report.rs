@@ -8,7 +8,7 @@ use super::scallop::Heights;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
-use crate::verify::program::Finding;
+use crate::verify::read_back::Finding;
 
 /// Most spans told for one check.
 const MOST_SPANS: usize = 20;

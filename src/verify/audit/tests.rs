@@ -5,8 +5,8 @@ use super::*;
 use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::machine::Machine;
 use crate::observe::Silent;
+use crate::read::program::Zero;
 use crate::sample;
-use crate::verify::program::Zero;
 
 const ISO: Language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
 

@@ -1,0 +1,176 @@
+//! A finished run taken up again from its folder, and the files in it judged: others act on every one of them.
+//!
+//! | check | what it counts |
+//! | --- | --- |
+//! | `files` | files of the run that are missing, or whose content is not that which the manifest names |
+//! | `inputs` | files that the run was made from (model, machine, post files, fixtures) that are not as they were |
+//! | `table-cutter-locations`, `table-axes` | cells of the tables that are not what the plan gives |
+//!
+//! Hashes reveal a change but not a forger, who can change them as well. So the plan is judged by
+//! itself ([`crate::verify`]), and tables and programs are judged against it.
+
+use std::path::Path;
+
+use super::{Setup, reuse};
+use crate::artifact::Plan;
+use crate::artifact::report::Check;
+use crate::error::{Error, Result, Stage};
+use crate::files;
+use crate::job;
+use crate::observe::Observer;
+use crate::run::manifest::{self, Input, Manifest};
+use crate::run::{self, tables};
+use crate::verify::{self, Verdict};
+
+/// A finished run, its plan not checked yet.
+pub struct Finished {
+    /// Job, blade, machine.
+    pub setup: Setup,
+    /// The plan, with the cutter locations of `cutter_locations.csv`: that is the file other programs read, so that is what must be checked.
+    pub plan: Plan,
+    /// What was found on the files of the folder.
+    pub checks: Vec<Check>,
+    /// The run came to its end without a finding, so that it wrote all programs.
+    pub wrote_programs: bool,
+    /// The run was stopped before programs were written.
+    pub stopped: bool,
+}
+
+/// A finished run with its verdict: of the plan, and of the files that others read.
+pub struct Checked {
+    /// Job, blade, machine.
+    pub setup: Setup,
+    /// The verdict on the plan.
+    pub verdict: Verdict<Plan>,
+    /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
+    pub files: Vec<Check>,
+    /// The run is to have its programs: it was not stopped before, and it was good or is.
+    pub wrote_programs: bool,
+}
+
+impl Finished {
+    /// Checks the plan.
+    ///
+    /// # Errors
+    /// Those of [`verify::check_among`].
+    pub fn check(self, observer: &dyn Observer) -> Result<Checked> {
+        let Finished { setup, plan, checks: files, wrote_programs, stopped } = self;
+        let (tool, options) = (&setup.job.tool, setup.verify_options());
+        let verdict =
+            verify::check_among(plan, &setup.blade, &setup.obstacles, tool, &setup.machine, &options, observer)?;
+        let wrote_programs = wrote_programs || (!stopped && matches!(verdict, Verdict::Passed(_)));
+        Ok(Checked { setup, verdict, files, wrote_programs })
+    }
+}
+
+/// Reads the job of a folder, the model that it names, and the plan.
+///
+/// # Errors
+/// `InputOutput` where the folder holds no run, or none with a plan; those of the job and of the model.
+pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
+    run::settle(out)?;
+    let file = out.join("job.resolved.toml");
+    if !file.is_file() {
+        return Err(Error::io(
+            Stage::Job,
+            format!("{} holds no finished run: job.resolved.toml is missing", out.display()),
+        )
+        .advise("give the folder that `plan … -o` wrote"));
+    }
+    let kept = text_of(out, manifest::FILE).as_deref().and_then(manifest::read);
+    let stopped = kept.as_ref().and_then(|m| m.status.strip_prefix("until ")).map(str::to_owned);
+    let plan_file = out.join("plan.json");
+    if let Some(stage) = stopped.as_ref().filter(|_| !plan_file.is_file()) {
+        return Err(Error::io(
+            Stage::Output,
+            format!("the run in {} was stopped at {stage}: it has no plan yet", out.display()),
+        )
+        .advise("plan again without --until"));
+    }
+    let draft = job::resolve(job::load(&file)?, out)?;
+    let text = files::read_text(&plan_file, files::LONG)
+        .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", plan_file.display())).caused_by(e))?;
+    let plan: Plan = serde_json::from_str(&text)
+        .map_err(|e| Error::io(Stage::Output, format!("{} is damaged: {e}", plan_file.display())).caused_by(e))?;
+    verify::well_formed(&plan)?;
+    let setup = Setup::load(&draft, observer)?;
+    let mut checks = vec![outputs(out, kept.as_ref()), inputs(&setup.inputs, kept.as_ref())];
+    let (plan, tables) = read_tables(out, &setup, plan);
+    checks.extend(tables);
+    let wrote_programs = kept.is_none_or(|m| m.status == reuse::GOOD);
+    Ok(Finished {
+        setup,
+        plan,
+        checks,
+        wrote_programs,
+        stopped: stopped.is_some_and(|s| s == Stage::Verify.to_string()),
+    })
+}
+
+fn text_of(out: &Path, name: &str) -> Option<String> {
+    files::read_text(&out.join(name), files::LONG).ok()
+}
+
+/// The plan with what others read of it, and what is not as the plan has it.
+fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
+    let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, setup.machine.axis_names())];
+    let names = [("table-cutter-locations", "cutter_locations.csv"), ("table-axes", "axes.csv")];
+    let texts = names.map(|(_, file)| text_of(out, file));
+    let mut read = plan.clone();
+    let locations = texts[0].as_deref().map(|t| tables::read_cutter_locations(t, &setup.blade, &mut read));
+    // A table that cannot be read is reported below.
+    let plan = if locations.is_some_and(|l| l.is_ok()) { read } else { plan };
+    let checks = std::array::from_fn(|k| {
+        let (name, file) = names[k];
+        let difference = match &texts[k] {
+            Some(text) => tables::difference(text, &wanted[k]),
+            None => tables::Difference { count: 1, first: "it is missing, or no text".into() },
+        };
+        let note = if difference.count == 0 { file.to_owned() } else { format!("{file}, {}", difference.first) };
+        count(name, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
+    });
+    (plan, checks)
+}
+
+/// Files that are not as the run, or what was done in its folder since, left them.
+fn outputs(out: &Path, kept: Option<&Manifest>) -> Check {
+    let quantity = "files that are missing or not as the run left them";
+    let Some(kept) = kept else {
+        let note = "manifest.json is missing or damaged: what the run left cannot be told";
+        return count("files", quantity, 1, note.into());
+    };
+    let short = |hash: &str| hash.chars().take(12).collect::<String>();
+    let mut wrong = Vec::new();
+    for (name, want) in &kept.outputs {
+        match files::hash(&out.join(name), files::LONG) {
+            Err(_) => wrong.push(format!("{name} is missing or cannot be read")),
+            Ok((_, is)) if is != *want => {
+                wrong.push(format!("{name} has BLAKE3 {}…, manifest.json names {}…", short(&is), short(want)));
+            }
+            Ok(_) => {}
+        }
+    }
+    count("files", quantity, wrong.len(), wrong.join("; "))
+}
+
+/// Inputs that changed since.
+fn inputs(now: &[Input], kept: Option<&Manifest>) -> Check {
+    let quantity = "input files that are not those of the run";
+    let before = kept.map(|k| &k.inputs[..]).unwrap_or_default();
+    let short = |i: &Input| i.blake3.chars().take(12).collect::<String>();
+    let mut wrong: Vec<String> = now
+        .iter()
+        .zip(before)
+        .filter(|(a, b)| a.blake3 != b.blake3)
+        .map(|(a, b)| format!("{} has BLAKE3 {}…, manifest.json names {}…", a.path, short(a), short(b)))
+        .collect();
+    if now.len() != before.len() && kept.is_some() {
+        wrong.push(format!("the job names {} input files, manifest.json {}", now.len(), before.len()));
+    }
+    count("inputs", quantity, wrong.len(), wrong.join("; "))
+}
+
+/// A check that nothing was found.
+fn count(name: &str, quantity: &str, found: usize, note: String) -> Check {
+    Check::at_most(name, quantity, found as f64, 0.0, "", note)
+}

@@ -1,0 +1,318 @@
+//! All schedules side by side: at the same constant feed, and each at its own best feed under limits of the machine from a quarter to
+//! four times its own.
+
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::Setup;
+use super::planning::{channel_as_far_as_it_goes, path_as_asked};
+use super::schedules::{machinable, paced};
+use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::error::{Result, Stage};
+use crate::feed::{self, AxisPeaks, FeedOptions};
+use crate::job::Draft;
+use crate::machine::Machine;
+use crate::observe::{Observer, Recorder, Silent};
+use crate::run::RunFolder;
+use crate::run::manifest::Clock;
+use crate::schedule;
+
+mod plot;
+
+/// Limits of the machine that are tried, as multiples of its own.
+const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
+
+/// A motion that was found within the limits of jerk exceeds them by less than this factor.
+const JERK_ROUNDING: f64 = 1.001;
+
+/// Velocity and acceleration of every axis; mm or degrees, and s.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Peak {
+    /// Axis.
+    pub axis: &'static str,
+    /// Per second.
+    pub velocity: f64,
+    /// Per second squared.
+    pub acceleration: f64,
+}
+
+/// One schedule, whatever the machine's limits.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Compared {
+    /// Its name: the kind, and what an `optimal` one makes least.
+    pub name: String,
+    /// Places where it turns back.
+    pub reversals: usize,
+    /// Greatest distance outside the channel, degrees.
+    pub outside_deg: f64,
+    /// Never turns back and stays in the channel.
+    pub machinable: bool,
+    /// Greatest |θ'|, degrees per mm.
+    pub rate_deg_mm: f64,
+    /// Greatest |θ''|, degrees per mm².
+    pub second_deg_mm2: f64,
+    /// Seconds to compute.
+    pub seconds: f64,
+    /// Peaks at the programmed feed held constant.
+    pub at_constant_feed: Vec<Peak>,
+}
+
+/// One schedule under one set of limits.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Run {
+    /// Its name.
+    pub name: String,
+    /// Machining time at its own best feed, s.
+    pub time_s: f64,
+    /// Where jerk is limited: whether that motion keeps it. Where none is found that does, it keeps velocity and acceleration only.
+    pub within_jerk: Option<bool>,
+    /// That time over the lower bound.
+    pub over_bound: f64,
+    /// Time saved against `fixed`, as a share of the time of `fixed`.
+    pub gain_on_fixed: f64,
+    /// Greatest constant feed within all limits, mm/min, at most the programmed one.
+    pub constant_feed_mm_min: f64,
+    /// Machining time at that feed, s.
+    pub constant_feed_time_s: f64,
+    /// Peaks of its own best feed.
+    pub peaks: Vec<Peak>,
+}
+
+/// All schedules under one set of limits.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Limits {
+    /// Multiple of the machine's own limits.
+    pub scale: f64,
+    /// No schedule and no feed take less, s: every length at the greatest speed that feed and contact allow, and the least
+    /// turning in the channel at the rotary axis' greatest velocity.
+    pub bound_s: f64,
+    /// The schedules.
+    pub runs: Vec<Run>,
+}
+
+/// The comparison.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// Blade.
+    pub name: String,
+    /// Cutter locations.
+    pub cutter_locations: usize,
+    /// Path length, mm.
+    pub path_length_mm: f64,
+    /// Programmed feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Whether jerk was limited.
+    pub limit_jerk: bool,
+    /// No schedule has a lesser greatest |θ''|, degrees per mm².
+    pub bound_second_deg_mm2: Option<f64>,
+    /// The schedules.
+    pub schedules: Vec<Compared>,
+    /// Under limits.
+    pub sweep: Vec<Limits>,
+}
+
+/// Plans path and channel, then all schedules, and writes `compare.json`, `compare.csv` and `compare.svg`.
+///
+/// # Errors
+/// Those of the stages; a schedule that cannot be made is an error.
+pub fn compare(
+    draft: &Draft,
+    out: &Path,
+    limit_jerk: bool,
+    observer: &dyn Observer,
+) -> Result<(Comparison, Vec<PathBuf>)> {
+    let recorder = Recorder::new(observer);
+    let mut folder = RunFolder::begin(out)?;
+    let mut clock = Clock::default();
+    let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
+    folder.add_job_of_study(&setup.job.to_toml()?)?;
+    let mut toolpath = clock.time(Stage::Path, || path_as_asked(&setup, &recorder))?;
+    let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &mut clock, &recorder)?;
+    let (made, names) = all(&setup, &toolpath, &channel)?;
+    let feed = FeedOptions { limit_jerk, ..setup.feed_options() };
+    let schedules = names
+        .iter()
+        .zip(&made)
+        .map(|(name, (s, seconds))| figures(name, s, *seconds, &setup, &toolpath, &channel, &feed))
+        .collect::<Result<Vec<_>>>()?;
+    let sweep = SCALES
+        .par_iter()
+        .map(|scale| under(*scale, &setup, &names, &made, &toolpath, &channel, &feed))
+        .collect::<Result<Vec<_>>>()?;
+    let bound = made.iter().find_map(|(s, _)| s.quality.bound_second);
+    let found = Comparison {
+        name: setup.blade.name.clone(),
+        cutter_locations: toolpath.locations.len(),
+        path_length_mm: toolpath.locations.last().map_or(0.0, |l| l.s_mm),
+        feed_mm_min: feed.feed_mm_min,
+        limit_jerk,
+        bound_second_deg_mm2: bound.map(f64::to_degrees),
+        schedules,
+        sweep,
+    };
+    folder.add_json("compare.json", &found)?;
+    folder.add("compare.csv", table(&found, setup.machine.axis_names()))?;
+    let curves: Vec<(&str, &Schedule)> = names.iter().map(String::as_str).zip(made.iter().map(|m| &m.0)).collect();
+    folder.add("compare.svg", plot::svg(&found, &toolpath, &channel, &curves))?;
+    Ok((found, folder.finish()?))
+}
+
+/// Schedules with the seconds that each took, and their names.
+type Made = (Vec<(Schedule, f64)>, Vec<String>);
+
+fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<Made> {
+    let options = setup.schedule_options();
+    let mut kinds = vec![
+        ("fixed", ScheduleKind::Fixed, options.measure),
+        ("quaternion", ScheduleKind::Quaternion, options.measure),
+        ("piecewise", ScheduleKind::Piecewise, options.measure),
+        ("optimal", ScheduleKind::Optimal, options.measure),
+    ];
+    if options.measure != Measure::SquareSecond {
+        kinds.push(("optimal square-second", ScheduleKind::Optimal, Measure::SquareSecond));
+    }
+    let mut made = Vec::new();
+    for (_, kind, measure) in &kinds {
+        let start = std::time::Instant::now();
+        let options = schedule::ScheduleOptions { measure: *measure, ..options };
+        let s = schedule::plan(*kind, path, channel, &options, &Silent)?;
+        made.push((s, start.elapsed().as_secs_f64()));
+    }
+    Ok((made, kinds.iter().map(|k| k.0.to_owned()).collect()))
+}
+
+fn unit(axis: usize, v: f64) -> f64 {
+    if axis < 3 { v } else { v.to_degrees() }
+}
+
+fn peaks_of(p: &AxisPeaks, names: [&'static str; 5]) -> Vec<Peak> {
+    let peak = |(k, axis): (usize, &'static str)| Peak {
+        axis,
+        velocity: unit(k, p.velocity[k]),
+        acceleration: unit(k, p.acceleration[k]),
+    };
+    names.into_iter().enumerate().map(peak).collect()
+}
+
+fn figures(
+    name: &str,
+    s: &Schedule,
+    seconds: f64,
+    setup: &Setup,
+    path: &Toolpath,
+    channel: &Channel,
+    feed: &FeedOptions,
+) -> Result<Compared> {
+    Ok(Compared {
+        name: name.into(),
+        reversals: s.reversals,
+        outside_deg: s.quality.outside_rad.to_degrees(),
+        machinable: machinable(s, channel),
+        rate_deg_mm: s.peak_rate.to_degrees(),
+        second_deg_mm2: s.peak_acceleration.to_degrees(),
+        seconds,
+        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axis_names()),
+    })
+}
+
+/// All schedules under scaled limits, then the fastest of those that can be machined and of the one made for these limits.
+fn under(
+    scale: f64,
+    setup: &Setup,
+    names: &[String],
+    made: &[(Schedule, f64)],
+    path: &Toolpath,
+    channel: &Channel,
+    feed: &FeedOptions,
+) -> Result<Limits> {
+    let machine = setup.machine.clone().with_limits_scaled(scale);
+    let bound_s = feed::least_time(path, feed).max(least_turning(&machine, channel));
+    let mut runs = names
+        .iter()
+        .zip(made)
+        .map(|(name, (s, _))| run(name, s, &machine, path, feed, bound_s))
+        .collect::<Result<Vec<_>>>()?;
+    let mut candidates = paced(&machine, feed, path, channel, &setup.schedule_options())?
+        .iter()
+        .map(|own| run("time", own, &machine, path, feed, bound_s))
+        .collect::<Result<Vec<_>>>()?;
+    let others = runs.iter().zip(made).filter(|(_, (s, _))| machinable(s, channel));
+    candidates.extend(others.map(|(r, _)| Run { name: "time".into(), ..r.clone() }));
+    runs.extend(candidates.into_iter().min_by(|a, b| a.time_s.total_cmp(&b.time_s)));
+    let fixed = runs.first().map_or(0.0, |r| r.time_s);
+    for r in &mut runs {
+        r.gain_on_fixed = 1.0 - r.time_s / fixed;
+    }
+    Ok(Limits { scale, bound_s, runs })
+}
+
+fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &FeedOptions, bound_s: f64) -> Result<Run> {
+    let motion = feed::plan(path, s, machine, feed, &Silent)?;
+    let at = feed::peaks(path, s, machine, feed)?;
+    let mut share = 1.0f64;
+    for (k, l) in machine.limits().iter().enumerate() {
+        share = share.min(l.velocity / at.velocity[k]).min((l.acceleration / at.acceleration[k]).sqrt());
+        if feed.limit_jerk {
+            share = share.min((l.jerk / at.jerk[k]).cbrt());
+        }
+    }
+    let constant = share * feed.feed_mm_min;
+    let greatest = |rows: &[[f64; 5]]| std::array::from_fn(|k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
+    let own = AxisPeaks {
+        velocity: greatest(&motion.velocity),
+        acceleration: greatest(&motion.acceleration),
+        jerk: greatest(&motion.jerk),
+    };
+    let within = || machine.limits().iter().zip(&own.jerk).all(|(l, j)| *j <= JERK_ROUNDING * l.jerk);
+    Ok(Run {
+        name: name.into(),
+        time_s: motion.time_s,
+        within_jerk: feed.limit_jerk.then(within),
+        over_bound: motion.time_s / bound_s,
+        gain_on_fixed: 0.0,
+        constant_feed_mm_min: constant,
+        constant_feed_time_s: path.locations.last().map_or(0.0, |l| l.s_mm) / (constant / 60.0),
+        peaks: peaks_of(&own, machine.axis_names()),
+    })
+}
+
+/// The rotary axis has to turn at least from the highest start to the lowest end.
+fn least_turning(machine: &Machine, channel: &Channel) -> f64 {
+    let (first, last) = (channel.rows.first(), channel.rows.last());
+    let turn = first.zip(last).map_or(0.0, |(a, b)| b.theta_min - a.theta_max);
+    turn.max(0.0) / machine.limits()[3].velocity
+}
+
+/// The sweep as a table.
+fn table(c: &Comparison, names: [&str; 5]) -> String {
+    let mut out = String::from(
+        "scale,schedule,time_s,within_jerk,over_bound,gain_on_fixed,constant_feed_mm_min,constant_feed_time_s",
+    );
+    for axis in names {
+        out.push_str(&format!(",v{axis},a{axis}"));
+    }
+    out.push('\n');
+    for l in &c.sweep {
+        for r in &l.runs {
+            out.push_str(&format!(
+                "{},{},{},{},{},{},{},{}",
+                l.scale,
+                r.name,
+                r.time_s,
+                r.within_jerk.map_or("", |kept| if kept { "yes" } else { "no" }),
+                r.over_bound,
+                r.gain_on_fixed,
+                r.constant_feed_mm_min,
+                r.constant_feed_time_s
+            ));
+            for p in &r.peaks {
+                out.push_str(&format!(",{},{}", p.velocity, p.acceleration));
+            }
+            out.push('\n');
+        }
+    }
+    out
+}

@@ -1,0 +1,121 @@
+//! The motion with its leads: arcs for which there is room, chosen by the same checks that later give the evidence.
+
+use super::Setup;
+use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Toolpath};
+use crate::error::{Error, Result, Stage};
+use crate::feed;
+use crate::lead::{self, End, LeadOptions};
+use crate::observe::{Observer, Silent, Warning};
+use crate::verify::lead::{Foot, Room, obstructed};
+use crate::verify::{self, Verdict, Verified, VerifyOptions};
+use crate::write::post::{self, PostOptions};
+
+/// The first arc with room for it at each end. Where there is none: a straight lead with the
+/// reason, which is reported unless the job asked for it.
+pub(super) fn choose(
+    setup: &Setup,
+    path: &Toolpath,
+    schedule: &Schedule,
+    observer: &dyn Observer,
+) -> Result<[Lead; 2]> {
+    let verify = setup.verify_options();
+    let room = room(setup, path, &verify);
+    let mut out = [Lead::default(), Lead::default()];
+    for (end, slot) in [End::In, End::Out].into_iter().zip(&mut out) {
+        *slot = one(path, schedule, end, setup.job.feed.lead_radius_mm, &room);
+        observer.check(Stage::Feed)?;
+        if !slot.is_arc() && setup.job.feed.lead_radius_mm > 0.0 {
+            let name = if end == End::In { "lead-in" } else { "lead-out" };
+            let message = format!("the {name} is straight along the tool axis: {}", slot.reason);
+            observer.warn(Warning { stage: Stage::Feed, message });
+        }
+    }
+    Ok(out)
+}
+
+fn room<'a>(setup: &'a Setup, path: &Toolpath, options: &'a VerifyOptions) -> Room<'a> {
+    Room {
+        blade: &setup.blade,
+        stock_mm: path.stock_mm,
+        obstacles: &setup.obstacles,
+        tool: &setup.job.tool,
+        machine: &setup.machine,
+        b_rad: setup.job.machine.b_deg.to_radians(),
+        options,
+    }
+}
+
+/// What is left of a checked plan from a turn on (from 1), with a lead-in of its own onto that turn and a motion that begins at rest, and the evidence for
+/// it. The lead-in is an arc where there is room for one, as at the start of the path.
+///
+/// # Errors
+/// `Usage` where there is no such turn; `Infeasible` where the tool cannot come onto it; those of the feed.
+pub(super) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Result<Verified<Plan>> {
+    let from = PostOptions { from_turn: Some(turn), ..setup.post_options() };
+    let left = post::planned(whole.value(), &from)?.into_owned();
+    if turn == 1 {
+        return Ok(whole.clone());
+    }
+    let verify = setup.verify_options();
+    let room = room(setup, &left.toolpath, &verify);
+    let arc = one(&left.toolpath, &left.schedule, End::In, setup.job.feed.lead_radius_mm, &room);
+    let mut found = String::new();
+    let straight = Lead::straight(left.leads[0].reason.clone());
+    for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
+        let mut left = left.clone();
+        let leads = [lead, left.leads[1].clone()];
+        (left.motion, left.leads) = motion(setup, &left.toolpath, &left.schedule, leads, &Silent)?;
+        match verify::restart(whole, left, &room)? {
+            Verdict::Passed(passed) if !whole.forced() => return Ok(passed),
+            Verdict::Passed(passed) => return Ok(passed.as_forced()),
+            Verdict::Failed(rejected) if whole.forced() => return Ok(rejected.write_anyway()),
+            Verdict::Failed(rejected) => {
+                let bad = rejected.report().checks.iter().filter(|c| !c.passed);
+                found = bad
+                    .map(|c| format!("{} {:.6}, limit {:.6}", c.name, c.worst, c.limit))
+                    .collect::<Vec<_>>()
+                    .join("; ");
+            }
+        }
+    }
+    let message = format!("the tool cannot come onto turn {turn} within the limits of the checks: {found}");
+    Err(Error::infeasible(Stage::Post, message).advise("go on with another turn"))
+}
+
+fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Room) -> Lead {
+    if radius_mm == 0.0 {
+        return Lead::straight("asked for by feed.lead_radius_mm = 0");
+    }
+    let options = &LeadOptions { radius_mm, b_rad: room.b_rad };
+    let row = if end == End::In { path.locations.first() } else { path.locations.last() };
+    let theta = if end == End::In { schedule.theta.first() } else { schedule.theta.last() };
+    let Some((at, theta)) = row.zip(theta) else { return Lead::straight("the path has no locations") };
+    let foot = Foot { centre: at.centre, theta: *theta };
+    let mut first = None;
+    for mut arc in lead::candidates(path, schedule, end, options) {
+        match obstructed(&arc, foot, end == End::In, room) {
+            None => {
+                arc.reason = first.map(|why| format!("with the one tried first {why}")).unwrap_or_default();
+                return arc;
+            }
+            Some(why) => first = first.or(Some(why)),
+        }
+    }
+    Lead::straight(first.map_or_else(
+        || "the path has no direction at its end".to_owned(),
+        |why| format!("there is no room for an arc, with that asked for {why}"),
+    ))
+}
+
+/// The fastest motion over path and leads, taken apart.
+pub(super) fn motion(
+    setup: &Setup,
+    path: &Toolpath,
+    schedule: &Schedule,
+    leads: [Lead; 2],
+    observer: &dyn Observer,
+) -> Result<(AxisMotion, [Lead; 2])> {
+    let (long_path, long_schedule) = lead::extended(path, schedule, &leads);
+    let whole = feed::plan(&long_path, &long_schedule, &setup.machine, &setup.feed_options(), observer)?;
+    Ok(lead::split(&whole, leads))
+}

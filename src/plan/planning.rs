@@ -1,0 +1,264 @@
+//! The planning stages, one after another.
+
+use super::reuse::Taken;
+use super::{Baseline, Setup, leads, schedules};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::EndReason;
+use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
+use crate::channel;
+use crate::error::{ErrorKind, Result, Stage};
+use crate::lead;
+use crate::observe::{Observer, Silent, Warning};
+use crate::path;
+use crate::run::RunFolder;
+use crate::run::manifest::Clock;
+use crate::schedule;
+use crate::verify;
+
+/// A motion with its leads.
+type Moved = (AxisMotion, [Lead; 2]);
+/// A schedule, with its motion where that is known.
+type Scheduled = (Schedule, Option<Moved>);
+
+/// How often walls are moved in for what happens between locations.
+const MOST_PROOFS: usize = 4;
+/// How often the helix is laid anew to end higher before the channel's error stands.
+const MOST_ENDS: usize = 12;
+
+/// How far planning went.
+pub(super) enum Reached {
+    Path(Toolpath),
+    Channel(Toolpath, Channel),
+    Schedule(Toolpath, Channel, Schedule),
+    /// The whole plan, and a fixed lead under the same limits.
+    Motion(Box<(Plan, Baseline)>),
+}
+
+impl Reached {
+    /// Writes what was planned where planning stopped early; a whole plan is written with its checks.
+    pub fn write(&self, folder: &mut RunFolder) -> Result<()> {
+        let (path, channel, schedule) = match self {
+            Reached::Path(path) => (path, None, None),
+            Reached::Channel(path, channel) => (path, Some(channel), None),
+            Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
+            Reached::Motion(..) => return Ok(()),
+        };
+        folder.add_json("toolpath.json", path)?;
+        channel.map_or(Ok(()), |c| folder.add_json("channel.json", c))?;
+        schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))
+    }
+}
+
+/// The planning stages, to `until` or to the end.
+pub(super) fn plan(
+    setup: &Setup,
+    until: Option<Stage>,
+    known: Taken,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Reached> {
+    // Path and channel are those of any machine of the kind; a motion is not.
+    if !matches!(until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
+        setup.machine.check_swing(&setup.blade.part.mesh.points)?;
+    }
+    let mut toolpath = match known.toolpath {
+        Some(t) => t,
+        None => clock.time(Stage::Path, || path_as_asked(setup, observer))?,
+    };
+    if until == Some(Stage::Path) {
+        return Ok(Reached::Path(toolpath));
+    }
+    let mut channel = match known.channel {
+        Some(c) => c,
+        None => channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?,
+    };
+    if until == Some(Stage::Channel) {
+        return Ok(Reached::Channel(toolpath, channel));
+    }
+    let options = setup.schedule_options();
+    // What a baseline that nobody asked for does wrong is no warning: its figures stand in the summary. Where it is the job's own schedule it is
+    // planned again below, and warns.
+    let fixed =
+        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent))?;
+    let (mut schedule, mut motion) = match known.schedule {
+        Some(s) => (s, known.motion),
+        None => clock.time(Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
+    };
+    if !schedule.kind.is_wall() {
+        keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), clock, observer)?;
+    }
+    if until == Some(Stage::Schedule) {
+        return Ok(Reached::Schedule(toolpath, channel, schedule));
+    }
+    let (motion, leads, fixed_motion) = clock.time(Stage::Feed, || {
+        let chosen = match &motion {
+            Some((_, leads)) => leads.clone(),
+            None => leads::choose(setup, &toolpath, &schedule, observer)?,
+        };
+        // From the same leads, so that the two are compared under the same conditions. At the same time, since each takes one thread.
+        let others = lead::for_schedule(&chosen, &toolpath, &fixed);
+        let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, chosen, observer), Ok);
+        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &Silent));
+        let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
+        Ok((motion, leads, fixed_motion))
+    })?;
+    let baseline = Baseline { schedule: fixed, motion: fixed_motion };
+    let plan = Plan { toolpath, channel, schedule, motion, leads };
+    Ok(Reached::Motion(Box::new((plan, baseline))))
+}
+
+/// The schedule of the job, and its motion where that was found along with it.
+fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn Observer) -> Result<Scheduled> {
+    match setup.job.schedule.kind {
+        ScheduleKind::Time => {
+            schedules::least_time(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
+        }
+        kind => Ok((schedule::plan(kind, path, channel, &setup.schedule_options(), observer)?, None)),
+    }
+}
+
+/// The channel's walls hold at the locations; between two of them the tool may come nearer for a
+/// moment. Where it does by the schedule, the walls of these moves are proven and moved in, and the
+/// schedule is made anew. If there is no channel or no schedule then, all stays as it was, and the
+/// checks report it.
+fn keep_clear(
+    setup: &Setup,
+    path: &Toolpath,
+    channel: &mut Channel,
+    (schedule, motion): (&mut Schedule, &mut Option<Moved>),
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<()> {
+    let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
+    let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
+    for _ in 0..MOST_PROOFS {
+        let short = clock.time(Stage::Channel, || {
+            let (theta, b_rad) = (&schedule.theta, channel.b_rad);
+            Ok(verify::short_moves(path, theta, b_rad, &apart, &verify))
+        })?;
+        if short.is_empty() {
+            return Ok(());
+        }
+        rows.extend(short);
+        rows.sort_unstable();
+        rows.dedup();
+        let narrower = |exact_ends: bool| {
+            let options = channel::ChannelOptions { prove_at: rows.clone(), exact_ends, ..setup.channel_options() };
+            let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
+            channel::plan_among(&around, tool, path, &options, &Silent)
+        };
+        let found = clock.time(Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
+        let made = found.and_then(|c| {
+            let made = clock.time(Stage::Schedule, || scheduled(setup, path, &c, &Silent))?;
+            Ok((c, made))
+        });
+        match made {
+            Ok((c, made)) => (*channel, (*schedule, *motion)) = (c, made),
+            Err(e) if e.kind == ErrorKind::Infeasible => return Ok(()),
+            Err(e) => return Err(e),
+        }
+        observer.check(Stage::Schedule)?;
+    }
+    Ok(())
+}
+
+/// The path of the job; says so where it ends before the height that the job asks for.
+pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
+    let path = setup.path(observer)?;
+    if let Some(end_mm) = setup.job.region.end_mm
+        && path.end_reason != EndReason::Region
+    {
+        let [a, b] = path.region_x_mm;
+        let message = format!(
+            "the helix ends at height {:.3} mm instead of region.end_mm = {end_mm} mm: {}",
+            a.min(b),
+            path.end_reason
+        );
+        observer.warn(Warning { stage: Stage::Path, message });
+    }
+    Ok(path)
+}
+
+/// The channel. Where the job leaves the end of the region open and the channel closes on the way
+/// down, the helix is laid anew to end above that place, with a warning. A region end that the job
+/// asks for is never given up.
+pub(super) fn channel_as_far_as_it_goes(
+    setup: &Setup,
+    toolpath: &mut Toolpath,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    let (blade, options) = (&setup.blade, setup.channel_options());
+    let around = clock.time(Stage::Channel, || setup.surroundings())?;
+    let plan = |path: &Toolpath| channel::plan_among(&around, &setup.job.tool, path, &options, observer);
+    let mut cut = None;
+    let mut ended_mm = None;
+    for _ in 0..MOST_ENDS {
+        let planned = clock.time(Stage::Channel, || plan(toolpath));
+        let blocked = match planned {
+            Ok(channel) => {
+                if let Some(message) = cut {
+                    observer.warn(Warning { stage: Stage::Channel, message });
+                }
+                return Ok(channel);
+            }
+            Err(e) => e,
+        };
+        let mut shorter = setup.path_options();
+        // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
+        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
+        let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
+        // An end that was asked for stays, and the first turn at least needs room above it.
+        let end_mm = blocked
+            .region_may_end_mm
+            .filter(|_| setup.job.region.end_mm.is_none())
+            .map(|end_mm: f64| end_mm.max(above_mm))
+            .filter(|end_mm| *end_mm < setup.job.region.start_mm);
+        let Some(end_mm) = end_mm else {
+            return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
+        };
+        ended_mm = Some(end_mm);
+        shorter.region_x_mm[1] = Some(end_mm);
+        *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
+        toolpath.end_reason = EndReason::Blocked(blocked.message);
+        cut = Some(format!(
+            "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
+            toolpath.end_reason,
+            blocked.advice.unwrap_or_else(|| "another tool".into())
+        ));
+    }
+    clock.time(Stage::Channel, || plan(toolpath))
+}
+
+/// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is kept as room. `None` where there are none, where
+/// they have been asked already, or where the channel closes by them too.
+fn by_exact_faces(
+    setup: &Setup,
+    toolpath: &Toolpath,
+    clock: &mut Clock,
+    observer: &dyn Observer,
+) -> Option<Result<Channel>> {
+    let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
+    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
+        return None;
+    }
+    let planned = clock.time(Stage::Channel, || {
+        let around = setup.finer_surroundings()?;
+        channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
+    });
+    if planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible) {
+        return None;
+    }
+    if planned.is_err() {
+        return Some(planned);
+    }
+    let by = if options.prove_moves {
+        "its walls are proven on a finer one"
+    } else {
+        "its ends are those of the exact faces"
+    };
+    let message =
+        format!("the channel is so narrow that the mesh's deflection would close it: {by} (channel.exact_ends)");
+    observer.warn(Warning { stage: Stage::Channel, message });
+    Some(planned)
+}

@@ -1,0 +1,137 @@
+//! The programs of a finished run, read back from its folder.
+
+use super::{Setup, leads};
+use crate::artifact::program::Control;
+use crate::artifact::report::Check;
+use crate::artifact::{Plan, Program};
+use crate::error::Result;
+use crate::read::program::{Guess, guess};
+use crate::run::RunFolder;
+use crate::verify::{self, Verified};
+use crate::write::post::{self, Dialect};
+
+/// Ends of names that programs have and nothing else in the folder of a run.
+const PROGRAMS: [&str; 16] =
+    ["apt", "arc", "cls", "cnc", "eia", "gcode", "h", "i", "iso", "mpf", "nc", "ngc", "pgm", "prg", "spf", "tap"];
+/// Ends of names that programs do not have, though words in them may look like those of one.
+const NO_PROGRAMS: [&str; 22] = [
+    "csv", "glb", "gltf", "html", "iges", "igs", "jpg", "json", "log", "md", "obj", "parquet", "pdf", "ply", "png",
+    "step", "stl", "stp", "svg", "toml", "txt", "zip",
+];
+
+/// What reading the programs of a finished run back finds: those that its job asks for, and every other file in its folder that is a program. One
+/// that the job asks for and that is not there is a finding where the run was to write them: `wrote_programs`.
+///
+/// # Errors
+/// Those of the dialects.
+pub fn programs_again(
+    setup: &Setup,
+    verified: &Verified<Plan>,
+    folder: &RunFolder,
+    wrote_programs: bool,
+) -> Result<Vec<Check>> {
+    let dialects: Vec<Dialect> = setup.dialects()?.into_iter().map(|(_, dialect)| dialect).collect();
+    let mut found = Vec::new();
+    for dialect in &dialects {
+        let name = dialect.file_name();
+        match folder.content(name) {
+            Some(content) => found.extend(one(setup, name, &content, dialect, verified)?),
+            None => found.extend(wrote_programs.then(|| absent(name))),
+        }
+    }
+    for name in folder.names().iter().filter(|n| dialects.iter().all(|d| d.file_name() != n.as_str())) {
+        let Some(content) = folder.content(name) else { continue };
+        found.extend(other(setup, name, &content, &dialects, verified)?);
+    }
+    Ok(found)
+}
+
+/// Checks a program that a dialect wrote of a plan. What the dialect writes now tells with which
+/// values the program was written.
+fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, verified: &Verified<Plan>) -> Result<Vec<Check>> {
+    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
+    let written = post::post(dialect, verified, blade, tool, machine, &setup.post_options())?;
+    Ok(match text_of(content) {
+        Some(text) => read_back(setup, Program { file_name: name.to_owned(), text, ..written }, verified.value()),
+        None => vec![unreadable(name, "it is not a text in UTF-8".into())],
+    })
+}
+
+fn text_of(content: &[u8]) -> Option<String> {
+    String::from_utf8(content.to_vec()).ok()
+}
+
+fn read_back(setup: &Setup, program: Program, plan: &Plan) -> Vec<Check> {
+    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
+    match verify::read_back::read_back(&program, plan, blade, tool, machine) {
+        Ok(checks) => checks,
+        Err(e) => vec![unreadable(&program.file_name, e.message)],
+    }
+}
+
+/// A program that nobody knows the dialect of, read as it looks.
+fn guessed(setup: &Setup, name: &str, text: String, look: Guess, plan: &Plan) -> Vec<Check> {
+    let options = setup.post_options();
+    let with = std::iter::once((options.tool_number, options.spindle_rpm));
+    let program = Program {
+        control: look.why.to_owned(),
+        file_name: name.to_owned(),
+        language: look.language,
+        ranges: Default::default(),
+        cycles: Vec::new(),
+        asked: verify::read_back::asked(&text, look.language, with),
+        text,
+    };
+    read_back(setup, program, plan)
+}
+
+/// A file beside the programs that the job asks for; empty: it is no program.
+fn other(
+    setup: &Setup,
+    name: &str,
+    content: &[u8],
+    asked: &[Dialect],
+    verified: &Verified<Plan>,
+) -> Result<Vec<Check>> {
+    let built_in = Control::ALL.into_iter().map(Dialect::built_in).collect::<Result<Vec<_>>>()?;
+    let dialect = |name: &str| asked.iter().chain(&built_in).find(|d| d.file_name() == name);
+    if let Some(dialect) = dialect(name) {
+        return one(setup, name, content, dialect, verified);
+    }
+    if name.starts_with("from_operation_") {
+        let why =
+            "it goes on within a program of several runs, which this plan cannot judge: take it out of the folder";
+        return Ok(vec![unreadable(name, why.into())]);
+    }
+    let rest = name.strip_prefix("from_turn_").and_then(|n| n.split_once('.'));
+    let rest = rest.and_then(|(turn, rest)| Some((turn.parse::<usize>().ok()?, dialect(rest)?)));
+    if let Some((turn, dialect)) = rest {
+        return match leads::restart(setup, verified, turn) {
+            Ok(left) => one(setup, name, content, dialect, &left),
+            Err(e) => Ok(vec![unreadable(name, e.message)]),
+        };
+    }
+    let end = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase()).unwrap_or_default();
+    if NO_PROGRAMS.contains(&end.as_str()) {
+        return Ok(Vec::new());
+    }
+    let text = text_of(content);
+    Ok(match text.and_then(|text| guess(&text).map(|look| (text, look))) {
+        Some((text, look)) => guessed(setup, name, text, look, verified.value()),
+        None if PROGRAMS.contains(&end.as_str()) => {
+            vec![unreadable(name, "nobody knows how it is to be read: take it out of the folder".into())]
+        }
+        None => Vec::new(),
+    })
+}
+
+/// A program that a control would not understand either, or that nobody can judge.
+fn unreadable(file_name: &str, why: String) -> Check {
+    let quantity = format!("{file_name}: lines that cannot be read");
+    Check::at_most("program-readable", &quantity, 1.0, 0.0, "lines", format!("{file_name}: {why}"))
+}
+
+fn absent(file_name: &str) -> Check {
+    let note = format!("{file_name} is not in the folder, the job asks for it: write it with `post`, or plan again");
+    Check::at_most("program-absent", "programs that the job asks for and that are not there", 1.0, 0.0, "", note)
+}

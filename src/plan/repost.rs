@@ -1,0 +1,84 @@
+//! A change of the post alone: programs are written and read back, the summary gets their times, the report its new words; everything else is the earlier run's, byte for byte.
+//!
+//! Taken from a run that came to its end, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
+//! manifest) and whose checks fit their seal. Where any of this is not so, the run is made in the ordinary way.
+
+use super::checking::Run;
+use super::look::{self, Look};
+use super::reuse::{self, Earlier};
+use super::{Made, accept, post_all};
+use crate::artifact::Plan;
+use crate::error::{Result, Stage};
+use crate::observe::Observer;
+use crate::run::summary::Summary;
+use crate::verify::Verdict;
+use crate::verify::seal::{self, Subject};
+use crate::write::preview::report::Payload;
+
+/// Files that know nothing of the post.
+const KEPT: [&str; 5] = ["sections.json", "cutter_locations.csv", "axes.csv", "plan.json", "preview.glb"];
+
+/// Stages that need not be worked on.
+const TAKEN: [Stage; 7] =
+    [Stage::Section, Stage::Path, Stage::Channel, Stage::Schedule, Stage::Feed, Stage::Verify, Stage::Preview];
+
+/// An earlier run but for its programs.
+struct Kept {
+    files: Vec<(&'static str, Vec<u8>)>,
+    /// But for its programs.
+    summary: Summary,
+    verdict: Verdict<Plan>,
+    seal: String,
+    payload: Payload,
+}
+
+/// The run, if one of the earlier ones leaves only the programs to be written.
+pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> {
+    if run.course.until.is_some() || run.course.preview_bytes.is_some() {
+        return Ok(None);
+    }
+    let fitting = earlier.iter().filter(|e| e.differs_by_post_alone(run.setup));
+    let Some((before, kept)) = fitting.filter_map(|e| Some((e, open(run, e)?))).next() else { return Ok(None) };
+    // Those of the model were given when it was read.
+    before.warnings().iter().filter(|w| w.stage != Stage::Model).for_each(|w| run.observer.warn(w.clone()));
+    for (name, content) in &kept.files {
+        run.folder.add(name, content)?;
+    }
+    let (setup, folder) = (run.setup, &mut *run.folder);
+    let (mut report, plan, mut forced) = (kept.verdict.report().clone(), kept.verdict.value().clone(), false);
+    let mut summary = Summary { programs: Vec::new(), ..kept.summary };
+    if let Some(verified) = accept(kept.verdict, run.course.force) {
+        forced = verified.forced();
+        let posted = run.clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+        report.checks.extend(posted.checks);
+        summary.programs = posted.figures;
+    }
+    let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced, budget_bytes: None };
+    let (shown, payload) = (look::json_of(&summary)?, Some(&kept.payload));
+    run.clock.time(Stage::Preview, || look::page(setup, &plan, &look, &shown, payload, folder, run.observer))?;
+    run.folder.add_json("summary.json", &summary)?;
+    run.folder.add_json("verify.json", &report)?;
+    Ok(Some(Made {
+        summary: Some(summary),
+        plan: Some(plan),
+        report: Some(report),
+        seal: Some(kept.seal),
+        taken: TAKEN.to_vec(),
+    }))
+}
+
+/// Everything that is taken over; `None` where something of it is not as that run left it.
+fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
+    let setup = run.setup;
+    let files: Vec<_> = KEPT.iter().map(|name| Some((*name, earlier.file(name)?))).collect::<Option<_>>()?;
+    let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
+    let (plan_json, summary) = (text("plan.json")?, earlier.file("summary.json")?);
+    let payload = Payload::of_page(std::str::from_utf8(&earlier.file("report.html")?).ok()?)?;
+    let (part, options) = (reuse::part(setup), setup.verify_options());
+    let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
+    let plan: Plan = serde_json::from_str(plan_json).ok()?;
+    let checks = earlier.checks()?;
+    let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &about).ok()?.ok()?;
+    let summary = serde_json::from_slice(&summary).ok()?;
+    Some(Kept { verdict, seal: checks.seal, summary, payload, files })
+}

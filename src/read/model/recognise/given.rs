@@ -1,0 +1,136 @@
+//! The blade axis as the user gave it: the run along it, and what speaks against it.
+//!
+//! In: the mesh, the axis, perhaps the faces that the user named. Out: the run along it, and a sentence where the search without an axis
+//! settles on another one: the opposite, so that the helix would go round the airfoil's free end, or one far away along which
+//! sections look far more like an airfoil. What the user gave stands in any case.
+
+use super::run::{self, Run};
+use super::search::{self, Found};
+use super::{no_blade, words};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::Vector;
+use crate::geometry::mesh::Mesh;
+use crate::read::model::faces::Stacking;
+
+/// Directions farther apart than this are not the same axis, degrees; the search has rivals from the same angle on.
+const APART_DEG: f64 = 35.0;
+/// An axis far from the one found is told where it scores less than this share of it.
+const FAR_LESS: f64 = 0.5;
+/// A face with less of an outline than this share is not named in advice.
+const SHARE_NAMED: f64 = 0.01;
+
+/// The run along the axis that was given.
+pub struct Given {
+    /// The run along it.
+    pub run: Run,
+    /// Which axis, in words.
+    pub reason: String,
+    /// What speaks against it.
+    pub against: Option<String>,
+}
+
+/// The run along `axis`; `faces`: as for [`run::along`].
+///
+/// # Errors
+/// `Usage`: an axis of no length. `InputOutput`: no sections along it that continue, with the cause.
+pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Option<&Stacking>) -> Result<Given> {
+    let v = Vector::from(axis);
+    let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
+        Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
+    })?;
+    let run = run::along(mesh, &direction, faces);
+    let found = match stacking {
+        Some(s) => search::stacked(mesh, s, faces),
+        None => search::search(mesh, faces),
+    };
+    if run.links.is_empty() {
+        return Err(nothing_along(mesh, &direction, faces, found.ok()));
+    }
+    let against = found.ok().and_then(|f| against(mesh, &run, &f, faces));
+    Ok(Given { run, reason: format!("axis: {}, as given", words(&direction)), against })
+}
+
+/// What is said where the search settles on another axis.
+fn against(mesh: &Mesh, run: &Run, found: &Found, faces: Option<&[bool]>) -> Option<String> {
+    let (given, other) = (&run.direction, &found.run.direction);
+    let apart_deg = given.angle(other).to_degrees();
+    if apart_deg > 180.0 - APART_DEG {
+        let why = found.sense.as_ref()?;
+        return Some(format!(
+            "the blade axis was given as {}; without --axis {} is found, the opposite ({why}): with the axis as given the airfoil's free end is \
+             taken for its root and machined",
+            words(given),
+            words(other)
+        ));
+    }
+    // Lids count in the search only: both are weighed without.
+    let score = run::along(mesh, other, faces).score;
+    (apart_deg > APART_DEG && run.score < FAR_LESS * score).then(|| {
+        format!(
+            "the blade axis was given as {}; without --axis {} is found, {apart_deg:.0}° away, along which sections look far more like an \
+             airfoil (score {score:.2} against {:.2})",
+            words(given),
+            words(other),
+            run.score
+        )
+    })
+}
+
+/// No sections along the axis that was given.
+fn nothing_along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>, found: Option<Found>) -> Error {
+    if let Some(e) = faces.and_then(|f| beside_named(mesh, &[*direction], f)) {
+        return e;
+    }
+    let e = Error::io(
+        Stage::Model,
+        format!(
+            "no airfoil was found along {}, the axis that was given: sections across it are no closed loops that continue",
+            words(direction)
+        ),
+    );
+    match found {
+        Some(f) => e.advise(format!("without --axis {} is found: leave --axis out", words(&f.run.direction))),
+        None => e.advise("close the part, or export it again"),
+    }
+}
+
+/// No sections at all: the faces that were named are the cause where some section meets them.
+pub(super) fn nothing(mesh: &Mesh, directions: &[Vector], faces: Option<&[bool]>) -> Error {
+    faces.and_then(|f| beside_named(mesh, directions, f)).unwrap_or_else(no_blade)
+}
+
+/// Why no airfoil lies on the faces that were named: the direction whose sections run on them for longest, and what else these run on.
+/// `None` where a part has one face only, so that naming others is no help.
+fn beside_named(mesh: &Mesh, directions: &[Vector], faces: &[bool]) -> Option<Error> {
+    let numbers = |of: &mut dyn Iterator<Item = usize>| of.map(|k| (k + 1).to_string()).collect::<Vec<_>>();
+    let named = numbers(&mut (0..faces.len()).filter(|k| faces[*k]));
+    let what = format!("face{} {}", if named.len() == 1 { "" } else { "s" }, named.join(", "));
+    let on = |lengths: &[f64]| lengths.iter().zip(faces).filter(|(_, named)| **named).map(|(l, _)| l).sum::<f64>();
+    let all = directions.iter().map(|d| run::on_faces(mesh, d, faces)).max_by(|a, b| on(a).total_cmp(&on(b)))?;
+    let total: f64 = all.iter().sum();
+    if !(total > 0.0) {
+        let message =
+            format!("no airfoil was found on {what}: no section across the blade axis that is closed meets them");
+        return Some(
+            Error::io(Stage::Model, message).advise("name the airfoil's faces, by number as inspect prints them"),
+        );
+    }
+    let mut others: Vec<usize> =
+        (0..all.len()).filter(|k| !faces.get(*k).is_some_and(|n| *n) && all[*k] > SHARE_NAMED * total).collect();
+    others.sort_by(|a, b| all[*b].total_cmp(&all[*a]));
+    let rest: Vec<String> = others.iter().map(|k| format!("{} ({:.0} %)", k + 1, 100.0 * all[*k] / total)).collect();
+    let mut wanted: Vec<usize> = others.iter().copied().chain((0..faces.len()).filter(|k| faces[*k])).collect();
+    wanted.sort_unstable();
+    let message = format!(
+        "no airfoil was found on {what}: of sections that meet them {:.0} % of the outline lies there, {:.0} % are asked; the rest lies on \
+         face{} {}",
+        100.0 * on(&all) / total,
+        100.0 * run::ON_FACES,
+        if rest.len() == 1 { "" } else { "s" },
+        if rest.is_empty() { "too small to be named".into() } else { rest.join(", ") }
+    );
+    Some(Error::io(Stage::Model, message).advise(format!(
+        "name all faces of the airfoil's outline, as in --faces airfoil={}",
+        numbers(&mut wanted.into_iter()).join(",")
+    )))
+}

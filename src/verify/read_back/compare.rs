@@ -1,0 +1,340 @@
+//! A program's moves against the plan.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector4;
+
+use crate::artifact::plan::{Row, Stretch};
+use crate::artifact::program::Program;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, Plan};
+use crate::geometry::triangle::share_of_segment;
+use crate::geometry::{Point, Vector};
+use crate::machine::{Machine, Pose};
+use crate::read::program::Moved;
+use crate::tool::{self, Tool};
+
+/// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may do.
+const CENTRE_MM: f64 = 0.001;
+/// Rounding moves a place of a polynomial line along the path by no more, mm.
+const ROUNDED_MM: f64 = 0.0001;
+/// Greatest angle of the tool axis from the plan's, degrees.
+const DIRECTION_DEG: f64 = 0.001;
+/// Greatest relative difference of the whole time.
+const TIME: f64 = 0.001;
+/// Greatest relative difference of the time of a line.
+const FEED: f64 = 0.02;
+/// Times of lines are told apart from here on, s: places are rounded, and with them the times at which the plan is there.
+const MOMENT_S: f64 = 0.01;
+/// A line that comes this near to the first or last location ends there, mm.
+const AT_END_MM: f64 = 0.05;
+/// Places looked at within a move, its end among them.
+const WITHIN: usize = 8;
+/// Plan moves looked ahead for the one that a place belongs to: lines may be left out where locations round to one.
+const AHEAD: usize = 12;
+
+/// A worst value, with the line and the cutter location.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    value: f64,
+    line: usize,
+    row: usize,
+}
+
+impl Worst {
+    fn take(&mut self, value: f64, line: usize, row: usize) {
+        // What is not a number is worse than everything.
+        let value = if value.is_nan() { f64::MAX } else { value };
+        if value > self.value {
+            *self = Worst { value, line, row };
+        }
+    }
+}
+
+/// A place on the plan's path: from location `row` the share `share` of the way to the next.
+#[derive(Clone, Copy)]
+struct OnPath {
+    row: usize,
+    share: f64,
+    distance_mm: f64,
+}
+
+struct Comparison<'a> {
+    plan: &'a Plan,
+    /// The whole motion: leads and locations.
+    rows: Vec<Row>,
+    tool: &'a Tool,
+    machine: &'a Machine,
+    centre: Worst,
+    direction: Worst,
+    /// Within polynomial lines; `None`: the program has none.
+    curve: Option<Worst>,
+    chord: Worst,
+    missing: Worst,
+    feed: Worst,
+    /// When the plan is where the line before ended, s.
+    planned_s: f64,
+    /// The planned θ there, over all turns, rad.
+    planned_theta: f64,
+}
+
+/// All checks of a program.
+pub(super) fn checks(
+    program: &Program,
+    moves: &[Moved],
+    plan: &Plan,
+    blade: &Blade,
+    tool: &Tool,
+    machine: &Machine,
+) -> Vec<Check> {
+    let mut c = Comparison {
+        plan,
+        rows: plan.rows().collect(),
+        tool,
+        machine,
+        centre: Worst::default(),
+        direction: Worst::default(),
+        curve: moves.iter().any(|m| m.bend.is_some()).then(Worst::default),
+        chord: Worst::default(),
+        missing: Worst::default(),
+        feed: Worst::default(),
+        planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
+        planned_theta: plan.rows().next().map_or(0.0, |r| r.theta),
+    };
+    let time = c.run(moves);
+    let planned = c.rows.last().map_or(0.0, |r| r.t_s) - c.rows.first().map_or(0.0, |r| r.t_s);
+    let before = plan.leads[0].centres.len();
+    let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
+    let chord_mm = plan.toolpath.chord_mm;
+    let curve = c.curve.map(|worst| {
+        ("program-curve", "tool axis within a polynomial line off the schedule's curve", worst, DIRECTION_DEG, "deg")
+    });
+    [
+        ("program-centre", "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
+        (
+            "program-direction",
+            "tool axis off the planned one, or turned to it another way round",
+            c.direction,
+            DIRECTION_DEG,
+            "deg",
+        ),
+        ("program-chord", "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
+        ("program-missing", "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
+        ("program-feed", "relative difference of the time of a line", c.feed, FEED, ""),
+        ("program-time", "relative difference of the whole time", off, TIME, ""),
+    ]
+    .into_iter()
+    .chain(curve)
+    .map(|(name, quantity, worst, limit, unit)| {
+        let at = c.rows.get(worst.row);
+        let point = at.map(|r| blade.model_from_blade * r.centre);
+        let last = plan.toolpath.locations.len().saturating_sub(1);
+        let line = if worst.line > 0 { format!(", line {}", worst.line) } else { String::new() };
+        let note = match at.map(|r| r.stretch) {
+            Some(Stretch::LeadIn) => format!("{}{line}, lead-in", program.file_name),
+            Some(Stretch::LeadOut) => format!("{}{line}, lead-out", program.file_name),
+            _ => format!("{}{line}", program.file_name),
+        };
+        Check {
+            row: Some(worst.row.saturating_sub(before).min(last)),
+            turn: plan.toolpath.locations.get(worst.row.saturating_sub(before).min(last)).map(|l| l.turn),
+            point_mm: point.map(|p| [p.x, p.y, p.z]),
+            ..Check::at_most(name, quantity, worst.value, limit, unit, note)
+        }
+    })
+    .collect()
+}
+
+impl Comparison<'_> {
+    /// Compares all cutting lines; gives their time, s.
+    fn run(&mut self, moves: &[Moved]) -> f64 {
+        let rows = &self.rows;
+        let end_of = |m: &Moved| m.pose(1.0, self.tool, self.machine).centre;
+        let near = |m: &Moved, row: usize| {
+            m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.centre).norm() < AT_END_MM)
+        };
+        let last = rows.len().saturating_sub(1);
+        let (first, end) = (moves.iter().position(|m| near(m, 0)), moves.iter().rposition(|m| near(m, last)));
+        let (Some(first), Some(end)) = (first, end) else {
+            self.missing = Worst { value: f64::MAX, line: 0, row: if first.is_none() { 0 } else { last } };
+            return 0.0;
+        };
+        let mut at = 0;
+        let mut time = 0.0;
+        for m in moves.get(first + 1..=end).unwrap_or(&[]) {
+            time += m.seconds.unwrap_or(0.0);
+            at = self.one(m, at);
+        }
+        // Whatever the program has not come by.
+        let reached = moves[end].pose(1.0, self.tool, self.machine).centre;
+        for row in at + 1..self.rows.len() {
+            self.missing.take((self.rows[row].centre - reached).norm(), moves[end].line, row);
+        }
+        time
+    }
+
+    /// Compares one move that begins on plan move `at`; gives the plan move on which it ends.
+    fn one(&mut self, m: &Moved, at: usize) -> usize {
+        let poses: Vec<Pose> =
+            (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.tool, self.machine)).collect();
+        let mut here = at;
+        for (k, pose) in poses.iter().enumerate().skip(1) {
+            // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
+            // angle to the nearest place's would tell of that. At ends only rounding is left.
+            let on = if m.bend.is_some() {
+                let (on, angle_deg) = self.locate_on_curve(pose, here);
+                self.centre.take(on.distance_mm, m.line, on.row);
+                let worst = if k == WITHIN { &mut self.direction } else { self.curve.get_or_insert_default() };
+                worst.take(angle_deg, m.line, on.row);
+                if k < WITHIN {
+                    self.chord.take(on.distance_mm, m.line, on.row);
+                }
+                on
+            } else if k == WITHIN {
+                let on = self.locate_pose(pose, here);
+                self.centre.take(on.distance_mm, m.line, on.row);
+                self.direction.take(angle_deg(&pose.axis, &self.axis(on)), m.line, on.row);
+                on
+            } else {
+                let on = self.locate(&pose.centre, here);
+                self.chord.take(on.distance_mm, m.line, on.row);
+                on
+            };
+            here = on.row;
+            if k == WITHIN {
+                self.time(m, on);
+                self.turn(m, on, &poses);
+            }
+        }
+        for row in at + 1..=here {
+            let Some(l) = self.rows.get(row) else { break };
+            let off = poses.windows(2).map(|w| to_segment(&l.centre, &w[0].centre, &w[1].centre).1);
+            self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
+        }
+        here
+    }
+
+    /// How far a line turns against the plan: the same axis may be reached the other way round, or a turn later.
+    fn turn(&mut self, m: &Moved, on: OnPath, poses: &[Pose]) {
+        let angle = |p: &Pose| p.axis.z.atan2(p.axis.y);
+        let step = |w: &[Pose]| angle(&w[1]) - angle(&w[0]);
+        let turned: f64 = poses.windows(2).map(step).map(|s| s - TAU * (s / TAU).round()).sum();
+        let planned = self.theta(on);
+        let off = turned - (planned - self.planned_theta);
+        self.planned_theta = planned;
+        let whole = (off / TAU).round();
+        if whole != 0.0 {
+            self.direction.take((TAU * whole).abs().to_degrees(), m.line, on.row);
+        }
+    }
+
+    /// The time of a line against the plan's.
+    fn time(&mut self, m: &Moved, on: OnPath) {
+        let t = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.t_s);
+        let now = t(on.row) + (t(on.row + 1) - t(on.row)) * on.share;
+        let planned = now - self.planned_s;
+        self.planned_s = now;
+        let off = (m.seconds.unwrap_or(0.0) - planned).abs() / (planned.max(0.0) + MOMENT_S);
+        self.feed.take(off, m.line, on.row);
+    }
+
+    /// The nearest place of the plan's path, from plan move `from` on.
+    fn locate(&self, q: &Point, from: usize) -> OnPath {
+        let rows = &self.rows;
+        let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
+        for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
+            let (share, distance_mm) = to_segment(q, &rows[row].centre, &rows[row + 1].centre);
+            if distance_mm < best.distance_mm - 1e-12 {
+                best = OnPath { row, share, distance_mm };
+            }
+        }
+        best
+    }
+
+    /// The place of the plan's path, from plan move `from` on, with the least of distance and angle together, each over its limit: rounding
+    /// moves a place along the path as well, and where θ turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
+    fn locate_pose(&self, pose: &Pose, from: usize) -> OnPath {
+        let rows = &self.rows;
+        let lean = self.plan.channel.b_rad.cos().to_degrees() / DIRECTION_DEG;
+        let angle = pose.axis.z.atan2(pose.axis.y);
+        let mut best = (f64::INFINITY, OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY });
+        for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
+            let (a, b) = (&rows[row], &rows[row + 1]);
+            let turn = angle - a.theta;
+            let off = Vector4::from_iterator(
+                (pose.centre - a.centre)
+                    .iter()
+                    .map(|v| v / CENTRE_MM)
+                    .chain([lean * (turn - TAU * (turn / TAU).round())]),
+            );
+            let way = Vector4::from_iterator(
+                (b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * (b.theta - a.theta)]),
+            );
+            let length = way.norm_squared();
+            let share = if length > 0.0 { (off.dot(&way) / length).clamp(0.0, 1.0) } else { 0.0 };
+            let apart = (off - way * share).norm();
+            if apart < best.0 - 1e-9 {
+                let centre = a.centre + (b.centre - a.centre) * share;
+                best = (apart, OnPath { row, share, distance_mm: (pose.centre - centre).norm() });
+            }
+        }
+        best.1
+    }
+
+    /// As [`Comparison::locate_pose`], θ following the schedule's curve; with the angle between the tool axis and the planned one there, degrees.
+    fn locate_on_curve(&self, pose: &Pose, from: usize) -> (OnPath, f64) {
+        let near = self.locate(&pose.centre, from).row;
+        let last = self.rows.len().saturating_sub(2);
+        let around = near.saturating_sub(1).max(from)..=(near + 1).min(last);
+        let places = around.flat_map(|row| self.place_on_curve(pose, row));
+        let apart = |(on, angle): &(OnPath, f64)| (on.distance_mm / ROUNDED_MM).hypot(angle / DIRECTION_DEG);
+        let none = (OnPath { row: near, share: 0.0, distance_mm: f64::INFINITY }, f64::INFINITY);
+        places.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(none)
+    }
+
+    /// Places of a plan move: the one nearest to the centre, and that moved along by what the angle of the tool axis asks for.
+    fn place_on_curve(&self, pose: &Pose, row: usize) -> [(OnPath, f64); 2] {
+        let (a, b) = (&self.rows[row], &self.rows[row + 1]);
+        let location = row.checked_sub(self.plan.leads[0].centres.len());
+        let turning = location.and_then(|k| self.plan.turning(k));
+        let theta = |share: f64| turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
+        let b_rad = self.plan.channel.b_rad;
+        let place = |share: f64| {
+            let distance_mm = (pose.centre - (a.centre + (b.centre - a.centre) * share)).norm();
+            (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &tool::axis(b_rad, theta(share))))
+        };
+        let (share, _) = to_segment(&pose.centre, &a.centre, &b.centre);
+        let turn = pose.axis.z.atan2(pose.axis.y) - theta(share);
+        let turn = turn - TAU * (turn / TAU).round();
+        // Both in units of what is allowed, by the share of the way.
+        let (low, high) = ((share - 0.01).max(0.0), (share + 0.01).min(1.0));
+        let lean = b_rad.cos().to_degrees() / DIRECTION_DEG;
+        let rate = lean * (theta(high) - theta(low)) / (high - low);
+        let way = (b.centre - a.centre).norm() / ROUNDED_MM;
+        let along = lean * turn * rate / (way * way + rate * rate);
+        let moved = if along.is_finite() { (share + along).clamp(0.0, 1.0) } else { share };
+        [place(share), place(moved)]
+    }
+
+    /// The planned tool axis there.
+    fn axis(&self, on: OnPath) -> Vector {
+        tool::axis(self.plan.channel.b_rad, self.theta(on))
+    }
+
+    /// The planned θ there, rad.
+    fn theta(&self, on: OnPath) -> f64 {
+        let theta = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.theta);
+        let (a, b) = (theta(on.row), theta(on.row + 1));
+        a + (b - a) * on.share
+    }
+}
+
+/// Share along a segment and distance to it, mm.
+fn to_segment(q: &Point, a: &Point, b: &Point) -> (f64, f64) {
+    let f = share_of_segment(a, b, q);
+    (f, (q - (a + (b - a) * f)).norm())
+}
+
+fn angle_deg(a: &Vector, b: &Vector) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b)).to_degrees()
+}

@@ -1,0 +1,343 @@
+//! NC programs from checked plans.
+//!
+//! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a [`Program`], plain ASCII text.
+//!
+//! A dialect is a *post file* (TOML, [`PostFile`]): eleven are built in ([`crate::artifact::program::Control`]), an own one needs no
+//! recompiling. Three kinds of coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with tool-centre-point
+//! control, or positions of the machine's axes. With `B` fixed the tool axis lies on a cone, so rotary axes are written as positions
+//! where there is a choice; vectors are written for controls that turn them into rotary positions line by line.
+//!
+//! ## Feed
+//! Where the control knows inverse time, every cutting line carries `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so
+//! that the control needs no notion of what a feed means for a line that turns and moves at once. Otherwise F is the way of the
+//! programmed point, as it is rounded, over `Δt`. Where `Δt` is shorter than the control can read, moves are joined as long as the chord tolerance
+//! is kept, and where it would not be, that is an error: time is never stretched in silence.
+//!
+//! ## Approach and retract
+//! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times: they are written like cuts. Before and after them, or
+//! from and to the path itself where there is no room for an arc, straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
+//! whole tool from a sphere around the part centred on the axis of `A`: there `A` may turn freely. The way is clear
+//! wherever the tool is clear at its end, because the tool nowhere narrows towards the spindle (where a holder does,
+//! the header says so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
+//! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most `R (1 − cos τ)`
+//! wider than the tool itself, which is less than any sensible clearance.
+//!
+//! ## Several operations
+//! [`join`] writes finished plans one after another, each whole: a program of operations is as true as its parts, and the moves between them are
+//! those of every beginning and end.
+//!
+//! Limits: no tool radius compensation. [`crate::verify::read_back`] reads every program back.
+
+mod cycle;
+mod dialect;
+mod merge;
+mod moves;
+mod polynomial;
+mod smoothing;
+mod template;
+#[cfg(test)]
+mod tests;
+mod text;
+mod turn_in;
+mod write;
+
+pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rotary, Text};
+
+use std::borrow::Cow;
+
+use crate::artifact::{Blade, CheckReport, Plan, Program};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Vector};
+use crate::machine::Machine;
+use crate::tool::{self, Tool};
+use crate::verify::{self, Verified};
+
+/// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PostOptions {
+    /// Name of the program, for its header.
+    pub program_name: String,
+    /// File of the part, for the header.
+    pub part_file: String,
+    /// Hash of that file, for the header.
+    pub part_hash: String,
+    /// The job, for the header: its file or what else names it.
+    pub job: String,
+    /// Tool number, `T`.
+    pub tool_number: u32,
+    /// Spindle speed, 1/min.
+    pub spindle_rpm: f64,
+    /// Feed between the safe position and the feed height, mm/min. Default 5000.
+    pub approach_feed_mm_min: f64,
+    /// Feed from the feed height to the part and back, mm/min. Default 300.
+    pub plunge_feed_mm_min: f64,
+    /// Feed height over the first and last location, along the tool axis, mm. Default 5.
+    pub feed_height_mm: f64,
+    /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default 20.
+    pub safe_clearance_mm: f64,
+    /// Tolerance the control may smooth positions by, mm; `None`: as the post file has it.
+    pub smoothing_mm: Option<f64>,
+    /// Tolerance the control may smooth the tool axis by, degrees. Default 0.05.
+    pub smoothing_axis_deg: f64,
+    /// Write what switches the control's high-speed cutting on. Default true.
+    pub look_ahead: bool,
+    /// Begin with this turn, from 1, to go on after a break; `None`: with the first.
+    pub from_turn: Option<usize>,
+}
+
+impl Default for PostOptions {
+    fn default() -> Self {
+        PostOptions {
+            program_name: "BLADE".into(),
+            part_file: String::new(),
+            part_hash: String::new(),
+            job: String::new(),
+            tool_number: 1,
+            spindle_rpm: 6000.0,
+            approach_feed_mm_min: 5000.0,
+            plunge_feed_mm_min: 300.0,
+            feed_height_mm: 5.0,
+            safe_clearance_mm: 20.0,
+            smoothing_mm: None,
+            smoothing_axis_deg: 0.05,
+            look_ahead: true,
+            from_turn: None,
+        }
+    }
+}
+
+impl PostOptions {
+    fn validate(&self) -> Result<()> {
+        let bad = |m: String| Err(Error::usage(Stage::Post, m));
+        for (name, value) in [
+            ("spindle_rpm", self.spindle_rpm),
+            ("approach_feed_mm_min", self.approach_feed_mm_min),
+            ("plunge_feed_mm_min", self.plunge_feed_mm_min),
+            ("feed_height_mm", self.feed_height_mm),
+            ("safe_clearance_mm", self.safe_clearance_mm),
+            ("smoothing_mm", self.smoothing_mm.unwrap_or(1.0)),
+            ("smoothing_axis_deg", self.smoothing_axis_deg),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return bad(format!("post.{name} is {value}, it must be greater than 0"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The plan that a program is written from: the whole, or what is left of it from a turn on.
+///
+/// # Errors
+/// `Usage` where there is no such turn.
+pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan>> {
+    let Some(turn) = options.from_turn else { return Ok(Cow::Borrowed(plan)) };
+    // Locations keep the numbers of their turns: what has been cut off already, with a lead-in of its own, stays as it is.
+    if turn > 1 && plan.toolpath.locations.first().is_some_and(|l| l.turn as usize + 1 == turn) {
+        return Ok(Cow::Borrowed(plan));
+    }
+    let left = turn.checked_sub(1).and_then(|t| plan.from_turn(t));
+    left.map(Cow::Owned).ok_or_else(|| {
+        let turns = plan.toolpath.turns.len();
+        Error::usage(Stage::Post, format!("there is no turn {turn}, the plan has turns 1 to {turns}"))
+    })
+}
+
+/// Writes a checked plan in a dialect.
+///
+/// # Errors
+/// `Usage` where an option is out of range or the plan is none (no locations, rows that do not match, numbers that are
+/// not finite, times that do not grow) or a block is too long; `Infeasible` where the contact at an end of the path lies above the ball's
+/// equator, so that the tool cannot leave along its axis.
+pub fn post(
+    dialect: &Dialect,
+    plan: &Verified<Plan>,
+    blade: &Blade,
+    tool: &Tool,
+    machine: &Machine,
+    options: &PostOptions,
+) -> Result<Program> {
+    join(dialect, &[Operation { plan, tool, options }], 1, blade, machine)
+}
+
+/// A checked plan with its tool, as one of several of a program.
+#[derive(Clone, Copy)]
+pub struct Operation<'a> {
+    /// The plan.
+    pub plan: &'a Verified<Plan>,
+    /// Its tool.
+    pub tool: &'a Tool,
+    /// What the program says of it.
+    pub options: &'a PostOptions,
+}
+
+/// Writes checked plans of one part on one machine as one program: each with its header, tool call, approach, retract and unwinding. Operations
+/// are numbered from `first`; that of a program which goes on after a break is not 1.
+///
+/// # Errors
+/// Those of [`post`] of each; `Usage` where there is none, or two with the same tool number have different tools.
+pub fn join(
+    dialect: &Dialect,
+    operations: &[Operation],
+    first: usize,
+    blade: &Blade,
+    machine: &Machine,
+) -> Result<Program> {
+    different_tools_have_different_numbers(operations)?;
+    let written: Vec<Cow<Plan>> =
+        operations.iter().map(|o| planned(o.plan.value(), o.options)).collect::<Result<_>>()?;
+    let mut runs = Vec::with_capacity(operations.len());
+    for (k, (o, plan)) in operations.iter().zip(&written).enumerate() {
+        o.options.validate()?;
+        o.tool.validate()?;
+        runs.push(Run {
+            number: first + k,
+            plan,
+            report: o.plan.report(),
+            forced: o.plan.forced(),
+            blade,
+            tool: o.tool,
+            machine,
+            options: o.options,
+            ends: ends(plan, blade, o.tool, machine, o.options)?,
+        });
+    }
+    let Some(start) = runs.first() else {
+        return Err(Error::usage(Stage::Post, "there is no operation to write"));
+    };
+    let mut file_name = dialect.file_name().to_owned();
+    if let Some(turn) = start.options.from_turn {
+        file_name = format!("from_turn_{turn}.{file_name}");
+    }
+    if first > 1 {
+        file_name = format!("from_operation_{first}.{file_name}");
+    }
+    let (language, text) = (dialect.language(), write::write(&runs, dialect)?);
+    let written = runs.iter().map(|r| (r.options.tool_number, r.options.spindle_rpm));
+    let asked = verify::read_back::asked(&text, language, written);
+    Ok(Program {
+        control: dialect.file.name.clone(),
+        file_name,
+        language,
+        ranges: dialect.file.ranges.clone(),
+        cycles: runs.iter().map(|run| cycle::time(run, dialect)).collect(),
+        text,
+        asked,
+    })
+}
+
+fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()> {
+    for (i, a) in operations.iter().enumerate() {
+        for (j, b) in operations.iter().enumerate().skip(i + 1) {
+            if a.options.tool_number == b.options.tool_number && a.tool != b.tool {
+                let number = a.options.tool_number;
+                let what = format!("operations {} and {} have different tools but both call T{number}", i + 1, j + 1);
+                return Err(Error::usage(Stage::Post, what).advise("set post.tool_number in the job of one of them"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Everything a dialect needs for an operation.
+struct Run<'a> {
+    /// Its number in the program, from 1.
+    number: usize,
+    plan: &'a Plan,
+    report: &'a CheckReport,
+    forced: bool,
+    blade: &'a Blade,
+    tool: &'a Tool,
+    machine: &'a Machine,
+    options: &'a PostOptions,
+    ends: [End; 2],
+}
+
+/// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the first or last location.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    /// Ball centre there, blade frame.
+    centre: Point,
+    /// Tool axis there, blade frame.
+    axis: Vector,
+    theta: f64,
+    /// Distance of the safe position along the tool axis, mm.
+    safe_mm: f64,
+    /// At the safe position the part may turn freely; false where the machine's travel ends before.
+    clear: bool,
+}
+
+impl Run<'_> {
+    fn b_rad(&self) -> f64 {
+        self.plan.channel.b_rad
+    }
+    /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
+    fn axes_at(&self, end: &End, lift_mm: f64) -> [f64; 5] {
+        let centre = end.centre + end.axis * lift_mm;
+        self.machine.inverse(&centre, end.theta, self.b_rad(), self.tool.length_mm())
+    }
+    /// Height of the feed height, never over the safe position.
+    fn feed_height(&self, end: &End) -> f64 {
+        self.options.feed_height_mm.min(end.safe_mm)
+    }
+}
+
+/// The outer ends of the leads, or first and last location where they are straight, with their safe positions.
+fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
+    moves::well_formed(plan)?;
+    let sphere = sphere_on_axis(blade);
+    let b = plan.channel.b_rad;
+    let end = |row: usize, name: &str, outer: Option<(&Point, &f64)>| -> Result<End> {
+        let (Some(at), Some(&theta)) = (plan.toolpath.locations.get(row), plan.schedule.theta.get(row)) else {
+            return Err(Error::usage(Stage::Post, format!("the plan has no location {row}")));
+        };
+        let (centre, theta) = outer.map_or((at.centre, theta), |(c, t)| (*c, *t));
+        let axis = tool::axis(b, theta);
+        let up = at.normal.dot(&axis);
+        if up < -1e-6 && outer.is_none() {
+            return Err(Error::infeasible(
+                Stage::Post,
+                format!(
+                    "at the {name} location the contact lies {:.3} deg above the ball's equator, so the tool cannot \
+                     leave along its axis",
+                    up.clamp(-1.0, 1.0).asin().abs().to_degrees()
+                ),
+            )
+            .advise("lower channel.contact_angle_max_deg to at most 90"));
+        }
+        let over = (sphere.0 - centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
+        let wanted = over.max(options.safe_clearance_mm);
+        let gauge = tool.length_mm();
+        let reach = travel_along(machine, &centre, &axis, theta, b, gauge);
+        Ok(End { centre, axis, theta, safe_mm: wanted.min(reach), clear: wanted <= reach })
+    };
+    let last = plan.toolpath.locations.len().saturating_sub(1);
+    let [before, after] = &plan.leads;
+    Ok([
+        end(0, "first", before.centres.first().zip(before.theta.first()))?,
+        end(last, "last", after.centres.last().zip(after.theta.last()))?,
+    ])
+}
+
+/// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto itself.
+fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
+    let points = &blade.part.mesh.points;
+    let (lo, hi) = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.x), hi.max(p.x)));
+    let centre = Point::new(if points.is_empty() { 0.0 } else { 0.5 * (lo + hi) }, 0.0, 0.0);
+    (centre, points.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max))
+}
+
+/// How far the tool can go along its axis from a location before a linear axis meets the end of its travel, mm.
+fn travel_along(machine: &Machine, centre: &Point, axis: &Vector, theta: f64, b: f64, gauge: f64) -> f64 {
+    let from = machine.inverse(centre, theta, b, gauge);
+    let to = machine.inverse(&(centre + axis), theta, b, gauge);
+    let mut reach = f64::INFINITY;
+    for (i, limits) in machine.limits().iter().enumerate().take(3) {
+        let (Some([lo, hi]), rate) = (limits.travel, to[i] - from[i]) else { continue };
+        if rate.abs() > 1e-9 {
+            let room = if rate > 0.0 { hi - from[i] } else { lo - from[i] };
+            reach = reach.min((room / rate).max(0.0));
+        }
+    }
+    reach
+}

@@ -1,0 +1,185 @@
+//! Machines whose axes are others than the demo machine's.
+
+use super::*;
+use crate::artifact::program::Programmed;
+use crate::machine::{PositiveA, PositiveB};
+use crate::read::program;
+
+/// Both rotary axes turn the other way, and the spindle's axis passes the pivot by.
+fn other() -> Machine {
+    let mut m = Machine::demo().unwrap();
+    let (head, table) = (m.head.as_mut().unwrap(), m.table.as_mut().unwrap());
+    head.positive_b_leans = PositiveB::MinusX;
+    head.spindle_offset_mm = 12.5;
+    table.positive_a_turns = PositiveA::Workpiece;
+    m
+}
+
+/// The sample's plan with the axes of a machine.
+fn plan(machine: &Machine) -> Plan {
+    let mut plan = sample::with_leads(sample::plan(2, 60));
+    let gauge = sample::tool().length_mm();
+    let rows: Vec<_> = plan.rows().map(|r| machine.inverse(&r.centre, r.theta, sample::B_RAD, gauge)).collect();
+    let [first, last] = [plan.leads[0].centres.len(), rows.len() - plan.leads[1].centres.len()];
+    plan.leads[0].motion.position = rows[..first].to_vec();
+    plan.motion.position = rows[first..last].to_vec();
+    plan.leads[1].motion.position = rows[last..].to_vec();
+    plan
+}
+
+#[test]
+fn every_dialect_reads_back_on_a_machine_that_turns_the_other_way() {
+    let machine = other();
+    let plan = plan(&machine);
+    let (blade, tool) = (sample::blade(), sample::tool());
+    for control in Control::ALL {
+        let dialect = Dialect::built_in(control).unwrap();
+        let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+        let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
+        let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
+        let bad: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+        assert!(bad.is_empty(), "{control:?}: {bad:#?}");
+        if control != Control::Apt {
+            assert!(p.text.contains("B-5.0") || p.text.contains("B=-5.0"), "{control:?}");
+        }
+        // The tool leans the same way over the part: the ball touches it, and the tool axis is the plan's.
+        let bench =
+            program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+        let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
+        let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
+        let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
+        assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
+        // With the machine file of the demo machine the same text is another motion.
+        let wrong = read_back(&p, &plan, &blade, &tool, &Machine::demo().unwrap()).unwrap();
+        let vectors = [Control::SiemensVector, Control::HeidenhainVector, Control::FanucVector, Control::Apt];
+        assert!(vectors.contains(&control) || wrong.iter().any(|c| !c.passed), "{control:?}");
+    }
+}
+
+const TRUNNION: &str = include_str!("../../../../models/machines/trunnion_ac.toml");
+const FORK: &str = include_str!("../../../../models/machines/fork_head_ca.toml");
+const NUTATING: &str = include_str!("../../../../models/machines/nutating_head_cb.toml");
+const FOUR: &str = include_str!("../../../../models/machines/four_axis_a.toml");
+
+/// Chains of all kinds with the letters of their rotary axes; the last has both rotary axes moving.
+fn chains() -> Vec<(Machine, [&'static str; 2])> {
+    let (s, c) = sample::B_RAD.sin_cos();
+    // A fixed spindle that leans by what the plan asks for.
+    let four = FOUR.replace("[mount]", &format!("[spindle]\ndirection = [{s}, 0.0, {c}]\n[mount]"));
+    let askew = TRUNNION.replace("along = [0.0, 0.0, 1.0]", "along = [0.2, 0.1, 1.0]");
+    let all =
+        [(TRUNNION, ["C", "A"]), (FORK, ["C", "A"]), (NUTATING, ["C", "B"]), (&four, ["A", ""]), (&askew, ["C", "A"])];
+    all.into_iter().map(|(text, letters)| (Machine::from_toml(text, "test").unwrap(), letters)).collect()
+}
+
+#[test]
+fn every_dialect_reads_back_on_every_chain() {
+    for (k, (machine, [first, second])) in chains().into_iter().enumerate() {
+        let plan = plan(&machine);
+        let (blade, tool) = (sample::blade(), sample::tool());
+        for control in Control::ALL {
+            let dialect = Dialect::built_in(control).unwrap();
+            let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+            let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
+            let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
+            // The small part of the sample stands about anywhere on these machines: rapids are judged with real ones.
+            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.name != "program-rapids").collect();
+            assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
+            let cuts = |l: &&str| (l.contains(" X") || l.contains(" PO[X]")) && l.contains(" F");
+            let cutting: Vec<&str> = p.text.lines().filter(cuts).collect();
+            let line = cutting.iter().rev().nth(4).copied().unwrap_or("");
+            let has = |letter: &str| {
+                let says = |w: &str| w.trim_start_matches("PO[").starts_with(letter) && !w[1..].starts_with('3');
+                !letter.is_empty() && line.split(' ').any(says)
+            };
+            match control {
+                Control::SiemensVector | Control::HeidenhainVector | Control::FanucVector | Control::Apt => {}
+                Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => {
+                    assert!(has(first) && has(second) != second.is_empty(), "{control:?} {line}")
+                }
+                // Under tool-centre-point control what stands still is told once.
+                _ => assert!(has(first) && has(second) == (k == 4), "{control:?} {line}"),
+            }
+            if !second.is_empty() && control != Control::Apt {
+                let start = [
+                    format!(" {second}="),
+                    format!(" {second}-"),
+                    format!(" {second}+"),
+                    format!(" {second}1"),
+                    format!(" {second}8"),
+                    // At the table's zero; from there on by vectors.
+                    format!(" {second}0.0000"),
+                ];
+                assert!(start.iter().any(|s| p.text.contains(s)), "{control:?}");
+            }
+            // The ball touches the part at a location, and the tool axis is the plan's.
+            let bench =
+                program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+            let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
+            let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
+            let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
+            assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
+        }
+    }
+}
+
+#[test]
+fn a_word_of_an_axis_that_the_machine_has_not_is_named() {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let language = Dialect::built_in(Control::Iso).unwrap().language();
+    let bench = program::Bench { language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+    let blocks = program::read("G1 X1 Y0 Z0 C5 F1\n", language).unwrap().blocks;
+    assert!(program::follow(&blocks, &bench).unwrap_err().message.contains("no axis C"));
+}
+
+/// Manuals fix X, Y, Z to the table as it stands when tool-centre-point control comes on: it stands at 0 then, and turns in by steps that leave no doubt.
+#[test]
+fn fanuc_turns_in_under_tool_centre_point_control() {
+    let chains = chains().into_iter().map(|(machine, _)| machine);
+    for (k, machine) in [Machine::demo().unwrap(), other()].into_iter().chain(chains).enumerate() {
+        let plan = plan(&machine);
+        let (blade, tool) = (sample::blade(), sample::tool());
+        for control in [Control::Fanuc, Control::FanucVector] {
+            let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+            let p = post(&Dialect::built_in(control).unwrap(), &verified, &blade, &tool, &machine, &options()).unwrap();
+            let script = program::read(&p.text, p.language).unwrap();
+            let bench =
+                program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+            let moves = program::follow(&script.blocks, &bench).unwrap();
+            let on = moves.iter().position(|m| m.words == Programmed::Tip).unwrap();
+            let cuts = moves.iter().position(|m| m.seconds.is_some()).unwrap();
+            let table = |axes: [f64; 5]| [0, 1].map(|i| if machine.table_axes()[i] { axes[3 + i] } else { 0.0 });
+            assert!(table(moves[on].to).iter().all(|a| a.abs() < 1e-6), "{k} {control:?}");
+            let end = |m: &program::Moved| m.axes(1.0, &tool, &machine);
+            let first = end(&moves[on]);
+            let room_mm = 0.5 * options().safe_clearance_mm;
+            for m in &moves[on + 1..cuts - 1] {
+                let (from, to) = (m.axes(0.0, &tool, &machine), end(m));
+                assert!(
+                    (3..5).all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
+                    "{k} {control:?}"
+                );
+                for f in 0..=8 {
+                    let at = m.axes(f64::from(f) / 8.0, &tool, &machine);
+                    let off = Vector::new(at[0] - first[0], at[1] - first[1], at[2] - first[2]).norm();
+                    assert!(off <= room_mm + 0.01, "{k} {control:?}: {off}");
+                }
+            }
+            // The last rapid comes to the safe position, as all dialects do.
+            let start = plan.rows().next().unwrap();
+            let reached = moves[cuts - 1].pose(1.0, &tool, &machine);
+            let axis = tool::axis(sample::B_RAD, start.theta);
+            assert!((reached.axis - axis).norm() < 1e-5, "{k} {control:?}");
+            assert!((reached.centre - start.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
+            // The same moves where the table has turned before are others, and the read-back tells so.
+            let lines: Vec<&str> = p.text.lines().collect();
+            let g43 = lines.iter().position(|l| l.starts_with("G43.")).unwrap();
+            let turned =
+                lines[..g43].iter().chain(&["G0 A90"]).chain(&lines[g43..]).map(|l| format!("{l}\n")).collect();
+            if k < 2 {
+                let bad = read_back(&Program { text: turned, ..p.clone() }, &plan, &blade, &tool, &machine).unwrap();
+                assert!(bad.iter().any(|c| !c.passed && c.name == "program-missing"), "{k} {control:?}");
+            }
+        }
+    }
+}

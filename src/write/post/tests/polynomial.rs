@@ -1,0 +1,170 @@
+//! Cuts as polynomials: that they carry the schedule's curve, in no more blocks than straight moves, and that a wrong coefficient is found.
+
+use super::*;
+use crate::observe::Silent;
+use crate::read::program::{self, Bench, Moved, Zero};
+use crate::verify::audit::{AuditOptions, audit};
+
+fn curved(per_piece: f64) -> Plan {
+    sample::with_leads(sample::with_curve(sample::plan(2, 60), 0.05, per_piece))
+}
+
+fn bench<'a>(p: &Program, tool: &'a Tool, machine: &'a Machine) -> Bench<'a> {
+    Bench { language: p.language, zero: Zero::default(), tool, machine }
+}
+
+/// The moves under POLY.
+fn polynomials(p: &Program, tool: &Tool, machine: &Machine) -> Vec<Moved> {
+    let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench(p, tool, machine)).unwrap();
+    moves.into_iter().filter(|m| m.bend.is_some()).collect()
+}
+
+#[test]
+fn the_curve_is_carried_without_loss_and_in_no_more_blocks() {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    // Pieces longer and shorter than the ways between locations.
+    for per_piece in [7.3, 0.7] {
+        let plan = curved(per_piece);
+        let p = program(Control::SiemensPoly, plan.clone(), false, &options()).unwrap();
+        for c in read_back(&p, &plan, &sample::blade(), &tool, &machine).unwrap() {
+            assert!(c.passed, "{} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+        }
+        let moves = polynomials(&p, &tool, &machine);
+        let lines = |control: Control, word: &str| {
+            let text = program(control, plan.clone(), false, &options()).unwrap().text;
+            text.lines().filter(|l| l.contains(word)).count()
+        };
+        assert!(moves.len() == lines(Control::SiemensPoly, ") PO[Y]=("));
+        assert!(moves.len() <= lines(Control::Siemens, "=DC("), "{}", moves.len());
+        // The curve evaluated here, at the arc length of the place: no code of the check's.
+        let pieces = &plan.schedule.pieces;
+        let (mut worst, mut even) = ([0.0f64; 2], 0.0f64);
+        let rows: Vec<_> = plan.toolpath.locations.windows(2).collect();
+        for m in &moves {
+            for f in [0.1, 0.35, 0.5, 0.8] {
+                let pose = m.pose(f, &tool, &machine);
+                let off = |w: &&[crate::artifact::toolpath::CutterLocation]| {
+                    let f = crate::geometry::triangle::share_of_segment(&w[0].centre, &w[1].centre, &pose.centre);
+                    (pose.centre - (w[0].centre + (w[1].centre - w[0].centre) * f)).norm()
+                };
+                let Some(w) = rows.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b))) else { continue };
+                if off(&w) > 1e-3 {
+                    continue; // On a lead.
+                }
+                let share = crate::geometry::triangle::share_of_segment(&w[0].centre, &w[1].centre, &pose.centre);
+                let s = w[0].s_mm + share * (w[1].s_mm - w[0].s_mm);
+                let piece = pieces.iter().find(|p| p[3][0] >= s).unwrap();
+                // Control points are evenly spaced in S: the curve is its own parameter.
+                let (t, q) = ((s - piece[0][0]) / (piece[3][0] - piece[0][0]), piece.map(|p| p[1]));
+                let [a, b, c] = [0, 1, 2].map(|k| q[k] + (q[k + 1] - q[k]) * t);
+                let [a, b] = [a + (b - a) * t, b + (c - b) * t];
+                let axis = tool::axis(sample::B_RAD, a + (b - a) * t);
+                worst[0] = worst[0].max(off(&w));
+                worst[1] = worst[1].max(pose.axis.cross(&axis).norm().to_degrees());
+                let straight = Moved { bend: None, ..*m }.pose(f, &tool, &machine);
+                even = even.max(straight.axis.cross(&axis).norm().to_degrees());
+            }
+        }
+        assert!(worst[0] < 3e-4 && worst[1] < 3e-4, "{per_piece}: {worst:?}");
+        // Else there would be nothing to carry.
+        assert!(even > 0.003, "{even}");
+    }
+}
+
+/// A cutting line with the coefficient `k` of the polynomial of a word made greater.
+fn planted(text: &str, line: usize, word: &str, k: usize, by: f64) -> String {
+    let change = |l: &str| {
+        let start = l.find(&format!("PO[{word}]=(")).unwrap() + word.len() + 6;
+        let end = start + l[start..].find(')').unwrap();
+        let mut list: Vec<f64> = l[start..end].split(',').map(|v| v.parse().unwrap()).collect();
+        list.resize(list.len().max(k + 1), 0.0);
+        list[k] += by;
+        let list: Vec<String> = list.iter().map(|v| format!("{v:.5}")).collect();
+        format!("{}{}{}", &l[..start], list.join(","), &l[end..])
+    };
+    let out = text.lines().enumerate().map(|(i, l)| if i + 1 == line { change(l) } else { l.to_owned() });
+    out.map(|l| l + "\n").collect()
+}
+
+#[test]
+fn a_wrong_coefficient_is_found_and_placed() {
+    let plan = curved(7.3);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let good = program(Control::SiemensPoly, plan.clone(), false, &options()).unwrap();
+    let line = polynomials(&good, &tool, &machine)[70].line;
+    for (word, k, by, name) in [
+        ("A", 1, 0.008, "program-curve"),
+        ("A", 2, -0.008, "program-curve"),
+        ("X", 1, 0.006, "program-centre"),
+        ("X", 3, 0.004, "program-centre"),
+    ] {
+        let bad = Program { text: planted(&good.text, line, word, k, by), ..good.clone() };
+        let checks = read_back(&bad, &plan, &blade, &tool, &machine).unwrap();
+        let found = checks.iter().find(|c| !c.passed && c.name == name);
+        assert!(found.is_some_and(|c| c.note.contains(&format!("line {line}"))), "{word} {k}: {checks:#?}");
+    }
+    // A curve that is left out altogether.
+    let straight = straightened(&good.text);
+    let checks = read_back(&Program { text: straight, ..good.clone() }, &plan, &blade, &tool, &machine).unwrap();
+    assert!(checks.iter().any(|c| !c.passed && c.name == "program-curve"));
+    // Without a plan: a coefficient that takes the ball 5 µm into the part, halfway, with both ends where they belong.
+    let m = polynomials(&good, &tool, &machine)[70];
+    let inward = -m.pose(0.5, &tool, &machine).centre.coords;
+    let inward = Vector::new(0.0, inward.y, inward.z).normalize() * 0.006 / -0.25;
+    let text = planted(&planted(&good.text, line, "Y", 1, inward.y), line, "Z", 1, inward.z);
+    let options = AuditOptions { surface_samples: 500, gouge_mm: 0.004, ..AuditOptions::default() };
+    let look = |text: &str| audit(text, &blade, &bench(&good, &tool, &machine), &options, &Silent).unwrap();
+    let gouge = |text: &str| look(text).checks.into_iter().find(|c| c.check.name == "gouge").unwrap();
+    let (before, after) = (gouge(&good.text), gouge(&text));
+    assert!(after.line == Some(line) && after.check.worst > before.check.worst + 0.004, "{before:?} {after:?}");
+}
+
+/// Every polynomial with its end alone.
+fn straightened(text: &str) -> String {
+    let bare = |w: &str| match (w.starts_with("PO["), w.find(',')) {
+        (true, Some(at)) => format!("{})", &w[..at]),
+        _ => w.to_owned(),
+    };
+    text.lines().map(|l| l.split(' ').map(bare).collect::<Vec<_>>().join(" ") + "\n").collect()
+}
+
+#[test]
+fn polynomials_are_positions_where_the_axis_counts_on() {
+    let own = Control::SiemensPoly.post_file().replace("\"incremental\"", "\"accumulate\"").replace("G91 G93", "G93");
+    let own = own.replace("{a_way}({a})", "{a}");
+    let dialect = Dialect::from_toml(&own.replace("poly_degree = 5", "poly_degree = 3"), "own").unwrap();
+    let plan = curved(7.3);
+    let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
+    assert!(!p.text.lines().any(|l| l.starts_with('N') && l.contains("G91")));
+    for c in read_back(&p, &plan, &blade, &tool, &machine).unwrap() {
+        assert!(c.passed, "{} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+    }
+    // At most two coefficients and the end.
+    let most = p
+        .text
+        .lines()
+        .filter(|l| l.starts_with('N'))
+        .flat_map(|l| l.split("PO[").skip(1))
+        .map(|w| w.matches(',').count())
+        .max();
+    assert_eq!(most, Some(2));
+}
+
+#[test]
+fn post_files_that_mix_up_polynomials_are_refused() {
+    let good = Control::SiemensPoly.post_file();
+    for (from, to, says) in [
+        ("poly_degree = 5", "poly_degree = 6", "poly_degree is 6"),
+        ("poly_degree = 5", "", "need poly_degree"),
+        ("PO[X]=({px})", "X={x}", "must have {px}"),
+        ("G91 G93 POLY", "G93 POLY", "must say G91"),
+        ("rotary = \"incremental\"", "rotary = \"modulo\"", "poly_degree needs rotary"),
+    ] {
+        let text = good.replacen(from, to, 1);
+        assert_ne!(text, good, "{from}");
+        let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
+        assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{}", e.message);
+    }
+}

@@ -1,0 +1,87 @@
+//! The 3-D view's data: the scene as glTF without path and motion, and the path with its values, blade frame, mm.
+
+use serde_json::{Value, json};
+
+use super::ReportInput;
+use super::pack::{self, Pack};
+use crate::error::Result;
+use crate::write::preview::gltf::{GltfOptions, Scene, gltf};
+use crate::write::preview::values;
+
+/// Most bytes of the glTF part.
+const GLTF_BYTES: usize = 3_000_000;
+/// Most points of the path.
+const PATH: usize = 40_000;
+
+/// The glTF part in base 64.
+///
+/// # Errors
+/// As [`gltf`].
+pub(super) fn glb(input: &ReportInput) -> Result<String> {
+    let options = GltfOptions { budget_bytes: GLTF_BYTES, path_and_motion: false, ..GltfOptions::default() };
+    let bytes = gltf(&Scene {
+        blade: input.blade,
+        tool: input.tool,
+        machine: input.machine,
+        plan: input.plan.filter(|p| !p.toolpath.locations.is_empty()),
+        sections: input.sections,
+        checks: input.checks,
+        figures: None,
+        options: &options,
+    })?;
+    Ok(pack::base64(&bytes))
+}
+
+pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
+    let (blade, machine) = (input.blade, input.machine);
+    let q = blade.model_from_blade.rotation;
+    let at = blade.model_from_blade.translation.vector;
+    let (clamped, axis, turn) = machine.shown_table();
+    let turned = clamped.rotation;
+    let bounds = blade.part.mesh.aabb();
+    json!({
+        "path": path(input, pack),
+        "model_from_blade": { "q": [q.i, q.j, q.k, q.w], "t": [at.x, at.y, at.z] },
+        "box": bounds.map(|b| json!([[b.min.x, b.min.y, b.min.z], [b.max.x, b.max.y, b.max.z]])),
+        "radius": input.tool.radius_mm,
+        "length": input.tool.length_mm(),
+        "machine": {
+            "part_at_zero": {
+                "q": [turned.i, turned.j, turned.k, turned.w],
+                "t": clamped.translation.vector.as_slice(),
+            },
+            "axis": axis,
+            // Right-hand angle of the part about X: `turn[0] + turn[1] θ`.
+            "turn": [turn(0.0), turn(1.0) - turn(0.0)],
+        },
+    })
+}
+
+fn path(input: &ReportInput, pack: &mut Pack) -> Value {
+    let Some(plan) = input.plan else { return Value::Null };
+    let locations = &plan.toolpath.locations;
+    let n = locations.len().min(plan.schedule.theta.len()).min(plan.channel.rows.len());
+    let count = n.min(PATH);
+    let pick = |k: usize| if count > 1 { k * (n - 1) / (count - 1) } else { 0 };
+    let picked: Vec<usize> = (0..count).map(pick).collect();
+    let quantities: Vec<Value> = values::all(plan, input.machine, input.checks)
+        .iter()
+        .map(|v| {
+            json!({
+                "key": v.key, "name": v.name, "unit": v.unit, "range": v.range,
+                "of": pack.list(picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN))),
+            })
+        })
+        .collect();
+    let mut of = |f: &dyn Fn(usize) -> f64| pack.list(picked.iter().map(|&i| f(i)));
+    json!({
+        "x": of(&|i| locations[i].centre.x), "y": of(&|i| locations[i].centre.y), "z": of(&|i| locations[i].centre.z),
+        "px": of(&|i| locations[i].contact.x), "py": of(&|i| locations[i].contact.y), "pz": of(&|i| locations[i].contact.z),
+        "s": of(&|i| locations[i].s_mm), "turn_s": of(&|i| locations[i].turn_s_mm),
+        "t": of(&|i| plan.motion.t_s.get(i).copied().unwrap_or(f64::NAN)),
+        "theta": of(&|i| plan.schedule.theta[i]),
+        "min": of(&|i| plan.channel.rows[i].theta_min), "max": of(&|i| plan.channel.rows[i].theta_max),
+        "row": of(&|i| i as f64), "of": n, "b": plan.channel.b_rad, "turns": plan.toolpath.turns.len(),
+        "quantities": quantities,
+    })
+}
