@@ -1,5 +1,5 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{AxisMotion, Channel, Lead, Schedule, Toolpath};
+use super::{Axes, AxisMotion, Channel, Lead, Schedule, Toolpath};
 use crate::geometry::Point;
 
 /// A complete plan, one row of each part per cutter location.
@@ -104,7 +104,7 @@ impl Plan {
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].
-    pub fn axes(&self) -> impl Iterator<Item = &[f64; 5]> {
+    pub fn axes(&self) -> impl Iterator<Item = &Axes> {
         let [before, after] = &self.leads;
         before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
     }

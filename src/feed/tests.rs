@@ -56,7 +56,7 @@ fn options(feed_mm_min: f64) -> FeedOptions {
 /// Every limit, at the locations (both sides) and densely between them.
 fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedOptions) {
     let curve = axis_curve(p, s, machine, o).unwrap();
-    let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
+    let limits: Vec<_> = machine.axes().iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let feed = o.feed_mm_min / 60.0;
     let at_s = curve.abscissae();
     let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()], &Silent).unwrap();
@@ -67,7 +67,7 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
             let more = 1.0 + 1e-6;
             let x = (profile.x[i] + 2.0 * t * profile.u[i]).max(0.0);
             assert!(x.sqrt() <= feed * more);
-            for ([_, q1, q2], [v, a]) in at(&curve, i, t).into_iter().zip(limits) {
+            for ([_, q1, q2], [v, a]) in at(&curve, i, t).iter().zip(&limits) {
                 assert!(q1.abs() * x.sqrt() <= v * more, "velocity at {i} + {k}/8");
                 assert!((q1 * profile.u[i] + q2 * x).abs() <= a * more, "acceleration at {i} + {k}/8");
             }
@@ -149,7 +149,7 @@ fn a_turning_table_is_held_by_its_own_limits() {
         .collect();
     let (p, s) = path(&points);
     let m = plan(&p, &s, &machine, &options(60000.0), &Silent).unwrap();
-    let (v, a) = (PI, machine.limits()[3].acceleration);
+    let (v, a) = (PI, machine.axes()[3].limits.acceleration);
     let want = 50.0 * k / v + v / a;
     assert!((m.time_s / want - 1.0).abs() < 1e-3, "{} {want}", m.time_s);
     let double = plan(&p, &s, &machine.with_limits_scaled(4.0), &options(60000.0), &Silent).unwrap();
@@ -244,7 +244,7 @@ proptest! {
 /// Divided differences of the written positions: averages of the derivative, so none may exceed its limit. As anybody would
 /// take them from `axes.csv`.
 fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
-    let limits = machine.limits();
+    let limits: Vec<_> = machine.axes().iter().map(|a| a.limits).collect();
     for k in 0..5 {
         let mut values: Vec<f64> = m.position.iter().map(|q| q[k]).collect();
         for (order, most) in [limits[k].velocity, limits[k].acceleration, limits[k].jerk].into_iter().enumerate() {
@@ -287,7 +287,7 @@ fn within_jerk_acceleration_is_continuous_and_time_hardly_more() {
     let m = plan(&p, &s, &machine, &FeedOptions { limit_jerk: true, ..options(3000.0) }, &Silent).unwrap();
     assert!(m.time_s > 0.998 * fast.time_s && m.time_s < 1.1 * fast.time_s, "{} {}", m.time_s, fast.time_s);
     assert_differences_within_limits(&m, &machine);
-    let limits = machine.limits();
+    let limits: Vec<_> = machine.axes().iter().map(|a| a.limits).collect();
     for i in 1..m.t_s.len() {
         let dt = m.t_s[i] - m.t_s[i - 1];
         for k in 0..5 {

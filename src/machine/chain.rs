@@ -37,7 +37,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
 use super::Machine;
-use super::config::{AxisName, RotaryAxis};
+use super::axis::{Axis, AxisName};
+use super::config::RotaryAxis;
 use super::kinematics::Pose;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
@@ -321,7 +322,7 @@ impl Chain {
     }
 
     /// Whether a lean of the tool can be kept all round the blade.
-    pub(super) fn check_lean(&self, lean_rad: f64, names: [&str; 5]) -> Result<()> {
+    pub(super) fn check_lean(&self, lean_rad: f64, axes: &[Axis]) -> Result<()> {
         let deg = lean_rad.to_degrees();
         let no = |what: String, advice: &str| Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()));
         let Some(posture) = self.posture(lean_rad) else {
@@ -336,13 +337,13 @@ impl Chain {
                     )
                 }
                 (None, None) => no(
-                    format!("axis {} is not along the blade axis, and there is no other rotary axis", names[3]),
+                    format!("axis {} is not along the blade axis, and there is no other rotary axis", axes[3].name),
                     "mount the blade along it (mount.along)",
                 ),
                 _ => no(
                     format!(
                         "the rotary axes {} and {} do not reach the tool axis all round the blade at a lean of {deg} deg",
-                        names[3], names[4]
+                        axes[3].name, axes[4].name
                     ),
                     "mount the blade along the first rotary axis (mount.along), or change machine.b_deg",
                 ),
@@ -352,14 +353,14 @@ impl Chain {
         if off < 1.0 - SINGULAR_RAD.cos() {
             let what = format!(
                 "at a lean of {deg} deg the tool axis comes along axis {}, which would have to turn by any angle at once (singular)",
-                names[3]
+                axes[3].name
             );
             return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
         }
         if posture.excess > ROUNDING {
             let what = format!(
                 "at a lean of {deg} deg axis {} would leave its travel by {:.3} deg on either branch",
-                names[4],
+                axes[4].name,
                 posture.excess.to_degrees()
             );
             return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");

@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
 
-use super::{AxisName, Machine, PositiveA, PositiveB, Spindle};
+use super::{Axis, AxisName, Carries, Machine, PositiveA, PositiveB, Spindle};
+use crate::artifact::Axes;
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
 use crate::tool;
@@ -101,28 +102,30 @@ proptest! {
         more in -0.05..0.05f64,
     ) {
         let (name, m, lean) = all().swap_remove(which);
-        let lean = if m.rotary_axes()[1].is_some() { lean + more } else { lean };
+        let lean = if m.rotary().len() > 1 { lean + more } else { lean };
         let centre = Point::from(c);
         let q = m.inverse(&centre, theta, lean, gauge);
         let pose = m.forward(&q, gauge);
         prop_assert!((pose.centre - centre).norm() < 1e-9, "{name}: {q:?}");
         prop_assert!((pose.axis - tool::axis(lean, theta)).norm() < 1e-11, "{name}: {q:?}");
-        let rotary = [q[3], q[4]];
-        prop_assert!((m.axis_at(rotary) - pose.axis).norm() < 1e-12);
-        let linear = m.linear_at(&centre, rotary, gauge);
-        prop_assert!((Vector::from(linear) - Vector::new(q[0], q[1], q[2])).norm() < 1e-9);
-        let [t, l] = m.theta_and_lean(rotary, theta + 1.0);
+        prop_assert!((m.axis_at(&q) - pose.axis).norm() < 1e-12);
+        let again = m.linear_at(&centre, &q, gauge);
+        prop_assert!(again.iter().zip(q.iter()).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {again:?} {q:?}");
+        let [t, l] = m.theta_and_lean(&q, theta + 1.0);
         let turns = (t - theta) / TAU;
         prop_assert!((turns - turns.round()).abs() < 1e-9 && (l - lean).abs() < 1e-9, "{name}: {t} {theta}");
         // A vector is placed on the same branch, from nearby.
-        let again = m.rotary_of_axis(&pose.axis, [q[3] + 0.3, q[4] + 0.05]).unwrap();
-        prop_assert!((again[0] - q[3]).abs() < 1e-7 && (again[1] - q[4]).abs() < 1e-7, "{name}: {again:?} {q:?}");
+        let mut near = q;
+        m.rotary().into_iter().zip([0.3, 0.05]).for_each(|(k, off)| near[k] += off);
+        let again = m.rotary_of_axis(&pose.axis, &near).unwrap();
+        prop_assert!(again.iter().zip(q.iter()).all(|(a, b)| (a - b).abs() < 1e-7), "{name}: {again:?} {q:?}");
     }
 }
 
 /// Rotary positions over three turns of θ, every half degree.
 fn over_turns(m: &Machine, lean: f64) -> Vec<[f64; 2]> {
-    (0..=2160).map(|k| m.rotary_of((f64::from(k) * 0.5).to_radians(), lean)).collect()
+    let at = |k: i32| m.rotary_of((f64::from(k) * 0.5).to_radians(), lean);
+    (0..=2160).map(|k| [3, 4].map(|axis| at(k).get(axis).copied().unwrap_or(0.0))).collect()
 }
 
 #[test]
@@ -134,7 +137,7 @@ fn rotary_axes_run_on_without_a_jump_and_within_travel() {
         let fastest =
             q.windows(2).flat_map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).fold(0.0, |m: f64, d| m.max(d.abs()));
         assert!(fastest < 0.06, "{name}: {fastest}");
-        let travel = m.limits()[4].travel;
+        let travel = m.axes().get(4).and_then(|a| a.limits.travel);
         assert!(travel.is_none_or(|[lo, hi]| q.iter().all(|q| (lo..=hi).contains(&q[1]))), "{name}");
         let turned = (q.last().unwrap()[0] - q[0][0]) / TAU;
         let wanted = if name == "lying" { 0.0 } else { 3.0 };
@@ -161,8 +164,8 @@ fn hand_worked_poses() {
     assert!((out.norm() - 320.0).abs() < 1e-9 && (out.z - 320.0 * lean.sin()).abs() < 1e-9, "{q:?}");
     // A nutating head reaches the horizontal at half a turn.
     let n = machine(NUTATING);
-    assert!((n.rotary_of(0.0, 1e-6)[1] - PI).abs() < 3e-3);
-    assert!((n.rotary_of(0.0, FRAC_PI_2 - 1e-3)[1]).abs() < 3e-3);
+    assert!((n.rotary_of(0.0, 1e-6)[4] - PI).abs() < 3e-3);
+    assert!((n.rotary_of(0.0, FRAC_PI_2 - 1e-3)[4]).abs() < 3e-3);
 }
 
 #[test]
@@ -185,22 +188,22 @@ fn what_a_chain_cannot_do_is_said() {
     }
     assert!(Machine::demo().unwrap().leans(1.5) && !Machine::demo().unwrap().leans(1.53));
     let m = machine(TRUNNION);
-    assert_eq!(m.rotary_of_axis(&Vector::zeros(), [0.0; 2]), None);
-    assert_eq!(m.rotary_of_axis(&Vector::x(), [0.0; 2]), None, "the blade's x is along C");
+    assert_eq!(m.rotary_of_axis(&Vector::zeros(), &Axes::of_default(5)), None);
+    assert_eq!(m.rotary_of_axis(&Vector::x(), &Axes::of_default(5)), None, "the blade's x is along C");
 }
 
 #[test]
 fn the_other_branch_is_taken_where_travel_asks_for_it() {
     let other = machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -30.0\nmax_deg = 120.0"));
     for (m, sign) in [(machine(TRUNNION), -1.0), (other, 1.0)] {
-        let [_, a] = m.rotary_of(1.0, 0.1);
+        let a = m.rotary_of(1.0, 0.1)[4];
         assert!((a - sign * (FRAC_PI_2 - 0.1)).abs() < 1e-12, "{a}");
     }
     // Ends of travel of the axis that turns the blade are ends of θ.
     let short = machine(&FORK.replace("[axes.c]", "[axes.c]\nmin_deg = -360.0\nmax_deg = 360.0"));
     let [lo, hi] = short.theta_limits(0.1).unwrap();
     assert!((hi - lo - 2.0 * TAU).abs() < 1e-12);
-    assert!((short.rotary_of(hi, 0.1)[0].abs() - TAU).abs() < 1e-12);
+    assert!((short.rotary_of(hi, 0.1)[3].abs() - TAU).abs() < 1e-12);
     assert_eq!(machine(FORK).theta_limits(0.1), None);
 }
 
@@ -232,7 +235,16 @@ fn bad_chains_are_usage_errors_that_say_what() {
         let e = Machine::from_toml(&demo.replacen(from, to, 1), "m.toml").unwrap_err();
         assert!(e.message.contains(says), "{}", e.message);
     }
-    assert_eq!(machine(FOUR).axis_names(), ["X", "Y", "Z", "A", "B"]);
-    assert_eq!(machine(TRUNNION).axis_names(), ["X", "Y", "Z", "C", "A"]);
-    assert_eq!(Machine::demo().unwrap().axis_names(), ["X", "Y", "Z", "A", "B"]);
+}
+
+#[test]
+fn axes_are_named_and_say_what_they_carry() {
+    let said = |m: &Machine| {
+        let carries = |a: &Axis| if a.carries == Carries::Workpiece { "workpiece" } else { "tool" };
+        m.axes().iter().map(|a| format!("{} {}", a.name, carries(a))).collect::<Vec<_>>().join(", ")
+    };
+    assert_eq!(said(&machine(FOUR)), "X tool, Y tool, Z tool, A workpiece, B tool");
+    assert_eq!(said(&machine(TRUNNION)), "X tool, Y tool, Z tool, C workpiece, A workpiece");
+    assert_eq!(said(&machine(FORK)), "X tool, Y tool, Z tool, C tool, A tool");
+    assert_eq!(said(&Machine::demo().unwrap()), "X tool, Y tool, Z tool, A workpiece, B tool");
 }

@@ -3,18 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::axis::{AxisLimits, AxisName, Provenance};
+
 /// The built-in demo machine as its file.
 pub const DEMO_TOML: &str = include_str!("../../models/machines/demo_table_head.toml");
-
-/// Where limits of velocity, acceleration and jerk come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Provenance {
-    /// Of the usual size for such a machine; results on time are to be read with that in mind.
-    Assumed,
-    /// Measured on the machine, or its maker's figures.
-    Measured,
-}
 
 /// What positive `A` turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -50,49 +42,6 @@ pub struct Mount {
     /// X by the shortest turn (straight back: by half a turn about Z).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub along: Option<[f64; 3]>,
-}
-
-/// Name of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum AxisName {
-    /// Linear.
-    X,
-    /// Linear.
-    Y,
-    /// Linear.
-    Z,
-    /// Rotary, about X where the file gives no direction.
-    A,
-    /// Rotary, about Y where the file gives no direction.
-    B,
-    /// Rotary, about Z where the file gives no direction.
-    C,
-}
-
-impl AxisName {
-    /// Its place among X, Y, Z; `None`: a rotary one.
-    pub fn linear(self) -> Option<usize> {
-        [AxisName::X, AxisName::Y, AxisName::Z].iter().position(|n| *n == self)
-    }
-    /// Its letter.
-    pub fn letter(self) -> &'static str {
-        match self {
-            AxisName::X => "X",
-            AxisName::Y => "Y",
-            AxisName::Z => "Z",
-            AxisName::A => "A",
-            AxisName::B => "B",
-            AxisName::C => "C",
-        }
-    }
-    /// The direction that it has by its name.
-    pub fn unit(self) -> [f64; 3] {
-        match self {
-            AxisName::X | AxisName::A => [1.0, 0.0, 0.0],
-            AxisName::Y | AxisName::B => [0.0, 1.0, 0.0],
-            AxisName::Z | AxisName::C => [0.0, 0.0, 1.0],
-        }
-    }
 }
 
 /// The spindle of a machine with a `chain`, while all axes read 0.
@@ -187,8 +136,8 @@ pub struct RotaryAxis {
 
 /// All axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Axes {
+#[serde(deny_unknown_fields, rename = "Axes")]
+pub struct AxisTables {
     /// Along the blade.
     pub x: LinearAxis,
     /// Across.
@@ -232,25 +181,10 @@ pub struct Machine {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spindle: Option<Spindle>,
     /// Travel and dynamic limits.
-    pub axes: Axes,
+    pub axes: AxisTables,
 }
 
-/// Limits of one axis in inner units: mm or rad, and s.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxisLimits {
-    /// Least and greatest position; `None`: unlimited turns.
-    pub travel: Option<[f64; 2]>,
-    /// Greatest speed, mm/s or rad/s.
-    pub velocity: f64,
-    /// Greatest acceleration, mm/s² or rad/s².
-    pub acceleration: f64,
-    /// Greatest jerk, mm/s³ or rad/s³.
-    pub jerk: f64,
-    /// Where the last three come from.
-    pub provenance: Provenance,
-}
-
-impl Axes {
+impl AxisTables {
     /// X, Y or Z, counted from 0; Z for any other number.
     pub(super) fn linear(&self, k: usize) -> &LinearAxis {
         match k {
@@ -259,7 +193,7 @@ impl Axes {
             _ => &self.z,
         }
     }
-    /// As [`Axes::rotary`], to be changed.
+    /// As [`AxisTables::rotary`], to be changed.
     pub fn rotary_mut(&mut self, name: AxisName) -> Option<&mut RotaryAxis> {
         match name {
             AxisName::A => self.a.as_mut(),

@@ -2,10 +2,14 @@
 
 use std::path::Path;
 
+use nalgebra::Unit;
+
+use super::axis::{Axis, AxisLimits, AxisName, Carries, Provenance};
 use super::chain::Chain;
-use super::config::{AxisLimits, AxisName, DEMO_TOML, Machine, Provenance, RotaryAxis};
+use super::config::{DEMO_TOML, Machine, RotaryAxis};
 use crate::error::{Error, Result, Stage};
 use crate::files;
+use crate::geometry::{Point, Vector};
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -45,7 +49,7 @@ impl Machine {
     }
 
     /// The rotary axes: first the one nearest to the workpiece. The second is missing on a machine of four axes.
-    pub fn rotary_axes(&self) -> [Option<AxisName>; 2] {
+    pub(super) fn rotary_names(&self) -> [Option<AxisName>; 2] {
         if self.chain.is_empty() {
             return [Some(AxisName::A), Some(AxisName::B)];
         }
@@ -53,20 +57,44 @@ impl Machine {
         [turns.next(), turns.next()]
     }
 
-    /// Letters of the axes, in the order of the arrays of [`crate::artifact::AxisMotion`]: X, Y, Z, the rotary axis nearest to the workpiece, the
-    /// other one. Where there is no other one: a letter that is free, for an axis that stands at 0.
-    pub fn axis_names(&self) -> [&'static str; 5] {
-        let [first, second] = self.rotary_axes();
+    /// All axes, in the order of the columns of [`crate::artifact::AxisMotion`]: X, Y, Z, the rotary axis nearest to the workpiece, the other one.
+    pub fn axes(&self) -> Vec<Axis> {
+        let [first, second] = self.rotary_names();
         let first = first.unwrap_or(AxisName::A);
         let free = if first == AxisName::B { AxisName::A } else { AxisName::B };
-        ["X", "Y", "Z", first.letter(), second.unwrap_or(free).letter()]
+        let letters = [AxisName::X, AxisName::Y, AxisName::Z, first, second.unwrap_or(free)];
+        let tables = self.table_axes();
+        let axis = |(k, (letter, limits)): (usize, (AxisName, AxisLimits))| Axis {
+            name: letter.letter().into(),
+            letter,
+            direction: Unit::new_normalize(Vector::from(letter.unit())),
+            point: Point::origin(),
+            carries: if k >= 3 && tables[k - 3] { Carries::Workpiece } else { Carries::Head(0) },
+            limits,
+        };
+        letters.into_iter().zip(self.limits()).enumerate().map(axis).collect()
     }
 
-    /// Limits of all axes in the order of [`Machine::axis_names`]. An axis that is not there has no ends of travel.
-    pub fn limits(&self) -> [AxisLimits; 5] {
+    /// Columns of the rotary axes, that nearest to the workpiece first.
+    pub fn rotary(&self) -> Vec<usize> {
+        if self.rotary_names()[1].is_some() { vec![3, 4] } else { vec![3] }
+    }
+
+    /// Column of the rotary axis nearest to the workpiece: the one that turns the blade, or the tool round it.
+    pub fn turning_axis(&self) -> usize {
+        3
+    }
+
+    /// Columns of X, Y and Z.
+    pub fn linear(&self) -> [usize; 3] {
+        [0, 1, 2]
+    }
+
+    /// Limits of all axes in the order of [`Machine::axes`]. An axis that is not there has no ends of travel.
+    pub(super) fn limits(&self) -> [AxisLimits; 5] {
         let a = &self.axes;
         let [first, second] =
-            self.rotary_axes().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
+            self.rotary_names().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
         [a.x.limits(), a.y.limits(), a.z.limits(), first, second]
     }
 
@@ -74,7 +102,7 @@ impl Machine {
     pub fn assumed_limits(&self) -> Vec<&'static str> {
         let a = &self.axes;
         let linear = [("X", a.x.limits), ("Y", a.y.limits), ("Z", a.z.limits)].map(Some);
-        let rotary = self.rotary_axes().map(|n| n.and_then(|n| Some((n.letter(), a.rotary(n)?.limits))));
+        let rotary = self.rotary_names().map(|n| n.and_then(|n| Some((n.letter(), a.rotary(n)?.limits))));
         let all = linear.into_iter().chain(rotary).flatten();
         all.filter(|(_, from)| *from == Provenance::Assumed).map(|(letter, _)| letter).collect()
     }
@@ -144,7 +172,7 @@ impl Machine {
                 return bad(origin, format!("axes.{axis} has only one of min_deg and max_deg, give both or none"));
             }
         }
-        for (name, l) in self.axis_names().iter().zip(self.limits()) {
+        for Axis { name, limits: l, .. } in self.axes() {
             let key = format!("axes.{}", name.to_lowercase());
             for (what, v) in [("velocity", l.velocity), ("acceleration", l.acceleration), ("jerk", l.jerk)] {
                 if !(v > 0.0 && v.is_finite()) {

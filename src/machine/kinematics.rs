@@ -6,6 +6,7 @@ use nalgebra::UnitQuaternion;
 
 use super::chain::Chain;
 use super::{AxisName, Machine, PositiveA, PositiveB};
+use crate::artifact::Axes;
 use crate::error::Result;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
@@ -123,23 +124,33 @@ impl TableHead {
     }
 }
 
-/// Rotary positions are those of the axis nearest to the workpiece and of the other one, rad, in the order of [`Machine::axis_names`].
 impl Machine {
-    /// Rotary positions for an angle `θ` of the tool axis (blade frame, over all turns) and a lean; over all turns alike. Not numbers where a machine
-    /// with a chain does not reach the lean ([`Machine::check_lean`]).
-    pub fn rotary_of(&self, theta_rad: f64, lean_rad: f64) -> [f64; 2] {
-        match Chain::of(self) {
+    /// A row of positions from X, Y, Z and those of the rotary axes.
+    fn row(&self, [x, y, z]: [f64; 3], [first, second]: [f64; 2]) -> Axes {
+        Axes::from([x, y, z, first, second])
+    }
+
+    fn rotary_in(&self, at: &Axes) -> [f64; 2] {
+        [3, 4].map(|k| at.get(k).copied().unwrap_or(0.0))
+    }
+
+    /// Positions of the rotary axes for an angle `θ` of the tool axis (blade frame, over all turns) and a lean; over all turns alike; all others at 0.
+    /// Not numbers where a machine does not reach the lean ([`Machine::check_lean`]).
+    pub fn rotary_of(&self, theta_rad: f64, lean_rad: f64) -> Axes {
+        let rotary = match Chain::of(self) {
             Some(chain) => chain.rotary(theta_rad, lean_rad),
             None => {
                 let t = TableHead::of(self);
                 [t.a_of_theta(theta_rad), t.lean * lean_rad]
             }
-        }
+        };
+        self.row([0.0; 3], rotary)
     }
 
-    /// Angle `θ` and lean of the tool axis at rotary positions. `θ` is over all turns where the first rotary axis is along the blade axis, else of the
-    /// turn nearest to `near_rad`.
-    pub fn theta_and_lean(&self, rotary: [f64; 2], near_rad: f64) -> [f64; 2] {
+    /// Angle `θ` and lean of the tool axis where the rotary axes stand. `θ` is over all turns where the first rotary axis is along the blade axis,
+    /// else of the turn nearest to `near_rad`.
+    pub fn theta_and_lean(&self, at: &Axes, near_rad: f64) -> [f64; 2] {
+        let rotary = self.rotary_in(at);
         match Chain::of(self) {
             Some(chain) => chain.theta_and_lean(rotary, near_rad),
             None => {
@@ -149,8 +160,9 @@ impl Machine {
         }
     }
 
-    /// The tool axis at rotary positions, blade frame.
-    pub fn axis_at(&self, rotary: [f64; 2]) -> Vector {
+    /// The tool axis where the rotary axes stand, blade frame.
+    pub fn axis_at(&self, at: &Axes) -> Vector {
+        let rotary = self.rotary_in(at);
         match Chain::of(self) {
             Some(chain) => chain.axis(rotary),
             None => {
@@ -160,22 +172,24 @@ impl Machine {
         }
     }
 
-    /// X, Y, Z that bring the ball centre to a point of the blade frame at rotary positions, mm. `gauge_length_mm`: from the ball centre to the
-    /// spindle's gauge line. Not numbers where the linear axes do not reach it.
-    pub fn linear_at(&self, centre: &Point, rotary: [f64; 2], gauge_length_mm: f64) -> [f64; 3] {
-        match Chain::of(self) {
+    /// The same positions, but X, Y, Z those that bring the ball centre to a point of the blade frame, mm. `gauge_length_mm`: from the ball
+    /// centre to the spindle's gauge line. Not numbers where the linear axes do not reach it.
+    pub fn linear_at(&self, centre: &Point, at: &Axes, gauge_length_mm: f64) -> Axes {
+        let rotary = self.rotary_in(at);
+        let linear = match Chain::of(self) {
             Some(chain) => chain.linear(centre, rotary, gauge_length_mm),
             None => {
                 let t = TableHead::of(self);
                 t.linear(centre, rotary[0], t.lean * rotary[1], gauge_length_mm)
             }
-        }
+        };
+        self.row(linear, rotary)
     }
 
     /// Axis positions (mm, rad) of a ball centre of the blade frame with a tool axis at angle `θ` and a lean towards the blade's tip.
     /// `gauge_length_mm`: from the ball centre to the spindle's gauge line. Not numbers where the machine does not reach it.
-    pub fn inverse(&self, centre: &Point, theta_rad: f64, lean_rad: f64, gauge_length_mm: f64) -> [f64; 5] {
-        let (rotary, [x, y, z]) = match Chain::of(self) {
+    pub fn inverse(&self, centre: &Point, theta_rad: f64, lean_rad: f64, gauge_length_mm: f64) -> Axes {
+        let (rotary, linear) = match Chain::of(self) {
             Some(chain) => {
                 let rotary = chain.rotary(theta_rad, lean_rad);
                 (rotary, chain.linear(centre, rotary, gauge_length_mm))
@@ -186,24 +200,27 @@ impl Machine {
                 (rotary, t.linear(centre, rotary[0], lean_rad, gauge_length_mm))
             }
         };
-        [x, y, z, rotary[0], rotary[1]]
+        self.row(linear, rotary)
     }
 
-    /// The pose of the tool in the blade frame at axis positions in the order of [`Machine::axis_names`] (mm, rad).
-    pub fn forward(&self, axes: &[f64; 5], gauge_length_mm: f64) -> Pose {
+    /// The pose of the tool in the blade frame at axis positions (mm, rad).
+    pub fn forward(&self, at: &Axes, gauge_length_mm: f64) -> Pose {
+        let ([x, y, z], [a, b]) = ([0, 1, 2].map(|k| at[k]), self.rotary_in(at));
         match Chain::of(self) {
-            Some(chain) => chain.forward(axes, gauge_length_mm),
-            None => TableHead::of(self).forward(axes, gauge_length_mm),
+            Some(chain) => chain.forward(&[x, y, z, a, b], gauge_length_mm),
+            None => TableHead::of(self).forward(&[x, y, z, a, b], gauge_length_mm),
         }
     }
 
-    /// Rotary positions that align the spindle with a tool axis of the blade frame, of all the nearest to `near_rad`; `None` where the axis is along
-    /// the first rotary axis (nothing to place), out of reach, or not a direction.
-    pub fn rotary_of_axis(&self, axis: &Vector, near_rad: [f64; 2]) -> Option<[f64; 2]> {
-        match Chain::of(self) {
-            Some(chain) => chain.rotary_of_axis(axis, near_rad),
-            None => TableHead::of(self).rotary_of_axis(axis, near_rad[0]),
-        }
+    /// The same positions, but those of the rotary axes such that the spindle is along a tool axis of the blade frame, of all the nearest to `near`;
+    /// `None` where the axis is along the first rotary axis (nothing to place), out of reach, or not a direction.
+    pub fn rotary_of_axis(&self, axis: &Vector, near: &Axes) -> Option<Axes> {
+        let rotary = self.rotary_in(near);
+        let rotary = match Chain::of(self) {
+            Some(chain) => chain.rotary_of_axis(axis, rotary)?,
+            None => TableHead::of(self).rotary_of_axis(axis, rotary[0])?,
+        };
+        Some(self.row([0, 1, 2].map(|k| near[k]), rotary))
     }
 
     /// `θ` at the ends of travel of the rotary axis that turns the blade, the least first; `None` where it has no ends, or no axis turns it alone.
@@ -225,7 +242,7 @@ impl Machine {
     /// # Errors
     /// Kind `Infeasible`, with what does not go; never on a machine without a chain, whose travel is a check of its own.
     pub fn check_lean(&self, lean_rad: f64) -> Result<()> {
-        Chain::of(self).map_or(Ok(()), |chain| chain.check_lean(lean_rad, self.axis_names()))
+        Chain::of(self).map_or(Ok(()), |chain| chain.check_lean(lean_rad, &self.axes()))
     }
 
     /// Whether the machine can lean the tool by that all round the blade: as [`Machine::check_lean`], and on a machine without a chain by the travel of `B`.
@@ -243,17 +260,18 @@ impl Machine {
     }
 
     /// Which rotary axes turn the part and not the tool: those with a linear axis between them and the tool.
-    pub fn table_axes(&self) -> [bool; 2] {
+    pub(super) fn table_axes(&self) -> [bool; 2] {
         if self.chain.is_empty() {
             return [true, false];
         }
         let carries = |name: AxisName| self.chain.iter().skip_while(|n| **n != name).any(|n| n.linear().is_some());
-        self.rotary_axes().map(|axis| axis.is_some_and(carries))
+        self.rotary_names().map(|axis| axis.is_some_and(carries))
     }
 
-    /// The frame that is fixed to the table where the blade frame is while the table reads 0, but while it reads `rotary`: to the blade frame. Linear axes that carry
+    /// The frame that is fixed to the table where the blade frame is while the table reads 0, but while the axes stand at `at`: to the blade frame. Linear axes that carry
     /// the table are taken to stand at 0.
-    pub fn blade_from_frame_fixed_at(&self, rotary: [f64; 2]) -> Rigid {
+    pub fn blade_from_frame_fixed_at(&self, at: &Axes) -> Rigid {
+        let rotary = self.rotary_in(at);
         let [first, second] = self.table_axes();
         let table = [if first { rotary[0] } else { 0.0 }, if second { rotary[1] } else { 0.0 }];
         match Chain::of(self) {
@@ -304,7 +322,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn close(a: &[f64; 5], b: [f64; 5]) {
+    fn close(a: &[f64], b: [f64; 5]) {
         for i in 0..5 {
             assert!((a[i] - b[i]).abs() < 1e-9, "{a:?} {b:?}");
         }
@@ -370,10 +388,10 @@ mod tests {
             let pose = m.forward(&q, gauge);
             prop_assert!((pose.centre - centre).norm() < 1e-9);
             prop_assert!((pose.axis - tool::axis(b, theta)).norm() < 1e-11);
-            prop_assert!((m.theta_and_lean([q[3], q[4]], 0.0)[0] - theta).abs() < 1e-11);
-            let [a, b2] = m.rotary_of_axis(&pose.axis, [q[3] + 1.0, 0.0]).unwrap();
-            prop_assert!((a - q[3]).abs() < 1e-9 && (b2 - q[4]).abs() < 1e-9);
-            prop_assert!((m.theta_and_lean([q[3], q[4]], 0.0)[1] - b).abs() < 1e-12);
+            prop_assert!((m.theta_and_lean(&q, 0.0)[0] - theta).abs() < 1e-11);
+            let again = m.rotary_of_axis(&pose.axis, &Axes::from([0.0, 0.0, 0.0, q[3] + 1.0, 0.0])).unwrap();
+            prop_assert!((again[3] - q[3]).abs() < 1e-9 && (again[4] - q[4]).abs() < 1e-9);
+            prop_assert!((m.theta_and_lean(&q, 0.0)[1] - b).abs() < 1e-12);
             let tip = pose.tip(3.0);
             prop_assert!((tip - tool::tip(&centre, &tool::axis(b, theta), 3.0)).norm() < 1e-9);
         }
@@ -382,8 +400,8 @@ mod tests {
     #[test]
     fn an_axis_along_x_places_nothing() {
         let m = Machine::demo().unwrap();
-        assert_eq!(m.rotary_of_axis(&Vector::x(), [0.0; 2]), None);
-        assert_eq!(m.rotary_of_axis(&Vector::zeros(), [0.0; 2]), None);
-        assert_eq!(m.rotary_of_axis(&Vector::new(f64::NAN, 0.0, 1.0), [0.0; 2]), None);
+        assert_eq!(m.rotary_of_axis(&Vector::x(), &Axes::of_default(5)), None);
+        assert_eq!(m.rotary_of_axis(&Vector::zeros(), &Axes::of_default(5)), None);
+        assert_eq!(m.rotary_of_axis(&Vector::new(f64::NAN, 0.0, 1.0), &Axes::of_default(5)), None);
     }
 }

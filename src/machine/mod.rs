@@ -62,6 +62,7 @@
 //! Without a chain there is one branch: the other solution, `180° − B`, is outside that range. Velocity, acceleration and jerk say
 //! where they come from ([`Provenance`]).
 
+mod axis;
 mod chain;
 #[cfg(test)]
 mod chain_tests;
@@ -70,9 +71,9 @@ mod file;
 mod kinematics;
 mod travel;
 
+pub use axis::{Axis, AxisLimits, AxisName, Carries, Provenance};
 pub use config::{
-    Axes, AxisLimits, AxisName, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, Provenance,
-    RotaryAxis, Spindle, Table,
+    AxisTables, DEMO_TOML, Head, LinearAxis, Machine, Mount, PositiveA, PositiveB, RotaryAxis, Spindle, Table,
 };
 pub use kinematics::Pose;
 pub use travel::TravelFinding;

@@ -45,7 +45,7 @@ pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rot
 
 use std::borrow::Cow;
 
-use crate::artifact::{Blade, CheckReport, Plan, Program};
+use crate::artifact::{Axes, Blade, CheckReport, Plan, Program};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
@@ -272,7 +272,7 @@ impl Run<'_> {
         self.plan.channel.b_rad
     }
     /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
-    fn axes_at(&self, end: &End, lift_mm: f64) -> [f64; 5] {
+    fn axes_at(&self, end: &End, lift_mm: f64) -> Axes {
         let centre = end.centre + end.axis * lift_mm;
         self.machine.inverse(&centre, end.theta, self.b_rad(), self.tool.length_mm())
     }
@@ -332,8 +332,8 @@ fn travel_along(machine: &Machine, centre: &Point, axis: &Vector, theta: f64, b:
     let from = machine.inverse(centre, theta, b, gauge);
     let to = machine.inverse(&(centre + axis), theta, b, gauge);
     let mut reach = f64::INFINITY;
-    for (i, limits) in machine.limits().iter().enumerate().take(3) {
-        let (Some([lo, hi]), rate) = (limits.travel, to[i] - from[i]) else { continue };
+    for i in machine.linear() {
+        let (Some([lo, hi]), rate) = (machine.axes()[i].limits.travel, to[i] - from[i]) else { continue };
         if rate.abs() > 1e-9 {
             let room = if rate > 0.0 { hi - from[i] } else { lo - from[i] };
             reach = reach.min((room / rate).max(0.0));

@@ -6,15 +6,15 @@
 //! with positions of machine axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where that is
 //! more than the chord tolerance of the path, the move is written in equal parts.
 
-use crate::artifact::Plan;
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
+use crate::artifact::{Axes, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::tool;
 
 use super::Run;
-use super::polynomial::{Bend, NONE};
+use super::polynomial::Bend;
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
@@ -34,13 +34,13 @@ pub(super) struct Move {
     /// What it belongs to.
     pub(super) stretch: Stretch,
     /// How its words bend on the way.
-    pub(super) bend: Bend,
+    pub(super) bend: Option<Bend>,
 }
 
 impl Move {
     /// The end of a straight move to a row.
     pub(super) fn to(Row { centre, theta, t_s, stretch }: Row) -> Self {
-        Move { centre, theta, t_s, stretch, bend: NONE }
+        Move { centre, theta, t_s, stretch, bend: None }
     }
 }
 
@@ -114,7 +114,7 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                     theta: from.theta + (next.theta - from.theta) * f,
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
                     stretch: on_the_way(from.stretch, next.stretch),
-                    bend: NONE,
+                    bend: None,
                 });
             }
         }
@@ -154,10 +154,7 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
         Programmed::Machine => {
             let gauge = run.tool.length_mm();
             let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
-            let mut halfway = [0.0; 5];
-            for (h, (p, q)) in halfway.iter_mut().zip(p.iter().zip(&q)) {
-                *h = 0.5 * (p + q);
-            }
+            let halfway = halfway(&p, &q);
             (run.machine.forward(&halfway, gauge).centre - middle).norm().max(askew_mm(run, a, b))
         }
     }
@@ -168,21 +165,26 @@ pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move,
     let (lean, radius, gauge) = (run.b_rad(), run.tool.radius_mm, run.tool.length_mm());
     let centre = a.centre + (b.centre - a.centre) * share;
     let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
-    let axes: [f64; 5] = std::array::from_fn(|i| p[i] + (q[i] - p[i]) * share);
+    let axes = p.toward(&q, share);
     match programmed {
         Programmed::Centre => centre,
         Programmed::Tip => {
             let [at_a, at_b] = [a.theta, b.theta].map(|t| tool::axis(lean, t));
-            centre + (run.machine.axis_at([axes[3], axes[4]]) - (at_a + (at_b - at_a) * share)) * radius
+            centre + (run.machine.axis_at(&axes) - (at_a + (at_b - at_a) * share)) * radius
         }
         Programmed::Machine => run.machine.forward(&axes, gauge).centre,
     }
 }
 
+/// Every axis halfway between two places.
+fn halfway(p: &Axes, q: &Axes) -> Axes {
+    Axes::from_fn(p.len(), |i| 0.5 * (p[i] + q[i]))
+}
+
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
 fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
     let [p, q] = [a, b].map(|m| run.machine.rotary_of(m.theta, run.b_rad()));
-    run.machine.axis_at([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])])
+    run.machine.axis_at(&halfway(&p, &q))
 }
 
 /// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes then leave the cone. In mm of the chord tolerance,

@@ -106,9 +106,9 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
         let centre = |m: &Move| {
             let q = [m.at[0], m.at[1], m.at[2], m.at[3].to_radians(), m.at[4].to_radians()];
             if control == Control::Linuxcnc {
-                return machine.forward(&q, tool.length_mm()).centre;
+                return machine.forward(&q.into(), tool.length_mm()).centre;
             }
-            let axis = machine.axis_at([q[3], q[4]]);
+            let axis = machine.axis_at(&q.into());
             Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
         };
         for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {
@@ -135,7 +135,7 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
     let cut = cutting(&p);
     let centre = |m: &Move| {
         let [x, y, z, a, b] = m.at;
-        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()], tool.length_mm()).centre
+        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()].into(), tool.length_mm()).centre
     };
     let centres: Vec<Point> = cut.iter().map(centre).collect();
     let near = |row: usize| {

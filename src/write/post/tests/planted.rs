@@ -199,7 +199,7 @@ fn a_gouge_of_five_micrometres_is_found() {
         let machine = s.program.language.programmed == crate::artifact::program::Programmed::Machine;
         let inward = out * -0.005;
         let d = if machine {
-            s.machine.shown_part(s.machine.theta_and_lean([cut.to[3], cut.to[4]], 0.0)[0]).rotation * inward
+            s.machine.shown_part(s.machine.theta_and_lean(&cut.to, 0.0)[0]).rotation * inward
         } else {
             inward
         };
