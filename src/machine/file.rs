@@ -59,10 +59,8 @@ impl Machine {
 
     /// All axes, in the order of the columns of [`crate::artifact::AxisMotion`]: X, Y, Z, the rotary axis nearest to the workpiece, the other one.
     pub fn axes(&self) -> Vec<Axis> {
-        let [first, second] = self.rotary_names();
-        let first = first.unwrap_or(AxisName::A);
-        let free = if first == AxisName::B { AxisName::A } else { AxisName::B };
-        let letters = [AxisName::X, AxisName::Y, AxisName::Z, first, second.unwrap_or(free)];
+        let linear = [AxisName::X, AxisName::Y, AxisName::Z].map(Some);
+        let letters = linear.into_iter().chain(self.rotary_names()).flatten();
         let tables = self.table_axes();
         let axis = |(k, (letter, limits)): (usize, (AxisName, AxisLimits))| Axis {
             name: letter.letter().into(),
@@ -72,7 +70,7 @@ impl Machine {
             carries: if k >= 3 && tables[k - 3] { Carries::Workpiece } else { Carries::Head(0) },
             limits,
         };
-        letters.into_iter().zip(self.limits()).enumerate().map(axis).collect()
+        letters.zip(self.limits()).enumerate().map(axis).collect()
     }
 
     /// Columns of the rotary axes, that nearest to the workpiece first.
@@ -90,12 +88,11 @@ impl Machine {
         [0, 1, 2]
     }
 
-    /// Limits of all axes in the order of [`Machine::axes`]. An axis that is not there has no ends of travel.
-    pub(super) fn limits(&self) -> [AxisLimits; 5] {
+    /// Limits of all axes in the order of [`Machine::axes`].
+    pub(super) fn limits(&self) -> Vec<AxisLimits> {
         let a = &self.axes;
-        let [first, second] =
-            self.rotary_names().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
-        [a.x.limits(), a.y.limits(), a.z.limits(), first, second]
+        let rotary = self.rotary_names().into_iter().flatten().filter_map(|n| a.rotary(n)).map(RotaryAxis::limits);
+        [a.x.limits(), a.y.limits(), a.z.limits()].into_iter().chain(rotary).collect()
     }
 
     /// Letters of the axes whose velocity, acceleration and jerk are assumed, not measured.
@@ -247,10 +244,6 @@ impl Machine {
 fn bad<T>(origin: &str, what: String) -> Result<T> {
     Err(Error::usage(Stage::Machine, format!("{origin}: {what}")))
 }
-
-/// An axis that is not there: it stands still.
-const NO_AXIS: AxisLimits =
-    AxisLimits { travel: None, velocity: 1.0, acceleration: 1.0, jerk: 1.0, provenance: Provenance::Measured };
 
 #[cfg(test)]
 mod tests {

@@ -127,7 +127,7 @@ impl TableHead {
 impl Machine {
     /// A row of positions from X, Y, Z and those of the rotary axes.
     fn row(&self, [x, y, z]: [f64; 3], [first, second]: [f64; 2]) -> Axes {
-        Axes::from([x, y, z, first, second])
+        Axes::from_fn(self.axes().len(), |k| [x, y, z, first, second][k])
     }
 
     fn rotary_in(&self, at: &Axes) -> [f64; 2] {

@@ -150,10 +150,11 @@ impl<'a> Writer<'a> {
         let [row_1, row_2, row_3] = &rows[..] else { return };
         let (axes, leaning) = (run.machine.axes(), self.leaning());
         let turning = &axes[run.machine.turning_axis()];
-        let (a_name, b_name) = (turning.name.as_str(), leaning.map_or("B", |k| axes[k].name.as_str()));
-        let cone = match run.machine.turns_the_blade() {
-            true => format!("{b_name} is fixed"),
-            false => format!("{a_name} and {b_name} move together"),
+        let (a_name, b_name) = (turning.name.as_str(), leaning.map_or("", |k| axes[k].name.as_str()));
+        let cone = match (leaning, run.machine.turns_the_blade()) {
+            (None, _) => "no axis leans the tool".to_owned(),
+            (_, true) => format!("{b_name} is fixed"),
+            (_, false) => format!("{a_name} and {b_name} move together"),
         };
         let along =
             m.along.map_or_else(String::new, |[x, y, z]| format!(" Blade axis along machine {x:.6} {y:.6} {z:.6}."));
