@@ -91,7 +91,7 @@ fn wavy(n: usize, step: f64, wave: f64) -> Vec<(f64, Point, f64)> {
 #[test]
 fn a_straight_line_takes_the_time_of_a_trapezoid() {
     let machine = Machine::demo().unwrap();
-    let a = machine.axes.x.acceleration_mm_s2;
+    let a = machine.axes()[0].limits.acceleration;
     for (length, feed) in [(100.0, 100.0), (2.0, 400.0)] {
         let n = 4001;
         let points: Vec<_> = (0..n)
@@ -126,7 +126,7 @@ fn on_a_circle_the_speed_is_held_by_the_centripetal_acceleration() {
     let (p, s) = path(&points);
     let o = options(400.0 * 60.0);
     let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
-    let most = (machine.axes.x.acceleration_mm_s2 * r).sqrt();
+    let most = (machine.axes()[0].limits.acceleration * r).sqrt();
     for quarter in 2..10 {
         let i = quarter * 120;
         let v = m.velocity[i][0].hypot(m.velocity[i][1]);
@@ -265,7 +265,7 @@ fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
 #[test]
 fn within_jerk_a_straight_line_takes_the_time_of_its_s_curve() {
     let machine = Machine::demo().unwrap();
-    let (length, feed, jerk) = (100.0, 100.0, machine.axes.x.jerk_mm_s3);
+    let (length, feed, jerk) = (100.0, 100.0, machine.axes()[0].limits.jerk);
     let points: Vec<_> = (0..=800)
         .map(|i| (length * f64::from(i) / 800.0, Point::new(length * f64::from(i) / 800.0, 5.0, 7.0), 1.0))
         .collect();

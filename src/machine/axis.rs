@@ -99,6 +99,8 @@ pub struct Axis {
     pub carries: Carries,
     /// How far and how fast it goes.
     pub limits: AxisLimits,
+    /// Where the machine file says which sense is positive, for messages.
+    pub sense_key: &'static str,
 }
 
 impl Axis {

@@ -1,4 +1,4 @@
-//! The machine file: what is in it, and limits of its axes in inner units.
+//! The machine file as it is written, and limits of its axes in inner units.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -74,8 +74,8 @@ pub struct Table {
 
 /// The pivoting head `B`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Head {
+#[serde(deny_unknown_fields, rename = "Head")]
+pub struct HeadTable {
     /// From the pivot to the spindle's gauge line, mm.
     pub pivot_length_mm: f64,
     /// How far the spindle's axis passes the pivot by, along X of the machine while B = 0, mm; 0: they meet.
@@ -155,10 +155,11 @@ pub struct AxisTables {
     pub c: Option<RotaryAxis>,
 }
 
-/// A machine: a rotary table about X with a pivoting head (`table`, `head`), or a `chain` of axes; see the module's page for the kinematics.
+/// A machine file: a `chain` of axes, or in its place a rotary table about X and a pivoting head (`table`, `head`). [`MachineFile::build`] makes the
+/// machine of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Machine {
+pub struct MachineFile {
     /// Short name, for headers.
     pub name: String,
     /// One line about it.
@@ -173,7 +174,7 @@ pub struct Machine {
     pub table: Option<Table>,
     /// The pivoting head, on a machine without a `chain`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub head: Option<Head>,
+    pub head: Option<HeadTable>,
     /// All axes from the workpiece to the tool: X, Y, Z and one or two rotary axes. Left out: a table about X and a pivoting head.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub chain: Vec<AxisName>,
@@ -191,15 +192,6 @@ impl AxisTables {
             0 => &self.x,
             1 => &self.y,
             _ => &self.z,
-        }
-    }
-    /// As [`AxisTables::rotary`], to be changed.
-    pub fn rotary_mut(&mut self, name: AxisName) -> Option<&mut RotaryAxis> {
-        match name {
-            AxisName::A => self.a.as_mut(),
-            AxisName::B => self.b.as_mut(),
-            AxisName::C => self.c.as_mut(),
-            _ => None,
         }
     }
     /// A rotary axis by its name.

@@ -1,7 +1,5 @@
 //! Travel and swing against the machine's limits.
 
-use super::chain::Chain;
-use super::kinematics::TableHead;
 use super::{Axis, Machine};
 use crate::artifact::AxisMotion;
 use crate::error::{Error, Result, Stage};
@@ -57,15 +55,6 @@ impl Machine {
         out
     }
 
-    /// How far a point of the blade, in the blade frame, is from the axis of the table that turns it, mm; `None` on a machine on which
-    /// the blade stands still (its first axis, from the workpiece, is a linear one).
-    pub fn off_table_axis_mm(&self, p: &Point) -> Option<f64> {
-        match Chain::of(self) {
-            None => Some(TableHead::of(self).off_axis_mm(p)),
-            Some(chain) => self.chain.first().is_some_and(|a| a.linear().is_none()).then(|| chain.off_axis_mm(p)),
-        }
-    }
-
     /// Whether a part of these points (blade frame, mm) turns freely.
     ///
     /// # Errors
@@ -94,6 +83,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::artifact::Axes;
+    use crate::machine::{DEMO_TOML, MachineFile};
 
     #[test]
     fn the_worst_location_of_each_axis_is_named() {
@@ -127,9 +117,10 @@ mod tests {
         assert_eq!(e.kind, crate::error::ErrorKind::Infeasible);
         assert!(e.message.contains("reaches 360.6 mm") && e.message.contains("650"), "{}", e.message);
         // Mounted off the axis, and clamped turned, a part needs more room.
-        let mut off = m.clone();
+        let mut off = MachineFile::from_toml(DEMO_TOML, "demo").unwrap();
         off.mount.offset_mm = [0.0, 20.0, 0.0];
         off.mount.clamping_deg = 90.0;
+        let off = off.build("demo").unwrap();
         assert!((off.off_table_axis_mm(&Point::new(3.0, 0.0, 300.0)).unwrap() - 280.0).abs() < 1e-9);
         let file = |name: &str| {
             Machine::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name)).unwrap()

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 use crate::geometry::mesh::Mesh;
+use crate::machine::AxisLimits;
 use crate::sample;
 
 /// The sample's blade with a thin triangle more.
@@ -86,9 +87,9 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let c = plan.leads[0].centres[10];
     let wall = [c, c + Vector::new(1.0, 0.0, 0.0), c + Vector::new(0.0, 0.0, -1.0)];
     assert!(said(&with_needle(wall), &machine, &[]).unwrap().contains("the ball would cut"));
-    let mut short = machine.clone();
     let q = machine.inverse(&c, plan.leads[0].theta[10], plan.channel.b_rad, tool.length_mm());
-    short.axes.z.max_mm = q[2];
+    let z = machine.axes()[2].limits;
+    let short = machine.clone().with_limits(2, AxisLimits { travel: z.travel.map(|[lo, _]| [lo, q[2]]), ..z });
     assert_eq!(said(&sample::blade(), &short, &[]).unwrap(), "axis Z would leave its travel");
     let axis = tool::axis(plan.channel.b_rad, plan.leads[0].theta[10]);
     let beside = c + axis * 30.0 + axis.cross(&Vector::x()).normalize() * 7.0;

@@ -305,7 +305,7 @@ impl Follower<'_> {
         let (axes, rotary) = (machine.axes(), machine.rotary());
         for (letter, (word, way)) in ROTARY.into_iter().zip(words.into_iter().zip(block.ways)) {
             let Some(word) = word.map(f64::to_radians) else { continue };
-            let Some(k) = rotary.iter().copied().find(|k| axes[*k].letter == letter) else {
+            let Some(k) = rotary.clone().find(|k| axes[*k].letter == letter) else {
                 return Err(unreachable(block.line, &format!("the machine has no axis {}", letter.letter())));
             };
             let at = &mut to[k];
@@ -329,17 +329,17 @@ fn seconds(feed: Feed, moved: &Moved, machine: &Machine) -> Option<f64> {
         Feed::Rapid => None,
         Feed::PerMove(f) => Some(60.0 / f),
         Feed::PerMinute(f) => {
-            let way = length(moved, &machine.linear());
-            let turn = length(moved, &machine.rotary()).to_degrees();
+            let way = length(moved, machine.linear().into_iter());
+            let turn = length(moved, machine.rotary()).to_degrees();
             Some(60.0 * if way > 0.0 { way } else { turn } / f)
         }
     }
 }
 
 /// The way of some words, by chords where they bend.
-fn length(moved: &Moved, words: &[usize]) -> f64 {
+fn length(moved: &Moved, words: impl Iterator<Item = usize> + Clone) -> f64 {
     let parts = if moved.even() { 1 } else { CHORDS };
     let places: Vec<Axes> = (0..=parts).map(|k| moved.at(k as f64 / parts as f64)).collect();
-    let chord = |w: &[Axes]| words.iter().map(|i| (w[1][*i] - w[0][*i]).powi(2)).sum::<f64>().sqrt();
+    let chord = |w: &[Axes]| words.clone().map(|i| (w[1][i] - w[0][i]).powi(2)).sum::<f64>().sqrt();
     places.windows(2).map(chord).sum()
 }

@@ -4,7 +4,7 @@ use super::legs::Legs;
 use super::report::{Limit, LineCheck, Worst};
 use super::{Scene, checks};
 use crate::error::Result;
-use crate::machine::{Machine, PositiveA};
+use crate::machine::Machine;
 use crate::read::program::{Bench, Moved};
 
 /// A sign that is wrong is so all over: with a smaller share of bad legs it is not to blame.
@@ -22,7 +22,7 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
     }
     let machine = scene.bench.machine;
     let (turning, axes) = (machine.turning_axis(), machine.axes());
-    for leaning in machine.rotary().into_iter().skip(1) {
+    for leaning in machine.rotary().skip(1) {
         let leans = scene.moves.iter().any(|m| m.from[leaning] != 0.0 || m.to[leaning] != 0.0);
         if leans && well(scene, &other_sign(scene.moves, leaning), machine)? {
             let name = &axes[leaning].name;
@@ -32,9 +32,9 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
             out.push(blamed(scene, "b-sign", &quantity, |m| m.to[leaning] != 0.0));
         }
     }
-    if well(scene, scene.moves, &other_a(machine))? {
+    if well(scene, scene.moves, &machine.clone().with_axis_reversed(turning))? {
         let first = &axes[turning].name;
-        let says = if machine.chain.is_empty() { "table.positive_a_turns" } else { "its direction" };
+        let says = axes[turning].sense_key;
         let quantity = format!(
             "with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says"
         );
@@ -52,23 +52,6 @@ fn other_sign(moves: &[Moved], axis: usize) -> Vec<Moved> {
         m
     };
     moves.iter().map(turned).collect()
-}
-
-/// The first rotary axis counted the other way.
-fn other_a(machine: &Machine) -> Machine {
-    let mut other = machine.clone();
-    if let Some(table) = &mut other.table {
-        table.positive_a_turns = match table.positive_a_turns {
-            PositiveA::Tool => PositiveA::Workpiece,
-            PositiveA::Workpiece => PositiveA::Tool,
-        };
-    }
-    let first = machine.axes()[machine.turning_axis()].letter;
-    if let (false, Some(axis)) = (other.chain.is_empty(), other.axes.rotary_mut(first)) {
-        let [x, y, z] = axis.direction.unwrap_or_else(|| first.unit());
-        axis.direction = Some([-x, -y, -z]);
-    }
-    other
 }
 
 /// Neither gouge nor touch.

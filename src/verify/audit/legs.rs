@@ -125,11 +125,11 @@ impl Legs {
 /// In how many equal legs a move has to be looked at.
 fn parts(m: &Moved, bench: &Bench) -> usize {
     let bent = |k: usize| m.bend.map_or(0.0, |b| b[k].iter().map(|a| a.abs()).sum::<f64>());
-    let turn = |k: &usize| (m.to[*k] - m.from[*k]).abs() + bent(*k);
+    let turn = |k: usize| (m.to[k] - m.from[k]).abs() + bent(k);
     let (machine, reach) = (bench.machine, bench.tool.length_mm());
     let rotary = machine.rotary();
     let least = if m.even() { 1.0 } else { 4.0 };
-    let farthest = rotary.iter().map(turn).fold(0.0, f64::max);
+    let farthest = rotary.clone().map(turn).fold(0.0, f64::max);
     let coarse = (farthest / COARSE_RAD).ceil().clamp(least, 1e9);
     let pose = |f: f64| (m.pose(f, bench.tool, machine).centre, m.at(f));
     let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };
@@ -138,7 +138,7 @@ fn parts(m: &Moved, bench: &Bench) -> usize {
         let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| pose(k / coarse));
         let centre = (mid.0 - nalgebra::center(&a.0, &b.0)).norm();
         // θ and lean change evenly with the rotary axes where one of these turns the blade.
-        if m.even() && machine.turns_the_blade() && rotary.iter().skip(1).all(|k| a.1[*k] == b.1[*k]) {
+        if m.even() && machine.turns_the_blade() && rotary.clone().skip(1).all(|k| a.1[k] == b.1[k]) {
             return centre;
         }
         let from = machine.theta_and_lean(&a.1, 0.0);

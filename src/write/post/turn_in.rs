@@ -34,10 +34,10 @@ pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
     turned[z] = safe[z].max(cycle::safe_z(run) - stray_mm);
     let mut zero = turned;
     let (axes, rotary) = (run.machine.axes(), run.machine.rotary());
-    for k in rotary.iter().copied().filter(|k| axes[*k].carries == Carries::Workpiece) {
+    for k in rotary.clone().filter(|k| axes[*k].carries == Carries::Workpiece) {
         zero[k] = if k == run.machine.turning_axis() { run.turns_before_rad() } else { 0.0 };
     }
-    let way = rotary.iter().map(|k| (turned[*k] - zero[*k]).abs()).fold(0.0, f64::max);
+    let way = rotary.map(|k| (turned[k] - zero[k]).abs()).fold(0.0, f64::max);
     let least = (way / LONGEST_RAD).ceil() as usize;
     let steps = |n: usize| (0..=n).map(move |k| zero.toward(&turned, if n == 0 { 1.0 } else { k as f64 / n as f64 }));
     let keeps = |n: usize| {

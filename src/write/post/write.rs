@@ -152,7 +152,7 @@ impl<'a> Writer<'a> {
         let turning = &axes[run.machine.turning_axis()];
         let (a_name, b_name) = (turning.name.as_str(), leaning.map_or("", |k| axes[k].name.as_str()));
         let cone = match (leaning, run.machine.turns_the_blade()) {
-            (None, _) => "no axis leans the tool".to_owned(),
+            (None, _) => "No axis leans the tool".to_owned(),
             (_, true) => format!("{b_name} is fixed"),
             (_, false) => format!("{a_name} and {b_name} move together"),
         };
@@ -161,6 +161,7 @@ impl<'a> Writer<'a> {
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),
+            ("moves_b", &leaning.map_or_else(String::new, |_| format!(" and move {b_name}"))),
             ("a_way", if turning.limits.travel.is_some() { "AC" } else { "DC" }),
             ("cone", &cone),
             ("along", &along),
@@ -224,7 +225,7 @@ impl<'a> Writer<'a> {
 
     /// Column of the other rotary axis, where there is one.
     fn leaning(&self) -> Option<usize> {
-        self.run.machine.rotary().get(1).copied()
+        self.run.machine.rotary().nth(1)
     }
 
     /// Takes over a pose, reached with words that bend; the step of `A` is from the pose before.
@@ -416,7 +417,7 @@ impl<'a> Writer<'a> {
                 let linear = self.run.machine.linear();
                 let steps = before.zip(self.stands).map(|(a, b)| linear.map(|i| b[i].since(a[i]).value()));
                 let way = steps.map_or(0.0, |s| s.iter().map(|d| d * d).sum::<f64>().sqrt());
-                let turned = self.run.machine.rotary().into_iter().map(|k| to.axes[k] - from.axes[k]);
+                let turned = self.run.machine.rotary().map(|k| to.axes[k] - from.axes[k]);
                 let turn = turned.fold(0.0, f64::hypot).to_degrees();
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
             }

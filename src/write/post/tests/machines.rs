@@ -2,17 +2,17 @@
 
 use super::*;
 use crate::artifact::program::Programmed;
-use crate::machine::{Carries, PositiveA, PositiveB};
+use crate::machine::{Carries, DEMO_TOML, MachineFile, PositiveA, PositiveB};
 use crate::read::program;
 
 /// Both rotary axes turn the other way, and the spindle's axis passes the pivot by.
 fn other() -> Machine {
-    let mut m = Machine::demo().unwrap();
+    let mut m = MachineFile::from_toml(DEMO_TOML, "demo").unwrap();
     let (head, table) = (m.head.as_mut().unwrap(), m.table.as_mut().unwrap());
     head.positive_b_leans = PositiveB::MinusX;
     head.spindle_offset_mm = 12.5;
     table.positive_a_turns = PositiveA::Workpiece;
-    m
+    m.build("demo").unwrap()
 }
 
 /// The sample's plan with the axes of a machine.
@@ -158,11 +158,7 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             for m in &moves[on + 1..cuts - 1] {
                 let (from, to) = (m.axes(0.0, &tool, &machine), end(m));
                 assert!(
-                    machine
-                        .rotary()
-                        .iter()
-                        .copied()
-                        .all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
+                    machine.rotary().all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
                     "{k} {control:?}"
                 );
                 for f in 0..=8 {

@@ -14,6 +14,7 @@ use read_back::{Move, read};
 use super::*;
 use crate::artifact::program::Control;
 use crate::error::ErrorKind;
+use crate::machine::AxisLimits;
 use crate::sample;
 use crate::verify::read_back::read_back;
 
@@ -167,8 +168,9 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
 
 #[test]
 fn a_short_travel_shortens_the_retract_and_says_so() {
-    let mut machine = Machine::demo().unwrap();
-    machine.axes.z.max_mm = 180.0;
+    let demo = Machine::demo().unwrap();
+    let z = demo.axes()[2].limits;
+    let machine = demo.with_limits(2, AxisLimits { travel: z.travel.map(|[lo, _]| [lo, 180.0]), ..z });
     let plan = Verified::for_tests(sample::plan(1, 30), sample::report(), false);
     let text = |m| {
         post(&Dialect::built_in(Control::Linuxcnc).unwrap(), &plan, &sample::blade(), &sample::tool(), m, &options())
