@@ -31,6 +31,7 @@ struct Block {
 #[derive(Clone, Copy, Default)]
 struct LimitLanes {
     across: f64x4,
+    reach: f64x4,
     at: f64x4,
 }
 
@@ -82,6 +83,7 @@ impl Lanes {
         }
         block.radius.as_mut_array()[l] = node.radius;
         block.others.across.as_mut_array()[l] = node.others.across;
+        block.others.reach.as_mut_array()[l] = node.others.reach;
         block.others.at.as_mut_array()[l] = node.others.at;
         for (to, from) in block.planes.iter_mut().zip(&node.planes) {
             to.put(l, from);
@@ -125,6 +127,10 @@ impl Lanes {
 impl Block {
     fn rooms(&self, now: &Now, sweep: &Sweep) -> f64x4 {
         let [x, y, z] = [0, 1, 2].map(|k| self.centre[k] - now.ball[k]);
+        let [x, y, z] = match now.sight.rows() {
+            Some(rows) => rows.each_ref().map(|r| r.x * x + r.y * y + r.z * z),
+            None => [x, y, z],
+        };
         let [lo, hi] = sweep.ends.map(|(cos, sin)| [x, cos * y + sin * z, cos * z - sin * y]);
         // As `Sweep::is_beside`, by how much.
         let (before, after) = (-self.radius - lo[2], hi[2] - self.radius);
@@ -133,17 +139,20 @@ impl Block {
         } else {
             before.fast_max(after).fast_max(-self.radius - lo[1].fast_max(hi[1]))
         };
-        let [way, growth] = now.used;
-        let others = self.others.at - (way + growth * self.others.across);
-        let planes =
-            self.planes[0].room(&lo, sweep.lo, self.radius).fast_min(self.planes[1].room(&hi, sweep.hi, self.radius));
+        let used = &now.used;
+        let others = self.others.at
+            - (used.way + used.growth * self.others.across + (used.turn + used.tip) * self.others.reach);
+        let moved = used.turn * self.radius + used.tip * self.others.reach;
+        let [at_lo, at_hi] = [(0, &lo, sweep.lo), (1, &hi, sweep.hi)]
+            .map(|(k, seen, theta)| self.planes[k].room(seen, theta, self.radius) - moved);
+        let planes = at_lo.fast_min(at_hi);
         beside.simd_gt(f64x4::ZERO) & planes.fast_min(others)
     }
 }
 
 impl LimitLanes {
     fn get(&self, l: usize) -> Limit {
-        Limit { across: self.across.as_array()[l], at: self.at.as_array()[l] }
+        Limit { across: self.across.as_array()[l], reach: self.reach.as_array()[l], at: self.at.as_array()[l] }
     }
 }
 

@@ -9,13 +9,16 @@
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
+use crate::artifact::Cone;
 use crate::error::{Result, Stage};
+use crate::geometry::Vector;
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness, push_wrapped};
 use super::forbidden::{Free, MOVE_TOLERANCES, Scene, Search, Start, View};
-use super::region::{Motion, turned_about_x};
+use super::region::{EvenMove, turned_about_x};
 use super::samples::Sample;
+use super::sight::Sight;
 
 /// How far the walls of a move must be moved inwards at both its ends, rad, and what makes that necessary.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +80,8 @@ pub(super) fn moved_in(chosen: &[&Free], lifts: &[Lift]) -> Vec<Free> {
 struct Move<'a> {
     from: (&'a Sample, &'a Free),
     to: (&'a Sample, &'a Free),
-    /// Angle of all frames in the middle.
+    /// The cone in the middle, and the angle of all frames there.
+    cone: Cone,
     azimuth: f64,
 }
 
@@ -88,7 +92,8 @@ fn lift(
     to: (&Sample, &Free),
     starts: Option<&[Start]>,
 ) -> Option<Lift> {
-    let m = Move { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
+    let cone = from.0.cone.between(&to.0.cone, 0.5);
+    let m = Move { from, to, cone, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
     let tolerance = MOVE_TOLERANCES * scene.options.tolerance_rad;
     let (low, high) = (0.5 * (to.1.lo - from.1.lo), 0.5 * (to.1.hi - from.1.hi));
     let mut free_at = |turn: f64| m.widest(search, turn, tolerance, starts);
@@ -115,11 +120,15 @@ impl Move<'_> {
     /// The free interval of the whole move that has most in common with those of both ends, in a frame that turns by ± `turn`.
     fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
         let half_move = (self.to.0.centre - self.from.0.centre) * 0.5;
-        let view = View {
-            centre: self.from.0.centre + half_move,
-            azimuth: self.azimuth,
-            motion: Motion { half_move: turned_about_x(&half_move, -self.azimuth), half_turn: turn, stray: 0.0 },
-        };
+        let sight = Sight::of(&self.cone);
+        let in_view = |v: &Vector| turned_about_x(&sight.seen(v), -self.azimuth);
+        let (frame, tip) = self.half_turn_of_cone();
+        // The frame turns by `exp(tω) exp(tβx̂)`; what that differs from `exp(t(ω + βx̂))` by is `t²|ω||β|/2` and terms of higher order.
+        let sway = frame.norm() * turn.abs() + tip;
+        let half_turn = Vector::new(turn, 0.0, 0.0) + in_view(&frame);
+        let motion = EvenMove { half_move: in_view(&half_move), half_turn, sway };
+        let view =
+            View { centre: self.from.0.centre + half_move, cone: self.cone, azimuth: self.azimuth, motion };
         let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
         let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
         let (hi, hi_by) = if a.hi < b.hi { (a.hi, a.hi_by) } else { (b.hi, b.hi_by) };
@@ -145,6 +154,12 @@ impl Move<'_> {
             }
         }
         best.map(|(_, piece)| piece)
+    }
+
+    /// Half of what the frame of the cone turns by, a rotation vector of the blade frame, and half of what its lean changes by, rad.
+    fn half_turn_of_cone(&self) -> (Vector, f64) {
+        let (from, to) = (&self.from.0.cone, &self.to.0.cone);
+        (from.rotation_to(to) * 0.5, 0.5 * (to.lean_rad - from.lean_rad).abs())
     }
 
     /// The interval of an end as seen in a frame that is turned by `turn` there.

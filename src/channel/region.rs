@@ -1,16 +1,17 @@
 //! Pieces of a body as the tool sees them during a move, and how far a function with a known slope may fall over them.
 //!
-//! A move takes the ball centre along a straight line from `−h` to `h` about its middle while the tool turns evenly by `±β`.
+//! A move takes the ball centre along a straight line from `−h` to `h` about its middle while the tool turns evenly by `±Ω`, a
+//! rotation vector. About a cone that stays, `Ω` is along the cone's axis: `Ω = β x̂`.
 //! Seen from the ball centre in a frame that turns along, a point that is at `v` in the middle of the move is at
 //!
 //! ```text
-//! v(t) = Rx(−βt)(v − t h) = v + t w(v) + r,   w(v) = −h − β x̂ × v,   |r| ≤ β²(|v| + |h|)/2 + |β||h|,   −1 ≤ t ≤ 1
+//! v(t) = exp(−tΩ)(v − t h) = v + t w(v) + r,   w(v) = −h − Ω × v,   |r| ≤ Ω²(|v⊥| + |h|)/2 + |Ω||h|,   −1 ≤ t ≤ 1
 //! ```
 //!
 //! The distance from a frustum of the tool is convex, so its tangent plane at one point bounds it from below everywhere. Along
-//! the motion of a point that plane is `a t + k t²` but for terms of third order, with `r = t²(−β²/2 v⊥ + β x̂ × h) + …`, and
+//! the motion of a point that plane is `a t + k t²` but for terms of third order, with `r = t²(Ω × (Ω × v)/2 + Ω × h) + …`, and
 //! linear in `v`: its least value over a box or triangle and the whole move has a closed form for each corner. A place (no
-//! move) is the move with `h = 0`, `β = 0`.
+//! move) is the move with `h = 0`, `Ω = 0`.
 
 use crate::geometry::Vector;
 
@@ -19,36 +20,36 @@ use super::profile::Profile;
 
 /// A move of the ball centre with an even turn of the tool, about its middle, in the frame of the middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Motion {
+pub(super) struct EvenMove {
     /// Half of the straight move, mm.
     pub half_move: Vector,
-    /// Half of the turn, rad.
-    pub half_turn: f64,
-    /// How far the ball centre may be off the straight line, mm.
-    pub stray: f64,
+    /// Half of the turn: a rotation vector, rad.
+    pub half_turn: Vector,
+    /// How far the tool may be turned off the even turn, rad.
+    pub sway: f64,
 }
 
-impl Motion {
+impl EvenMove {
     /// No motion.
     pub fn none() -> Self {
-        Motion { half_move: Vector::zeros(), half_turn: 0.0, stray: 0.0 }
+        EvenMove { half_move: Vector::zeros(), half_turn: Vector::zeros(), sway: 0.0 }
     }
 
     pub fn is_none(&self) -> bool {
-        self.half_turn == 0.0 && self.half_move == Vector::zeros() && self.stray == 0.0
+        *self == EvenMove::none()
     }
 
-    /// Where a point that is at `v` in the middle is at time `t`, exactly (but for straying).
+    /// Where a point that is at `v` in the middle is at time `t`, exactly (but for swaying).
     pub fn carry(&self, v: &Vector, t: f64) -> Vector {
-        turned_about_x(&(v - self.half_move * t), -self.half_turn * t)
+        turned(&(v - self.half_move * t), &(self.half_turn * -t))
     }
 
     /// The part of the move from `t − share` to `t + share`, about its own middle.
     pub fn part(&self, t: f64, share: f64) -> Self {
-        Motion {
-            half_move: turned_about_x(&self.half_move, -self.half_turn * t) * share,
+        EvenMove {
+            half_move: turned(&self.half_move, &(self.half_turn * -t)) * share,
             half_turn: self.half_turn * share,
-            stray: self.stray,
+            sway: self.sway,
         }
     }
 
@@ -57,31 +58,61 @@ impl Motion {
         -self.half_move - self.turning(v)
     }
 
-    /// `β x̂ × v`.
+    /// The tool turns about the cone's axis alone.
+    fn is_about_x(&self) -> bool {
+        self.half_turn.y == 0.0 && self.half_turn.z == 0.0 && self.sway == 0.0
+    }
+
+    /// Distance from the turning axis within which all points within `radius` of `v` are; from the ball centre where the tool does not
+    /// turn about the cone's axis alone, mm.
+    fn distance(&self, v: &Vector, radius: f64) -> f64 {
+        if self.is_about_x() { v.y.hypot(v.z) + radius } else { v.norm() + radius }
+    }
+
+    /// How fast the tool turns, rad.
+    fn rate(&self) -> f64 {
+        if self.is_about_x() { self.half_turn.x.abs() } else { self.half_turn.norm() }
+    }
+
+    /// `Ω × v`.
     fn turning(&self, v: &Vector) -> Vector {
-        Vector::new(0.0, -v.z, v.y) * self.half_turn
+        if self.is_about_x() {
+            return Vector::new(0.0, -v.z, v.y) * self.half_turn.x;
+        }
+        self.half_turn.cross(v)
     }
 
-    /// What the first order leaves out, for points within `distance` of the turning axis, mm.
+    /// What the first order leaves out, for points within `distance`, mm.
     fn bend(&self, distance: f64) -> f64 {
-        let (b, h) = (self.half_turn.abs(), self.half_move.norm());
-        0.5 * b * b * (distance + h) + b * h + self.stray
+        let (b, h) = (self.rate(), self.half_move.norm());
+        0.5 * b * b * (distance + h) + b * h + self.sway * (distance + h)
     }
 
-    /// Second order of the point's motion: what `t²` is multiplied by, `−β²/2 v⊥ + β x̂ × h`.
+    /// Second order of the point's motion: what `t²` is multiplied by, `Ω × (Ω × v)/2 + Ω × h`.
     fn second(&self, v: &Vector) -> Vector {
-        Vector::new(0.0, v.y, v.z) * (-0.5 * self.half_turn * self.half_turn) + self.turning(&self.half_move)
+        if self.is_about_x() {
+            return Vector::new(0.0, v.y, v.z) * (-0.5 * self.half_turn.x * self.half_turn.x)
+                + self.turning(&self.half_move);
+        }
+        self.turning(&self.turning(v)) * 0.5 + self.turning(&self.half_move)
     }
 
-    /// What the second order leaves out, for points within `distance` of the turning axis, and what it differs by over
-    /// points within `radius`, mm.
+    /// What the second order leaves out, for points within `distance`, and what it differs by over points within `radius`, mm.
     fn rest(&self, distance: f64, radius: f64) -> f64 {
-        let (b, h) = (self.half_turn.abs(), self.half_move.norm());
-        b.powi(3) * (distance + h) / 6.0 + 0.5 * b * b * (h + radius) + self.stray
+        let (b, h) = (self.rate(), self.half_move.norm());
+        b.powi(3) * (distance + h) / 6.0 + 0.5 * b * b * (h + radius) + self.sway * (distance + h)
     }
 }
 
-/// `v` turned about the blade axis.
+/// `v` turned by a rotation vector.
+fn turned(v: &Vector, by: &Vector) -> Vector {
+    if by.y == 0.0 && by.z == 0.0 {
+        return turned_about_x(v, by.x);
+    }
+    nalgebra::UnitQuaternion::from_scaled_axis(*by) * v
+}
+
+/// `v` turned about the first axis.
 pub(super) fn turned_about_x(v: &Vector, angle: f64) -> Vector {
     if angle == 0.0 {
         return *v;
@@ -103,7 +134,7 @@ pub(super) struct Region {
     pub centre: Vector,
     pub radius: f64,
     pub shape: Shape,
-    pub motion: Motion,
+    pub motion: EvenMove,
     /// All points are within `reach` of the centre during the whole move.
     pub reach: f64,
     /// What the second order leaves out, mm.
@@ -117,13 +148,13 @@ fn least_of(a: f64, k: f64) -> f64 {
 }
 
 impl Region {
-    pub fn new(centre: Vector, radius: f64, shape: Shape, motion: Motion) -> Self {
+    pub fn new(centre: Vector, radius: f64, shape: Shape, motion: EvenMove) -> Self {
         let moving = !motion.is_none();
         let (mut reach, mut rest) = (radius, 0.0);
         if moving {
-            let distance = centre.y.hypot(centre.z) + radius;
+            let distance = motion.distance(&centre, radius);
             rest = motion.rest(distance, radius);
-            reach += motion.velocity(&centre).norm() + motion.half_turn.abs() * radius + motion.bend(distance);
+            reach += motion.velocity(&centre).norm() + motion.rate() * radius + motion.bend(distance);
         }
         Region { centre, radius, shape, motion, reach, rest, moving }
     }
@@ -220,10 +251,11 @@ mod tests {
         #[test]
         fn a_move_keeps_within_its_bounds(
             centre in vector(20.0), a in vector(2.0), b in vector(2.0), c in vector(2.0),
-            half_move in vector(0.7), half_turn in -0.2..0.2f64, slope in vector(1.0),
+            half_move in vector(0.7), about_x in -0.2..0.2f64, frame in vector(0.1), turns in any::<bool>(), slope in vector(1.0),
             at in -0.7..0.7f64, share in 0.05..0.3f64,
         ) {
-            let motion = Motion { half_move, half_turn, stray: 0.0 };
+            let half_turn = Vector::new(about_x, 0.0, 0.0) + if turns { frame } else { Vector::zeros() };
+            let motion = EvenMove { half_move, half_turn, sway: 0.0 };
             let triangle = [centre + a, centre + b, centre - a - b];
             let radius = triangle.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max);
             let regions = [

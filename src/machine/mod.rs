@@ -62,6 +62,7 @@
 //! Without a chain there is one branch: the other solution, `180° − B`, is outside that range. Velocity, acceleration and jerk say
 //! where they come from ([`Provenance`]).
 
+mod along;
 mod chain;
 #[cfg(test)]
 mod chain_tests;

@@ -133,8 +133,7 @@ fn keep_clear(
     let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
     for _ in 0..MOST_PROOFS {
         let short = clock.time(Stage::Channel, || {
-            let (theta, b_rad) = (&schedule.theta, channel.b_rad);
-            Ok(verify::short_moves(path, theta, b_rad, &apart, &verify))
+            Ok(verify::short_moves(path, &schedule.theta, &apart, &verify))
         })?;
         if short.is_empty() {
             return Ok(());

@@ -125,7 +125,6 @@ pub fn check_among(
         obstacles,
         tool,
         machine,
-        b_rad: plan.channel.b_rad,
         options,
     };
     report.checks.extend(lead::check(&plan, &room));
@@ -177,6 +176,9 @@ pub fn well_formed(plan: &Plan) -> Result<()> {
             ));
         }
     }
+    if !plan.toolpath.cones.fit(n) {
+        return bad("the cones of tool axes of the plan are not finite, or not as many as its cutter locations".into());
+    }
     let finite = |i: usize| {
         let (l, c) = (&plan.toolpath.locations[i], &plan.channel.rows[i]);
         l.centre.iter().chain(l.contact.iter()).chain(l.normal.iter()).all(|x| x.is_finite())
@@ -187,7 +189,7 @@ pub fn well_formed(plan: &Plan) -> Result<()> {
     };
     match (0..n).find(|&i| !finite(i)) {
         Some(i) => bad(format!("cutter location {i} of the plan has a value that is not a finite number")),
-        None if !plan.rows().all(|r| r.centre.iter().chain([&r.theta, &r.t_s]).all(|x| x.is_finite())) => {
+        None if !plan.rows().all(|r| r.stand.centre.iter().chain([&r.stand.theta, &r.t_s]).all(|x| x.is_finite())) => {
             bad("a row of a lead has a value that is not a finite number".into())
         }
         None => Ok(()),

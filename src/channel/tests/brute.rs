@@ -8,7 +8,7 @@ use super::super::arcs::{Arc, Witness};
 use super::super::forbidden::{Body, Scene, Search, View};
 use super::super::options::ChannelOptions;
 use super::super::profile::Profile;
-use super::super::region::{Motion, turned_about_x};
+use super::super::region::{EvenMove, turned_about_x};
 use super::super::samples::Sample;
 use super::super::track::Tracker;
 use super::super::tree::SphereTree;
@@ -179,7 +179,7 @@ proptest! {
     ) {
         let o = open_options(b);
         let half_move = Vector::from(along);
-        let motion = Motion { half_move: turned_about_x(&half_move, -azimuth), half_turn, stray: 0.0 };
+        let motion = EvenMove { half_move: turned_about_x(&half_move, -azimuth), half_turn, stray: 0.0 };
         let view = View { centre: Point::origin(), azimuth, motion };
         let found = with_scene(&mesh, &tool, &o, |s| s.free_moving(&view, &[], None));
         let (points, segments) = (dense(&mesh), tool.segments());

@@ -61,7 +61,7 @@ fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64; 5]>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }
-    let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.rotary_of(e.theta, run.b_rad()));
+    let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.turn_to(&e.stand, Some(&e.near)));
     let to = begun.map_or(first, |axes| [axes[3], axes[4]]);
     let mut turned = from[0] - to[0];
     if dialect.turns_back_by_the_shorter_way() && run.machine.limits()[3].travel.is_none() {

@@ -20,10 +20,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Run;
-use super::moves::{Move, on_the_way};
-use crate::artifact::plan::Turning;
+use super::moves::Move;
+use crate::artifact::Motion;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
 
 /// Coefficients of `p²` to `p⁵` of X, Y, Z (mm) and of the rotary axes (degrees).
 pub(super) type Bend = [[f64; 4]; 5];
@@ -41,8 +40,8 @@ const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
 
-/// Gives the words (X, Y, Z, first and second rotary axis; mm and degrees) of a ball centre and θ.
-pub(super) type Words<'a> = dyn Fn(&Point, f64) -> [f64; 5] + 'a;
+/// Gives the words (X, Y, Z, first and second rotary axis; mm and degrees) of a place.
+pub(super) type Words<'a> = dyn Fn(&Move) -> [f64; 5] + 'a;
 
 /// Solves for the coefficients of a degree.
 struct Fit {
@@ -77,20 +76,19 @@ fn bent(a: &[f64; 4], p: f64) -> f64 {
 struct Way<'a> {
     from: Move,
     to: Move,
-    turning: Option<Turning<'a>>,
+    motion: &'a Motion<'a>,
+    /// Its first row.
+    row: usize,
     words: &'a Words<'a>,
 }
 
 impl Way<'_> {
-    fn at(&self, share: f64) -> (Point, f64) {
-        let (a, b) = (&self.from, &self.to);
-        let theta = self.turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
-        (a.centre + (b.centre - a.centre) * share, theta)
+    fn at(&self, share: f64) -> Move {
+        Move { stand: self.motion.curved(self.row, share).unwrap_or(self.to.stand), ..self.from }
     }
 
     fn words(&self, share: f64) -> [f64; 5] {
-        let (centre, theta) = self.at(share);
-        (self.words)(&centre, theta)
+        (self.words)(&self.at(share))
     }
 
     /// The polynomials of a part of the way; `None`: they are too far off.
@@ -116,10 +114,9 @@ impl Way<'_> {
         let [from, to] = part;
         if let Some(bend) = self.bend(fit, part) {
             let (a, b) = (&self.from, &self.to);
-            let (centre, theta) = self.at(to);
+            let stretch = Motion::stretch_between(a.stretch, b.stretch);
             // The row itself, to the bit.
-            let end =
-                if to == 1.0 { *b } else { Move { centre, theta, stretch: on_the_way(a.stretch, b.stretch), ..*b } };
+            let end = if to == 1.0 { *b } else { Move { stretch, ..self.at(to) } };
             out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend, ..end });
             return Ok(());
         }
@@ -128,7 +125,7 @@ impl Way<'_> {
             return Err(Error::infeasible(Stage::Post, what).advise("write the program with straight moves"));
         }
         let end = END * (to - from);
-        let joint = self.turning.and_then(|t| t.joint_between(from + end, to - end));
+        let joint = self.motion.joint_between(self.row, from + end, to - end);
         let mid = joint.unwrap_or(0.5 * (from + to));
         self.write(fit, [from, mid], halvings + 1, out)?;
         self.write(fit, [mid, to], halvings + 1, out)
@@ -143,16 +140,15 @@ pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> 
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
-    let before = plan.leads[0].centres.len();
+    let motion = Motion::of(plan);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     let mut from: Option<Move> = None;
-    for (row, next) in plan.rows().map(Move::to).enumerate() {
+    for (k, next) in Move::rows(plan).enumerate() {
         match from {
             None => out.push(next),
             Some(from) => {
-                let location = row.checked_sub(before + 1);
-                let turning = location.and_then(|k| plan.turning(k));
-                Way { from, to: next, turning, words }.write(&fit, [0.0, 1.0], 0, &mut out)?;
+                let way = Way { from, to: next, motion: &motion, row: k - 1, words };
+                way.write(&fit, [0.0, 1.0], 0, &mut out)?;
             }
         }
         from = Some(next);

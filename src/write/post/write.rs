@@ -6,6 +6,7 @@ use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header, title};
 use super::{End, Run, cycle, merge, smoothing, turn_in};
+use crate::artifact::Stand;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::error::{Error, Result, Stage};
@@ -174,7 +175,7 @@ impl<'a> Writer<'a> {
 
     /// Sets the values of a pose over an end of the path.
     fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
-        let placed = self.placed(&(end.centre + end.axis * lift_mm), end.theta);
+        let placed = self.placed(&end.stand.lifted(lift_mm), &end.near);
         self.take(&placed, &polynomial::NONE)
     }
 
@@ -184,10 +185,9 @@ impl<'a> Writer<'a> {
         self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), &polynomial::NONE)
     }
 
-    fn placed(&self, centre: &Point, theta: f64) -> Placed {
-        let run = self.run;
-        let axes = run.machine.inverse(centre, theta, run.b_rad(), run.tool.length_mm());
-        self.placed_by(centre, &tool::axis(run.b_rad(), theta), axes)
+    fn placed(&self, stand: &Stand, near: &[f64; 5]) -> Placed {
+        let axes = self.run.machine.place(stand, Some(near), self.run.tool.length_mm());
+        self.placed_by(&stand.centre, &stand.axis(), axes)
     }
 
     /// A pose by its centre and tool axis, and the axis positions that bring it about.
@@ -262,8 +262,8 @@ impl<'a> Writer<'a> {
     fn cuts(&mut self) -> Result<()> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
-        let words = |centre: &Point, theta: f64| {
-            let Placed { point: [x, y, z], a_deg, axes, .. } = self.placed(centre, theta);
+        let words = |m: &Move| {
+            let Placed { point: [x, y, z], a_deg, axes, .. } = self.placed(&m.stand, &m.near);
             [x, y, z, a_deg, axes[4].to_degrees()]
         };
         let moves = match (dialect.file.poly_degree, dialect.file.feed) {
@@ -279,11 +279,11 @@ impl<'a> Writer<'a> {
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
-        for Move { centre, theta, t_s, stretch: next, bend } in &moves {
+        for Move { stand, near, t_s, stretch: next, bend } in &moves {
             if *next == Stretch::LeadOut {
                 stretch = *next;
             }
-            let placed = self.placed(centre, *theta);
+            let placed = self.placed(stand, near);
             let before = self.stands;
             self.take(&placed, bend)?;
             let position = self.position(lines)?;
