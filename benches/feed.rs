@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use bladewright::artifact::schedule::{Measure, Quality, ScheduleKind};
 use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind};
-use bladewright::artifact::{AxisMotion, Schedule, Toolpath};
+use bladewright::artifact::{AxisMotion, Cones, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
 use bladewright::feed::{self, FeedOptions};
 use bladewright::geometry::{Point, Vector};
@@ -67,6 +67,7 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
         region_x_mm: [0.0, 120.0],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(5f64.to_radians()),
         turns: Vec::new(),
         locations,
     }
@@ -249,11 +250,9 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let length = first.locations.last().map_or(1.0, |l| l.s_mm);
     options.max_step_mm = (length / LOCATIONS).min(options.max_step_mm);
     let path = path::plan(&blade, &options, &Silent).map_err(|e| e.message)?;
-    let b_rad = 5f64.to_radians();
-    let channel = channel::plan(&blade, &tool, &path, &ChannelOptions { b_rad, ..ChannelOptions::default() }, &Silent)
-        .map_err(|e| e.message)?;
+    let channel = channel::plan(&blade, &tool, &path, &ChannelOptions::default(), &Silent).map_err(|e| e.message)?;
     let machine = Machine::demo().map_err(|e| e.message)?;
-    let feed = FeedOptions::new(2000.0, b_rad, tool.length_mm());
+    let feed = FeedOptions::new(2000.0, tool.length_mm());
     let (f, a) = (feed.feed_mm_min / 60.0, machine.limits()[3]);
     let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f), standing_mm: 0.0 });
     let _ = writeln!(out, "{}: {} cutter locations, {length:.0} mm", model.display(), path.locations.len());

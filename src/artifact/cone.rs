@@ -207,7 +207,8 @@ impl Cones {
 
     /// Every number is finite and there are as many as locations, or one for all.
     pub fn fit(&self, locations: usize) -> bool {
-        let finite = |c: &Cone| c.axis.iter().chain(c.reference.iter()).all(|v| v.is_finite()) && c.lean_rad.is_finite();
+        let finite =
+            |c: &Cone| c.axis.iter().chain(c.reference.iter()).all(|v| v.is_finite()) && c.lean_rad.is_finite();
         match self {
             Cones::Same(cone) => finite(cone),
             Cones::Each(all) => all.len() == locations && all.iter().all(finite),

@@ -123,7 +123,7 @@ pub(super) struct Plane {
 
 impl Plane {
     /// Of the part's margin at the end `k`, for a node whose box has its centre at `v`.
-    fn new(part: u16, flat: &Flat, node: &Seen, now: &Now, (sweep, k): (&Sweep, usize)) -> Self {
+    pub fn new(part: u16, flat: &Flat, node: &Seen, now: &Now, (sweep, k): (&Sweep, usize)) -> Self {
         let slope = &flat.slope;
         let theta = if k == 0 { sweep.lo } else { sweep.hi };
         let at_ball = slope.dot(&node.v);
@@ -151,16 +151,16 @@ impl Plane {
 }
 
 /// A node of a tree in the frame of the cone, from the ball centre.
-struct Seen {
+pub(super) struct Seen {
     v: Vector,
     radius: f64,
     half: [Vector; 3],
     /// Its points stay within this of the ball centre while its certificate lasts, mm.
-    reach: f64,
+    pub reach: f64,
 }
 
 impl Seen {
-    fn new(node: &tree::Node, now: &Now, reach: f64) -> Self {
+    pub fn new(node: &tree::Node, now: &Now, reach: f64) -> Self {
         let v = now.sight.seen(&(node.centre - now.ball));
         Seen { v, radius: node.radius, half: now.sight.all_seen(&node.half), reach }
     }

@@ -9,7 +9,6 @@
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use crate::artifact::Cone;
 use crate::error::{Result, Stage};
 use crate::geometry::Vector;
 use crate::observe::Observer;
@@ -80,9 +79,22 @@ pub(super) fn moved_in(chosen: &[&Free], lifts: &[Lift]) -> Vec<Free> {
 struct Move<'a> {
     from: (&'a Sample, &'a Free),
     to: (&'a Sample, &'a Free),
-    /// The cone in the middle, and the angle of all frames there.
-    cone: Cone,
+    /// Angle of all frames in the middle.
     azimuth: f64,
+}
+
+/// The move from a place to the next in a frame that turns by ± `turn` about the cone's axis, in its middle.
+pub(super) fn even_move(from: &Sample, to: &Sample, turn: f64) -> View {
+    let (cone, azimuth) = (from.cone.between(&to.cone, 0.5), 0.5 * (from.azimuth + to.azimuth));
+    let sight = Sight::of(&cone);
+    let in_view = |v: &Vector| turned_about_x(&sight.seen(v), -azimuth);
+    let half_move = (to.centre - from.centre) * 0.5;
+    let frame = from.cone.rotation_to(&to.cone) * 0.5;
+    // The frame turns by `exp(tω) exp(tβx̂)`; what that differs from `exp(t(ω + βx̂))` by is `t²|ω||β|/2` and terms of higher order.
+    let sway = frame.norm() * turn.abs() + 0.5 * (to.cone.lean_rad - from.cone.lean_rad).abs();
+    let half_turn = Vector::new(turn, 0.0, 0.0) + in_view(&frame);
+    let motion = EvenMove { half_move: in_view(&half_move), half_turn, sway };
+    View { centre: from.centre + half_move, cone, azimuth, motion }
 }
 
 fn lift(
@@ -92,8 +104,7 @@ fn lift(
     to: (&Sample, &Free),
     starts: Option<&[Start]>,
 ) -> Option<Lift> {
-    let cone = from.0.cone.between(&to.0.cone, 0.5);
-    let m = Move { from, to, cone, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
+    let m = Move { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
     let tolerance = MOVE_TOLERANCES * scene.options.tolerance_rad;
     let (low, high) = (0.5 * (to.1.lo - from.1.lo), 0.5 * (to.1.hi - from.1.hi));
     let mut free_at = |turn: f64| m.widest(search, turn, tolerance, starts);
@@ -119,16 +130,7 @@ fn lift(
 impl Move<'_> {
     /// The free interval of the whole move that has most in common with those of both ends, in a frame that turns by ± `turn`.
     fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
-        let half_move = (self.to.0.centre - self.from.0.centre) * 0.5;
-        let sight = Sight::of(&self.cone);
-        let in_view = |v: &Vector| turned_about_x(&sight.seen(v), -self.azimuth);
-        let (frame, tip) = self.half_turn_of_cone();
-        // The frame turns by `exp(tω) exp(tβx̂)`; what that differs from `exp(t(ω + βx̂))` by is `t²|ω||β|/2` and terms of higher order.
-        let sway = frame.norm() * turn.abs() + tip;
-        let half_turn = Vector::new(turn, 0.0, 0.0) + in_view(&frame);
-        let motion = EvenMove { half_move: in_view(&half_move), half_turn, sway };
-        let view =
-            View { centre: self.from.0.centre + half_move, cone: self.cone, azimuth: self.azimuth, motion };
+        let view = even_move(self.from.0, self.to.0, turn);
         let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
         let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
         let (hi, hi_by) = if a.hi < b.hi { (a.hi, a.hi_by) } else { (b.hi, b.hi_by) };
@@ -154,12 +156,6 @@ impl Move<'_> {
             }
         }
         best.map(|(_, piece)| piece)
-    }
-
-    /// Half of what the frame of the cone turns by, a rotation vector of the blade frame, and half of what its lean changes by, rad.
-    fn half_turn_of_cone(&self) -> (Vector, f64) {
-        let (from, to) = (&self.from.0.cone, &self.to.0.cone);
-        (from.rotation_to(to) * 0.5, 0.5 * (to.lean_rad - from.lean_rad).abs())
     }
 
     /// The interval of an end as seen in a frame that is turned by `turn` there.

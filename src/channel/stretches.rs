@@ -5,8 +5,8 @@
 //! alike. A schedule that never turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
 //! turn and a quarter of the next.
 
-use crate::artifact::{Cone, Toolpath};
 use crate::artifact::toolpath::EndReason;
+use crate::artifact::{Cone, Toolpath};
 
 use super::samples::Sample;
 

@@ -248,7 +248,8 @@ impl<'a> Tracker<'a> {
             }
             match b.tree.below(index) {
                 Below::Nodes(left, right) => {
-                    let margin = |i: u32| bound::margin(&b.profile, &axis, &sight.seen(&(b.tree.node(i).centre - centre)));
+                    let margin =
+                        |i: u32| bound::margin(&b.profile, &axis, &sight.seen(&(b.tree.node(i).centre - centre)));
                     let nearer = if margin(left) <= margin(right) { [right, left] } else { [left, right] };
                     open.extend(nearer.map(|i| (body, i)));
                 }

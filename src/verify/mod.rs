@@ -119,14 +119,7 @@ pub fn check_among(
     let (checks, least) = clearance::check(&plan, blade, &apart, options);
     report.clearance_mm = least;
     report.checks.extend(checks);
-    let room = lead::Room {
-        blade,
-        stock_mm: plan.toolpath.stock_mm,
-        obstacles,
-        tool,
-        machine,
-        options,
-    };
+    let room = lead::Room { blade, stock_mm: plan.toolpath.stock_mm, obstacles, tool, machine, options };
     report.checks.extend(lead::check(&plan, &room));
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));

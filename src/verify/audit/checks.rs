@@ -40,7 +40,9 @@ pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
 pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     let options = scene.options;
     let found = match inside(scene) {
-        Some((leg, depth)) => Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.stands[leg].centre },
+        Some((leg, depth)) => {
+            Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.stands[leg].centre }
+        }
         None => gouge::measure(&scene.part, sweep, options.resolution_mm),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);

@@ -264,7 +264,8 @@ impl Scene<'_> {
     /// The ball swept over the feed moves along the part: without approach and retract, which are no passes.
     fn passes(&self) -> Sweep {
         let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
-        let touching: Vec<bool> = self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect();
+        let touching: Vec<bool> =
+            self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect();
         let wanted = self.legs.of(Kind::Cut).into_iter().zip(touching.windows(2));
         self.sweep_of(wanted.map(|(cut, ends)| cut && ends[0] && ends[1]).collect())
     }

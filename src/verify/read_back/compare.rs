@@ -60,7 +60,6 @@ struct OnPath {
 }
 
 struct Comparison<'a> {
-    plan: &'a Plan,
     /// The whole motion: leads and locations.
     motion: Motion<'a>,
     tool: &'a Tool,
@@ -88,7 +87,6 @@ pub(super) fn checks(
     machine: &Machine,
 ) -> Vec<Check> {
     let mut c = Comparison {
-        plan,
         motion: Motion::of(plan),
         tool,
         machine,

@@ -6,9 +6,9 @@
 //! with positions of machine axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where that is
 //! more than the chord tolerance of the path, the move is written in equal parts.
 
-use crate::artifact::{Motion, Plan, Stand};
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
+use crate::artifact::{Motion, Plan, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -39,7 +39,13 @@ pub(super) struct Move {
 impl Move {
     /// The rows of the plan, each as the end of a straight move to it.
     pub(super) fn rows(plan: &Plan) -> impl Iterator<Item = Move> + '_ {
-        let one = |(Row { stand, t_s, stretch }, near): (Row, &[f64; 5])| Move { stand, near: *near, t_s, stretch, bend: NONE };
+        let one = |(Row { stand, t_s, stretch }, near): (Row, &[f64; 5])| Move {
+            stand,
+            near: *near,
+            t_s,
+            stretch,
+            bend: NONE,
+        };
         plan.rows().zip(plan.axes()).map(one)
     }
 
@@ -81,7 +87,11 @@ pub(super) fn well_formed(plan: &Plan) -> Result<()> {
     let rows: Vec<Row> = plan.rows().collect();
     let leads: usize = plan.leads.iter().map(|l| l.centres.len()).sum();
     let finite = |r: &Row| r.stand.centre.iter().chain([&r.stand.theta, &r.t_s]).all(|x| x.is_finite());
-    if rows.len() != n + leads || plan.axes().count() != rows.len() || !rows.iter().all(finite) || !rows.windows(2).all(|w| w[1].t_s >= w[0].t_s) {
+    if rows.len() != n + leads
+        || plan.axes().count() != rows.len()
+        || !rows.iter().all(finite)
+        || !rows.windows(2).all(|w| w[1].t_s >= w[0].t_s)
+    {
         return bad("a lead of the plan misses angles or times, or they go back or are not finite".into());
     }
     Ok(())

@@ -8,7 +8,6 @@ use json::mesh::{Mode, Primitive, Semantic};
 use json::scene::Node;
 use serde_json::json;
 
-
 use super::glb::Glb;
 use super::{Scene, mesh_node, single, triple};
 use crate::artifact::Plan;
