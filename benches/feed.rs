@@ -142,7 +142,7 @@ fn rough(out: &mut String, n: usize) -> Result<(), String> {
     for (centre_um, theta_mrad, noise) in cases {
         let (path, schedule) = rough_helix(n, &noise);
         let start = Instant::now();
-        let options = FeedOptions::new(2000.0, 5f64.to_radians(), 60.0);
+        let options = FeedOptions::new(2000.0, 60.0);
         let (m, gap) = feed::plan_with_bound(&path, &schedule, &machine, &options, &Silent).map_err(|e| e.message)?;
         let _ = writeln!(
             out,
@@ -161,7 +161,7 @@ fn rough(out: &mut String, n: usize) -> Result<(), String> {
 
 /// Axis limits alone: nothing else slows the motion.
 fn axes_alone(limit_jerk: bool) -> FeedOptions {
-    FeedOptions { limit_jerk, chord_mm: 1e9, limit_contact: false, ..FeedOptions::new(6e4, 5f64.to_radians(), 60.0) }
+    FeedOptions { limit_jerk, chord_mm: 1e9, limit_contact: false, ..FeedOptions::new(6e4, 60.0) }
 }
 
 /// Median seconds of several runs and the motion.

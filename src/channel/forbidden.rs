@@ -353,7 +353,7 @@ impl<'a> Search<'a> {
         }
         let tolerance = self.tolerance();
         let smallest = 0.125 * if self.still { tolerance * tolerance } else { tolerance };
-        if region.reach <= smallest * region.centre.norm() + 1e-9 {
+        if region.reach - region.fixed <= (smallest * region.centre.norm()).max(0.25 * region.fixed) + 1e-9 {
             self.commit();
             return;
         }
@@ -369,7 +369,13 @@ impl<'a> Search<'a> {
             self.arcs_of(body, &region.centre, region.reach, leaf);
             let excess = self.excess().unwrap_or(0.0);
             self.open.push(Open { excess, what: What::Piece(self.pieces.len()) });
-            self.pieces.push(Piece { centre: region.centre, radius, reach: region.reach, ..piece });
+            self.pieces.push(Piece {
+                centre: region.centre,
+                radius,
+                reach: region.reach,
+                fixed: region.fixed,
+                ..piece
+            });
         }
     }
 
@@ -487,7 +493,7 @@ impl<'a> Search<'a> {
 
     /// Halves a piece in space, or in time where the motion counts for more than the size.
     fn halve(&self, piece: &Piece) -> [Piece; 2] {
-        if piece.reach > 2.0 * piece.radius {
+        if piece.reach - piece.fixed > 2.0 * piece.radius {
             let motion = self.motion.part(piece.time, piece.share);
             let share = 0.5 * piece.share;
             [-0.5, 0.5].map(|t| Piece {

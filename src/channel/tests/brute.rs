@@ -207,7 +207,7 @@ proptest! {
             Sample { row: 0, fraction: 0.0, centre: Point::origin() + half_move * sense, normal: Vector::y(), cone, azimuth }
         };
         let (from, to) = (end(-1.0), end(1.0));
-        let view = even_move(&from, &to, half_turn);
+        let view = even_move(&from, &to, half_turn, [0.0, 1.0]);
         let found = with_scene(&mesh, &tool, &o, |s| s.free_moving(&view, &[], None));
         let (points, segments) = (dense(&mesh), tool.segments());
         for time in [-1.0, -0.7, -0.2, 0.0, 0.35, 0.8, 1.0] {
