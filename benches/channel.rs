@@ -83,6 +83,7 @@ fn blade(mesh: Mesh) -> Blade {
             airfoil_x_mm: x,
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
+            sides: None,
             reasons: Vec::new(),
         },
         diagnosis: Diagnosis::default(),

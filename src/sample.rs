@@ -80,6 +80,7 @@ pub fn blade() -> Blade {
             airfoil_x_mm: [0.0, PART_LENGTH],
             platform_x_mm: None,
             fillet_x_mm: None,
+            sides: None,
             reasons: vec!["a cylinder".into()],
         },
         diagnosis: Diagnosis::default(),

@@ -55,6 +55,7 @@ fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
             airfoil_x_mm: [-60.0, 60.0],
             platform_x_mm: None,
             fillet_x_mm: None,
+            sides: None,
             reasons: vec![],
         },
         diagnosis: Diagnosis { closed: true, ..Diagnosis::default() },

@@ -31,6 +31,7 @@ pub fn blade(mesh: Mesh) -> Blade {
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
+            sides: None,
             reasons: Vec::new(),
         },
         diagnosis: Diagnosis::default(),
