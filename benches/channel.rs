@@ -13,9 +13,9 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use bladewright::artifact::Blade;
 use bladewright::artifact::blade::{Diagnosis, Regions, Unit};
 use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
+use bladewright::artifact::{Blade, Cone, Cones};
 use bladewright::channel::{ChannelOptions, FreeInterval, Surroundings, intervals, plan_among};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
@@ -83,6 +83,7 @@ fn blade(mesh: Mesh) -> Blade {
             airfoil_x_mm: x,
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
+            sides: None,
             reasons: Vec::new(),
         },
         diagnosis: Diagnosis::default(),
@@ -120,9 +121,27 @@ fn helix(count: usize) -> Toolpath {
         region_x_mm: [30.0, 8.0],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(5f64.to_radians()),
         turns,
         locations,
     }
+}
+
+/// Cones whose axes are the blade axis and whose references are turned anyhow from place to place, written about an axis that is turned by a
+/// hundred-thousandth of a degree, so that no short cut is taken; or that wobble about the blade axis, once in 90 locations.
+fn turned(count: usize, wobbling: bool) -> Cones {
+    let one = |k: usize| {
+        let (lean, at) = (5f64.to_radians(), TAU * (k % 90) as f64 / 90.0);
+        let off = if wobbling { 3f64.to_radians() } else { 1e-5f64.to_radians() };
+        let axis = Vector::new(
+            off.cos(),
+            if wobbling { off.sin() * at.cos() } else { off.sin() },
+            if wobbling { off.sin() * at.sin() } else { 0.0 },
+        );
+        let by = (k * 7919 % 360) as f64;
+        Cone::new(axis, Vector::new(0.1, by.to_radians().cos(), by.to_radians().sin()), lean).unwrap()
+    };
+    Cones::along((0..count).map(one).collect())
 }
 
 fn tool() -> Tool {
@@ -292,6 +311,7 @@ fn main() {
         let worked = worked_s();
         let ours = intervals(&around, &tool, &path, &options, &Silent).unwrap();
         let (all, worked) = (start.elapsed().as_secs_f64(), worked_s() - worked);
+        let all_worked = worked;
         let start = Instant::now();
         let whole = plan_among(&around, &tool, &path, &options, &Silent);
         let proven = start.elapsed().as_secs_f64();
@@ -303,6 +323,13 @@ fn main() {
             per(all),
             per(proven)
         );
+        for (what, cones) in [("turned in space", turned(count, false)), ("wobbling by 3°", turned(count, true))] {
+            let path = path.clone().with_cones(cones);
+            let worked = worked_s();
+            let _ = intervals(&around, &tool, &path, &options, &Silent).unwrap();
+            let other = worked_s() - worked;
+            println!("         cones {what}: {other:.2} s of all threads, {:.2} times as much", other / all_worked);
+        }
         match &whole {
             Ok(c) => {
                 let given = |f: &dyn Fn(usize) -> f64| {
@@ -320,7 +347,7 @@ fn main() {
             Err(e) => println!("         {e}"),
         }
         if alone.is_empty() && size == sizes[sizes.len() - 1].min(200_000) {
-            let (segments, b) = (tool.segments(), options.b_rad);
+            let (segments, b) = (tool.segments(), path.cone(0).lean_rad);
             let bound = |c: &Point, t: f64| frustum_hits(&blade, &segments, b, c, t);
             let (each, off) = peer(&path, &ours, if quick { 10 } else { 40 }, &bound);
             let times = each * count as f64 / worked;

@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use bladewright::artifact::schedule::{Measure, Quality, ScheduleKind};
 use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind};
-use bladewright::artifact::{AxisMotion, Schedule, Toolpath};
+use bladewright::artifact::{AxisMotion, Cones, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
 use bladewright::feed::{self, FeedOptions};
 use bladewright::geometry::{Point, Vector};
@@ -67,6 +67,7 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
         region_x_mm: [0.0, 120.0],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(5f64.to_radians()),
         turns: Vec::new(),
         locations,
     }
@@ -141,7 +142,7 @@ fn rough(out: &mut String, n: usize) -> Result<(), String> {
     for (centre_um, theta_mrad, noise) in cases {
         let (path, schedule) = rough_helix(n, &noise);
         let start = Instant::now();
-        let options = FeedOptions::new(2000.0, 5f64.to_radians(), 60.0);
+        let options = FeedOptions::new(2000.0, 60.0);
         let (m, gap) = feed::plan_with_bound(&path, &schedule, &machine, &options, &Silent).map_err(|e| e.message)?;
         let _ = writeln!(
             out,
@@ -160,7 +161,7 @@ fn rough(out: &mut String, n: usize) -> Result<(), String> {
 
 /// Axis limits alone: nothing else slows the motion.
 fn axes_alone(limit_jerk: bool) -> FeedOptions {
-    FeedOptions { limit_jerk, chord_mm: 1e9, limit_contact: false, ..FeedOptions::new(6e4, 5f64.to_radians(), 60.0) }
+    FeedOptions { limit_jerk, chord_mm: 1e9, limit_contact: false, ..FeedOptions::new(6e4, 60.0) }
 }
 
 /// Median seconds of several runs and the motion.
@@ -249,11 +250,9 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let length = first.locations.last().map_or(1.0, |l| l.s_mm);
     options.max_step_mm = (length / LOCATIONS).min(options.max_step_mm);
     let path = path::plan(&blade, &options, &Silent).map_err(|e| e.message)?;
-    let b_rad = 5f64.to_radians();
-    let channel = channel::plan(&blade, &tool, &path, &ChannelOptions { b_rad, ..ChannelOptions::default() }, &Silent)
-        .map_err(|e| e.message)?;
+    let channel = channel::plan(&blade, &tool, &path, &ChannelOptions::default(), &Silent).map_err(|e| e.message)?;
     let machine = Machine::demo().map_err(|e| e.message)?;
-    let feed = FeedOptions::new(2000.0, b_rad, tool.length_mm());
+    let feed = FeedOptions::new(2000.0, tool.length_mm());
     let (f, a) = (feed.feed_mm_min / 60.0, machine.axes()[machine.turning_axis()].limits);
     let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f), standing_mm: 0.0 });
     let _ = writeln!(out, "{}: {} cutter locations, {length:.0} mm", model.display(), path.locations.len());

@@ -5,7 +5,6 @@
 #![allow(clippy::unwrap_used)]
 
 use crate::artifact::Axes;
-use crate::artifact::ToolPart;
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Regions, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -14,6 +13,7 @@ use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
+use crate::artifact::{Cones, ToolPart};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -81,6 +81,7 @@ pub fn blade() -> Blade {
             airfoil_x_mm: [0.0, PART_LENGTH],
             platform_x_mm: None,
             fillet_x_mm: None,
+            sides: None,
             reasons: vec!["a cylinder".into()],
         },
         diagnosis: Diagnosis::default(),
@@ -118,6 +119,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
         region_x_mm: [x0, x0 + pitch * turns as f64],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.0099,
+        cones: Cones::about_blade(B_RAD),
         turns: (0..turns)
             .map(|t| Turn {
                 first: t * per_turn,
@@ -134,7 +136,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
 
 /// The plan with arcs of radius 4 mm and 90 degrees at both ends, at the same feed.
 pub fn with_leads(mut plan: Plan) -> Plan {
-    let options = LeadOptions { radius_mm: 4.0, b_rad: B_RAD };
+    let options = LeadOptions { radius_mm: 4.0 };
     let first = |end| lead::candidates(&plan.toolpath, &plan.schedule, end, &options).swap_remove(0);
     let leads = [first(End::In), first(End::Out)];
     let (path, schedule) = lead::extended(&plan.toolpath, &plan.schedule, &leads);
@@ -180,7 +182,6 @@ fn channel(theta: &[f64]) -> Channel {
         }
     };
     Channel {
-        b_rad: B_RAD,
         tolerance_rad: 1e-5,
         rows: theta.iter().map(row).collect(),
         narrowest_row: theta.len() / 3,

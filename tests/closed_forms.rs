@@ -63,6 +63,7 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
             airfoil_x_mm: airfoil,
             platform_x_mm: None,
             fillet_x_mm: None,
+            sides: None,
             reasons: vec![],
         },
         diagnosis: Diagnosis::default(),

@@ -143,12 +143,12 @@ fn mesh_gives_the_path_of_the_step() {
 fn channel_beside_a_straight_side() {
     let b = blade("prism.step");
     let path = toolpath(&b);
-    let (tool, options) = (tool(), ChannelOptions { b_rad: 5f64.to_radians(), ..ChannelOptions::default() });
+    let (tool, options) = (tool(), ChannelOptions::default());
     let channel = channel::plan(&b, &tool, &path, &options, &Silent).expect("a channel");
     let tau = tool.taper_deg.to_radians();
     let half_width = |clearance: f64| {
         let elevation = (1.0 - clearance / R).acos() - tau;
-        (elevation.sin() / options.b_rad.cos()).acos()
+        (elevation.sin() / path.cone(0).lean_rad.cos()).acos()
     };
     // The clearance is kept from the mesh, which is within its deflection of the part.
     let (least, most) = (half_width(options.clearance_mm + b.part.deflection_mm), half_width(options.clearance_mm));
@@ -182,7 +182,7 @@ fn schedule_feed_and_checks() {
     let b = blade("prism.step");
     let path = toolpath(&b);
     let (tool, machine) = (tool(), Machine::demo().expect("the demo machine"));
-    let options = ChannelOptions { b_rad: 5f64.to_radians(), ..ChannelOptions::default() };
+    let options = ChannelOptions::default();
     let channel = channel::plan(&b, &tool, &path, &options, &Silent).expect("a channel");
     let (used, fixed) =
         (planned(ScheduleKind::Piecewise, &path, &channel), planned(ScheduleKind::Fixed, &path, &channel));
@@ -198,7 +198,7 @@ fn schedule_feed_and_checks() {
     assert!((steepest..1.1 * steepest).contains(&fixed.peak_rate), "{} {steepest}", fixed.peak_rate);
     assert!(used.peak_rate < 0.75 * fixed.peak_rate);
 
-    let feed_options = FeedOptions::new(FEED_MM_MIN, options.b_rad, tool.length_mm());
+    let feed_options = FeedOptions::new(FEED_MM_MIN, tool.length_mm());
     let motion = feed::plan(&path, &used, &machine, &feed_options, &Silent).expect("a motion");
     let full = FEED_MM_MIN / 60.0;
     // From rest and to rest again; no limit binds in between. A is the slowest axis to come up: with limits a and j of acceleration and jerk
@@ -216,7 +216,7 @@ fn schedule_feed_and_checks() {
     for (i, l) in path.locations.iter().enumerate() {
         let pose = machine.forward(&motion.position[i], tool.length_mm());
         assert!((pose.centre - l.centre).norm() < 1e-9);
-        assert!((pose.axis - tool::axis(options.b_rad, used.theta[i])).norm() < 1e-12);
+        assert!((pose.axis - path.cone(i).tool_axis(used.theta[i])).norm() < 1e-12);
     }
 
     let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion, leads: Default::default() };

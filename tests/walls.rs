@@ -10,9 +10,9 @@
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use bladewright::artifact::Schedule;
 use bladewright::artifact::channel::Binding;
 use bladewright::artifact::schedule::ScheduleKind;
+use bladewright::artifact::{Schedule, Stand};
 use bladewright::channel::{self, FreeInterval};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
@@ -96,10 +96,10 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
         let (on, outside) = (along(0.0), along(BEYOND_DEG));
         let mut looked = Looked { least_mm: f64::INFINITY, ..Looked::default() };
         for row in (0..toolpath.locations.len()).step_by(toolpath.locations.len().div_ceil(PLACES)) {
-            let centre = toolpath.locations[row].centre;
+            let (centre, cone) = (toolpath.locations[row].centre, toolpath.cone(row));
             looked.places += 1;
             let stands = |part: &Part, segments: &[_], theta: f64| {
-                verify::standing(part, segments, &centre, (options.b_rad, theta), resolution_mm)
+                verify::standing(part, segments, &Stand { centre, cone, theta }, resolution_mm)
                     .map_or(f64::INFINITY, |s| s.distance_mm)
             };
             looked.least_mm = looked.least_mm.min(stands(&fine, &segments, on.theta[row]));

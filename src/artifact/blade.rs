@@ -2,6 +2,7 @@
 
 use crate::geometry::Rigid;
 use crate::geometry::part::Part;
+use crate::geometry::profile::Sides;
 
 /// Length unit of a model file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -40,6 +41,8 @@ pub struct Regions {
     pub platform_x_mm: Option<f64>,
     /// Foot and top of the fillet between airfoil and platform, where there is one.
     pub fillet_x_mm: Option<[f64; 2]>,
+    /// Leading and trailing edge along the airfoil, and which side is the suction side; `None` where that is not known.
+    pub sides: Option<Sides>,
     /// How each was found, one sentence each.
     pub reasons: Vec<String>,
 }

@@ -56,8 +56,6 @@ pub struct ChannelRow {
 /// The channel over the whole path, one row per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Channel {
-    /// Angle of the tool axis over the plane perpendicular to the blade axis, towards the tip, rad.
-    pub b_rad: f64,
     /// Tolerance of the ends, rad.
     pub tolerance_rad: f64,
     /// One row per cutter location.

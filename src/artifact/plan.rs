@@ -1,6 +1,5 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{Axes, AxisMotion, Channel, Lead, Schedule, Toolpath};
-use crate::geometry::Point;
+use super::{Axes, AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -32,47 +31,24 @@ pub enum Stretch {
 /// A row of the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// Ball centre, mm.
-    pub centre: Point,
-    /// Angle of the tool axis, rad.
-    pub theta: f64,
+    /// Where the tool stands.
+    pub stand: Stand,
     /// Time, s.
     pub t_s: f64,
     /// What it belongs to.
     pub stretch: Stretch,
 }
 
-/// How θ goes from a location to the next.
-#[derive(Clone, Copy, Debug)]
-pub struct Turning<'a> {
-    schedule: &'a Schedule,
-    s_mm: [f64; 2],
-    theta: [f64; 2],
-    on_curve: bool,
-}
-
-impl Turning<'_> {
-    /// θ at a share of the way, rad: on the schedule's curve where that goes through the angles of both locations, else even in θ.
-    pub fn at(&self, share: f64) -> f64 {
-        let [[s, s1], [theta, theta1]] = [self.s_mm, self.theta];
-        let curve = self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten();
-        curve.unwrap_or(theta + (theta1 - theta) * share)
-    }
-
-    /// The first joint of two pieces of the curve strictly between two shares of the way.
-    pub fn joint_between(&self, from: f64, to: f64) -> Option<f64> {
-        let [s, s1] = self.s_mm;
-        let (low, high) = (s + (s1 - s) * from, s + (s1 - s) * to);
-        let pieces = &self.schedule.pieces;
-        let joint = pieces.get(pieces.partition_point(|p| p[3][0] <= low)).map(|p| p[3][0]);
-        joint.filter(|j| self.on_curve && *j < high).map(|j| (j - s) / (s1 - s))
-    }
-}
-
 impl Lead {
-    fn rows(&self, stretch: Stretch) -> impl Iterator<Item = Row> + '_ {
-        let rows = self.centres.iter().zip(&self.theta).zip(&self.motion.t_s);
-        rows.map(move |((centre, theta), t_s)| Row { centre: *centre, theta: *theta, t_s: *t_s, stretch })
+    /// Its rows; the tool keeps the cone of the location that it leads to, or from.
+    fn rows(&self, cone: Cone, stretch: Stretch) -> impl Iterator<Item = Row> + '_ {
+        let rows = self.stands(cone).zip(&self.motion.t_s);
+        rows.map(move |(stand, t_s)| Row { stand, t_s: *t_s, stretch })
+    }
+
+    /// Where the tool stands on it, with the cone of the location that it leads to, or from.
+    pub fn stands(&self, cone: Cone) -> impl Iterator<Item = Stand> + '_ {
+        self.centres.iter().zip(&self.theta).map(move |(centre, theta)| Stand { centre: *centre, cone, theta: *theta })
     }
 }
 
@@ -81,26 +57,21 @@ impl Plan {
     /// of each where their lengths differ.
     pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
         let [before, after] = &self.leads;
-        let path = self.toolpath.locations.iter().zip(&self.schedule.theta).zip(&self.motion.t_s);
-        let path = path.map(|((l, theta), t_s)| Row {
-            centre: l.centre,
-            theta: *theta,
+        let last = self.toolpath.locations.len().saturating_sub(1);
+        let [cone_in, cone_out] = [0, last].map(|k| self.toolpath.cone(k));
+        let path = self.toolpath.locations.iter().zip(&self.motion.t_s).enumerate();
+        let path = path.zip(&self.schedule.theta).map(|((k, (l, t_s)), theta)| Row {
+            stand: Stand { centre: l.centre, cone: self.toolpath.cone(k), theta: *theta },
             t_s: *t_s,
             stretch: Stretch::Turn(l.turn),
         });
-        before.rows(Stretch::LeadIn).chain(path).chain(after.rows(Stretch::LeadOut))
+        before.rows(cone_in, Stretch::LeadIn).chain(path).chain(after.rows(cone_out, Stretch::LeadOut))
     }
 
-    /// How θ goes from a location to the next; `None` where there is no next.
-    pub fn turning(&self, location: usize) -> Option<Turning<'_>> {
-        let (schedule, rows) = (&self.schedule, [location, location + 1]);
-        let s_mm = rows.map(|k| self.toolpath.locations.get(k).map_or(f64::NAN, |l| l.s_mm));
-        let theta = rows.map(|k| schedule.theta.get(k).copied().unwrap_or(f64::NAN));
-        if !s_mm.iter().chain(&theta).all(|v| v.is_finite()) {
-            return None;
-        }
-        let on_curve = (0..2).all(|k| schedule.curve_meets(rows[k], s_mm[k]));
-        Some(Turning { schedule, s_mm, theta, on_curve })
+    /// Where the tool stands at a location; `None` where there is none.
+    pub fn stand(&self, location: usize) -> Option<Stand> {
+        let (at, theta) = (self.toolpath.locations.get(location)?, *self.schedule.theta.get(location)?);
+        Some(Stand { centre: at.centre, cone: self.toolpath.cone(location), theta })
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].
@@ -118,6 +89,7 @@ impl Plan {
         if turn > 0 {
             left.leads[0] = Lead::straight("the program goes on within the path");
         }
+        left.toolpath.cones = self.toolpath.cones.part(row, self.toolpath.locations.len());
         left.toolpath.turns.drain(..turn);
         left.toolpath.turns.iter_mut().for_each(|t| t.first -= row.min(t.first));
         let drop = |n: usize| row.min(n);

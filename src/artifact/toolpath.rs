@@ -1,4 +1,5 @@
 //! Cutter locations of one continuous helix.
+use super::{Cone, Cones};
 use crate::geometry::{Point, Vector};
 
 /// How the turns of the helix lie.
@@ -96,10 +97,25 @@ pub struct Toolpath {
     /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact faces, the 99th percentile
     /// on a mesh.
     pub planned_scallop_mm: f64,
+    /// The tool axes that each location allows.
+    pub cones: Cones,
     /// Turns in order.
     pub turns: Vec<Turn>,
     /// Locations in order.
     pub locations: Vec<CutterLocation>,
+}
+
+impl Toolpath {
+    /// The tool axes that a location allows.
+    pub fn cone(&self, row: usize) -> Cone {
+        self.cones.at(row)
+    }
+
+    /// The same path with other tool axes.
+    #[must_use]
+    pub fn with_cones(self, cones: Cones) -> Self {
+        Toolpath { cones, ..self }
+    }
 }
 
 /// Why a path ends where it ends.

@@ -15,7 +15,7 @@ use crate::tool::Tool;
 
 use super::forbidden::Free;
 use super::stretches::{Stretch, stretches};
-use super::{ChannelOptions, Surroundings, chain, check_input, report, samples, walls};
+use super::{ChannelOptions, Surroundings, chain, check_input, check_lean, report, samples, walls};
 
 /// Locations of the path that advice looks at, about.
 const PLACES: usize = 3000;
@@ -84,6 +84,12 @@ impl<'a> Look<'a> {
         let samples = samples::along(path, f64::INFINITY);
         let stretches = stretches(path, &samples, places);
         Look { around, stretches, observer, closed: AtomicUsize::new(0) }
+    }
+
+    /// The same places with another lean of the tool axes, rad.
+    fn leaning(&self, lean_rad: f64) -> Self {
+        let closed = AtomicUsize::new(self.closed.load(Ordering::Relaxed));
+        Look { stretches: self.stretches.iter().map(|s| s.leaning(lean_rad)).collect(), closed, ..*self }
     }
 
     /// Locations that are looked at.
@@ -155,7 +161,7 @@ impl<'a> Look<'a> {
         let (path, samples) = (&stretch.path, &stretch.samples);
         let layers = self.around.layers(tool, &scene, (samples, path), &Silent)?;
         let at = |row: usize| path.locations.get(row).map_or((0, 0.0), |l| (l.turn, l.turn_s_mm));
-        let b_deg = options.b_rad.to_degrees();
+        let b_deg = path.cone(0).lean_rad.to_degrees();
         let chain = match chain::widest(&layers, 2.0 * options.tolerance_rad) {
             Ok(chain) => chain,
             Err(closed) => {
@@ -182,9 +188,8 @@ impl<'a> Look<'a> {
 
     fn sweep(&self, tool: &Tool, options: &ChannelOptions, b_deg: &[f64]) -> Result<Vec<Width>> {
         let one = |b: &f64| {
-            let options = ChannelOptions { b_rad: b.to_radians(), ..options.clone() };
-            options.validate()?;
-            self.width(tool, &options)
+            check_lean(b.to_radians())?;
+            self.leaning(b.to_radians()).width(tool, options)
         };
         b_deg.par_iter().map(one).collect()
     }
@@ -222,7 +227,7 @@ pub fn advise(
     check_input(tool, path, options)?;
     let look = Look::new(around, path, PLACES, observer);
     let widths = look.sweep(tool, options, b_deg)?;
-    let at_b = |b: f64| look.is_open(tool, &ChannelOptions { b_rad: b.to_radians(), ..options.clone() });
+    let at_b = |b: f64| look.leaning(b.to_radians()).is_open(tool, options);
     let with = |tool: &Tool| look.is_open(tool, options);
     let mut best: Option<&Width> = None;
     for w in widths.iter().filter(|w| w.is_open()) {

@@ -1,5 +1,5 @@
-//! Lower bounds of the room between the tool, turned through whole intervals of θ, and nodes of a tree, in the blade frame
-//! seen from the ball centre.
+//! Lower bounds of the room between the tool, turned through whole intervals of θ, and nodes of a tree, in the frame of the
+//! place's cone, seen from the ball centre.
 
 use std::f64::consts::{PI, TAU};
 
@@ -29,13 +29,20 @@ pub(super) struct Room {
     pub mm: f64,
     /// What a radian of growth of the intervals may cost, mm.
     pub across: f64,
+    /// What a radian by which the cone turns may cost, mm.
+    pub reach: f64,
     /// At both ends of the one interval, where that decides.
     pub facets: Option<[Facet; 2]>,
 }
 
 impl Room {
-    pub fn new(mm: f64, across: f64) -> Self {
-        Room { mm, across, facets: None }
+    pub fn new(mm: f64, across: f64, reach: f64) -> Self {
+        Room { mm, across, reach, facets: None }
+    }
+
+    /// Of what is out of the tool's reach however it turns, or not clear at all.
+    pub fn anyhow(mm: f64) -> Self {
+        Room::new(mm, 0.0, 0.0)
     }
 }
 
@@ -83,11 +90,11 @@ impl Sweep {
         before || after || (at_lo.y < -radius && at_hi.y < -radius)
     }
 
-    /// As [`Self::is_beside`] for the convex hull of some points, seen from `centre`; never said of an interval over half a turn.
-    pub fn have_beside(&self, points: &[Point], centre: &Point) -> bool {
+    /// As [`Self::is_beside`] for the convex hull of some points, as `seen` has them; never said of an interval over half a turn.
+    pub fn have_beside(&self, points: &[Point], seen: impl Fn(&Point) -> Vector) -> bool {
         let (mut before, mut after, mut behind) = (true, true, true);
         for point in points {
-            let [lo, hi] = self.in_tools(&(point - centre));
+            let [lo, hi] = self.in_tools(&seen(point));
             before &= lo.z < 0.0;
             after &= hi.z > 0.0;
             behind &= lo.y < 0.0 && hi.y < 0.0;
@@ -320,7 +327,7 @@ pub(super) fn room(
 ) -> Option<Room> {
     let far = v.norm() - radius - profile.farthest;
     if far > NONE_MM {
-        return Some(Room::new(far, 0.0));
+        return Some(Room::anyhow(far));
     }
     if one_arc(profile, v, radius) {
         return room_beside(profile, sweeps, b, v, radius, half);
@@ -343,10 +350,10 @@ fn room_beside(
     radius: f64,
     half: &[Vector; 3],
 ) -> Option<Room> {
-    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
+    let (rho, reach) = ((v.y * v.y + v.z * v.z).sqrt() + radius, v.norm() + radius);
     if !sweeps.iter().all(|s| s.is_beside(v, radius)) {
         let mm = least_at_own_azimuth(profile, b, v, radius, half);
-        return (mm > NONE_MM).then_some(Room::new(mm, 0.0));
+        return (mm > NONE_MM).then_some(Room::new(mm, 0.0, reach + mm));
     }
     let (mut mm, mut facets) = (f64::INFINITY, None);
     for s in sweeps {
@@ -362,9 +369,9 @@ fn room_beside(
     }
     if mm == f64::INFINITY {
         // Nothing is free: any room will do until something is.
-        return Some(Room::new(radius, rho));
+        return Some(Room::new(radius, rho, reach + radius));
     }
-    Some(Room { mm, across: rho + mm, facets: facets.filter(|_| sweeps.len() == 1) })
+    Some(Room { mm, across: rho + mm, reach: reach + mm, facets: facets.filter(|_| sweeps.len() == 1) })
 }
 
 /// Room from margins at angles so near to one another that none between them is less than half of one of theirs.
@@ -400,7 +407,7 @@ fn walked(
         }
     }
     let mm = mm.min(radius.max(1.0));
-    Some(Room::new(mm, rho + mm))
+    Some(Room::new(mm, rho + mm, v.norm() + radius + mm))
 }
 
 /// What there is to say about a triangle between the ends of the intervals.
@@ -480,7 +487,7 @@ mod tests {
                     assert!(!beside || !inside && away >= spread - 1e-9, "{lo} {width} {psi}");
                     assert!(beside || inside || away <= 1.5 * spread + 1e-9, "{lo} {width} {psi} {radius}");
                 }
-                if sweep.have_beside(&[Point::from(v)], &Point::origin()) {
+                if sweep.have_beside(&[Point::from(v)], |p| p.coords) {
                     assert!(!inside, "{lo} {width} {psi}");
                 } else {
                     assert!(inside || width > PI || away < 1e-9, "{lo} {width} {psi}");

@@ -1,6 +1,6 @@
 //! The forbidden angles at one place, or over one move.
 //!
-//! With `v = p − Q = (vx, ρ cos ψ, ρ sin ψ)` for a point `p` of a body, its height over the ball centre is
+//! In the frame of the place's cone, with `v = p − Q = (vx, ρ cos ψ, ρ sin ψ)` for a point `p` of a body, its height over the ball centre is
 //! `z = vx sin B + ρ cos B cos(θ − ψ)`. The profile (see [`super::profile`]) forbids an interval of heights that depends
 //! on `|v|` alone, hence one or two arcs of θ about ψ: a closed form, no search over θ.
 //!
@@ -17,6 +17,7 @@
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
+use crate::artifact::Cone;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 
@@ -25,7 +26,8 @@ use super::clear::{self, Verdict};
 use super::options::ChannelOptions;
 use super::pending::{Open, Piece, What};
 use super::profile::{HeightRange, Profile};
-use super::region::{Motion, Region, Shape};
+use super::region::{EvenMove, Region, Shape};
+use super::sight::Sight;
 use super::tree::{Below, SphereTree, around_triangle, halves};
 
 /// Steps after which a walk over angles is given up and the piece halved instead.
@@ -58,24 +60,27 @@ pub(super) type Free = Arc;
 /// A node of a body's tree.
 pub(super) type Start = (u16, u32);
 
-/// Where the tool is: ball centre and the angle of the frame that looks, in the middle of a motion.
+/// Where the tool is: ball centre, cone, and the angle of the frame that looks, in the middle of a motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub centre: Point,
-    /// Angle about the blade axis that is 0 in the frame, rad.
+    pub cone: Cone,
+    /// Angle about the cone's axis that is 0 in the frame, rad.
     pub azimuth: f64,
     /// In the frame of the middle.
-    pub motion: Motion,
+    pub motion: EvenMove,
 }
 
 /// Workspace for one place after another. Triangles that bound the channel at one are looked at first at the next.
 pub(super) struct Search<'a> {
     scene: &'a Scene<'a>,
+    /// (sin B, cos B).
     b: (f64, f64),
+    sight: Sight,
     centre: Point,
     azimuth: f64,
     turn: (f64, f64),
-    motion: Motion,
+    motion: EvenMove,
     still: bool,
     known: ArcSet,
     heights: Vec<HeightRange>,
@@ -101,11 +106,12 @@ impl<'a> Search<'a> {
     pub fn new(scene: &'a Scene<'a>) -> Self {
         Search {
             scene,
-            b: scene.options.b_rad.sin_cos(),
+            b: (0.0, 1.0),
+            sight: Sight::of(&Cone::about_blade(0.0)),
             centre: Point::origin(),
             azimuth: 0.0,
             turn: (1.0, 0.0),
-            motion: Motion::none(),
+            motion: EvenMove::none(),
             still: true,
             known: ArcSet::new(scene.options.tolerance_rad),
             heights: Vec::new(),
@@ -157,9 +163,13 @@ impl<'a> Search<'a> {
         self.b
     }
 
-    /// The free intervals at a place, rising, relative to `azimuth_rad`; looked at is what hangs below `starts`, or all bodies.
-    pub fn free(&mut self, centre: &Point, normal: &Vector, azimuth_rad: f64, starts: Option<&[Start]>) -> Vec<Free> {
-        self.look(&View { centre: *centre, azimuth: azimuth_rad, motion: Motion::none() });
+    pub fn sight(&self) -> &Sight {
+        &self.sight
+    }
+
+    /// The free intervals at a place, rising, relative to the view's frame; looked at is what hangs below `starts`, or all bodies.
+    pub fn free(&mut self, view: &View, normal: &Vector, starts: Option<&[Start]>) -> Vec<Free> {
+        self.look(view);
         self.known.reset(self.tolerance());
         self.forbid_contact(normal);
         self.run(starts);
@@ -196,6 +206,8 @@ impl<'a> Search<'a> {
 
     fn look(&mut self, view: &View) {
         self.centre = view.centre;
+        self.sight = Sight::of(&view.cone);
+        self.b = view.cone.lean_rad.sin_cos();
         self.azimuth = view.azimuth;
         let (sin, cos) = view.azimuth.sin_cos();
         self.turn = (cos, sin);
@@ -236,6 +248,7 @@ impl<'a> Search<'a> {
     fn forbid_contact(&mut self, normal: &Vector) {
         self.point = None;
         let (min, max) = (self.scene.options.contact_angle_min_rad, self.scene.options.contact_angle_max_rad);
+        let normal = self.sight.seen(normal);
         let (y, z) = self.turned(normal.y, normal.z);
         let (m, psi) = (y.hypot(z) * self.b.1, z.atan2(y));
         let off = normal.x * self.b.0;
@@ -258,7 +271,7 @@ impl<'a> Search<'a> {
 
     /// A point of a body seen from the ball centre, turned.
     fn seen(&self, point: &Point) -> Vector {
-        let v = point - self.centre;
+        let v = self.sight.seen(&(point - self.centre));
         let (y, z) = self.turned(v.y, v.z);
         Vector::new(v.x, y, z)
     }
@@ -266,6 +279,7 @@ impl<'a> Search<'a> {
     fn region_of(&self, body: u16, index: u32) -> Region {
         let node = self.scene.bodies[usize::from(body)].tree.node(index);
         let half = node.half.map(|h| {
+            let h = self.sight.seen(&h);
             let (y, z) = self.turned(h.y, h.z);
             Vector::new(h.x, y, z)
         });
@@ -300,7 +314,7 @@ impl<'a> Search<'a> {
             let (cos, sin) = self.turn;
             let (body, leaf, point) = self.point.map_or((0, 0, None), |(body, leaf, v)| {
                 let (y, z) = (v.y * cos - v.z * sin, v.z * cos + v.y * sin);
-                (body, leaf, Some(self.centre + Vector::new(v.x, y, z)))
+                (body, leaf, Some(self.centre + self.sight.unseen(&Vector::new(v.x, y, z))))
             });
             log.extend(self.arcs.iter().map(|&arc| Logged { arc, body, leaf, point }));
         }
@@ -339,7 +353,7 @@ impl<'a> Search<'a> {
         }
         let tolerance = self.tolerance();
         let smallest = 0.125 * if self.still { tolerance * tolerance } else { tolerance };
-        if region.reach <= smallest * region.centre.norm() + 1e-9 {
+        if region.reach - region.fixed <= (smallest * region.centre.norm()).max(0.25 * region.fixed) + 1e-9 {
             self.commit();
             return;
         }
@@ -355,7 +369,13 @@ impl<'a> Search<'a> {
             self.arcs_of(body, &region.centre, region.reach, leaf);
             let excess = self.excess().unwrap_or(0.0);
             self.open.push(Open { excess, what: What::Piece(self.pieces.len()) });
-            self.pieces.push(Piece { centre: region.centre, radius, reach: region.reach, ..piece });
+            self.pieces.push(Piece {
+                centre: region.centre,
+                radius,
+                reach: region.reach,
+                fixed: region.fixed,
+                ..piece
+            });
         }
     }
 
@@ -473,7 +493,7 @@ impl<'a> Search<'a> {
 
     /// Halves a piece in space, or in time where the motion counts for more than the size.
     fn halve(&self, piece: &Piece) -> [Piece; 2] {
-        if piece.reach > 2.0 * piece.radius {
+        if piece.reach - piece.fixed > 2.0 * piece.radius {
             let motion = self.motion.part(piece.time, piece.share);
             let share = 0.5 * piece.share;
             [-0.5, 0.5].map(|t| Piece {

@@ -1,7 +1,7 @@
 //! The nodes at which the search stopped, and how long each of them stays clear while tool and ball centre move on.
 //!
 //! Two certificates each. **Room**: all of it, less the way of the ball centre, less what the intervals grow outwards times the
-//! distance from the turning axis. **Facets**: the tangent planes of the nearest part's distance at both ends of the interval,
+//! distance from the turning axis, less what the cone turns by times the distance from the ball centre. **Facets**: the tangent planes of the nearest part's distance at both ends of the interval,
 //! fixed to the tool. The distance from a part is convex in the tool's frame, so they bound it wherever the node goes there; how far a node
 //! reaches along a plane is followed side by side of its box as the tool turns. The other parts keep their room. Where planes hold, the room is what they
 //! leave; where they do not any more, new ones of the same parts are tried before the node is given up.
@@ -9,11 +9,14 @@
 //! A node with room for some steps is passed over until that is used up. Near the places where the tool touches there is none for a single step:
 //! there the planes are looked at at every place.
 
+use crate::artifact::Cone;
 use crate::geometry::{Point, Vector};
 
 use super::bound::{self, Flat, Room, Sweep};
 use super::forbidden::{Body, Start};
 use super::lanes::Lanes;
+use super::samples::Sample;
+use super::sight::Sight;
 use super::tree;
 
 /// Room that is none, mm.
@@ -24,39 +27,81 @@ const MOST_MM: f64 = 1e3;
 /// Steps that a node must have room for to be passed over: less is looked up sooner than filed.
 const STEPS: f64 = 8.0;
 
-/// Used up at: way plus growth times `across`.
+/// What tool and ball have moved by so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Used {
+    /// Way of the ball centre, mm.
+    pub way: f64,
+    /// Growth of the intervals, rad.
+    pub growth: f64,
+    /// What the frames of the cones have turned by, rad.
+    pub turn: f64,
+    /// What the lean has changed by, rad.
+    pub tip: f64,
+}
+
+impl Used {
+    /// What a point within `across` of the cone's axis and `reach` of the ball centre may have come nearer by, mm.
+    fn at_most(&self, across: f64, reach: f64) -> f64 {
+        self.way + self.growth * across + (self.turn + self.tip) * reach
+    }
+}
+
+/// Used up at: way plus growth times `across`, plus what the cone turns by times `reach`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit {
     pub across: f64,
+    pub reach: f64,
     pub at: f64,
 }
 
 impl Limit {
-    fn new(mm: f64, across: f64, [way, growth]: [f64; 2]) -> Self {
-        Limit { across, at: mm + way + growth * across }
+    fn new(mm: f64, across: f64, reach: f64, used: &Used) -> Self {
+        Limit { across, reach, at: mm + used.way + used.growth * across + (used.turn + used.tip) * reach }
     }
 
-    fn holds(&self, used: [f64; 2]) -> bool {
+    fn holds(&self, used: &Used) -> bool {
         self.left(used) > 0.0
     }
 
     /// Room that is left, mm.
-    fn left(&self, [way, growth]: [f64; 2]) -> f64 {
-        self.at - (way + growth * self.across)
+    fn left(&self, used: &Used) -> f64 {
+        self.at - used.at_most(self.across, self.reach)
     }
 }
 
 /// Where tool and ball are.
 pub(super) struct Now<'a> {
-    /// Way of the ball centre, mm, and growth of the intervals, rad, so far.
-    pub used: [f64; 2],
+    pub used: Used,
     /// The last step of the ball centre, mm; the next is about as long.
     pub step_mm: f64,
     /// The ball centre.
     pub ball: Point,
+    /// The frame of the cone.
+    pub sight: Sight,
     /// Free intervals, absolute angles.
     pub sweeps: Vec<Sweep>,
     pub bodies: &'a [Body<'a>],
+}
+
+impl<'a> Now<'a> {
+    /// Nowhere yet.
+    pub fn new(bodies: &'a [Body<'a>]) -> Self {
+        let sight = Sight::of(&Cone::about_blade(0.0));
+        Now { used: Used::default(), step_mm: 0.0, ball: Point::origin(), sight, sweeps: Vec::new(), bodies }
+    }
+
+    /// Goes on to a place.
+    pub fn go_to(&mut self, place: &Sample, last: Option<&Sample>) {
+        self.step_mm = last.map_or(0.0, |l| (place.centre - l.centre).norm());
+        self.used.way += self.step_mm;
+        self.ball = place.centre;
+        self.sight = Sight::of(&place.cone);
+        if let Some(last) = last.filter(|l| l.cone != place.cone) {
+            self.used.turn += last.cone.rotation_to(&place.cone).norm();
+            self.used.tip += (place.cone.lean_rad - last.cone.lean_rad).abs();
+        }
+    }
 }
 
 /// A bound of the margin at one end, in the tool's frame, and how the node's extent along it changes as the tool turns. At some angle from where the
@@ -78,13 +123,15 @@ pub(super) struct Plane {
 
 impl Plane {
     /// Of the part's margin at the end `k`, for a node whose box has its centre at `v`.
-    pub fn new(part: u16, flat: &Flat, v: &Vector, node: &tree::Node, sweep: &Sweep, k: usize) -> Self {
+    pub fn new(part: u16, flat: &Flat, node: &Seen, now: &Now, (sweep, k): (&Sweep, usize)) -> Self {
         let slope = &flat.slope;
         let theta = if k == 0 { sweep.lo } else { sweep.hi };
-        let at_ball = slope.dot(v);
+        let at_ball = slope.dot(&node.v);
+        // Taken off again where the room is asked for: what the cone turns by after now is to count.
+        let moved = now.used.turn * node.radius + now.used.tip * node.reach;
         let mut plane = Plane {
             slope: sweep.tool_slope(k, slope),
-            offset: flat.least - at_ball,
+            offset: flat.least - at_ball + moved,
             theta,
             tilt: [0.0; 2],
             turn: node.radius,
@@ -95,11 +142,27 @@ impl Plane {
         // Not where the plane does for the node alone, and not for its box.
         if level - across.abs() > NONE_MM {
             let turn = node.half.map(|h| slope.y * h.z - slope.z * h.y);
-            plane.offset = level - at_ball;
+            plane.offset = level - at_ball + moved;
             plane.tilt = [across, turn[2]];
             plane.turn = turn[0].abs() + turn[1].abs();
         }
         plane
+    }
+}
+
+/// A node of a tree in the frame of the cone, from the ball centre.
+pub(super) struct Seen {
+    v: Vector,
+    radius: f64,
+    half: [Vector; 3],
+    /// Its points stay within this of the ball centre while its certificate lasts, mm.
+    pub reach: f64,
+}
+
+impl Seen {
+    pub fn new(node: &tree::Node, now: &Now, reach: f64) -> Self {
+        let v = now.sight.seen(&(node.centre - now.ball));
+        Seen { v, radius: node.radius, half: now.sight.all_seen(&node.half), reach }
     }
 }
 
@@ -163,10 +226,11 @@ impl Front {
         let mut with_planes = None;
         if let (Some(facets), [sweep]) = (&room.facets, now.sweeps.as_slice()) {
             let others = facets[0].others.min(facets[1].others).min(MOST_MM);
-            let others = Limit::new(others, room.across - room.mm + others, now.used);
+            let reach = room.reach - room.mm + others;
+            let others = Limit::new(others, room.across - room.mm + others, reach, &now.used);
             let on = now.bodies[usize::from(at.0)].tree.node(at.1);
-            let v = on.centre - now.ball;
-            let planes = [0, 1].map(|k| Plane::new(facets[k].part, &facets[k].flat, &v, on, sweep, k));
+            let seen = Seen::new(on, now, reach);
+            let planes = [0, 1].map(|k| Plane::new(facets[k].part, &facets[k].flat, &seen, now, (sweep, k)));
             let node = Node { at, centre: on.centre, radius: on.radius, others, planes };
             if room.mm <= STEPS * now.step_mm {
                 self.brief.push(&node);
@@ -174,7 +238,7 @@ impl Front {
             }
             with_planes = Some(node);
         }
-        self.limits.push(Limit::new(room.mm, room.across, now.used));
+        self.limits.push(Limit::new(room.mm, room.across, room.reach, &now.used));
         self.lasting.push(Lasting { at, node: with_planes });
     }
 
@@ -182,7 +246,7 @@ impl Front {
     pub fn drop_due(&mut self, now: &Now, due: &mut Vec<Due>) {
         let mut k = 0;
         while let Some(limit) = self.limits.get(k) {
-            if limit.holds(now.used) {
+            if limit.holds(&now.used) {
                 k += 1;
                 continue;
             }
@@ -205,7 +269,8 @@ impl Front {
             if room > STEPS * now.step_mm {
                 let node = self.brief.get(k);
                 self.brief.swap_remove(k);
-                self.limits.push(Limit::new(room, node.rho(now) + room, now.used));
+                let [across, reach] = node.far(now);
+                self.limits.push(Limit::new(room, across + room, reach + room, &now.used));
                 self.lasting.push(Lasting { at: node.at, node: Some(node) });
             } else if room <= NONE_MM {
                 let (at, parts) = self.brief.name(k);
@@ -222,10 +287,10 @@ impl Front {
 }
 
 impl Node {
-    /// Distance of its farthest point from the turning axis, mm.
-    fn rho(&self, now: &Now) -> f64 {
-        let v = self.centre - now.ball;
-        (v.y * v.y + v.z * v.z).sqrt() + self.radius
+    /// Distance of its farthest point from the turning axis and from the ball centre, mm.
+    fn far(&self, now: &Now) -> [f64; 2] {
+        let v = now.sight.seen(&(self.centre - now.ball));
+        [(v.y * v.y + v.z * v.z).sqrt() + self.radius, v.norm() + self.radius]
     }
 
     /// A node with new planes of the same parts; an error where they leave no room.
@@ -233,20 +298,20 @@ impl Node {
         let due = Due::new(at);
         let on = &now.bodies[usize::from(at.0)];
         let node = on.tree.node(at.1);
-        let v = node.centre - now.ball;
-        if others.left(now.used) <= NONE_MM
-            || !bound::one_arc(&on.profile, &v, node.radius)
-            || !sweep.is_beside(&v, node.radius)
+        let seen = Seen::new(node, now, others.reach);
+        if others.left(&now.used) <= NONE_MM
+            || !bound::one_arc(&on.profile, &seen.v, node.radius)
+            || !sweep.is_beside(&seen.v, node.radius)
         {
             return Err(due);
         }
         let plane = |k: usize| {
             let f = on.profile.frusta.get(usize::from(parts[k])).ok_or(due)?;
-            let flat = bound::facet_of(f, &sweep.axes[k], &v, node.radius, &node.half);
+            let flat = bound::facet_of(f, &sweep.axes[k], &seen.v, node.radius, &seen.half);
             if flat.least <= NONE_MM {
                 return Err(Due { looked: true, ..due });
             }
-            Ok(Plane::new(parts[k], &flat, &v, node, sweep, k))
+            Ok(Plane::new(parts[k], &flat, &seen, now, (sweep, k)))
         };
         Ok(Node { at, centre: node.centre, radius: node.radius, others, planes: [plane(0)?, plane(1)?] })
     }

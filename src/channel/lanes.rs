@@ -31,6 +31,7 @@ struct Block {
 #[derive(Clone, Copy, Default)]
 struct LimitLanes {
     across: f64x4,
+    reach: f64x4,
     at: f64x4,
 }
 
@@ -82,6 +83,7 @@ impl Lanes {
         }
         block.radius.as_mut_array()[l] = node.radius;
         block.others.across.as_mut_array()[l] = node.others.across;
+        block.others.reach.as_mut_array()[l] = node.others.reach;
         block.others.at.as_mut_array()[l] = node.others.at;
         for (to, from) in block.planes.iter_mut().zip(&node.planes) {
             to.put(l, from);
@@ -125,6 +127,10 @@ impl Lanes {
 impl Block {
     fn rooms(&self, now: &Now, sweep: &Sweep) -> f64x4 {
         let [x, y, z] = [0, 1, 2].map(|k| self.centre[k] - now.ball[k]);
+        let [x, y, z] = match now.sight.rows() {
+            Some(rows) => rows.each_ref().map(|r| r.x * x + r.y * y + r.z * z),
+            None => [x, y, z],
+        };
         let [lo, hi] = sweep.ends.map(|(cos, sin)| [x, cos * y + sin * z, cos * z - sin * y]);
         // As `Sweep::is_beside`, by how much.
         let (before, after) = (-self.radius - lo[2], hi[2] - self.radius);
@@ -133,17 +139,20 @@ impl Block {
         } else {
             before.fast_max(after).fast_max(-self.radius - lo[1].fast_max(hi[1]))
         };
-        let [way, growth] = now.used;
-        let others = self.others.at - (way + growth * self.others.across);
-        let planes =
-            self.planes[0].room(&lo, sweep.lo, self.radius).fast_min(self.planes[1].room(&hi, sweep.hi, self.radius));
+        let used = &now.used;
+        let others =
+            self.others.at - (used.way + used.growth * self.others.across + (used.turn + used.tip) * self.others.reach);
+        let moved = used.turn * self.radius + used.tip * self.others.reach;
+        let [at_lo, at_hi] = [(0, &lo, sweep.lo), (1, &hi, sweep.hi)]
+            .map(|(k, seen, theta)| self.planes[k].room(seen, theta, self.radius) - moved);
+        let planes = at_lo.fast_min(at_hi);
         beside.simd_gt(f64x4::ZERO) & planes.fast_min(others)
     }
 }
 
 impl LimitLanes {
     fn get(&self, l: usize) -> Limit {
-        Limit { across: self.across.as_array()[l], at: self.at.as_array()[l] }
+        Limit { across: self.across.as_array()[l], reach: self.reach.as_array()[l], at: self.at.as_array()[l] }
     }
 }
 
@@ -183,7 +192,10 @@ impl PlaneLanes {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+    use super::super::front::Seen;
+    use super::super::samples::Sample;
     use super::*;
+    use crate::artifact::Cone;
     use crate::channel::bound;
     use crate::channel::clear::margin;
     use crate::channel::profile::Frustum;
@@ -204,7 +216,7 @@ mod tests {
             at: (3, number),
             centre: Point::new(k, 2.0 * k, 3.0 * k),
             radius: 4.0 * k,
-            others: Limit { across: 5.0 * k, at: 6.0 * k },
+            others: Limit { across: 5.0 * k, reach: 7.0 * k, at: 6.0 * k },
             planes: [plane(number as u16, 0.6), plane(number as u16 + 1, 0.7)],
         }
     }
@@ -238,6 +250,7 @@ mod tests {
             away in (-2.0..8.0f64, 0.0..2.0f64),
             from in (-2.0..2.0f64, 0.1..6.0f64),
             gone in (prop::array::uniform3(-0.3..0.3f64), -0.3..0.3f64, -0.3..0.3f64),
+            turned in prop_oneof![Just([0.0; 4]), prop::array::uniform4(-0.1..0.1f64)],
             b_rad in -0.7..0.7f64,
             taper in 0.0..0.5f64,
             of_triangle in any::<bool>(),
@@ -253,6 +266,9 @@ mod tests {
             let on = tree.node(0);
             let ball = Point::origin();
             let v = on.centre - ball;
+            let first = Now::new(&[]);
+            // As far as anything of the node can be from the ball centre here.
+            let seen = Seen::new(on, &first, v.norm() + on.radius + 1.0);
             let flats = [0, 1].map(|k| bound::facet_of(&frustum, &then.axes[k], &v, on.radius, &on.half));
             // None is held that has no room.
             if flats.iter().any(|f| f.least <= 0.0) {
@@ -264,22 +280,28 @@ mod tests {
                     let over = |p: &Point| flat.middle + flat.slope.dot(&(p - on.centre));
                     flat.least = corners.iter().map(over).fold(f64::INFINITY, f64::min);
                 }
-                Plane::new(0, &flat, &v, on, &then, k)
+                Plane::new(0, &flat, &seen, &first, (&then, k))
             });
-            let others = Limit { across: 0.0, at: f64::INFINITY };
+            let others = Limit { across: 0.0, reach: seen.reach, at: f64::MAX };
             let mut lanes = Lanes::default();
             lanes.push(&node(1));
             lanes.push(&Node { at: (0, 0), centre: on.centre, radius: on.radius, others, planes });
             let ball = ball + Vector::from(gone.0);
-            let sweep = Sweep::new(then.lo + gone.1, then.hi + gone.2, b);
-            let now = Now { used: [0.0; 2], step_mm: 0.0, ball, sweeps: vec![sweep], bodies: &[] };
+            // The cone turns and leans too.
+            let place = |ball: Point, cone: Cone| Sample { row: 0, fraction: 0.0, centre: ball, normal: Vector::y(), cone, azimuth: 0.0 };
+            let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(turned[0], turned[1], turned[2]));
+            let cone = Cone { axis: by * Vector::x(), reference: by * Vector::y(), lean_rad: b_rad + 0.3 * turned[3] };
+            let sweep = Sweep::new(then.lo + gone.1, then.hi + gone.2, cone.lean_rad.sin_cos());
+            let mut now = Now::new(&[]);
+            now.go_to(&place(ball, cone), Some(&place(Point::origin(), Cone::about_blade(b_rad))));
+            now.sweeps = vec![sweep];
             let mut rooms = Vec::new();
             lanes.rooms(&now, &sweep, &mut rooms);
             prop_assert_eq!(rooms.len(), 2);
             if rooms[1] <= 0.0 {
                 return Ok(());
             }
-            prop_assert!(sweep.is_beside(&(on.centre - ball), on.radius), "room is said of a node that the interval passes");
+            prop_assert!(sweep.is_beside(&now.sight.seen(&(on.centre - ball)), on.radius), "room is said of a node that the interval passes");
             let mut points = Vec::new();
             for i in 0..=8 {
                 for j in 0..=8 - i {
@@ -297,7 +319,7 @@ mod tests {
                 }
             }
             for (p, axis) in points.iter().flat_map(|p| sweep.axes.iter().map(move |a| (p, a))) {
-                let true_mm = margin(&frustum, axis, &(p - ball)).0;
+                let true_mm = margin(&frustum, axis, &now.sight.seen(&(p - ball))).0;
                 prop_assert!(true_mm >= rooms[1] - 1e-12, "{true_mm} mm, said {}", rooms[1]);
             }
         }

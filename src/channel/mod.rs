@@ -4,7 +4,8 @@
 //! **Out**: a [`Channel`], one row per cutter location: an interval of θ, unwrapped over the path (it grows by 2π a turn,
 //! since the path runs counter-clockwise), what binds its ends, its monotone hulls, and the paper's limits from tangents.
 //!
-//! **Method.** The tool axis is `a(θ) = (sin B, cos B cos θ, cos B sin θ)`. A point of a body (the part, a fixture, the stock)
+//! **Method.** At each location the tool axis is one of a cone ([`crate::artifact::Cone`]), in whose frame it is
+//! `a(θ) = (sin B, cos B cos θ, cos B sin θ)`: everything below is said in that frame. A point of a body (the part, a fixture, the stock)
 //! forbids one or two arcs of θ in closed form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of
 //! spheres and boxes over the triangles and branch and bound give the union of arcs (`forbidden`, and `clear` for triangles that the
 //! tool nearly touches along their plane). What is left are free intervals; the permitted range of the contact angle
@@ -46,6 +47,7 @@ mod profile;
 mod region;
 mod report;
 mod samples;
+mod sight;
 mod stretches;
 mod tangent;
 mod tighten;
@@ -76,6 +78,9 @@ pub struct Surroundings<'a> {
     /// What the part's tree may lie off the part, mm.
     part_off_mm: f64,
 }
+
+/// Greatest lean of a tool axis: at 90° it is along the axis of its cone, and θ places nothing.
+const MOST_LEAN_DEG: f64 = 85.0;
 
 /// Where the part has exact faces, its tree is finer than its mesh by so much that an end bound at a lever of the ball's radius is off by
 /// this, rad.
@@ -271,7 +276,6 @@ pub fn plan_among(
         observer.warn(Warning { stage: Stage::Channel, message });
     }
     Ok(Channel {
-        b_rad: options.b_rad,
         tolerance_rad: options.tolerance_rad,
         rows,
         narrowest_row,
@@ -312,7 +316,21 @@ fn check_input(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result
     if !path.locations.iter().all(|l| finite(&l.centre.coords) && finite(&l.normal)) {
         return bad("the tool path has locations that are not finite");
     }
+    if !path.cones.fit(path.locations.len()) {
+        return bad("the cones of tool axes are not finite, or not as many as the tool path has locations");
+    }
+    let different = if path.cones.same().is_some() { 1 } else { path.locations.len() };
+    (0..different).try_for_each(|k| check_lean(path.cone(k).lean_rad))?;
     Ok(())
+}
+
+fn check_lean(lean_rad: f64) -> Result<()> {
+    let deg = lean_rad.to_degrees();
+    if deg.abs() <= MOST_LEAN_DEG {
+        return Ok(());
+    }
+    let message = format!("B is {deg}°, it must lie between -{MOST_LEAN_DEG}° and {MOST_LEAN_DEG}°");
+    Err(Error::usage(Stage::Channel, message))
 }
 
 /// Warns where the monotone channel is less than a degree wide.

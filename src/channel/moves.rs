@@ -10,12 +10,17 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use crate::error::{Result, Stage};
+use crate::geometry::Vector;
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness, push_wrapped};
 use super::forbidden::{Free, MOVE_TOLERANCES, Scene, Search, Start, View};
-use super::region::{Motion, turned_about_x};
+use super::region::{EvenMove, turned_about_x};
 use super::samples::Sample;
+use super::sight::Sight;
+
+/// Parts in which a move is looked at, at most.
+const MOST_PARTS: f64 = 1000.0;
 
 /// How far the walls of a move must be moved inwards at both its ends, rad, and what makes that necessary.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +86,24 @@ struct Move<'a> {
     azimuth: f64,
 }
 
+/// The part from one share of the way to another of the move from a place to the next, in a frame that turns by ± `turn` about the
+/// cone's axis on the whole of it.
+pub(super) fn even_move(from: &Sample, to: &Sample, turn: f64, [start, end]: [f64; 2]) -> View {
+    let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
+    let cone = from.cone.between(&to.cone, middle);
+    let azimuth = 0.5 * (from.azimuth + to.azimuth) + turn * (2.0 * middle - 1.0);
+    let sight = Sight::of(&cone);
+    let in_view = |v: &Vector| turned_about_x(&sight.seen(v), -azimuth);
+    let way = to.centre - from.centre;
+    let motion = EvenMove {
+        half_move: in_view(&(way * half)),
+        half_turn: 2.0 * turn * half,
+        half_frame: in_view(&(from.cone.rotation_to(&to.cone) * half)),
+        sway: (to.cone.lean_rad - from.cone.lean_rad).abs() * half,
+    };
+    View { centre: from.centre + way * middle, cone, azimuth, motion }
+}
+
 fn lift(
     search: &mut Search,
     scene: &Scene,
@@ -114,12 +137,6 @@ fn lift(
 impl Move<'_> {
     /// The free interval of the whole move that has most in common with those of both ends, in a frame that turns by ± `turn`.
     fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
-        let half_move = (self.to.0.centre - self.from.0.centre) * 0.5;
-        let view = View {
-            centre: self.from.0.centre + half_move,
-            azimuth: self.azimuth,
-            motion: Motion { half_move: turned_about_x(&half_move, -self.azimuth), half_turn: turn, stray: 0.0 },
-        };
         let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
         let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
         let (hi, hi_by) = if a.hi < b.hi { (a.hi, a.hi_by) } else { (b.hi, b.hi_by) };
@@ -133,18 +150,26 @@ impl Move<'_> {
             let turns = ((start + std::f64::consts::PI) / TAU).floor() * TAU;
             push_wrapped(start - turns, end - turns, hi_by, lo_by, &mut taken);
         }
-        let found = search.free_moving(&view, &taken, starts);
-        let mut best: Option<(f64, Free)> = None;
-        for f in found {
-            for k in [-TAU, 0.0, TAU] {
-                let piece = Free { lo: (f.lo + k).max(lo), hi: (f.hi + k).min(hi), ..f };
-                let width = piece.hi - piece.lo;
-                if width >= 0.0 && best.is_none_or(|(w, _)| width > w) {
-                    best = Some((width, piece));
-                }
+        let mut left = vec![Free { lo, hi, lo_by, hi_by }];
+        let parts = self.parts(tolerance);
+        for k in 0..parts {
+            let share = [k, k + 1].map(|k| k as f64 / parts as f64);
+            let found = search.free_moving(&even_move(self.from.0, self.to.0, turn, share), &taken, starts);
+            left = left.iter().flat_map(|within| common(within, &found)).collect();
+        }
+        let mut best: Option<Free> = None;
+        for piece in left {
+            if best.is_none_or(|b| piece.hi - piece.lo > b.hi - b.lo) {
+                best = Some(piece);
             }
         }
-        best.map(|(_, piece)| piece)
+        best
+    }
+
+    /// In how many parts the move is looked at: a lean that changes is taken as that in the middle of a part.
+    fn parts(&self, tolerance: f64) -> usize {
+        let lean = (self.to.0.cone.lean_rad - self.from.0.cone.lean_rad).abs();
+        (lean / (0.2 * tolerance)).ceil().clamp(1.0, MOST_PARTS) as usize
     }
 
     /// The interval of an end as seen in a frame that is turned by `turn` there.
@@ -159,4 +184,18 @@ impl Move<'_> {
         let hi = ends.map(|(t, f)| self.seen(f, high_turn * t).hi - high.hi);
         Lift { lo: lo[0].max(lo[1]).max(0.0), hi: hi[0].max(hi[1]).max(0.0), lo_by: low.lo_by, hi_by: high.hi_by }
     }
+}
+
+/// What intervals on the circle have in common with one, in their order.
+fn common(within: &Free, found: &[Free]) -> Vec<Free> {
+    let mut out = Vec::new();
+    for f in found {
+        for k in [-TAU, 0.0, TAU] {
+            let piece = Free { lo: (f.lo + k).max(within.lo), hi: (f.hi + k).min(within.hi), ..*f };
+            if piece.hi - piece.lo >= 0.0 {
+                out.push(piece);
+            }
+        }
+    }
+    out
 }

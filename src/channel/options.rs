@@ -5,9 +5,6 @@ use crate::error::{Error, Result, Stage};
 /// Options of [`plan`](super::plan).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChannelOptions {
-    /// Angle of the tool axis over the plane perpendicular to the blade axis, towards the tip, rad. The spindle's pivot
-    /// stays there.
-    pub b_rad: f64,
     /// Room that taper and shank keep from the part, mm.
     pub clearance_mm: f64,
     /// Room that the holder keeps from the part, mm.
@@ -38,7 +35,6 @@ pub struct ChannelOptions {
 impl Default for ChannelOptions {
     fn default() -> Self {
         ChannelOptions {
-            b_rad: 5f64.to_radians(),
             clearance_mm: 0.1,
             holder_clearance_mm: 1.0,
             contact_angle_min_rad: 0.0,
@@ -61,9 +57,6 @@ impl ChannelOptions {
     pub fn validate(&self) -> Result<()> {
         let bad = |m: String| Err(Error::usage(Stage::Channel, m));
         let deg = f64::to_degrees;
-        if !(self.b_rad.abs() <= 85f64.to_radians()) {
-            return bad(format!("B is {}°, it must lie between -85° and 85°", deg(self.b_rad)));
-        }
         for (name, v) in [("clearance", self.clearance_mm), ("holder clearance", self.holder_clearance_mm)] {
             if !(v >= 0.0 && v.is_finite()) {
                 return bad(format!("the {name} is {v} mm, it must be at least 0"));

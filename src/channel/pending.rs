@@ -31,11 +31,23 @@ pub(super) struct Piece {
     pub centre: Vector,
     pub radius: f64,
     pub reach: f64,
+    /// What of that no smaller piece has less of, mm.
+    pub fixed: f64,
 }
 
 impl Piece {
     pub fn whole(body: u16, leaf: u32, corners: [Vector; 3]) -> Self {
-        Piece { body, leaf, corners, time: 0.0, share: 1.0, centre: Vector::zeros(), radius: 0.0, reach: 0.0 }
+        Piece {
+            body,
+            leaf,
+            corners,
+            time: 0.0,
+            share: 1.0,
+            centre: Vector::zeros(),
+            radius: 0.0,
+            reach: 0.0,
+            fixed: 0.0,
+        }
     }
 }
 

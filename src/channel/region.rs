@@ -1,16 +1,25 @@
 //! Pieces of a body as the tool sees them during a move, and how far a function with a known slope may fall over them.
 //!
-//! A move takes the ball centre along a straight line from `−h` to `h` about its middle while the tool turns evenly by `±β`.
+//! A move takes the ball centre along a straight line from `−h` to `h` about its middle, while the tool turns evenly by `±β` about
+//! the axis `x̂` of its cone and the cone evenly by `±ω`, a rotation vector: at time `t` all is turned by `exp(tω) exp(tβx̂)`.
 //! Seen from the ball centre in a frame that turns along, a point that is at `v` in the middle of the move is at
 //!
 //! ```text
-//! v(t) = Rx(−βt)(v − t h) = v + t w(v) + r,   w(v) = −h − β x̂ × v,   |r| ≤ β²(|v| + |h|)/2 + |β||h|,   −1 ≤ t ≤ 1
+//! v(t) = exp(−tβx̂) exp(−tω)(v − t h) = v + t w(v) + r,   w(v) = −h − (β x̂ + ω) × v,   −1 ≤ t ≤ 1
+//! |r| ≤ b²(ρ + |h|)/2 + b|h|,   b = |β| + |ω|
 //! ```
 //!
+//! with `ρ` the distance from the cone's axis where that stays (`ω = 0`), else from the ball centre.
 //! The distance from a frustum of the tool is convex, so its tangent plane at one point bounds it from below everywhere. Along
-//! the motion of a point that plane is `a t + k t²` but for terms of third order, with `r = t²(−β²/2 v⊥ + β x̂ × h) + …`, and
+//! the motion of a point that plane is `a t + k t²` but for terms of third order, with
+//! `r = t²(β² x̂×(x̂×v)/2 + ω×(ω×v)/2 + β x̂×(ω×v) + (β x̂ + ω) × h) + …`, and
 //! linear in `v`: its least value over a box or triangle and the whole move has a closed form for each corner. A place (no
-//! move) is the move with `h = 0`, `β = 0`.
+//! move) is the move with `h = 0`, `β = 0`, `ω = 0`.
+//!
+//! A lean that changes on the way turns the tool differently at every angle about the cone: it is kept as room, `sway` times the
+//! distance from the ball centre.
+
+use nalgebra::UnitQuaternion;
 
 use crate::geometry::Vector;
 
@@ -19,37 +28,46 @@ use super::profile::Profile;
 
 /// A move of the ball centre with an even turn of the tool, about its middle, in the frame of the middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Motion {
+pub(super) struct EvenMove {
     /// Half of the straight move, mm.
     pub half_move: Vector,
-    /// Half of the turn, rad.
+    /// Half of the turn about the cone's axis, rad.
     pub half_turn: f64,
-    /// How far the ball centre may be off the straight line, mm.
-    pub stray: f64,
+    /// Half of the turn of the cone: a rotation vector, rad.
+    pub half_frame: Vector,
+    /// How far the tool may lean off the lean in the middle, rad.
+    pub sway: f64,
 }
 
-impl Motion {
+impl EvenMove {
     /// No motion.
     pub fn none() -> Self {
-        Motion { half_move: Vector::zeros(), half_turn: 0.0, stray: 0.0 }
+        EvenMove { half_move: Vector::zeros(), half_turn: 0.0, half_frame: Vector::zeros(), sway: 0.0 }
     }
 
     pub fn is_none(&self) -> bool {
-        self.half_turn == 0.0 && self.half_move == Vector::zeros() && self.stray == 0.0
+        *self == EvenMove::none()
     }
 
-    /// Where a point that is at `v` in the middle is at time `t`, exactly (but for straying).
+    /// Where a point that is at `v` in the middle is at time `t`, exactly (but for swaying).
     pub fn carry(&self, v: &Vector, t: f64) -> Vector {
-        turned_about_x(&(v - self.half_move * t), -self.half_turn * t)
+        self.turned_back(&(v - self.half_move * t), t)
     }
 
     /// The part of the move from `t − share` to `t + share`, about its own middle.
     pub fn part(&self, t: f64, share: f64) -> Self {
-        Motion {
-            half_move: turned_about_x(&self.half_move, -self.half_turn * t) * share,
+        EvenMove {
+            half_move: self.turned_back(&self.half_move, t) * share,
             half_turn: self.half_turn * share,
-            stray: self.stray,
+            half_frame: turned_about_x(&self.half_frame, -self.half_turn * t) * share,
+            sway: self.sway,
         }
+    }
+
+    /// A direction of the frame of the middle in that of time `t`.
+    fn turned_back(&self, v: &Vector, t: f64) -> Vector {
+        let v = if self.cone_stays() { *v } else { UnitQuaternion::from_scaled_axis(self.half_frame * -t) * v };
+        turned_about_x(&v, -self.half_turn * t)
     }
 
     /// First-order velocity of a point: `w(v)`.
@@ -57,31 +75,53 @@ impl Motion {
         -self.half_move - self.turning(v)
     }
 
-    /// `β x̂ × v`.
+    /// The cone neither turns nor leans on the way.
+    fn cone_stays(&self) -> bool {
+        self.half_frame == Vector::zeros() && self.sway == 0.0
+    }
+
+    /// Distance within which all points within `radius` of `v` are from what the tool turns about, mm.
+    fn distance(&self, v: &Vector, radius: f64) -> f64 {
+        if self.cone_stays() { v.y.hypot(v.z) + radius } else { v.norm() + radius }
+    }
+
+    /// How much the tool turns at most, rad.
+    fn turn(&self) -> f64 {
+        self.half_turn.abs() + self.half_frame.norm()
+    }
+
+    /// `(β x̂ + ω) × v`.
     fn turning(&self, v: &Vector) -> Vector {
-        Vector::new(0.0, -v.z, v.y) * self.half_turn
+        let about_x = Vector::new(0.0, -v.z, v.y) * self.half_turn;
+        if self.cone_stays() { about_x } else { about_x + self.half_frame.cross(v) }
     }
 
-    /// What the first order leaves out, for points within `distance` of the turning axis, mm.
+    /// What the first order leaves out, for points within `distance`, mm; without what the lean takes.
     fn bend(&self, distance: f64) -> f64 {
-        let (b, h) = (self.half_turn.abs(), self.half_move.norm());
-        0.5 * b * b * (distance + h) + b * h + self.stray
+        let (b, h) = (self.turn(), self.half_move.norm());
+        0.5 * b * b * (distance + h) + b * h
     }
 
-    /// Second order of the point's motion: what `t²` is multiplied by, `−β²/2 v⊥ + β x̂ × h`.
+    /// Second order of the point's motion: what `t²` is multiplied by.
     fn second(&self, v: &Vector) -> Vector {
-        Vector::new(0.0, v.y, v.z) * (-0.5 * self.half_turn * self.half_turn) + self.turning(&self.half_move)
+        let about_x = Vector::new(0.0, v.y, v.z) * (-0.5 * self.half_turn * self.half_turn);
+        if self.cone_stays() {
+            return about_x + self.turning(&self.half_move);
+        }
+        let turned = self.half_frame.cross(v);
+        let both = Vector::new(0.0, -turned.z, turned.y) * self.half_turn;
+        about_x + self.half_frame.cross(&turned) * 0.5 + both + self.turning(&self.half_move)
     }
 
-    /// What the second order leaves out, for points within `distance` of the turning axis, and what it differs by over
-    /// points within `radius`, mm.
+    /// What the second order leaves out, for points within `distance`, and what it differs by over points within `radius`, mm; without
+    /// what the lean takes.
     fn rest(&self, distance: f64, radius: f64) -> f64 {
-        let (b, h) = (self.half_turn.abs(), self.half_move.norm());
-        b.powi(3) * (distance + h) / 6.0 + 0.5 * b * b * (h + radius) + self.stray
+        let (b, h) = (self.turn(), self.half_move.norm());
+        b.powi(3) * (distance + h) / 6.0 + 0.5 * b * b * (h + radius)
     }
 }
 
-/// `v` turned about the blade axis.
+/// `v` turned about the first axis.
 pub(super) fn turned_about_x(v: &Vector, angle: f64) -> Vector {
     if angle == 0.0 {
         return *v;
@@ -103,9 +143,11 @@ pub(super) struct Region {
     pub centre: Vector,
     pub radius: f64,
     pub shape: Shape,
-    pub motion: Motion,
+    pub motion: EvenMove,
     /// All points are within `reach` of the centre during the whole move.
     pub reach: f64,
+    /// What of that no smaller piece has less of, mm.
+    pub fixed: f64,
     /// What the second order leaves out, mm.
     rest: f64,
     moving: bool,
@@ -117,15 +159,16 @@ fn least_of(a: f64, k: f64) -> f64 {
 }
 
 impl Region {
-    pub fn new(centre: Vector, radius: f64, shape: Shape, motion: Motion) -> Self {
+    pub fn new(centre: Vector, radius: f64, shape: Shape, motion: EvenMove) -> Self {
         let moving = !motion.is_none();
-        let (mut reach, mut rest) = (radius, 0.0);
+        let (mut reach, mut rest, mut fixed) = (radius, 0.0, 0.0);
         if moving {
-            let distance = centre.y.hypot(centre.z) + radius;
-            rest = motion.rest(distance, radius);
-            reach += motion.velocity(&centre).norm() + motion.half_turn.abs() * radius + motion.bend(distance);
+            let distance = motion.distance(&centre, radius);
+            fixed = motion.sway * (distance + motion.half_move.norm());
+            rest = motion.rest(distance, radius) + fixed;
+            reach += motion.velocity(&centre).norm() + motion.turn() * radius + motion.bend(distance) + fixed;
         }
-        Region { centre, radius, shape, motion, reach, rest, moving }
+        Region { centre, radius, shape, motion, reach, fixed, rest, moving }
     }
 
     /// How far a function with this slope (no steeper than 1), or one above it, may fall from its value at the centre, over
@@ -220,10 +263,11 @@ mod tests {
         #[test]
         fn a_move_keeps_within_its_bounds(
             centre in vector(20.0), a in vector(2.0), b in vector(2.0), c in vector(2.0),
-            half_move in vector(0.7), half_turn in -0.2..0.2f64, slope in vector(1.0),
+            half_move in vector(0.7), about_x in -0.2..0.2f64, frame in vector(0.1), turns in any::<bool>(), slope in vector(1.0),
             at in -0.7..0.7f64, share in 0.05..0.3f64,
         ) {
-            let motion = Motion { half_move, half_turn, stray: 0.0 };
+            let half_frame = if turns { frame } else { Vector::zeros() };
+            let motion = EvenMove { half_move, half_turn: about_x, half_frame, sway: 0.0 };
             let triangle = [centre + a, centre + b, centre - a - b];
             let radius = triangle.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max);
             let regions = [

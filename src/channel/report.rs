@@ -184,7 +184,7 @@ impl Reporter<'_> {
             let profile = b.profile.only(|k| b.profile.parts.get(k).is_some_and(|p| keep(*p)));
             scene.bodies.push(Body { profile, ..b.clone() });
         }
-        let free = Search::new(&scene).free(&sample.centre, &sample.normal, sample.azimuth, None);
+        let free = Search::new(&scene).free(&sample.view(), &sample.normal, None);
         free.iter().flat_map(|f| [f.lo_by, f.hi_by]).map(|by| binding(by, &scene)).collect()
     }
 }

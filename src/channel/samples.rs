@@ -1,11 +1,17 @@
 //! The places at which the channel is computed: all cutter locations, and places between them where moves are long or the
 //! surface turns fast.
 
-use crate::artifact::Toolpath;
+use crate::artifact::{Cone, Toolpath};
 use crate::geometry::{Point, Vector};
+
+use super::forbidden::View;
+use super::region::EvenMove;
 
 /// Turning of the surface normal that a move may have without a place between its ends, rad.
 const MAX_TURN_RAD: f64 = 0.1;
+
+/// A normal with less than this square to the axis of its cone has no angle about it.
+const PARALLEL: f64 = 1e-6;
 
 /// A place on the path.
 #[derive(Clone, Copy, Debug)]
@@ -16,8 +22,17 @@ pub(super) struct Sample {
     pub fraction: f64,
     pub centre: Point,
     pub normal: Vector,
-    /// Azimuth of the normal about the blade axis, unwrapped over the path, rad.
+    /// The tool axes that it allows.
+    pub cone: Cone,
+    /// Angle θ of the normal, unwrapped over the path, rad.
     pub azimuth: f64,
+}
+
+impl Sample {
+    /// The tool there, seen in the frame in which the normal is at 0.
+    pub fn view(&self) -> View {
+        View { centre: self.centre, cone: self.cone, azimuth: self.azimuth, motion: EvenMove::none() }
+    }
 }
 
 /// All places in order; azimuths unwrapped from the first one's, which lies within -π..=π.
@@ -25,8 +40,9 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
     let mut out: Vec<Sample> = Vec::with_capacity(path.locations.len() * 2);
     let mut azimuth = 0.0;
     let mut push = |row: usize, fraction: f64, centre: Point, normal: Vector| {
-        azimuth = unwrapped(azimuth, &normal);
-        out.push(Sample { row, fraction, centre, normal, azimuth });
+        let cone = path.cones.between(row, fraction);
+        azimuth = unwrapped(azimuth, &normal, &cone);
+        out.push(Sample { row, fraction, centre, normal, cone, azimuth });
     };
     for (row, here) in path.locations.iter().enumerate() {
         push(row, 0.0, here.centre, here.normal);
@@ -46,19 +62,15 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
 /// Azimuth of the normal at every location, unwrapped over the path like those of the places.
 pub(super) fn azimuths(path: &Toolpath) -> Vec<f64> {
     let mut azimuth = 0.0;
-    let unwrap = |l: &crate::artifact::toolpath::CutterLocation| {
-        azimuth = unwrapped(azimuth, &l.normal);
+    let unwrap = |(row, l): (usize, &crate::artifact::toolpath::CutterLocation)| {
+        azimuth = unwrapped(azimuth, &l.normal, &path.cone(row));
         azimuth
     };
-    path.locations.iter().map(unwrap).collect()
+    path.locations.iter().enumerate().map(unwrap).collect()
 }
 
-/// The azimuth of `normal` nearest to `last`; `last` itself where the normal is parallel to the blade axis.
-fn unwrapped(last: f64, normal: &Vector) -> f64 {
+/// The angle θ of `normal` nearest to `last`; `last` itself where the normal is parallel to the cone's axis.
+fn unwrapped(last: f64, normal: &Vector, cone: &Cone) -> f64 {
     use std::f64::consts::TAU;
-    if normal.y.hypot(normal.z) < 1e-6 {
-        return last;
-    }
-    let a = normal.z.atan2(normal.y);
-    a + TAU * ((last - a) / TAU).round()
+    cone.theta_of(normal, PARALLEL).map_or(last, |a| a + TAU * ((last - a) / TAU).round())
 }

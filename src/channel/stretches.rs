@@ -5,8 +5,8 @@
 //! alike. A schedule that never turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
 //! turn and a quarter of the next.
 
-use crate::artifact::Toolpath;
 use crate::artifact::toolpath::EndReason;
+use crate::artifact::{Cone, Toolpath};
 
 use super::samples::Sample;
 
@@ -21,6 +21,15 @@ pub(super) struct Stretch {
     pub samples: Vec<Sample>,
     /// The tool starts here.
     pub is_start: bool,
+}
+
+impl Stretch {
+    /// The same places with another lean of the tool axes, rad.
+    pub fn leaning(&self, lean_rad: f64) -> Self {
+        let samples = self.samples.iter().map(|s| Sample { cone: Cone { lean_rad, ..s.cone }, ..*s }).collect();
+        let path = self.path.clone().with_cones(self.path.cones.leaning(lean_rad));
+        Stretch { path, samples, is_start: self.is_start }
+    }
 }
 
 /// Stretches with about `places` locations in all, the first and the last turn among them; the whole path in one where it has no more than
@@ -47,7 +56,8 @@ fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> Stretch 
     let inside = |s: &&Sample| s.row >= from && (s.row + 1 < to || (s.row + 1 == to && s.fraction == 0.0));
     let samples = samples.iter().filter(inside).map(|s| Sample { row: s.row - from, ..*s }).collect();
     let locations = path.locations.get(from..to).unwrap_or_default().to_vec();
-    let path = Toolpath { locations, turns: Vec::new(), end_reason: EndReason::Region, ..*path };
+    let cones = path.cones.part(from, to);
+    let path = Toolpath { locations, cones, turns: Vec::new(), end_reason: EndReason::Region, ..*path };
     Stretch { path, samples, is_start: from == 0 }
 }
 

@@ -1,4 +1,4 @@
-//! The paper's limits: tangents of the path of ball centres, seen along the blade axis.
+//! The paper's limits: tangents of the path of ball centres, seen along the axis of each location's cone.
 //!
 //! On convex stretches the tool axis may lie between the backward and the forward tangent; on a concave stretch the
 //! backward limit is that of the inflection where it begins and the forward limit that of the one where it ends (there the
@@ -39,7 +39,7 @@ fn headings(path: &Toolpath, near: &[f64]) -> Vec<f64> {
     let l = &path.locations;
     let mut out: Vec<f64> = Vec::with_capacity(l.len());
     for i in 0..l.len() {
-        let step = l.get(i + 1).map(|n| n.centre - l[i].centre);
+        let step = l.get(i + 1).map(|n| path.cone(i).seen(&(n.centre - l[i].centre)));
         let expected = out.last().copied().unwrap_or(near[i] + 0.5 * PI);
         let heading = match step {
             Some(d) if d.y.hypot(d.z) > 0.0 => {

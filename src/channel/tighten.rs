@@ -23,7 +23,7 @@
 
 use rayon::prelude::*;
 
-use crate::artifact::{Blade, Toolpath};
+use crate::artifact::{Blade, Cone, Toolpath};
 use crate::error::{Result, Stage};
 use crate::geometry::exact::pieces::{Piece, Visitor, Walker};
 use crate::geometry::part::Part;
@@ -36,6 +36,7 @@ use super::clear;
 use super::forbidden::{Body, Free, Scene};
 use super::profile::{Frustum, HeightRange, Profile};
 use super::samples::Sample;
+use super::sight::Sight;
 use super::track;
 
 /// The first step of an end of which no point is known that stops it, rad.
@@ -59,7 +60,6 @@ const BATCH: usize = 128;
 struct Exact<'a> {
     part: &'a Part,
     profile: Profile,
-    b: (f64, f64),
     tolerance: f64,
 }
 
@@ -81,8 +81,7 @@ pub(super) fn tighten(
     }
     let others = Scene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
     let limits = track::free_everywhere(&others, samples, observer)?;
-    let options = scene.options;
-    let exact = Exact { part: &blade.part, profile, b: options.b_rad.sin_cos(), tolerance };
+    let exact = Exact { part: &blade.part, profile, tolerance };
     let Some(body) = scene.bodies.first() else { return Ok(()) };
     let places = layers.par_chunks_mut(BATCH).zip(samples.par_chunks(BATCH)).zip(limits.par_chunks(BATCH));
     let all: Vec<Result<()>> = places
@@ -158,7 +157,7 @@ impl Exact<'_> {
     fn touch(&self, body: &Body, sample: &Sample, at: f64, by: Witness) -> Option<Point> {
         let Witness::Tool { segment, leaf, .. } = by else { return None };
         let f = self.profile.frusta.get(usize::from(segment))?;
-        let axis = bound::axis(self.b, at);
+        let axis = sample.cone.tool_axis(at);
         let corners = body.tree.corners(leaf).map(|c| c - sample.centre);
         let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
         let nearest = match clear::nearest(f, &axis, &corners, &middle) {
@@ -246,10 +245,14 @@ fn join(layer: &mut Vec<Free>) {
 struct Look<'a> {
     exact: &'a Exact<'a>,
     centre: Point,
+    cone: Cone,
+    sight: Sight,
+    /// (sin B, cos B).
+    b: (f64, f64),
     /// The end that is safe, its azimuth and axis; outwards is `sense`.
     start: f64,
     sense: f64,
-    /// How far out the end is that is not disproved, rad, and its axis.
+    /// How far out the end is that is not disproved, rad, and its axis, blade frame.
     end: f64,
     axis: Vector,
     sweep: Sweep,
@@ -268,14 +271,18 @@ struct Look<'a> {
 
 impl<'a> Look<'a> {
     fn new(exact: &'a Exact, sample: &Sample, start: f64, sense: f64, room: f64) -> Self {
+        let b = sample.cone.lean_rad.sin_cos();
         let mut look = Look {
             exact,
             centre: sample.centre,
+            cone: sample.cone,
+            sight: Sight::of(&sample.cone),
+            b,
             start,
             sense,
             end: 0.0,
             axis: Vector::zeros(),
-            sweep: Sweep::new(start, start, exact.b),
+            sweep: Sweep::new(start, start, b),
             moves: 0,
             normals: [sample.normal; 2],
             lowest: Vec::new(),
@@ -288,10 +295,10 @@ impl<'a> Look<'a> {
     }
 
     fn set(&mut self, end: f64) {
-        let (at, b) = (self.start + self.sense * end, self.exact.b);
+        let at = self.start + self.sense * end;
         self.end = end;
-        self.axis = bound::axis(b, at);
-        self.sweep = Sweep::new(at.min(self.start), at.max(self.start), b);
+        self.axis = self.cone.tool_axis(at);
+        self.sweep = Sweep::new(at.min(self.start), at.max(self.start), self.b);
         self.moves += 1;
         let frusta = &self.exact.profile.frusta;
         let touch = self.taken.and_then(|(p, segment)| {
@@ -328,11 +335,13 @@ impl<'a> Look<'a> {
             Some(tall) => (tall, Default::default()),
             None => return Some(-radius),
         };
-        let mm = if self.sweep.is_beside(v, radius) || self.sweep.have_beside(hull, &self.centre) {
+        let seen = self.sight.seen(v);
+        let from_ball = |p: &Point| self.sight.seen(&(p - self.centre));
+        let mm = if self.sweep.is_beside(&seen, radius) || self.sweep.have_beside(hull, from_ball) {
             least(one_arc, lowest)
         } else {
             let half = [Vector::x(), Vector::y(), Vector::z()].map(|e| e * radius);
-            bound::least_at_own_azimuth(one_arc, self.exact.b, v, radius, &half)
+            bound::least_at_own_azimuth(one_arc, self.b, &seen, radius, &half)
         };
         (mm <= NONE_MM).then_some(mm)
     }
@@ -361,8 +370,8 @@ impl Visitor for Look<'_> {
     }
 
     fn takes(&mut self, point: &Point) -> bool {
-        let (sin_b, cos_b) = self.exact.b;
-        let v = point - self.centre;
+        let (sin_b, cos_b) = self.b;
+        let v = self.sight.seen(&(point - self.centre));
         let (off, m) = (v.x * sin_b, v.y.hypot(v.z) * cos_b);
         self.exact.profile.inside(v.norm(), 0.0, (off - m, off + m), &mut self.heights);
         if self.heights.is_empty() {
@@ -471,8 +480,9 @@ mod tests {
     fn what_has_no_place_is_not_clear() {
         let part = Part::from_mesh(crate::geometry::mesh::Mesh::default());
         let profile = Profile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
-        let exact = Exact { part: &part, profile, b: (0.0, 1.0), tolerance: 1e-4 };
-        let sample = Sample { row: 0, fraction: 0.0, centre: Point::origin(), normal: Vector::x(), azimuth: 0.0 };
+        let exact = Exact { part: &part, profile, tolerance: 1e-4 };
+        let (centre, normal, cone) = (Point::origin(), Vector::x(), Cone::about_blade(0.0));
+        let sample = Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth: 0.0 };
         let mut look = Look::new(&exact, &sample, 0.0, 1.0, 0.1);
         let at = Point::new(0.0, -1000.0, 0.0);
         let hull = [at, at + Vector::x(), at + Vector::z()];

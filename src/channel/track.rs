@@ -7,7 +7,8 @@
 //! node by tangent planes. Where neither holds (a profile that narrows, a part longer than the tool) the interval is walked.
 //!
 //! That room is a distance from what the tool sweeps over all free intervals. It falls by no more than the ball
-//! centre moves, plus the point's distance from the turning axis times what the intervals grow outwards. So a node
+//! centre moves, plus the point's distance from the turning axis times what the intervals grow outwards, plus its distance from the
+//! ball centre times what the cone turns by from place to place. So a node
 //! is not looked at again before that is used up: the nodes at which the search stopped, the *front*, are carried along the path.
 //!
 //! **What is known to be taken** starts at each place from a few points of the place before that cover all of it. Where
@@ -24,10 +25,9 @@ use crate::observe::Observer;
 use super::arcs::{Arc, Witness};
 use super::bound::{self, Between, Facet, Flat, Room, Sweep};
 use super::clear::{self, Near, Verdict};
-use super::forbidden::{Free, Scene, Search, Start, View};
+use super::forbidden::{Free, Scene, Search, Start};
 use super::front::{Due, Front, Now};
 use super::profile::Profile;
-use super::region::Motion;
 use super::samples::Sample;
 use super::tree::{Below, around_triangle, halves};
 
@@ -88,7 +88,7 @@ pub(super) struct Tracker<'a> {
     /// Places until it is made anew.
     age: usize,
     now: Now<'a>,
-    last: Option<Point>,
+    last: Option<Sample>,
     before: Vec<[f64; 2]>,
     seeds: Vec<Seed>,
     ends: Vec<Start>,
@@ -103,7 +103,7 @@ impl<'a> Tracker<'a> {
             front: Front::default(),
             made: 0,
             age: 0,
-            now: Now { used: [0.0; 2], step_mm: 0.0, ball: Point::origin(), sweeps: Vec::new(), bodies: &scene.bodies },
+            now: Now::new(&scene.bodies),
             last: None,
             before: Vec::new(),
             seeds: Vec::new(),
@@ -114,12 +114,9 @@ impl<'a> Tracker<'a> {
 
     /// The free intervals at a place, rising, unwrapped about the azimuth of its normal.
     pub fn next(&mut self, place: &Sample) -> Vec<Free> {
-        self.search
-            .begin(&View { centre: place.centre, azimuth: place.azimuth, motion: Motion::none() }, &place.normal);
-        self.now.step_mm = self.last.map_or(0.0, |l| (place.centre - l).norm());
-        self.now.used[0] += self.now.step_mm;
-        self.now.ball = place.centre;
-        self.last = Some(place.centre);
+        self.search.begin(&place.view(), &place.normal);
+        self.now.go_to(place, self.last.as_ref());
+        self.last = Some(*place);
         for s in std::mem::take(&mut self.seeds) {
             self.search.take_point(s.body, s.leaf, &s.point);
         }
@@ -189,7 +186,7 @@ impl<'a> Tracker<'a> {
                 }
             }
             if gap.is_none() {
-                self.now.used[1] += grown.min(1.0);
+                self.now.used.growth += grown.min(1.0);
                 return grown > LEAP;
             }
             self.update_sweeps();
@@ -240,27 +237,29 @@ impl<'a> Tracker<'a> {
     /// Looks for a point inside the tool at an angle; what it forbids becomes known.
     fn probe(&mut self, theta: f64) -> bool {
         let scene = self.scene;
-        let (axis, centre) = (bound::axis(self.search.b(), theta), self.search.centre());
+        let (axis, centre, sight) = (bound::axis(self.search.b(), theta), self.search.centre(), *self.search.sight());
         let mut open: Vec<Start> = self.search.roots();
         while let Some((body, index)) = open.pop() {
             let b = &scene.bodies[usize::from(body)];
             let node = b.tree.node(index);
-            let v = node.centre - centre;
-            if bound::least_margin(&b.profile, &axis, &v, node.radius, &node.half) > 0.0 {
+            let v = sight.seen(&(node.centre - centre));
+            if bound::least_margin(&b.profile, &axis, &v, node.radius, &sight.all_seen(&node.half)) > 0.0 {
                 continue;
             }
             match b.tree.below(index) {
                 Below::Nodes(left, right) => {
-                    let margin = |i: u32| bound::margin(&b.profile, &axis, &(b.tree.node(i).centre - centre));
+                    let margin =
+                        |i: u32| bound::margin(&b.profile, &axis, &sight.seen(&(b.tree.node(i).centre - centre)));
                     let nearer = if margin(left) <= margin(right) { [right, left] } else { [left, right] };
                     open.extend(nearer.map(|i| (body, i)));
                 }
                 Below::Leaf(leaf) => {
-                    let corners = b.tree.corners(leaf).map(|c| c - centre);
+                    let corners = b.tree.corners(leaf).map(|c| sight.seen(&(c - centre)));
                     let (middle, radius) = b.tree.sphere(leaf);
+                    let middle = sight.seen(&(middle - centre));
                     for f in &b.profile.frusta {
-                        if let Verdict::Taken(p) = clear::triangle(f, &axis, &corners, middle - centre, radius) {
-                            self.search.take_point(body, leaf, &(centre + p));
+                        if let Verdict::Taken(p) = clear::triangle(f, &axis, &corners, middle, radius) {
+                            self.search.take_point(body, leaf, &(centre + sight.unseen(&p)));
                             return true;
                         }
                     }
@@ -273,12 +272,13 @@ impl<'a> Tracker<'a> {
     /// Opens what is not clear; points of leaves that are not become known.
     fn verify(&mut self) {
         let scene = self.scene;
-        let (centre, b) = (self.search.centre(), self.search.b());
+        let (centre, b, sight) = (self.search.centre(), self.search.b(), *self.search.sight());
         while let Some(Due { at: (body, index), looked }) = self.open.pop() {
             let on = &scene.bodies[usize::from(body)];
             let node = on.tree.node(index);
-            let v = node.centre - centre;
-            let room = || bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &node.half);
+            let v = sight.seen(&(node.centre - centre));
+            let half = sight.all_seen(&node.half);
+            let room = || bound::room(&on.profile, &self.now.sweeps, b, &v, node.radius, &half);
             if let Some(room) = if looked { None } else { room() } {
                 self.front.hold((body, index), &room, &self.now);
                 continue;
@@ -286,7 +286,7 @@ impl<'a> Tracker<'a> {
             match on.tree.below(index) {
                 Below::Nodes(left, right) => self.open.extend([right, left].map(|i| Due::new((body, i)))),
                 Below::Leaf(leaf) => {
-                    let room = self.settle(body, leaf, Some(&v)).unwrap_or(Room::new(f64::NEG_INFINITY, 0.0));
+                    let room = self.settle(body, leaf, Some(&v)).unwrap_or(Room::anyhow(f64::NEG_INFINITY));
                     self.front.hold((body, index), &room, &self.now);
                 }
             }
@@ -298,12 +298,12 @@ impl<'a> Tracker<'a> {
     fn settle(&mut self, body: u16, leaf: u32, box_at: Option<&Vector>) -> Option<Room> {
         let scene = self.scene;
         let on = &scene.bodies[usize::from(body)];
-        let (centre, b) = (self.search.centre(), self.search.b());
+        let (centre, b, sight) = (self.search.centre(), self.search.b(), *self.search.sight());
         let (middle, radius) = on.tree.sphere(leaf);
-        let whole = middle - centre;
+        let whole = sight.seen(&(middle - centre));
         let (mut least, mut looked) = (f64::INFINITY, 0);
         let mut open = Vec::new();
-        let mut piece = Some((on.tree.corners(leaf).map(|c| c - centre), whole, radius));
+        let mut piece = Some((on.tree.corners(leaf).map(|c| sight.seen(&(c - centre))), whole, radius));
         'pieces: while let Some((corners, middle, radius)) = piece.take().or_else(|| open.pop()) {
             looked += 1;
             if looked > PIECES {
@@ -341,7 +341,7 @@ impl<'a> Tracker<'a> {
                 }
                 match found {
                     Look::Taken(p) => {
-                        self.search.take_point(body, leaf, &(centre + p));
+                        self.search.take_point(body, leaf, &(centre + sight.unseen(&p)));
                         self.update_sweeps();
                     }
                     Look::Clear(room) if looked == 1 => return room,
@@ -358,7 +358,7 @@ impl<'a> Tracker<'a> {
             }));
         }
         let across = (whole.y * whole.y + whole.z * whole.z).sqrt() + radius + least;
-        Some(Room::new(least, across))
+        Some(Room::new(least, across, whole.norm() + radius + least))
     }
 
     /// Chooses few of the points found that cover all that is known to be taken.
@@ -456,6 +456,6 @@ fn look(
     let rho = (middle.y * middle.y + middle.z * middle.z).sqrt() + radius;
     Look::Clear(facets.filter(|_| sweeps.len() == 1).map(|both| {
         let mm = both[0].flat.least.min(both[1].flat.least);
-        Room { mm, across: rho + mm, facets: Some(both) }
+        Room { mm, across: rho + mm, reach: middle.norm() + radius + mm, facets: Some(both) }
     }))
 }

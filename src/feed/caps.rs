@@ -3,7 +3,6 @@
 use super::FeedOptions;
 use crate::artifact::{Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
-use crate::tool;
 
 /// Slopes are taken over at least this many ball radii: contacts on facets jump.
 const SPAN: f64 = 0.05;
@@ -26,11 +25,7 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     let l = &path.locations;
     let n = l.len();
     let feed = options.feed_mm_min / 60.0;
-    let tips: Vec<Point> = l
-        .iter()
-        .zip(theta)
-        .map(|(l, t)| tool::tip(&l.centre, &tool::axis(options.b_rad, *t), path.radius_mm))
-        .collect();
+    let tips: Vec<Point> = path.stands(theta).iter().map(|s| s.tip(path.radius_mm)).collect();
     let (mut a, mut b) = (0, 0);
     let mut at = Vec::with_capacity(n);
     for i in 0..n {

@@ -46,7 +46,7 @@ mod jerk;
 mod peaks;
 mod topp;
 
-use crate::artifact::{Axes, AxisMotion, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
@@ -64,8 +64,6 @@ const LARGE_GAP: f64 = 0.05;
 pub struct FeedOptions {
     /// Programmed (greatest) feed of the ball centre, mm/min.
     pub feed_mm_min: f64,
-    /// Angle of the head, rad.
-    pub b_rad: f64,
     /// From the ball centre to the spindle's gauge line, mm ([`crate::tool::Tool::length_mm`]).
     pub gauge_length_mm: f64,
     /// Keep every axis' jerk within its limit.
@@ -80,10 +78,9 @@ pub struct FeedOptions {
 
 impl FeedOptions {
     /// All limits in force, chord 0.001 mm over 0.002 s.
-    pub fn new(feed_mm_min: f64, b_rad: f64, gauge_length_mm: f64) -> Self {
+    pub fn new(feed_mm_min: f64, gauge_length_mm: f64) -> Self {
         FeedOptions {
             feed_mm_min,
-            b_rad,
             gauge_length_mm,
             limit_jerk: true,
             chord_mm: 0.001,
@@ -96,9 +93,6 @@ impl FeedOptions {
         let bad = |m: String| Err(Error::usage(Stage::Feed, m));
         if !(self.feed_mm_min > 0.0 && self.feed_mm_min.is_finite()) {
             return bad(format!("feed.feed_mm_min is {}, it must be greater than 0", self.feed_mm_min));
-        }
-        if self.b_rad.is_nan() || self.b_rad.abs() >= std::f64::consts::FRAC_PI_2 {
-            return bad(format!("B is {} deg, it must be between -90 and 90", self.b_rad.to_degrees()));
         }
         if !(self.gauge_length_mm >= 0.0 && self.gauge_length_mm.is_finite()) {
             return bad(format!("the tool's length is {} mm, it must be at least 0", self.gauge_length_mm));
@@ -190,12 +184,15 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
         return Err(Error::usage(Stage::Feed, format!("the path has {n} locations, at least 3 are needed")));
     }
     let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let columns = machine.axes().len();
-    let mut q = Vec::with_capacity(columns * n);
-    for (l, theta) in path.locations.iter().zip(&schedule.theta) {
-        q.extend_from_slice(&machine.inverse(&l.centre, *theta, options.b_rad, options.gauge_length_mm));
+    let wrong = |c: &Cone| c.lean_rad.is_nan() || c.lean_rad.abs() >= std::f64::consts::FRAC_PI_2;
+    let stands = path.stands(&schedule.theta);
+    if let Some(stand) = stands.iter().find(|s| wrong(&s.cone)) {
+        let deg = stand.cone.lean_rad.to_degrees();
+        return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
-    CubicSpline::new(&s, &q, columns, &Ends::Natural).map_err(|e| {
+    let q = machine.along(&stands, options.gauge_length_mm);
+    let q: Vec<f64> = q.iter().flat_map(|row| row.iter().copied()).collect();
+    CubicSpline::new(&s, &q, machine.axes().len(), &Ends::Natural).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
     })

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 
 use super::*;
+use crate::artifact::Cones;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, EndReason};
 use crate::error::ErrorKind;
@@ -33,6 +34,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         region_x_mm: [0.0, 0.0],
         planned_scallop_mm: 0.01,
         end_reason: EndReason::Region,
+        cones: Cones::about_blade(0.1),
         turns: Vec::new(),
         locations,
     };
@@ -50,7 +52,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
 }
 
 fn options(feed_mm_min: f64) -> FeedOptions {
-    FeedOptions { limit_jerk: false, chord_mm: 10.0, ..FeedOptions::new(feed_mm_min, 0.1, 120.0) }
+    FeedOptions { limit_jerk: false, chord_mm: 10.0, ..FeedOptions::new(feed_mm_min, 120.0) }
 }
 
 /// Every limit, at the locations (both sides) and densely between them.
@@ -216,7 +218,7 @@ fn bad_input_is_refused() {
     let (p, s) = path(&wavy(100, 1.0, 0.0));
     let kind = |p: &Toolpath, s: &Schedule, o: FeedOptions| plan(p, s, &machine, &o, &Silent).unwrap_err().kind;
     assert_eq!(kind(&p, &s, options(0.0)), ErrorKind::Usage);
-    assert_eq!(kind(&p, &s, FeedOptions { b_rad: 1.6, ..options(1.0) }), ErrorKind::Usage);
+    assert_eq!(kind(&p.clone().with_cones(Cones::about_blade(1.6)), &s, options(1.0)), ErrorKind::Usage);
     assert_eq!(kind(&p, &s, FeedOptions { gauge_length_mm: f64::NAN, ..options(1.0) }), ErrorKind::Usage);
     let mut short = s.clone();
     short.theta.pop();

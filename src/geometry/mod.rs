@@ -9,6 +9,7 @@ pub mod exact;
 pub mod mesh;
 pub mod nurbs;
 pub mod part;
+pub mod profile;
 pub mod slice;
 pub mod tessellate;
 pub mod triangle;

@@ -176,6 +176,7 @@ mod with_blade {
                 airfoil_x_mm: [0.0, 100.0],
                 platform_x_mm: None,
                 fillet_x_mm: None,
+                sides: None,
                 reasons: vec![],
             },
             diagnosis: Diagnosis::default(),

@@ -8,6 +8,7 @@ use crate::artifact::{Axes, AxisMotion, Lead, Schedule, Toolpath};
 pub fn extended(path: &Toolpath, schedule: &Schedule, leads: &[Lead; 2]) -> (Toolpath, Schedule) {
     let (mut path, mut schedule) = (path.clone(), schedule.clone());
     let [before, after] = leads;
+    path.cones = path.cones.extended([before.centres.len(), after.centres.len()]);
     if let Some(first) = path.locations.first().copied() {
         let rows = rows(before, &first, -1.0);
         path.locations.splice(0..0, rows);

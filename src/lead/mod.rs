@@ -29,9 +29,8 @@ mod tests;
 
 pub use join::{extended, split};
 
-use crate::artifact::{AxisMotion, Lead, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Cone, Lead, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
-use crate::tool;
 
 /// Angles of the arcs that are tried, degrees.
 const ANGLES_DEG: [f64; 3] = [90.0, 60.0, 30.0];
@@ -60,8 +59,6 @@ pub enum End {
 pub struct LeadOptions {
     /// Radius of the arcs, mm.
     pub radius_mm: f64,
-    /// Angle of the head, rad.
-    pub b_rad: f64,
 }
 
 /// An end of the path, with the tangent pointing along the path.
@@ -69,6 +66,7 @@ struct Tip {
     centre: Point,
     tangent: Vector,
     normal: Vector,
+    cone: Cone,
     theta: f64,
     /// dθ/ds, rad/mm.
     rate: f64,
@@ -78,7 +76,7 @@ struct Tip {
 /// three locations or no tangent at this end.
 pub fn candidates(path: &Toolpath, schedule: &Schedule, end: End, options: &LeadOptions) -> Vec<Lead> {
     let Some(tip) = tip(path, schedule, end) else { return Vec::new() };
-    let ways = directions(&tip, options.b_rad);
+    let ways = directions(&tip);
     let mut out = Vec::new();
     for share in RADII {
         for angle in ANGLES_DEG {
@@ -105,16 +103,16 @@ fn tip(path: &Toolpath, schedule: &Schedule, end: End) -> Option<Tip> {
     // A parabola may turn back where θ does not.
     let rate = if rate * chord > 0.0 { rate } else { chord };
     let tangent = tangent.try_normalize(1e-9).filter(|t| t.iter().all(|x| x.is_finite()) && rate.is_finite())?;
-    Some(Tip { centre: a.0.centre, tangent, normal: a.0.normal, theta: a.1, rate })
+    Some(Tip { centre: a.0.centre, tangent, normal: a.0.normal, cone: path.cone(at(0)), theta: a.1, rate })
 }
 
 /// Unit directions away from the part, across the tangent.
-fn directions(tip: &Tip, b_rad: f64) -> Vec<Vector> {
+fn directions(tip: &Tip) -> Vec<Vector> {
     let across = |v: Vector| {
         let c = v - tip.tangent * v.dot(&tip.tangent);
         (c.norm() > ACROSS).then(|| c.normalize())
     };
-    let axis = across(tool::axis(b_rad, tip.theta));
+    let axis = across(tip.cone.tool_axis(tip.theta));
     let normal = across(tip.normal);
     let between = normal.zip(axis).and_then(|(n, a)| across((n + a) * 0.5));
     let mut out: Vec<Vector> = Vec::new();

@@ -4,7 +4,7 @@ use crate::artifact::plan::Stretch;
 use crate::sample;
 
 fn options() -> LeadOptions {
-    LeadOptions { radius_mm: 4.0, b_rad: sample::B_RAD }
+    LeadOptions { radius_mm: 4.0 }
 }
 
 /// On the sample's cylinder everything is known: the ball centres run on a helix of radius 25 and slope 0.5 mm a turn.
@@ -75,7 +75,7 @@ fn a_motion_comes_apart_as_it_was_put_together() {
     let (path, schedule) = extended(&plan.toolpath, &plan.schedule, &plan.leads);
     assert!(path.locations.windows(2).all(|w| w[1].s_mm > w[0].s_mm));
     for ((l, theta), row) in path.locations.iter().zip(&schedule.theta).zip(&rows) {
-        assert_eq!((l.centre, *theta), (row.centre, row.theta));
+        assert_eq!((l.centre, *theta), (row.stand.centre, row.stand.theta));
         // The arc length is that of the rows but for chords.
     }
     let way: f64 = path.locations.windows(2).map(|w| (w[1].centre - w[0].centre).norm()).sum();

@@ -57,6 +57,7 @@
 //! with table and head must keep within ±89.9°: at 90° the tool axis is along X and `A` places nothing. Velocity,
 //! acceleration and jerk say where they come from ([`Provenance`]).
 
+mod along;
 mod axis;
 mod chain;
 #[cfg(test)]

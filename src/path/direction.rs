@@ -7,9 +7,10 @@
 use super::helix;
 use super::level::Touch;
 use super::options::PathOptions;
-use crate::artifact::blade::Diagnosis;
+use crate::artifact::blade::{Diagnosis, Regions};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::Result;
+use crate::geometry::profile::Sides;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
@@ -23,7 +24,9 @@ pub fn reversed(
     downwards: impl Fn(&Blade, &PathOptions) -> Result<Toolpath>,
 ) -> Result<Toolpath> {
     let diagnosis = Diagnosis { mirrored: !blade.diagnosis.mirrored, ..blade.diagnosis.clone() };
-    let image = Blade { part: blade.part.mirrored(&Silent)?, diagnosis, ..blade.clone() };
+    let sides = blade.regions.sides.as_ref().map(Sides::mirrored);
+    let regions = Regions { sides, ..blade.regions.clone() };
+    let image = Blade { part: blade.part.mirrored(&Silent)?, regions, diagnosis, ..blade.clone() };
     let start_near = options.start_near.map(|[x, y, z]| [x, y, -z]);
     let path = downwards(&image, &PathOptions { start_near, ..options.clone() })?;
     Ok(turned_round(path))

@@ -8,6 +8,7 @@ use super::ring::Ring;
 use super::rings::Stack;
 use super::stepover::{decisive_mm, ridge_height};
 use super::{chords, curve};
+use crate::artifact::Cones;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -106,6 +107,7 @@ pub fn assemble(
         region_x_mm,
         end_reason,
         planned_scallop_mm,
+        cones: Cones::about_blade(options.lean_rad),
         turns,
         locations,
     };

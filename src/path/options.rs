@@ -32,6 +32,9 @@ pub struct PathOptions {
     /// Greatest angle between the surface normal at the contact and the section plane, rad: where a wall leans
     /// more (deep in a fillet, on a platform) turns at constant height make no sense and the helix ends.
     pub max_lean_rad: f64,
+    /// Lean of the tool axis over the plane square to the blade axis, towards the tip, rad: where the spindle's pivot stays. How turns
+    /// lie does not depend on it.
+    pub lean_rad: f64,
 }
 
 impl PathOptions {
@@ -50,6 +53,7 @@ impl PathOptions {
             region_x_mm: [None, None],
             end_faces: Vec::new(),
             max_lean_rad: 60f64.to_radians(),
+            lean_rad: 5f64.to_radians(),
         }
     }
 }

@@ -143,6 +143,7 @@ mod tests {
                 airfoil_x_mm: [low, LENGTH],
                 platform_x_mm: None,
                 fillet_x_mm: None,
+                sides: None,
                 reasons: Vec::new(),
             },
             diagnosis: Diagnosis::default(),

@@ -69,6 +69,7 @@ pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
+            sides: None,
             reasons: vec![],
         },
         diagnosis: Diagnosis::default(),

@@ -1,12 +1,12 @@
 //! The motion with its leads: arcs for which there is room, chosen by the same checks that later give the evidence.
 
 use super::Setup;
-use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Stand, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::feed;
 use crate::lead::{self, End, LeadOptions};
 use crate::observe::{Observer, Silent, Warning};
-use crate::verify::lead::{Foot, Room, obstructed};
+use crate::verify::lead::{Room, obstructed};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use crate::write::post::{self, PostOptions};
 
@@ -40,7 +40,6 @@ fn room<'a>(setup: &'a Setup, path: &Toolpath, options: &'a VerifyOptions) -> Ro
         obstacles: &setup.obstacles,
         tool: &setup.job.tool,
         machine: &setup.machine,
-        b_rad: setup.job.machine.b_deg.to_radians(),
         options,
     }
 }
@@ -86,11 +85,12 @@ fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Ro
     if radius_mm == 0.0 {
         return Lead::straight("asked for by feed.lead_radius_mm = 0");
     }
-    let options = &LeadOptions { radius_mm, b_rad: room.b_rad };
+    let options = &LeadOptions { radius_mm };
     let row = if end == End::In { path.locations.first() } else { path.locations.last() };
     let theta = if end == End::In { schedule.theta.first() } else { schedule.theta.last() };
     let Some((at, theta)) = row.zip(theta) else { return Lead::straight("the path has no locations") };
-    let foot = Foot { centre: at.centre, theta: *theta };
+    let cone = path.cone(if end == End::In { 0 } else { path.locations.len() - 1 });
+    let foot = Stand { centre: at.centre, cone, theta: *theta };
     let mut first = None;
     for mut arc in lead::candidates(path, schedule, end, options) {
         match obstructed(&arc, foot, end == End::In, room) {

@@ -189,6 +189,7 @@ impl Setup {
             region_x_mm: [Some(r.start_mm), r.end_mm],
             end_faces: self.end_faces.clone(),
             max_lean_rad: p.max_lean_deg.to_radians(),
+            lean_rad: self.job.machine.b_deg.to_radians(),
         }
     }
 
@@ -196,7 +197,6 @@ impl Setup {
     pub fn channel_options(&self) -> ChannelOptions {
         let c = &self.job.channel;
         ChannelOptions {
-            b_rad: self.job.machine.b_deg.to_radians(),
             clearance_mm: c.clearance_mm,
             holder_clearance_mm: c.holder_clearance_mm,
             contact_angle_min_rad: c.contact_angle_min_deg.to_radians(),
@@ -225,8 +225,8 @@ impl Setup {
     }
 
     fn feed_options(&self) -> FeedOptions {
-        let (feed, b) = (self.job.feed.feed_mm_min, self.job.machine.b_deg.to_radians());
-        FeedOptions { chord_mm: self.job.path.chord_mm, ..FeedOptions::new(feed, b, self.job.tool.length_mm()) }
+        let (feed, gauge) = (self.job.feed.feed_mm_min, self.job.tool.length_mm());
+        FeedOptions { chord_mm: self.job.path.chord_mm, ..FeedOptions::new(feed, gauge) }
     }
 
     /// Limits of the checks, as the job has them.

@@ -132,10 +132,7 @@ fn keep_clear(
     let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
     let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
     for _ in 0..MOST_PROOFS {
-        let short = clock.time(Stage::Channel, || {
-            let (theta, b_rad) = (&schedule.theta, channel.b_rad);
-            Ok(verify::short_moves(path, theta, b_rad, &apart, &verify))
-        })?;
+        let short = clock.time(Stage::Channel, || Ok(verify::short_moves(path, &schedule.theta, &apart, &verify)))?;
         if short.is_empty() {
             return Ok(());
         }

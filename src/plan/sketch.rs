@@ -46,7 +46,8 @@ fn thinned(path: &Toolpath, kept: &[usize]) -> Option<Toolpath> {
         let first = kept.partition_point(|k| *k < t.first);
         Turn { first, count: kept.partition_point(|k| *k < t.first + t.count) - first, ..*t }
     };
-    Some(Toolpath { turns: path.turns.iter().map(turn).collect(), locations, ..path.clone() })
+    let cones = path.cones.chosen(kept);
+    Some(Toolpath { turns: path.turns.iter().map(turn).collect(), locations, cones, ..path.clone() })
 }
 
 fn of(channel: &Channel, kept: &[usize]) -> Option<Channel> {

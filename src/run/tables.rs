@@ -7,7 +7,6 @@ use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::machine::Axis;
-use crate::tool;
 
 /// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back exactly.
 pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
@@ -30,10 +29,9 @@ pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
     }
     out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");
     let to_model = &blade.model_from_blade;
-    let b = plan.channel.b_rad;
     for (k, l) in plan.toolpath.locations.iter().enumerate() {
         let (c, p) = (to_model * l.centre, to_model * l.contact);
-        let (n, i) = (to_model * l.normal, to_model * tool::axis(b, plan.schedule.theta[k]));
+        let (n, i) = (to_model * l.normal, to_model * plan.toolpath.cone(k).tool_axis(plan.schedule.theta[k]));
         let row = &plan.channel.rows[k];
         let _ = write!(out, "{},{},{}", l.turn, l.turn_s_mm, l.s_mm);
         for v in [c.coords, p.coords, n, i] {

@@ -8,7 +8,7 @@ use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
 use crate::observe::{Observer, Warning};
 
-/// Normals closer to the blade axis than this have no azimuth worth following (sine of the angle to the axis).
+/// Normals closer to the axis of their cone than this have no azimuth worth following (sine of the angle to the axis).
 const ALONG_AXIS: f64 = 1e-6;
 
 /// θ at every location.
@@ -17,10 +17,9 @@ pub(super) fn angles(path: &Toolpath, channel: &Channel, options: &ScheduleOptio
     let near = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
     let mut last = if near.is_finite() { near } else { 0.0 };
     let mut theta = Vec::with_capacity(path.locations.len());
-    for l in &path.locations {
-        let n = l.normal;
-        if n.y.hypot(n.z) > ALONG_AXIS {
-            let raw = n.z.atan2(n.y) + lead;
+    for (row, l) in path.locations.iter().enumerate() {
+        if let Some(azimuth) = path.cone(row).theta_of(&l.normal, ALONG_AXIS) {
+            let raw = azimuth + lead;
             last = raw + TAU * ((last - raw) / TAU).round();
         }
         theta.push(last);

@@ -4,10 +4,10 @@ use std::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
 use super::*;
-use crate::artifact::ToolPart;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::schedule::BaseAngle;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Turn};
+use crate::artifact::{Cones, ToolPart};
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
@@ -43,6 +43,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         region_x_mm: [0.0, 1.0],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(0.1),
         turns,
         locations,
     }
@@ -68,7 +69,7 @@ pub(super) fn channel(limits: &[[f64; 2]]) -> Channel {
         let k = rows.len() - 1 - i;
         rows[k].hull_max = rows[k].hull_max.min(rows[k + 1].hull_max);
     }
-    Channel { b_rad: 0.1, tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new() }
+    Channel { tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new() }
 }
 
 /// A blade's turn: θ runs fast round two edges and slowly along two sides; `dip` makes the forward limit of the

@@ -4,11 +4,17 @@
 //! altered points, edges, sides, chord and thickness.
 //!
 //! **Method.** The mesh is cut by planes `x = const` ([`crate::geometry::slice`]). Where the part has exact faces, loops are
-//! made denser and every point is moved within its plane onto the exact surface, to 10⁻⁸ mm (`outline`); curvature is then the
+//! made denser and every point is moved within its plane onto the exact surface, to 10⁻⁸ mm; curvature is then the
 //! surface's own (Meusnier). On meshes, and beside creases, curvature comes from local least-squares cubics in arc length, each over the widest stretch on which it keeps within a stated tolerance, so that
-//! facets do not show (`curvature`). Altered points are changes of sign between stretches that bend by more than the
+//! facets do not show. Altered points are changes of sign between stretches that bend by more than the
 //! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
-//! extent; the leading edge is the blunter one (`edges`). Thickness is the diameter of the largest inscribed circle.
+//! extent. Thickness is the diameter of the largest inscribed circle. Outlines, curvature, edges and thickness are
+//! [`crate::geometry::profile`]'s.
+//!
+//! **Names.** Which end is the leading edge and which side the suction side is known of the blade as a whole
+//! ([`crate::geometry::profile::Sides`]). So a section has the same names whichever others are asked for. Where the
+//! blade does not say it, the sections asked for say it together; a loop that is not the airfoil's is named by its own shape.
+//! Where the ends found on an outline that is folded or torn are not near the airfoil's edges, the points nearest to these are taken.
 //!
 //! The same loops as smooth curves, for callers that need more than points: [`smooth`].
 //!
@@ -23,9 +29,6 @@
 //! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible` where no section at all closes.
 
 mod altered;
-mod curvature;
-mod edges;
-mod outline;
 pub mod smooth;
 
 use rayon::prelude::*;
@@ -34,8 +37,9 @@ use crate::artifact::Blade;
 use crate::artifact::section::{Section, SectionLoop, Side};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
+use crate::geometry::profile::outline::{self, Outline};
+use crate::geometry::profile::{Ends, Names, Profile, Sides, TOLERANCE_MM, edges};
 use crate::observe::{Observer, Warning};
-use outline::Outline;
 
 /// Which sections, and how smooth.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +56,7 @@ pub struct SectionOptions {
 
 impl Default for SectionOptions {
     fn default() -> Self {
-        SectionOptions { count: 11, heights_mm: Vec::new(), tolerance_mm: 0.002 }
+        SectionOptions { count: 11, heights_mm: Vec::new(), tolerance_mm: TOLERANCE_MM }
     }
 }
 
@@ -67,24 +71,28 @@ pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) ->
         .par_iter()
         .map(|&x_mm| {
             observer.check(Stage::Section)?;
-            Ok(section(&blade.part, x_mm, options.tolerance_mm))
+            Ok(cut(&blade.part, x_mm, options.tolerance_mm))
         })
         .collect::<Result<_>>()?;
     observer.progress(Stage::Section, heights.len(), heights.len());
-    if cut.iter().all(|c| c.section.is_none()) {
+    if cut.iter().all(|c| c.loops.is_empty()) {
         return Err(no_section(blade, &cut));
     }
     for message in cut.iter().flat_map(Cut::remarks) {
         observer.warn(Warning { stage: Stage::Section, message });
     }
-    Ok(cut.into_iter().filter_map(|c| c.section).collect())
+    let largest = || cut.iter().filter_map(|c| Some((c.x_mm, c.ends.first()?.clone()))).collect::<Vec<_>>();
+    let sides = blade.regions.sides.clone().or_else(|| Sides::along(&largest()));
+    Ok(cut.into_iter().filter_map(|c| c.named(sides.as_ref())).collect())
 }
 
 /// What was found at a height.
 struct Cut {
     x_mm: f64,
-    /// The section; none where no loop closes.
-    section: Option<Section>,
+    /// What closes.
+    loops: Vec<SectionLoop>,
+    /// The ends of each.
+    ends: Vec<Ends>,
     /// Holes and open chains that are left out.
     dropped: usize,
     /// Widest gap that was bridged, mm.
@@ -94,11 +102,24 @@ struct Cut {
 }
 
 impl Cut {
+    /// The section, its edges and sides named; none where no loop closes.
+    fn named(mut self, sides: Option<&Sides>) -> Option<Section> {
+        let known = sides.map_or_else(Vec::new, |s| s.names(self.x_mm, &self.ends));
+        for (k, (l, ends)) in self.loops.iter_mut().zip(&self.ends).enumerate() {
+            let own = known.get(k).copied().flatten();
+            name(l, ends, own.unwrap_or_else(|| Names::alone(ends)));
+            if let Some(sides) = sides.filter(|s| own.is_some() && s.are_elsewhere(self.x_mm, ends)) {
+                put_edges(l, sides.at(self.x_mm));
+            }
+        }
+        (!self.loops.is_empty()).then_some(Section { x_mm: self.x_mm, loops: self.loops })
+    }
+
     /// Warnings on this cut.
     fn remarks(&self) -> Vec<String> {
         let Cut { x_mm, dropped, bridged_mm, open_mm, .. } = self;
         let mut out = Vec::new();
-        if self.section.is_none() {
+        if self.loops.is_empty() {
             out.push(format!(
                 "there is no section at {x_mm:.3} mm: the part is open there, by {open_mm:.3} mm at the widest; the others are written"
             ));
@@ -161,26 +182,24 @@ fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
 }
 
 /// What a plane cuts out, measured.
-fn section(part: &Part, x_mm: f64, tolerance_mm: f64) -> Cut {
+fn cut(part: &Part, x_mm: f64, tolerance_mm: f64) -> Cut {
     let outline::Outlines { loops, dropped, bridged_mm, open_mm } = outline::outlines(part, x_mm);
-    let loops: Vec<SectionLoop> = loops.into_iter().map(|o| measured(o, tolerance_mm)).collect();
-    let section = (!loops.is_empty()).then_some(Section { x_mm, loops });
-    Cut { x_mm, section, dropped, bridged_mm, open_mm }
+    let (loops, ends) = loops.into_iter().map(|o| measured(o, tolerance_mm)).unzip();
+    Cut { x_mm, loops, ends, dropped, bridged_mm, open_mm }
 }
 
-/// A loop with everything that is measured on it; closed, counter-clockwise, at least three points.
-fn measured(outline: Outline, tolerance_mm: f64) -> SectionLoop {
-    let Outline { points, exact, off_part_mm } = outline;
-    let (s_mm, length_mm) = outline::arc_length(&points);
-    let fit = curvature::fit(&points, &exact, &s_mm, length_mm, tolerance_mm.max(2.0 * off_part_mm));
-    let altered_points = altered::points(&points, &s_mm, length_mm, &fit.curvature, tolerance_mm);
-    let ends = edges::find(&points, &s_mm, length_mm, &fit.curvature);
-    SectionLoop {
-        altered_points,
-        leading_edge_s_mm: ends.leading.s_mm,
-        trailing_edge_s_mm: ends.trailing.s_mm,
-        side_after_leading_edge: if ends.suction_first { Side::Suction } else { Side::Pressure },
-        chord_mm: outline::distance(ends.leading.point, ends.trailing.point),
+/// A loop with everything that is measured on it, its first end as the leading edge, and its ends; closed, counter-clockwise,
+/// at least three points.
+fn measured(outline: Outline, tolerance_mm: f64) -> (SectionLoop, Ends) {
+    let profile = Profile::of(outline, tolerance_mm);
+    let ends = profile.ends();
+    let Profile { outline: Outline { points, off_part_mm, .. }, s_mm, length_mm, fit } = profile;
+    let measured = SectionLoop {
+        altered_points: altered::points(&points, &s_mm, length_mm, &fit.curvature, tolerance_mm),
+        leading_edge_s_mm: ends.s_mm[0],
+        trailing_edge_s_mm: ends.s_mm[1],
+        side_after_leading_edge: Side::Suction,
+        chord_mm: ends.chord_mm(),
         thickness_mm: edges::thickness(&points, &fit.normal, tolerance_mm),
         fit_error_mm: fit.error_mm,
         area_mm2: outline::area(&points),
@@ -189,7 +208,25 @@ fn measured(outline: Outline, tolerance_mm: f64) -> SectionLoop {
         length_mm,
         s_mm,
         points_mm: points,
-    }
+    };
+    (measured, ends)
+}
+
+/// Says which end leads and which side is which.
+fn name(l: &mut SectionLoop, ends: &Ends, names: Names) {
+    let [first, second] = ends.s_mm;
+    (l.leading_edge_s_mm, l.trailing_edge_s_mm) = if names.first_leads { (first, second) } else { (second, first) };
+    l.side_after_leading_edge = if names.suction_follows_leading { Side::Suction } else { Side::Pressure };
+}
+
+/// Puts leading and trailing edge to the points nearest to where the airfoil has them.
+fn put_edges(l: &mut SectionLoop, edges: [[f64; 2]; 2]) {
+    let nearest = edges.map(|q| {
+        let away_mm = |i: &usize| outline::distance(l.points_mm[*i], q);
+        (0..l.points_mm.len()).min_by(|a, b| away_mm(a).total_cmp(&away_mm(b))).unwrap_or(0)
+    });
+    [l.leading_edge_s_mm, l.trailing_edge_s_mm] = nearest.map(|i| l.s_mm[i]);
+    l.chord_mm = outline::distance(l.points_mm[nearest[0]], l.points_mm[nearest[1]]);
 }
 
 #[cfg(test)]

@@ -16,7 +16,6 @@
 
 use nalgebra::Vector4;
 
-use super::outline::{ON_SURFACE_MM, POINTS, arc_length, distance, on_part};
 use crate::artifact::section::SectionCurves;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::Brep;
@@ -24,6 +23,7 @@ use crate::geometry::nurbs::NurbsCurve;
 use crate::geometry::nurbs::fit::{FitError, PeriodicRows, interpolate_curve};
 use crate::geometry::nurbs::pieces;
 use crate::geometry::part::Part;
+use crate::geometry::profile::outline::{ON_SURFACE_MM, POINTS, arc_length, distance, on_part};
 use crate::geometry::slice::slice;
 
 /// Of the dense points every so many are interpolated at first.

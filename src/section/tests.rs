@@ -6,7 +6,6 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Matrix3;
 use proptest::prelude::*;
 
-use super::outline::Outline;
 use super::{SectionOptions, plan};
 use crate::artifact::Blade;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
@@ -17,13 +16,17 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{cone, cylinder, torus};
 use crate::geometry::part::Part;
+use crate::geometry::profile::outline::outlines;
+use crate::geometry::profile::{Names, Outline};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::{Recorder, Silent};
 
 const TOL: f64 = 0.002;
 
 fn measured(points: Vec<[f64; 2]>, tolerance_mm: f64) -> SectionLoop {
-    super::measured(Outline::polygon(points), tolerance_mm)
+    let (mut l, ends) = super::measured(Outline::polygon(points), tolerance_mm);
+    super::name(&mut l, &ends, Names::alone(&ends));
+    l
 }
 
 fn sampled(n: usize, f: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
@@ -225,7 +228,14 @@ fn prism(profile: &[[f64; 2]], x: [f64; 2]) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
-        regions: Regions { part_x_mm: x, airfoil_x_mm: x, platform_x_mm: None, fillet_x_mm: None, reasons: Vec::new() },
+        regions: Regions {
+            part_x_mm: x,
+            airfoil_x_mm: x,
+            platform_x_mm: None,
+            fillet_x_mm: None,
+            sides: None,
+            reasons: Vec::new(),
+        },
         diagnosis: Diagnosis::default(),
     }
 }
@@ -344,14 +354,14 @@ fn oblique_sections_of_exact_faces_in_closed_form() {
         let mut found = 0;
         for share in [0.35, 0.5, 0.62] {
             let x = b.min.x + share * (b.max.x - b.min.x);
-            for outline in super::outline::outlines(&part, x).loops {
+            for outline in outlines(&part, x).loops {
                 found += 1;
                 assert!(outline.off_part_mm < 1e-8, "{name}: {}", outline.off_part_mm);
                 for p in &outline.points {
                     let (value, g, _) = f(&Point::new(x, p[0], p[1]));
                     assert!((value / g.norm()).abs() < 2e-8, "{name} {p:?}: {}", value / g.norm());
                 }
-                let l = super::measured(outline, TOL);
+                let (l, _) = super::measured(outline, TOL);
                 let mut changes = 0;
                 for (i, p) in l.points_mm.iter().enumerate() {
                     let k = implicit_curvature(&f, x, *p);

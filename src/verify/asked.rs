@@ -16,7 +16,7 @@ use super::options::VerifyOptions;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, PathKind, Turn};
-use crate::artifact::{Blade, Plan, Toolpath};
+use crate::artifact::{Blade, Cone, Plan, Toolpath};
 
 /// What a plan holds of its job. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +82,8 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
     number("path.scallop_mm", path.scallop_mm, options.scallop_mm);
     number("path.stock_mm", path.stock_mm, asked.stock_mm);
     number("path.chord_mm", path.chord_mm, asked.chord_mm);
-    number("machine.b_deg", channel.b_rad.to_degrees(), asked.b_rad.to_degrees());
+    let lean_rad = path.cones.same().filter(Cone::is_about_blade).map_or(f64::NAN, |c| c.lean_rad);
+    number("machine.b_deg", lean_rad.to_degrees(), asked.b_rad.to_degrees());
     number("channel.tolerance_deg", channel.tolerance_rad.to_degrees(), asked.tolerance_rad.to_degrees());
     if path.kind != asked.kind {
         wrong.push(format!("path.kind is {} in plan.json, the job asks for {}", path.kind.name(), asked.kind.name()));
@@ -188,7 +189,7 @@ fn leans(locations: &[CutterLocation], turn: &Turn) -> f64 {
 /// The greatest feed.
 fn feed(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
     let rows: Vec<_> = plan.rows().collect();
-    let speeds = rows.windows(2).map(|w| (w[1].centre - w[0].centre).norm() / (w[1].t_s - w[0].t_s) * 60.0);
+    let speeds = rows.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm() / (w[1].t_s - w[0].t_s) * 60.0);
     let worst = speeds.enumerate().fold((0.0f64, 0), |best, (row, v)| {
         let v = if v >= 0.0 { v } else { f64::MAX };
         if v > best.0 { (v, row) } else { best }

@@ -12,10 +12,10 @@ use super::apart::Apart;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan, Toolpath};
+use crate::artifact::{Blade, Plan, Stand, Toolpath};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
-use crate::tool::{self, Segment};
+use crate::tool::Segment;
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
 const CHUNK: usize = 128;
@@ -61,15 +61,11 @@ impl Nearest {
     }
 }
 
-/// Where the tool is at each row; between rows the centre goes straight, θ and B change evenly.
+/// Where the tool is at each row; between rows it moves as [`Stand::towards`] says.
 #[derive(Clone, Copy)]
 pub(super) struct Track<'a> {
-    /// Ball centres.
-    pub centres: &'a [Point],
-    /// θ, rad.
-    pub theta: &'a [f64],
-    /// B, rad; the last one stays for rows beyond.
-    pub b_rad: &'a [f64],
+    /// Where the tool stands.
+    pub stands: &'a [Stand],
     /// Moves to look at, by their first row; `None`: all.
     pub wanted: Option<&'a [bool]>,
 }
@@ -78,13 +74,10 @@ impl Track<'_> {
     fn wants(&self, row: usize) -> bool {
         self.wanted.is_none_or(|w| w.get(row) == Some(&true))
     }
-    fn lean(&self, row: usize) -> f64 {
-        self.b_rad.get(row).or(self.b_rad.last()).copied().unwrap_or(0.0)
-    }
 }
 
 /// The motion as it is looked at, and the tool's segments.
-struct Motion<'a> {
+struct TrackSearch<'a> {
     part: &'a Part,
     track: Track<'a>,
     segments: &'a [Segment],
@@ -93,7 +86,7 @@ struct Motion<'a> {
     share: f64,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> TrackSearch<'a> {
     /// What may be missed where the least distance is `found`: the resolution, or a share of large distances, a tenth of depths: a
     /// collision need not be told more finely.
     fn may_miss(&self, found: f64) -> f64 {
@@ -102,20 +95,12 @@ impl<'a> Motion<'a> {
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
     fn place(&self, row: usize, t0: f64, t1: f64) -> Vec<Moving<'a>> {
-        let Track { centres, theta, .. } = self.track;
-        let next = (row + 1).min(centres.len() - 1);
-        let (dc, dt) = (centres[next] - centres[row], theta[next] - theta[row]);
-        let (b, db) = (self.track.lean(row), self.track.lean(next) - self.track.lean(row));
-        let (mid, half) = (0.5 * (t0 + t1), 0.5 * (t1 - t0));
-        let moving = |frustum| Moving {
-            frustum,
-            centre: centres[row] + dc * mid,
-            axis: tool::axis(b + db * mid, theta[row] + dt * mid),
-            half_move: dc * half,
-            half_turn: dt * half,
-            half_lean: db * half,
-        };
-        self.segments.iter().map(moving).collect()
+        let stands = self.track.stands;
+        let next = (row + 1).min(stands.len() - 1);
+        let share = [0.5 * (t0 + t1), 0.5 * (t1 - t0)];
+        let Some((first, others)) = self.segments.split_first() else { return Vec::new() };
+        let first = Moving::between(first, &stands[row], &stands[next], share);
+        std::iter::once(first).chain(others.iter().map(|frustum| Moving { frustum, ..first })).collect()
     }
 
     /// A lower bound of the distance over all segments, triangles and the whole move, or `cap` where that is less; and
@@ -186,7 +171,7 @@ impl<'a> Motion<'a> {
 
     /// Least distance over the whole path.
     fn whole(&self) -> Nearest {
-        let n = self.track.centres.len();
+        let n = self.track.stands.len();
         // A coarse look first: its least distance lets the fine one skip nearly everything.
         let coarse: Vec<Nearest> = (0..n)
             .step_by(n.div_ceil(COARSE))
@@ -205,7 +190,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-impl Motion<'_> {
+impl TrackSearch<'_> {
     /// Whether something comes nearer than `limit_mm` at some time of a move, or may: it is halved until one or the other is known.
     fn may_fall_short(&self, row: usize, limit_mm: f64) -> bool {
         let cap = limit_mm + self.resolution;
@@ -229,8 +214,8 @@ impl Motion<'_> {
 
 /// Moves between two locations, by their first, on which the tool may come nearer to something than passes its check: where a motion keeps the clearance at its
 /// locations and not between them.
-pub fn short_moves(path: &Toolpath, theta: &[f64], b_rad: f64, apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
-    let centres: Vec<Point> = path.locations.iter().map(|l| l.centre).collect();
+pub fn short_moves(path: &Toolpath, theta: &[f64], apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
+    let stands = path.stands(theta);
     let (share, resolution) = CLOSELY;
     let mut out = Vec::new();
     for a in apart {
@@ -238,12 +223,12 @@ pub fn short_moves(path: &Toolpath, theta: &[f64], b_rad: f64, apart: &[Apart], 
         // What the check takes off what it has measured.
         let needed = (limit + resolution).max(limit / (1.0 - share));
         let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
-            let track = Track { centres: &centres, theta, b_rad: &[b_rad], wanted: None };
-            let motion = Motion { part: on, track, segments: &a.segments, resolution, share };
+            let track = Track { stands: &stands, wanted: None };
+            let motion = TrackSearch { part: on, track, segments: &a.segments, resolution, share };
             let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
             moves.into_par_iter().filter(short).collect()
         };
-        let mut short = among(a.part, (0..centres.len().saturating_sub(1)).collect());
+        let mut short = among(a.part, (0..stands.len().saturating_sub(1)).collect());
         if let Some(sharper) = a.part.sharper().filter(|_| !short.is_empty()) {
             short = among(sharper, short);
         }
@@ -281,7 +266,7 @@ pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f6
         return first;
     }
     let (on, (share, resolution)) = (part.sharper().unwrap_or(part), CLOSELY);
-    let motion = Motion { part: on, track, segments, resolution, share };
+    let motion = TrackSearch { part: on, track, segments, resolution, share };
     let near = motion.whole();
     of(on, (near, near.found_mm - motion.may_miss(near.found_mm)))
 }
@@ -289,7 +274,7 @@ pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f6
 /// Least distance between `segments` of the tool and the part over a motion of at least two rows, to `resolution_mm` (or a
 /// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
 pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
-    let motion = Motion { part, track, segments, resolution: resolution_mm, share: SHARE };
+    let motion = TrackSearch { part, track, segments, resolution: resolution_mm, share: SHARE };
     let near = motion.whole();
     let bound = near.found_mm - motion.may_miss(near.found_mm);
     (near, bound)
@@ -309,17 +294,10 @@ pub struct Standing {
     pub point: Point,
 }
 
-/// How near `segments` of a tool that stands at a ball centre with its axis at `b_rad` and `theta` come to a part's triangles; `None`: they
-/// are more than a metre away.
-pub fn standing(
-    part: &Part,
-    segments: &[Segment],
-    centre: &Point,
-    (b_rad, theta): (f64, f64),
-    resolution_mm: f64,
-) -> Option<Standing> {
-    let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
-    let motion = Motion { part, track, segments, resolution: resolution_mm, share: SHARE };
+/// How near `segments` of a tool that stands still come to a part's triangles; `None`: they are more than a metre away.
+pub fn standing(part: &Part, segments: &[Segment], stand: &Stand, resolution_mm: f64) -> Option<Standing> {
+    let track = Track { stands: &[*stand], wanted: None };
+    let motion = TrackSearch { part, track, segments, resolution: resolution_mm, share: SHARE };
     let place = motion.place(0, 0.5, 0.5);
     let mut best = Nearest::far(FAR_MM);
     loop {
@@ -336,15 +314,9 @@ pub fn standing(
 }
 
 /// As [`standing`], as far as a triangle is nearer than `limit_mm`; `None`: none is.
-pub(super) fn nearer(
-    part: &Part,
-    segments: &[Segment],
-    centre: &Point,
-    (b_rad, theta): (f64, f64),
-    limit_mm: f64,
-) -> Option<Standing> {
-    let track = Track { centres: &[*centre], theta: &[theta], b_rad: &[b_rad], wanted: None };
-    let motion = Motion { part, track, segments, resolution: TOUCH_MM, share: SHARE };
+pub(super) fn nearer(part: &Part, segments: &[Segment], stand: &Stand, limit_mm: f64) -> Option<Standing> {
+    let track = Track { stands: &[*stand], wanted: None };
+    let motion = TrackSearch { part, track, segments, resolution: TOUCH_MM, share: SHARE };
     let (_, seen) = motion.least(&motion.place(0, 0.5, 0.5), limit_mm, u32::MAX, 0);
     let Nearest { found_mm, segment, triangle, point, .. } = seen;
     (triangle != u32::MAX).then_some(Standing { distance_mm: found_mm, segment, triangle, point })
@@ -352,7 +324,7 @@ pub(super) fn nearer(
 
 /// The moves of a motion in the middle of which some triangle is nearer than `limit_mm`.
 pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f64) -> Vec<usize> {
-    let motion = Motion { part, track, segments, resolution: 0.0, share: SHARE };
+    let motion = TrackSearch { part, track, segments, resolution: 0.0, share: SHARE };
     let touches = |row: &usize| {
         let place = motion.place(*row, 0.5, 0.5);
         let mut met = false;
@@ -372,15 +344,14 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
         });
         met
     };
-    let moves = 0..track.centres.len().saturating_sub(1);
+    let moves = 0..track.stands.len().saturating_sub(1);
     moves.into_par_iter().filter(|row| track.wants(*row)).filter(touches).collect()
 }
 
 /// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance` of all else; and the least distance to the part, mm.
 pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &VerifyOptions) -> (Vec<Check>, f64) {
-    let centres: Vec<Point> = plan.toolpath.locations.iter().map(|l| l.centre).collect();
-    let b_rad = std::slice::from_ref(&plan.channel.b_rad);
-    let track = Track { centres: &centres, theta: &plan.schedule.theta, b_rad, wanted: None };
+    let stands = plan.toolpath.stands(&plan.schedule.theta);
+    let track = Track { stands: &stands, wanted: None };
     let mut least = FAR_MM;
     let mut checks = Vec::new();
     for a in apart {

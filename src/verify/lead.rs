@@ -10,12 +10,12 @@ use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, Blade, Lead, Obstacle, Plan};
+use crate::artifact::{Axes, Blade, Cone, Lead, Obstacle, Plan, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Axis, Machine};
-use crate::tool::{self, Tool};
+use crate::tool::Tool;
 
 /// At its outer end an arc must be this share of its height off the part, or the ball has not left it.
 const OFF: f64 = 0.25;
@@ -35,8 +35,6 @@ pub struct Room<'a> {
     pub tool: &'a Tool,
     /// The machine.
     pub machine: &'a Machine,
-    /// Angle of the head, rad.
-    pub b_rad: f64,
     /// Limits and resolution.
     pub options: &'a VerifyOptions,
 }
@@ -47,44 +45,33 @@ impl<'a> Room<'a> {
     }
 }
 
-/// The location that a way leads to, or comes from.
-#[derive(Clone, Copy, Debug)]
-pub struct Foot {
-    /// Ball centre, mm.
-    pub centre: Point,
-    /// Angle of the tool axis, rad.
-    pub theta: f64,
-}
-
 /// A way from the location outwards, whichever way it is run.
 struct Way {
-    centres: Vec<Point>,
-    theta: Vec<f64>,
+    stands: Vec<Stand>,
 }
 
 impl Way {
-    fn new(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Self {
-        let mut rows: Vec<(Point, f64)> = lead.centres.iter().copied().zip(lead.theta.iter().copied()).collect();
+    fn new(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Self {
+        let mut stands: Vec<Stand> = lead.stands(foot.cone).collect();
         if inwards {
-            rows.reverse();
+            stands.reverse();
         }
-        rows.insert(0, (foot.centre, foot.theta));
-        let (outer, theta) = rows.last().copied().unwrap_or((foot.centre, foot.theta));
-        let axis = tool::axis(room.b_rad, theta);
-        rows.push((outer + axis * beyond(&room.blade.part, &outer, &axis, room.tool.radius_mm), theta));
-        let (centres, theta) = rows.into_iter().unzip();
-        Way { centres, theta }
+        stands.insert(0, foot);
+        let outer = stands.last().copied().unwrap_or(foot);
+        stands.push(outer.lifted(beyond(&room.blade.part, &outer.centre, &outer.axis(), room.tool.radius_mm)));
+        Way { stands }
     }
 
     /// How near the tool comes to what it is to keep `limit_mm` of.
     fn least(&self, a: &Apart, limit_mm: f64, room: &Room) -> Kept {
-        let track = Track { centres: &self.centres, theta: &self.theta, b_rad: &[room.b_rad], wanted: None };
+        let track = Track { stands: &self.stands, wanted: None };
         clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
 
     fn gouge(&self, room: &Room) -> gouge::Gouge {
-        let turns = vec![0; self.centres.len()];
-        let sweep = Sweep::of(self.centres.clone(), self.centres.clone(), turns, room.tool.radius_mm, None);
+        let centres: Vec<Point> = self.stands.iter().map(|s| s.centre).collect();
+        let turns = vec![0; centres.len()];
+        let sweep = Sweep::of(centres.clone(), centres, turns, room.tool.radius_mm, None);
         let part = Allowed::new(&room.blade.part, room.stock_mm);
         gouge::measure(&part, &sweep, room.options.resolution_mm)
     }
@@ -96,8 +83,8 @@ fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
     farthest + radius_mm + BEYOND_MM
 }
 
-/// What stands in the way of a lead, in words; `None`: there is room: the tool keeps the clearance that is asked for.
-pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option<String> {
+/// What stands in the way of a lead to or from a location, in words; `None`: there is room: the tool keeps the clearance that is asked for.
+pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<String> {
     let way = Way::new(lead, foot, inwards, room);
     let part = Allowed::new(&room.blade.part, room.stock_mm);
     let found = way.gouge(room);
@@ -106,9 +93,9 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
         let face = part.closest(&found.centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
         return Some(format!("the ball would cut {depth:.3} mm into {face}"));
     }
-    if let Some(outer) = way.centres.iter().rev().nth(1).filter(|_| lead.is_arc()) {
+    if let Some(outer) = way.stands.iter().rev().nth(1).map(|s| s.centre).filter(|_| lead.is_arc()) {
         let height = room.tool.radius_mm + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
-        if part.closest(outer, height).is_some() {
+        if part.closest(&outer, height).is_some() {
             return Some("the part is beside its outer end as well".into());
         }
     }
@@ -121,15 +108,15 @@ pub fn obstructed(lead: &Lead, foot: Foot, inwards: bool, room: &Room) -> Option
             return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
         }
     }
-    lead.is_arc().then(|| off_travel(lead, room)).flatten()
+    lead.is_arc().then(|| off_travel(lead, foot.cone, room)).flatten()
 }
 
 /// An axis that would leave its travel on the arc.
-fn off_travel(lead: &Lead, room: &Room) -> Option<String> {
+fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
     let axes = room.machine.axes();
     let gauge = room.tool.length_mm();
-    lead.centres.iter().zip(&lead.theta).find_map(|(c, theta)| {
-        let q = room.machine.inverse(c, *theta, room.b_rad, gauge);
+    let stands: Vec<Stand> = lead.stands(cone).collect();
+    room.machine.along(&stands, gauge).into_iter().find_map(|q| {
         let out = |i: &usize| axes[*i].limits.travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
         (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", axes[i].name))
     })
@@ -151,8 +138,7 @@ fn ways(plan: &Plan, room: &Room) -> Vec<(&'static str, usize, Way)> {
     let rows = &plan.toolpath.locations;
     let ends = [("lead-in", 0, true), ("lead-out", rows.len().saturating_sub(1), false)];
     let way = |((name, row, inwards), lead): ((&'static str, usize, bool), &Lead)| {
-        let foot = Foot { centre: rows.get(row)?.centre, theta: *plan.schedule.theta.get(row)? };
-        Some((name, row, Way::new(lead, foot, inwards, room)))
+        Some((name, row, Way::new(lead, plan.stand(row)?, inwards, room)))
     };
     ends.into_iter().zip(&plan.leads).filter_map(way).collect()
 }
@@ -196,11 +182,12 @@ fn nearest(ways: &[(&str, usize, Way)], a: &Apart, plan: &Plan, room: &Room) -> 
 fn placed(plan: &Plan, room: &Room) -> Check {
     let gauge = room.tool.length_mm();
     let mut worst = 0.0f64;
-    for lead in &plan.leads {
-        for ((c, theta), q) in lead.centres.iter().zip(&lead.theta).zip(&lead.motion.position) {
+    let last = plan.toolpath.locations.len().saturating_sub(1);
+    for (lead, row) in plan.leads.iter().zip([0, last]) {
+        for (stand, q) in lead.stands(plan.toolpath.cone(row)).zip(&lead.motion.position) {
             let pose = room.machine.forward(q, gauge);
-            let turned = (pose.axis - tool::axis(room.b_rad, *theta)).norm() * room.tool.length_mm();
-            let off = (pose.centre - c).norm().max(turned);
+            let turned = (pose.axis - stand.axis()).norm() * room.tool.length_mm();
+            let off = (pose.centre - stand.centre).norm().max(turned);
             worst = if off.is_nan() { f64::MAX } else { worst.max(off) };
         }
     }

@@ -23,8 +23,8 @@ fn plan() -> Plan {
 fn failing(plan: &Plan, blade: &Blade) -> Vec<Check> {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
     let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
-    let (stock_mm, obstacles, b_rad) = (0.0, &[][..], plan.channel.b_rad);
-    let room = Room { blade, stock_mm, obstacles, tool: &tool, machine: &machine, b_rad, options: &options };
+    let (stock_mm, obstacles) = (0.0, &[][..]);
+    let room = Room { blade, stock_mm, obstacles, tool: &tool, machine: &machine, options: &options };
     check(plan, &room).into_iter().filter(|c| !c.passed).collect()
 }
 
@@ -54,8 +54,8 @@ fn what_is_planted_in_a_lead_is_found_and_named() {
     let g = only(&found.into_iter().filter(|c| c.name == "lead-gouge").collect::<Vec<_>>(), "lead-gouge");
     assert!((0.015..0.03).contains(&g.worst) && g.note == "lead-out", "{g:?}");
     // One that reaches 0.1 mm into the second holder stage on the straight line only.
-    let (c, theta) = (clean.leads[0].centres[0], clean.leads[0].theta[0]);
-    let axis = tool::axis(clean.channel.b_rad, theta);
+    let outer = clean.leads[0].stands(clean.toolpath.cone(0)).next().unwrap();
+    let (c, axis) = (outer.centre, outer.axis());
     let out = axis.cross(&Vector::x()).normalize();
     let reach = c + axis * 140.0 + out * 29.9;
     let blade = with_needle([reach, reach + out * 9.0 + Vector::x() * 0.05, reach + out * 9.0 - Vector::x() * 0.05]);
@@ -76,10 +76,10 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let plan = plan();
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
     let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
-    let foot = Foot { centre: plan.toolpath.locations[0].centre, theta: plan.schedule.theta[0] };
+    let foot = plan.stand(0).unwrap();
     let said = |blade: &Blade, machine: &Machine, obstacles: &[Obstacle]| {
-        let (stock_mm, b_rad) = (0.0, plan.channel.b_rad);
-        let room = Room { blade, stock_mm, obstacles, tool: &tool, machine, b_rad, options: &options };
+        let stock_mm = 0.0;
+        let room = Room { blade, stock_mm, obstacles, tool: &tool, machine, options: &options };
         obstructed(&plan.leads[0], foot, true, &room)
     };
     assert_eq!(said(&sample::blade(), &machine, &[]), None);
@@ -87,11 +87,12 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let c = plan.leads[0].centres[10];
     let wall = [c, c + Vector::new(1.0, 0.0, 0.0), c + Vector::new(0.0, 0.0, -1.0)];
     assert!(said(&with_needle(wall), &machine, &[]).unwrap().contains("the ball would cut"));
-    let q = machine.inverse(&c, plan.leads[0].theta[10], plan.channel.b_rad, tool.length_mm());
+    let stand = plan.leads[0].stands(foot.cone).nth(10).unwrap();
+    let q = machine.place(&stand, None, tool.length_mm());
     let z = machine.axes()[2].limits;
     let short = machine.clone().with_limits(2, AxisLimits { travel: z.travel.map(|[lo, _]| [lo, q[2]]), ..z });
     assert_eq!(said(&sample::blade(), &short, &[]).unwrap(), "axis Z would leave its travel");
-    let axis = tool::axis(plan.channel.b_rad, plan.leads[0].theta[10]);
+    let axis = stand.axis();
     let beside = c + axis * 30.0 + axis.cross(&Vector::x()).normalize() * 7.0;
     let clamp = Obstacle {
         name: "the clamp".into(),
@@ -115,15 +116,7 @@ fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     let verified = Verified::for_tests(whole.clone(), report, false);
     let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
     let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
-    let room = Room {
-        blade: &blade,
-        stock_mm: 0.0,
-        obstacles: &[],
-        tool: &tool,
-        machine: &machine,
-        b_rad: whole.channel.b_rad,
-        options: &options,
-    };
+    let room = Room { blade: &blade, stock_mm: 0.0, obstacles: &[], tool: &tool, machine: &machine, options: &options };
     let left = sample::with_leads(whole.from_turn(1).unwrap());
     assert!(left.leads[0].is_arc());
     let found = restart(&verified, left.clone(), &room).unwrap();

@@ -13,7 +13,7 @@ use super::options::VerifyOptions;
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, Blade, Plan};
 use crate::machine::{Axis, Machine};
-use crate::tool::{self, Tool};
+use crate::tool::Tool;
 
 /// A worst value and its row; the first of equals.
 #[derive(Clone, Copy)]
@@ -130,8 +130,8 @@ fn placed(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &
     let poses: Vec<_> = plan.motion.position.iter().map(|q| machine.forward(q, gauge)).collect();
     let apart = poses.iter().zip(&plan.toolpath.locations).map(|(p, l)| (p.centre - l.centre).norm());
     let centre = worst(apart);
-    let turned = poses.iter().zip(&plan.schedule.theta).map(|(p, t)| {
-        let a = tool::axis(plan.channel.b_rad, *t);
+    let turned = poses.iter().zip(plan.toolpath.stands(&plan.schedule.theta)).map(|(p, stand)| {
+        let a = stand.axis();
         p.axis.cross(&a).norm().atan2(p.axis.dot(&a)).to_degrees()
     });
     let axis = worst(turned);

@@ -119,15 +119,7 @@ pub fn check_among(
     let (checks, least) = clearance::check(&plan, blade, &apart, options);
     report.clearance_mm = least;
     report.checks.extend(checks);
-    let room = lead::Room {
-        blade,
-        stock_mm: plan.toolpath.stock_mm,
-        obstacles,
-        tool,
-        machine,
-        b_rad: plan.channel.b_rad,
-        options,
-    };
+    let room = lead::Room { blade, stock_mm: plan.toolpath.stock_mm, obstacles, tool, machine, options };
     report.checks.extend(lead::check(&plan, &room));
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
@@ -178,6 +170,9 @@ pub fn well_formed(plan: &Plan, machine: &Machine) -> Result<()> {
             ));
         }
     }
+    if !plan.toolpath.cones.fit(n) {
+        return bad("the cones of tool axes of the plan are not finite, or not as many as its cutter locations".into());
+    }
     let (columns, [before, after]) = (machine.axes().len(), &plan.leads);
     let motions = [&before.motion, &plan.motion, &after.motion];
     let tables = motions.into_iter().flat_map(|m| [&m.position, &m.velocity, &m.acceleration, &m.jerk]);
@@ -194,7 +189,7 @@ pub fn well_formed(plan: &Plan, machine: &Machine) -> Result<()> {
     };
     match (0..n).find(|&i| !finite(i)) {
         Some(i) => bad(format!("cutter location {i} of the plan has a value that is not a finite number")),
-        None if !plan.rows().all(|r| r.centre.iter().chain([&r.theta, &r.t_s]).all(|x| x.is_finite())) => {
+        None if !plan.rows().all(|r| r.stand.centre.iter().chain([&r.stand.theta, &r.t_s]).all(|x| x.is_finite())) => {
             bad("a row of a lead has a value that is not a finite number".into())
         }
         None => Ok(()),

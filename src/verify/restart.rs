@@ -21,7 +21,7 @@ pub fn restart(whole: &Verified<Plan>, left: Plan, room: &Room) -> Result<Verdic
             && all.schedule.theta[k..] == left.schedule.theta[..]
             && all.schedule.pieces == left.schedule.pieces
             && all.channel.rows[k..] == left.channel.rows[..]
-            && all.channel.b_rad == left.channel.b_rad
+            && (k..k + n).all(|row| all.toolpath.cone(row) == left.toolpath.cone(row - k))
             && all.toolpath.stock_mm == left.toolpath.stock_mm
     });
     if !same {

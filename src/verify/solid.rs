@@ -6,16 +6,17 @@
 //! `d(p) ≥ d + g·(p − q)`.
 //!
 //! Seen from the tool, a part point `p` moves during a move. With the move's parameter `τ` from −1 to 1, half its
-//! translation `m`, half its turn `ω` about the blade axis (along x, through the ball centre `c`) and half its lean `β` about
-//! `n`, the unit vector across x and the tool axis:
+//! translation `m`, half its turn `ω` about the axis `x` of its cone (through the ball centre `c`), half its lean `β` about
+//! `n`, the unit vector across x and the tool axis, and half the turn `φ` of the cone itself, a rotation vector:
 //! ```text
-//! p(τ) = p + τ w(p) + ε,   w(p) = −m − (ω x + β n) × (p − c),   |ε| ≤ ½ Ω² (ρ + |m|) + Ω |m|,   Ω = |ω| + |β|
+//! p(τ) = p + τ w(p) + ε,   w(p) = −m − (ω x + β n + φ) × (p − c),   |ε| ≤ ½ Ω² (ρ + |m|) + Ω |m|,   Ω = |ω| + |β| + |φ|
 //! ```
-//! (Taylor; `ρ` is the distance of `p` from the axis of the turn, or from `c` where the tool leans too). Both bounds together are linear in `p` and in `τ`, so
+//! (Taylor; `ρ` is the distance of `p` from the blade axis through `c` where the tool turns about that alone, else from `c`). Both bounds together are linear in `p` and in `τ`, so
 //! the least value over a triangle or box and the whole move is read off its corners. Where the part slides along the tool
 //! the bound is good to second order in the move. Halving a triangle until its own share is within the tolerance
 //! finds the least distance to that tolerance.
 
+use crate::artifact::Stand;
 use crate::geometry::{Point, Vector};
 use crate::tool::Segment;
 
@@ -30,10 +31,31 @@ pub(super) struct Moving<'a> {
     pub axis: Vector,
     /// Half the move of the ball centre, mm.
     pub half_move: Vector,
-    /// Half the turn of the tool about x, rad.
+    /// Axis of the tool's cone there.
+    pub about: Vector,
+    /// Half the turn of the tool about that axis, rad.
     pub half_turn: f64,
-    /// Half the change of its angle B towards x, rad.
+    /// Half the change of its lean towards that axis, rad.
     pub half_lean: f64,
+    /// Half the turn of the cone, a rotation vector, rad.
+    pub half_frame: Vector,
+}
+
+impl<'a> Moving<'a> {
+    /// On the straight move from a stand to another, about a share of the way and so far to both sides of it.
+    pub fn between(frustum: &'a Segment, from: &Stand, to: &Stand, [mid, half]: [f64; 2]) -> Self {
+        let at = from.towards(to, mid);
+        Moving {
+            frustum,
+            centre: at.centre,
+            axis: at.axis(),
+            half_move: (to.centre - from.centre) * half,
+            about: at.cone.axis,
+            half_turn: (to.theta - from.theta) * half,
+            half_lean: (to.cone.lean_rad - from.cone.lean_rad) * half,
+            half_frame: from.cone.rotation_to(&to.cone) * half,
+        }
+    }
 }
 
 impl Moving<'_> {
@@ -54,24 +76,25 @@ impl Moving<'_> {
         -self.half_move - self.rotation().cross(&(p - self.centre))
     }
 
-    /// `ω x + β n` of the module's page.
+    /// `ω x + β n + φ` of the module's page.
     fn rotation(&self) -> Vector {
-        let turn = Vector::x() * self.half_turn;
+        let turn = self.about * self.half_turn + self.half_frame;
         if self.half_lean == 0.0 {
             return turn;
         }
         // Turning about a × x brings the axis a towards x.
-        turn + self.axis.cross(&Vector::x()).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.half_lean
+        turn + self.axis.cross(&self.about).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.half_lean
     }
 
     /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without signs.
     fn off_the_axis(&self, v: &Vector) -> f64 {
-        if self.half_lean == 0.0 { v.y.hypot(v.z) } else { v.norm() }
+        let about_the_blade = self.half_lean == 0.0 && self.about == Vector::x() && self.half_frame == Vector::zeros();
+        if about_the_blade { v.y.hypot(v.z) } else { v.norm() }
     }
 
     /// Bound on `|ε|` of the module's page for points up to `rho` from the axis of the turn.
     fn remainder(&self, rho: f64) -> f64 {
-        let (m, turn) = (self.half_move.norm(), self.half_turn.abs() + self.half_lean.abs());
+        let (m, turn) = (self.half_move.norm(), self.half_turn.abs() + self.half_lean.abs() + self.half_frame.norm());
         0.5 * turn * turn * (rho + m) + turn * m
     }
 
@@ -81,7 +104,7 @@ impl Moving<'_> {
         let v = middle - self.centre;
         let rho = self.off_the_axis(&(v.abs() + half));
         let along = g.dot(&self.drift(middle));
-        // g·w(p) changes with p by −(g × (ω x + β n))·(p − middle).
+        // g·w(p) changes with p by −(g × (ω x + β n + φ))·(p − middle).
         let tilt = g.cross(&self.rotation());
         let side = |tau: f64| tau * along - (g - tilt * tau).abs().dot(half);
         d + side(1.0).min(side(-1.0)) - self.remainder(rho)
@@ -198,7 +221,7 @@ fn halves(c: &[Point; 3]) -> [[Point; 3]; 2] {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::artifact::ToolPart;
+    use crate::artifact::{Cone, Stand, ToolPart};
     use proptest::prelude::*;
 
     fn cone() -> Segment {
@@ -213,8 +236,10 @@ mod tests {
             centre: Point::new(1.0, 0.0, 0.0),
             axis,
             half_move: Vector::zeros(),
+            about: Vector::x(),
             half_turn: 0.0,
             half_lean: 0.0,
+            half_frame: Vector::zeros(),
         }
     }
 
@@ -260,17 +285,17 @@ mod tests {
         #[test]
         fn bounds_hold_over_the_whole_move(
             a in point(), b in point(), c in point(), m in point(), turn in -0.2..0.2f64, theta in 0.0..6.0f64,
-            lean in prop_oneof![Just(0.0), -0.2..0.2f64],
+            lean in prop_oneof![Just(0.0), -0.2..0.2f64], about in point(), frame in prop_oneof![Just(Point::origin()), point()],
         ) {
             let s = cone();
-            let pose = |tau: f64| Moving {
-                frustum: &s,
-                centre: Point::origin() + m.coords * (0.1 * tau),
-                axis: crate::tool::axis(0.3 + lean * tau, theta + turn * tau),
-                half_move: m.coords * 0.1,
-                half_turn: turn,
-                half_lean: lean,
+            let end = |tau: f64| {
+                let by = nalgebra::UnitQuaternion::from_scaled_axis(frame.coords * (0.02 * tau));
+                let still = Cone::new(about.coords, Vector::new(0.3, 1.0, -0.2), 0.3 + lean * tau)?;
+                let cone = Cone { axis: by * still.axis, reference: by * still.reference, ..still };
+                Some(Stand { centre: Point::origin() + m.coords * (0.1 * tau), cone, theta: theta + turn * tau })
             };
+            let Some((from, to)) = end(-1.0).zip(end(1.0)) else { return Ok(()) };
+            let pose = |tau: f64| Moving::between(&s, &from, &to, [0.5 + 0.5 * tau, 0.5]);
             let solid = pose(0.0);
             let n = 12;
             let grid = (0..=n).flat_map(|i| (0..=n - i).map(move |j| (i, j))).map(|(i, j)| {

@@ -9,7 +9,7 @@ use crate::artifact::channel::{Binding, Channel, ChannelRow};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{Axes, AxisMotion, Plan};
+use crate::artifact::{Axes, AxisMotion, Cones, Plan, Stand};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -55,6 +55,7 @@ fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
             airfoil_x_mm: [-60.0, 60.0],
             platform_x_mm: None,
             fillet_x_mm: None,
+            sides: None,
             reasons: vec![],
         },
         diagnosis: Diagnosis { closed: true, ..Diagnosis::default() },
@@ -113,13 +114,13 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             region_x_mm: [x(0.0), x(angle(n - 1))],
             planned_scallop_mm: 0.01,
             end_reason: EndReason::Region,
+            cones: Cones::about_blade(B),
             turns: (0..turns)
                 .map(|k| Turn { first: k * per_turn, count: per_turn, length_mm: TAU * (PART_RADIUS + BALL) })
                 .collect(),
             locations: locations.collect(),
         },
         channel: Channel {
-            b_rad: B,
             tolerance_rad: 1e-4,
             rows: theta.iter().map(row).collect(),
             narrowest_row: 0,
@@ -295,7 +296,7 @@ fn moves_that_planning_leaves_pass_the_check() {
         let (blade, _) = with_spike(&p, row, 0.99 + 0.0004 * f64::from(k));
         let tool = tool();
         let apart = apart(&blade, &[], &tool, &options);
-        let short = short_moves(&p.toolpath, &p.schedule.theta, B, &apart, &options);
+        let short = short_moves(&p.toolpath, &p.schedule.theta, &apart, &options);
         let (checks, _) = clearance::check(&p, &blade, &apart, &options);
         let passed = checks.iter().all(|c| c.passed);
         assert!(passed || short == [row], "{k}: {short:?}, {checks:#?}");
@@ -321,8 +322,8 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     // At the rows themselves the holder is clear: a check of rows alone would miss it.
     let [_, holder] = tool().cutter_and_holder();
     for i in [row, row + 1] {
-        let (centres, theta) = ([p.toolpath.locations[i].centre; 2], [p.schedule.theta[i]; 2]);
-        let still = clearance::Track { centres: &centres, theta: &theta, b_rad: &[B], wanted: None };
+        let stands = [p.stand(i).unwrap(); 2];
+        let still = clearance::Track { stands: &stands, wanted: None };
         assert!(clearance::measure_track(still, &blade.part, &holder, 0.001).1 > 0.005);
     }
 }
@@ -464,12 +465,13 @@ fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
             |s: &tool::Segment| [(s.z0, s.r0), (s.z1, s.r1)].map(|(z, r)| x + z * b.sin() - r * b.cos()).into_iter();
         let exact = segments.iter().flat_map(lowest).fold(f64::INFINITY, f64::min);
         for theta in [0.0, 1.0, -2.5] {
-            let found = standing(&part, &segments, &Point::new(x, 0.0, 0.0), (b, theta), 1e-4).unwrap();
+            let found =
+                standing(&part, &segments, &Stand::about_blade(Point::new(x, 0.0, 0.0), theta, b), 1e-4).unwrap();
             // What is told of depths is not the way out along the wall: the nearest side may be another.
             let (least, most) = if exact > 0.0 { (exact, exact * 1.02 + 1e-4) } else { (exact, 0.0) };
             assert!(found.distance_mm >= least - 1e-9 && found.distance_mm <= most, "{x} {b_deg}: {found:?}, {exact}");
             assert!(segments[found.segment].part.is_holder() && found.triangle == 0);
         }
     }
-    assert_eq!(standing(&part, &segments, &Point::new(2000.0, 0.0, 0.0), (0.0, 0.0), 1e-4), None);
+    assert_eq!(standing(&part, &segments, &Stand::about_blade(Point::new(2000.0, 0.0, 0.0), 0.0, 0.0), 1e-4), None);
 }

@@ -56,6 +56,7 @@ fn pushed_out(part: &Allowed, centre: &Point, radius: f64, slack_mm: f64) -> Opt
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::Cones;
     use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
     use crate::geometry::Vector;
     use crate::geometry::mesh::Mesh;
@@ -103,6 +104,7 @@ mod tests {
             region_x_mm: [-8.0, 8.0],
             end_reason: EndReason::Region,
             planned_scallop_mm: scallop_mm,
+            cones: Cones::about_blade(0.0),
             turns: vec![Turn { first: 0, count: locations.len(), length_mm: 16.0 }],
             locations,
         }

@@ -15,8 +15,7 @@ use super::asked::Asked;
 use super::clearance;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
-use crate::tool;
+use crate::artifact::{Blade, Plan, Stand};
 
 /// Rows that are looked at along the path.
 const EVENLY: usize = 160;
@@ -104,7 +103,8 @@ fn contact_outside(plan: &Plan, k: usize, row: &ChannelRow, asked: &Asked) -> Op
     let normal = plan.toolpath.locations.get(k)?.normal;
     let [least, most] = asked.contact_rad;
     let room = asked.tolerance_rad + CONTACT_RAD;
-    let angle = |theta: f64| normal.dot(&tool::axis(plan.channel.b_rad, theta)).clamp(-1.0, 1.0).acos();
+    let cone = plan.toolpath.cone(k);
+    let angle = |theta: f64| normal.dot(&cone.tool_axis(theta)).clamp(-1.0, 1.0).acos();
     [row.theta_min, row.theta_max].map(angle).into_iter().find(|a| *a > most + room || *a < least - room)
 }
 
@@ -127,18 +127,18 @@ fn chosen(rows: &[ChannelRow]) -> Vec<usize> {
 /// The tool from wall to wall.
 fn clear(plan: &Plan, blade: &Blade, apart: &[Apart]) -> Check {
     let rows = chosen(&plan.channel.rows);
-    let b = plan.channel.b_rad;
     // How much is missing of what is asked for, and where.
     let one = |&k: &usize| {
-        let (row, centre) = (&plan.channel.rows[k], plan.toolpath.locations[k].centre);
+        let (row, centre, cone) = (&plan.channel.rows[k], plan.toolpath.locations[k].centre, plan.toolpath.cone(k));
         let mut worst: Option<(f64, usize, String)> = None;
         for step in 0..ANGLES {
             let theta = row.theta_min + (row.theta_max - row.theta_min) * step as f64 / (ANGLES - 1) as f64;
+            let stand = Stand { centre, cone, theta };
             for a in apart {
                 // Ends by exact faces may be nearer to their mesh by its deflection.
                 let off_mm = if a.obstacle.is_some() { 0.0 } else { a.part.deflection_mm };
                 let least_mm = a.asked_mm - off_mm;
-                let near = clearance::nearer(a.part, &a.segments, &centre, (b, theta), least_mm);
+                let near = clearance::nearer(a.part, &a.segments, &stand, least_mm);
                 let Some((near, missing)) = near.map(|near| (near, least_mm - near.distance_mm)) else { continue };
                 if worst.as_ref().is_none_or(|w| missing > w.0) {
                     let who = a.segments.get(near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());

@@ -147,7 +147,7 @@ fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
         out.acceleration.extend(&m.acceleration);
         out.jerk.extend(&m.jerk);
     }
-    (out, plan.rows().map(|r| r.centre).collect())
+    (out, plan.rows().map(|r| r.stand.centre).collect())
 }
 
 /// The third derivative of the quintic through position, velocity and acceleration of an axis at row `k` and the next, at row `k`. `None` where it

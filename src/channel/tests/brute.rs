@@ -6,14 +6,16 @@ use proptest::prelude::*;
 
 use super::super::arcs::{Arc, Witness};
 use super::super::forbidden::{Body, Scene, Search, View};
+use super::super::moves::even_move;
 use super::super::options::ChannelOptions;
 use super::super::profile::Profile;
-use super::super::region::{Motion, turned_about_x};
+use super::super::region::EvenMove;
 use super::super::samples::Sample;
 use super::super::track::Tracker;
 use super::super::tree::SphereTree;
 use super::location::{TOL, inside, open_options};
 use super::world::{deepest, least_margin};
+use crate::artifact::Cone;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 use crate::tool::{HolderStage, Tool};
@@ -89,34 +91,46 @@ fn named(mesh: &Mesh, w: Witness, tree_side: f64) -> Option<Mesh> {
     Some(Mesh { points, triangles: vec![[0, 1, 2]], ..Mesh::default() })
 }
 
+/// A cone about the blade axis, or about any other.
+fn any_cone() -> impl Strategy<Value = Cone> {
+    let axis = prop_oneof![Just([0.0; 3]), prop::array::uniform3(-1.0..1.0f64)];
+    (axis, prop::array::uniform3(-1.0..1.0f64), -0.5..0.6f64)
+        .prop_map(|(c, e, lean)| Cone::new(Vector::from(c), Vector::from(e), lean).unwrap_or(Cone::about_blade(lean)))
+}
+
+/// A tool that stands still, seen in the frame whose angle 0 is at `azimuth`.
+fn at(centre: Point, cone: Cone, azimuth: f64) -> View {
+    View { centre, cone, azimuth, motion: EvenMove::none() }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
 
     /// No point of the part is inside the tool at an angle that is declared free; an angle that is declared taken is within
     /// the tolerance of one at which the triangle named by the nearest end is too near. All is turned about the blade axis
-    /// and moved along.
+    /// and moved along, and the cone stands anyhow.
     #[test]
     fn free_intervals_are_those_of_brute_force(
-        mesh in any_mesh(), tool in any_tool(), b in -0.5..0.6f64, turn in -PI..PI, shift in prop::array::uniform3(-50.0..50.0f64),
+        mesh in any_mesh(), tool in any_tool(), cone in any_cone(), turn in -PI..PI, shift in prop::array::uniform3(-50.0..50.0f64),
     ) {
-        let o = open_options(b);
+        let o = open_options();
         let place = nalgebra::Isometry3::translation(shift[0], shift[1], shift[2]) * nalgebra::Isometry3::rotation(Vector::x() * turn);
         let mesh = mesh.moved(&place);
         let centre = place * Point::origin();
-        let found = with_scene(&mesh, &tool, &o, |s| s.free(&centre, &Vector::y(), 0.0, None));
+        let found = with_scene(&mesh, &tool, &o, |s| s.free(&at(centre, cone, 0.0), &Vector::y(), None));
         let (points, segments) = (dense(&mesh), tool.segments());
         for k in 0..180 {
             let theta = -PI + TAU * (f64::from(k) + 0.37) / 180.0;
             if inside(&found, theta, 0.0) {
-                let hit = deepest(&points, &segments, ROOM, b, &centre, theta);
+                let hit = deepest(&points, &segments, ROOM, cone, &centre, theta);
                 prop_assert!(hit < 1e-9, "declared free at {theta}: a point is {hit} inside");
             }
         }
         for (end, by, out) in found.iter().flat_map(|f| [(f.lo, f.lo_by, -1.0), (f.hi, f.hi_by, 1.0)]) {
-            let hit = deepest(&points, &segments, ROOM, b, &centre, end);
+            let hit = deepest(&points, &segments, ROOM, cone, &centre, end);
             prop_assert!(hit < 1e-9, "end {end}: a point is {hit} inside");
             if let Some(only) = named(&mesh, by, 4.0) {
-                let margin = least_margin(&only, &tool, ROOM, b, &centre, end + out * 1.05 * TOL);
+                let margin = least_margin(&only, &tool, ROOM, cone, &centre, end + out * 1.05 * TOL);
                 prop_assert!(margin < 0.125 * TOL * 60.0 + 1e-3, "beyond the end {end} there is still {margin} mm of room");
             }
         }
@@ -128,13 +142,15 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: cases(80), ..ProptestConfig::default() })]
 
     /// Along a path, with short and long steps, every place has the free angles that it has when looked at alone, and no dense
-    /// point is inside the tool at one of them.
+    /// point is inside the tool at one of them: with one cone, with cones that turn and lean from place to place, and with references
+    /// that jump.
     #[test]
     fn along_a_path_as_alone(
-        mesh in any_mesh(), tool in any_tool(), b in -0.5..0.6f64, turn in -PI..PI, way in prop::array::uniform3(-1.0..1.0f64),
+        mesh in any_mesh(), tool in any_tool(), mut cone in any_cone(), turn in -PI..PI, way in prop::array::uniform3(-1.0..1.0f64),
         steps in prop::collection::vec((prop_oneof![0.0..0.05f64, 0.0..0.4f64, 0.0..4.0f64], -0.05..0.05f64), 1..12),
+        turns in prop_oneof![Just([0.0; 5]), prop::array::uniform5(-0.05..0.05f64), prop::array::uniform5(-0.8..0.8f64)],
     ) {
-        let o = open_options(b);
+        let o = open_options();
         let place = nalgebra::Isometry3::rotation(Vector::x() * turn);
         let mesh = mesh.moved(&place);
         let way = place * Vector::from(way);
@@ -145,9 +161,13 @@ proptest! {
         let (mut tracker, mut centre, mut azimuth) = (Tracker::new(&scene), Point::origin(), 0.0);
         for (step, bend) in steps {
             (centre, azimuth) = (centre + way * step, azimuth + bend);
-            let normal = Vector::new(0.0, f64::cos(azimuth), f64::sin(azimuth));
-            let tracked = tracker.next(&Sample { row: 0, fraction: 0.0, centre, normal, azimuth });
-            let mut alone = Search::new(&scene).free(&centre, &normal, azimuth, None);
+            let [x, y, z, lean, about] = turns.map(|t| t * step.min(1.0));
+            let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(x, y, z) + cone.axis * about);
+            let lean_rad = (cone.lean_rad + lean).clamp(-1.0, 1.0);
+            cone = if x == 0.0 { cone } else { Cone { axis: by * cone.axis, reference: by * cone.reference, lean_rad } };
+            let normal = cone.unseen(&Vector::new(0.0, f64::cos(azimuth), f64::sin(azimuth)));
+            let tracked = tracker.next(&Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth });
+            let mut alone = Search::new(&scene).free(&at(centre, cone, azimuth), &normal, None);
             alone.iter_mut().for_each(|f| (f.lo, f.hi) = (f.lo + azimuth, f.hi + azimuth));
             for (one, other) in [(&tracked, &alone), (&alone, &tracked)] {
                 for f in one.iter().filter(|f| f.hi - f.lo > 8.0 * TOL) {
@@ -159,7 +179,7 @@ proptest! {
             for k in 0..60 {
                 let theta = -PI + TAU * (f64::from(k) + 0.37) / 60.0;
                 if inside(&tracked, theta, 0.0) {
-                    let hit = deepest(&points, &segments, ROOM, b, &centre, theta);
+                    let hit = deepest(&points, &segments, ROOM, cone, &centre, theta);
                     prop_assert!(hit < 1e-9, "declared free at {theta}: a point is {hit} inside");
                 }
             }
@@ -174,13 +194,20 @@ proptest! {
     /// one at which something is too near at some time.
     #[test]
     fn moves_are_free_all_the_way(
-        mesh in any_mesh(), tool in any_tool(), b in -0.3..0.4f64,
+        mesh in any_mesh(), tool in any_tool(), cone in any_cone(),
         along in prop::array::uniform3(-0.6..0.6f64), half_turn in -0.06..0.06f64, azimuth in -PI..PI,
+        turns in prop_oneof![Just([0.0; 4]), prop::array::uniform4(-0.01..0.01f64)],
     ) {
-        let o = open_options(b);
+        let o = open_options();
         let half_move = Vector::from(along);
-        let motion = Motion { half_move: turned_about_x(&half_move, -azimuth), half_turn, stray: 0.0 };
-        let view = View { centre: Point::origin(), azimuth, motion };
+        let end = |sense: f64| {
+            let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(turns[0], turns[1], turns[2]) * sense);
+            let (axis, reference, lean_rad) = (by * cone.axis, by * cone.reference, cone.lean_rad + 0.1 * turns[3] * sense);
+            let cone = if turns[0] == 0.0 { cone } else { Cone { axis, reference, lean_rad } };
+            Sample { row: 0, fraction: 0.0, centre: Point::origin() + half_move * sense, normal: Vector::y(), cone, azimuth }
+        };
+        let (from, to) = (end(-1.0), end(1.0));
+        let view = even_move(&from, &to, half_turn, [0.0, 1.0]);
         let found = with_scene(&mesh, &tool, &o, |s| s.free_moving(&view, &[], None));
         let (points, segments) = (dense(&mesh), tool.segments());
         for time in [-1.0, -0.7, -0.2, 0.0, 0.35, 0.8, 1.0] {
@@ -189,17 +216,19 @@ proptest! {
             let spread = (0..40).map(|k| -PI + TAU * (f64::from(k) + 0.4) / 40.0).filter(|t| inside(&found, *t, 0.0));
             for phi in ends.chain(spread) {
                 let theta = azimuth + half_turn * time + phi;
-                let hit = deepest(&points, &segments, ROOM, b, &centre, theta);
+                let cone = from.cone.between(&to.cone, 0.5 + 0.5 * time);
+                let hit = deepest(&points, &segments, ROOM, cone, &centre, theta);
                 prop_assert!(hit < 1e-9, "declared free at {theta}, time {time}: a point is {hit} inside");
             }
         }
         for (end, by, out) in found.iter().flat_map(|f| [(f.lo, f.lo_by, -1.0), (f.hi, f.hi_by, 1.0)]) {
-            let Some(only) = named(&mesh, by, 4.0) else { continue };
+            // What is kept for a cone that turns or leans between the places is not to be tight.
+            let Some(only) = named(&mesh, by, 4.0).filter(|_| turns[0] == 0.0) else { continue };
             let nearest = (0..=64).map(|k| {
                 let time = -1.0 + f64::from(k) / 32.0;
                 let theta = azimuth + half_turn * time + end + out * 5.5 * TOL;
                 let centre = Point::origin() + half_move * time;
-                least_margin(&only, &tool, ROOM, b, &centre, theta)
+                least_margin(&only, &tool, ROOM, cone, &centre, theta)
             });
             let nearest = nearest.fold(f64::INFINITY, f64::min);
             prop_assert!(nearest < 0.02, "beyond the end {end} there are still {nearest} mm of room all the way");
@@ -253,11 +282,11 @@ proptest! {
     /// Between a polyhedron inside each frustum and one around it, parry3d agrees on triangles.
     #[test]
     fn parry_agrees_on_convex_pieces(mesh in any_mesh(), tool in any_tool(), b in -0.3..0.4f64) {
-        let o = open_options(b);
+        let o = open_options();
         let tree = SphereTree::new(&mesh, 4.0);
         let profile = Profile::new(&tool, [0.0, 0.0], 0.0);
         let scene = Scene { bodies: vec![Body { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
-        let found = Search::new(&scene).free(&Point::origin(), &Vector::y(), 0.0, None);
+        let found = Search::new(&scene).free(&at(Point::origin(), Cone::about_blade(b), 0.0), &Vector::y(), None);
         // Inscribed, less a millionth; circumscribed, and a thousandth more for what is only nearly touched.
         let (within, around) = (polyhedra(&tool, 1.0 - 1e-6), polyhedra(&tool, 1.0 / (PI / 64.0).cos() + 2e-3));
         for k in 0..36 {

@@ -4,6 +4,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 use super::super::{ChannelOptions, FreeInterval, Surroundings, intervals};
 use super::world::{blade, inside_by, tool};
+use crate::artifact::Cones;
 use crate::artifact::channel::Binding;
 use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
@@ -46,6 +47,7 @@ fn path_of(locations: Vec<CutterLocation>, radius_mm: f64) -> Toolpath {
         region_x_mm: [0.0, 1.0],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(5f64.to_radians()),
         turns,
         locations,
     }
@@ -119,7 +121,7 @@ fn ends_are_those_of_the_faces() {
             for ((l, uv), free) in path.locations.iter().zip(&uvs).zip(&all) {
                 let (room, segments) = ((o.clearance_mm, o.holder_clearance_mm), t.segments());
                 let depth = |theta: f64| {
-                    let inside = |p: &Point| inside_by(&segments, room, o.b_rad, &l.centre, theta, &(pose * p));
+                    let inside = |p: &Point| inside_by(&segments, room, path.cone(0), &l.centre, theta, &(pose * p));
                     depth(surface, *uv, inside)
                 };
                 for f in free {
@@ -168,7 +170,7 @@ fn ends_keep_clear_of_faces_as_published() {
         let (room, segments) = ((o.clearance_mm, o.holder_clearance_mm), t.segments());
         for at in free.iter().flat_map(|f| [f.theta_min, f.theta_max]) {
             ends += 1;
-            let inside = |p: &Point| inside_by(&segments, room, o.b_rad, &l.centre, at, &(pose * (p + shift)));
+            let inside = |p: &Point| inside_by(&segments, room, path.cone(0), &l.centre, at, &(pose * (p + shift)));
             let depth = depth(&surface, *uv, inside);
             assert!(depth < 1e-5, "{l:?}: {at} is {depth} too near");
         }

@@ -5,20 +5,21 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 
 use super::super::arcs::{Arc, Witness};
-use super::super::forbidden::{Body, Scene, Search};
+use super::super::forbidden::{Body, Scene, Search, View};
 use super::super::options::ChannelOptions;
 use super::super::profile::Profile;
+use super::super::region::EvenMove;
 use super::super::tree::SphereTree;
 use super::world::{least_margin, tool};
+use crate::artifact::Cone;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 use crate::tool::Tool;
 
 pub const TOL: f64 = 1.745e-4;
 
-pub fn open_options(b_rad: f64) -> ChannelOptions {
+pub fn open_options() -> ChannelOptions {
     ChannelOptions {
-        b_rad,
         clearance_mm: 0.2,
         holder_clearance_mm: 1.0,
         contact_angle_min_rad: 0.0,
@@ -32,11 +33,18 @@ pub fn open_options(b_rad: f64) -> ChannelOptions {
     }
 }
 
-fn free(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, centre: &Point, normal: &Vector) -> Vec<Arc> {
+/// A lean and the options, for [`free`].
+fn leaning(b: f64) -> (f64, ChannelOptions) {
+    (b, open_options())
+}
+
+fn free(mesh: &Mesh, tool: &Tool, (b, options): &(f64, ChannelOptions), centre: &Point, normal: &Vector) -> Vec<Arc> {
     let tree = SphereTree::new(mesh, 2.5);
     let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
     let scene = Scene { bodies: vec![Body { name: "part", mesh, tree: &tree, profile }], options };
-    Search::new(&scene).free(centre, normal, normal.z.atan2(normal.y), None)
+    let azimuth = normal.z.atan2(normal.y);
+    let view = View { centre: *centre, cone: Cone::about_blade(*b), azimuth, motion: EvenMove::none() };
+    Search::new(&scene).free(&view, normal, None)
 }
 
 fn triangle(a: Point, b: Point, c: Point) -> Mesh {
@@ -46,7 +54,7 @@ fn triangle(a: Point, b: Point, c: Point) -> Mesh {
 #[test]
 fn a_point_forbids_the_arc_in_which_a_cylinder_holds_it() {
     let (t, b) = (tool(4.0, 0.0), 0.1f64);
-    let o = open_options(b);
+    let o = leaning(b);
     // At 20 mm from the axis' foot: inside the cylinder of radius 4.2 where the height exceeds sqrt(20² − 4.2²).
     let p = Point::new(0.0, 0.0, 20.0);
     let found = free(&triangle(p, p, p), &t, &o, &Point::origin(), &Vector::y());
@@ -62,7 +70,7 @@ fn a_wall_leaves_the_angles_at_which_the_cylinder_keeps_its_clearance() {
     // Wall y = -R, wide enough for the whole tool; B = 0, no holder. The lower rim is nearest: R (1 − sin) = clearance.
     let mut t = tool(4.0, 0.0);
     t.holder.clear();
-    let o = open_options(0.0);
+    let o = leaning(0.0);
     let w = 200.0;
     let corner = |x: f64, z: f64| Point::new(x, -4.0, z);
     let mesh = Mesh {
@@ -83,7 +91,7 @@ fn a_sphere_forbids_a_cone_of_angles() {
     let mut t = tool(4.0, 0.0);
     t.holder.clear();
     t.stickout_mm = 90.0;
-    let o = open_options(0.0);
+    let o = leaning(0.0);
     let mesh = sphere(Point::new(0.0, 0.0, 30.0), 6.0, 160);
     let found = free(&mesh, &t, &o, &Point::origin(), &-Vector::z());
     let half = (10.2f64 / 30.0).asin();
@@ -115,8 +123,8 @@ fn sphere(centre: Point, radius: f64, n: usize) -> Mesh {
 #[test]
 fn contact_angles_limit_in_closed_form() {
     let t = tool(4.0, 0.0);
-    let mut o = open_options(0.1);
-    (o.contact_angle_min_rad, o.contact_angle_max_rad) = (0.5, 1.4);
+    let mut o = leaning(0.1);
+    (o.1.contact_angle_min_rad, o.1.contact_angle_max_rad) = (0.5, 1.4);
     let far = Point::new(1e4, 0.0, 0.0);
     let n = Vector::new(0.2, 0.6, -0.7).normalize();
     let found = free(&triangle(far, far, far), &t, &o, &Point::origin(), &n);
@@ -131,7 +139,7 @@ fn contact_angles_limit_in_closed_form() {
 #[test]
 fn nothing_near_leaves_the_whole_circle() {
     let far = Point::new(0.0, 500.0, 0.0);
-    let found = free(&triangle(far, far, far), &tool(4.0, 3.0), &open_options(0.1), &Point::origin(), &Vector::y());
+    let found = free(&triangle(far, far, far), &tool(4.0, 3.0), &leaning(0.1), &Point::origin(), &Vector::y());
     assert_eq!(found.len(), 1);
     assert!(found[0].hi - found[0].lo == TAU && found[0].lo_by == Witness::Cut);
 }
@@ -140,7 +148,7 @@ fn nothing_near_leaves_the_whole_circle() {
 fn a_point_on_the_turning_axis_is_free_or_not_at_all() {
     // On the line through the centre along the blade axis the height is the same for all angles.
     let t = tool(4.0, 0.0);
-    let o = open_options(0.3);
+    let o = leaning(0.3);
     let on_axis = |x: f64| triangle(Point::new(x, 0.0, 0.0), Point::new(x, 0.0, 0.0), Point::new(x, 0.0, 0.0));
     // 12 mm up: distance from the tool axis 12 cos B = 11.5, clear of the cylinder; 4.3 mm: 4.1, not clear.
     assert_eq!(free(&on_axis(12.0), &t, &o, &Point::origin(), &Vector::y()).len(), 1);
@@ -175,14 +183,14 @@ proptest! {
     /// by an eighth of the tolerance times the distance.
     #[test]
     fn ends_agree_with_the_distance_oracle((mesh, t, b, centre) in random_case()) {
-        let o = open_options(b);
+        let o = leaning(b);
         let found = free(&mesh, &t, &o, &centre, &Vector::y());
         let mut at: Vec<f64> = (0..24).map(|k| -PI + TAU * k as f64 / 24.0).collect();
         for f in &found {
             at.extend([f.lo, f.hi, f.lo - 1.05 * TOL, f.hi + 1.05 * TOL]);
         }
         for theta in at {
-            let margin = least_margin(&mesh, &t, (0.2, 1.0), b, &centre, theta);
+            let margin = least_margin(&mesh, &t, (0.2, 1.0), Cone::about_blade(b), &centre, theta);
             if inside(&found, theta, 0.0) {
                 prop_assert!(margin > -1e-9, "declared free at {theta} with margin {margin}");
             } else if !inside(&found, theta, TOL) {
@@ -194,7 +202,7 @@ proptest! {
     /// Turning everything about the blade axis turns the free angles; mirroring mirrors them.
     #[test]
     fn symmetric((mesh, t, b, centre) in random_case(), turn in -3.0..3.0f64) {
-        let o = open_options(b);
+        let o = leaning(b);
         let found = free(&mesh, &t, &o, &centre, &Vector::y());
         let rotation = nalgebra::Isometry3::rotation(Vector::x() * turn);
         let turned = free(&mesh.clone().moved(&rotation), &t, &o, &(rotation * centre), &(rotation * Vector::y()));

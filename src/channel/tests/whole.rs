@@ -5,7 +5,9 @@ use std::f64::consts::{PI, TAU};
 use super::super::{ChannelOptions, plan};
 use super::world::{banana, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
+use crate::artifact::{Cone, Cones, Toolpath};
 use crate::error::ErrorKind;
+use crate::geometry::Vector;
 use crate::observe::Silent;
 
 #[test]
@@ -30,7 +32,7 @@ fn an_ellipse_gives_one_wide_channel_that_grows_by_a_turn() {
         let (r, l) = (&channel.rows[row], &path.locations[row]);
         for f in [0.0, 0.3, 1.0] {
             let theta = r.theta_min + f * (r.theta_max - r.theta_min);
-            let m = least_margin(&blade.part.mesh, &tool(4.0, 4.0), (0.1, 1.0), o.b_rad, &l.centre, theta);
+            let m = least_margin(&blade.part.mesh, &tool(4.0, 4.0), (0.1, 1.0), path.cone(0), &l.centre, theta);
             assert!(m > -1e-9, "row {row}: {m}");
         }
     }
@@ -119,8 +121,13 @@ fn impossible_options_are_usage_errors() {
         ChannelOptions { clearance_mm: -1.0, ..ChannelOptions::default() },
         ChannelOptions { contact_angle_min_rad: 2.0, ..ChannelOptions::default() },
         ChannelOptions { tolerance_rad: 0.0, ..ChannelOptions::default() },
-        ChannelOptions { b_rad: f64::NAN, ..ChannelOptions::default() },
     ] {
+        let e = plan(&blade, &tool(4.0, 3.0), &path, &o, &Silent).unwrap_err();
+        assert_eq!(e.kind, ErrorKind::Usage);
+    }
+    let one_short = vec![Cone::about_blade(0.1), Cone::about_blade(0.2)];
+    for cones in [Cones::about_blade(f64::NAN), Cones::about_blade(1.5), Cones::along(one_short)] {
+        let (path, o) = (path.clone().with_cones(cones), ChannelOptions::default());
         let e = plan(&blade, &tool(4.0, 3.0), &path, &o, &Silent).unwrap_err();
         assert_eq!(e.kind, ErrorKind::Usage);
     }
@@ -141,7 +148,7 @@ fn walls_hold_between_locations() {
             let centre = from + (path.locations[i + 1].centre - from) * time;
             let mix = |x: f64, y: f64| x + time * (y - x);
             for theta in [mix(a.theta_min, b.theta_min), mix(a.theta_max, b.theta_max)] {
-                let m = least_margin(&blade.part.mesh, &t, (0.1, 1.0), o.b_rad, &centre, theta);
+                let m = least_margin(&blade.part.mesh, &t, (0.1, 1.0), path.cone(0), &centre, theta);
                 assert!(m > -1e-9, "after location {i}, time {time}: {m}");
             }
         }
@@ -181,7 +188,7 @@ fn a_fixture_binds_where_it_stands_and_the_stock_only_for_the_holder() {
     assert!(channel.rows.iter().any(|r| named(&r.binds_min) || named(&r.binds_max)));
     for (r, l) in channel.rows.iter().zip(&path.locations) {
         for theta in [r.theta_min, r.theta_max] {
-            let m = least_margin(&fixtures[0].part.mesh, &t, (0.5, 0.5), o.b_rad, &l.centre, theta);
+            let m = least_margin(&fixtures[0].part.mesh, &t, (0.5, 0.5), path.cone(0), &l.centre, theta);
             assert!(m > -1e-9, "{m}");
         }
     }
@@ -241,4 +248,97 @@ fn advice_opens_what_is_closed_and_widths_follow_b() {
     let widths = sweep_b(&around, &t, &path, &o, &[-10.0, 5.0], 100, &Silent).unwrap();
     assert_eq!(widths[1].b_deg, 5.0);
     assert!(widths[1].narrowest_deg.unwrap() >= widths[1].monotone_deg.unwrap());
+}
+
+/// The scene turned in space, and cones written about either direction of their axis with references that are turned anyhow from place to
+/// place: the same tool axes are free.
+#[test]
+fn frames_do_not_matter() {
+    let outline = banana(40.0, 1.0, 4.0);
+    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 120, 2, 12.0, 0.4));
+    for (proven, o) in
+        [false, true].map(|prove| (prove, ChannelOptions { prove_moves: prove, ..ChannelOptions::default() }))
+    {
+        let path = if proven { helix(&outline, 4.0, 30, 1, 12.0, 0.4) } else { path.clone() };
+        let plain = plan(&blade, &tool(4.0, 5.0), &path, &o, &Silent).unwrap();
+        for turn in [Vector::new(0.3, -1.1, 0.7), Vector::new(0.0, 2.0, 0.0), Vector::new(1e-9, 0.0, 0.0)] {
+            let place = nalgebra::Isometry3::new(Vector::new(7.0, -30.0, 11.0), turn);
+            let mut other = blade.clone();
+            other.part = crate::geometry::part::Part::from_mesh(blade.part.mesh.clone().moved(&place));
+            let mut moved = path.clone();
+            for l in &mut moved.locations {
+                (l.centre, l.contact, l.normal) = (place * l.centre, place * l.contact, place * l.normal);
+            }
+            let written = |k: usize| {
+                let cone = Cone::about_blade(5f64.to_radians());
+                let (axis, along) = (place * cone.axis, place * cone.reference);
+                let by = if k == 0 { 0.0 } else { (k * 7919 % 360) as f64 };
+                let reference = nalgebra::UnitQuaternion::from_scaled_axis(axis * by.to_radians()) * along;
+                let flip = if k % 3 == 1 { -1.0 } else { 1.0 };
+                Cone { axis: axis * flip, reference, lean_rad: cone.lean_rad * flip }
+            };
+            let moved = moved.with_cones(Cones::along((0..path.locations.len()).map(written).collect()));
+            let found = plan(&other, &tool(4.0, 5.0), &moved, &o, &Silent).unwrap();
+            assert_eq!((found.chains, found.rows.len()), (plain.chains, plain.rows.len()));
+            let all = plain.rows.iter().zip(&found.rows).enumerate();
+            for (k, (a, b)) in all {
+                let pairs = [(a.theta_min, b.theta_min), (a.theta_max, b.theta_max), (a.hull_min, b.hull_min)];
+                for (a, b) in pairs {
+                    let axis = place * path.cone(k).tool_axis(a);
+                    let off = moved.cone(k).tool_axis(b).angle(&axis);
+                    let room = if proven { 6.0 } else { 1.5 } * o.tolerance_rad;
+                    assert!(off <= room, "{turn:?}, row {k}: {} deg apart", off.to_degrees());
+                }
+            }
+        }
+    }
+}
+
+/// Cones that wobble along the path: what is free at each place is what is free there alone.
+#[test]
+fn cones_may_change_along_the_path() {
+    use super::super::{Surroundings, intervals};
+    let outline = banana(40.0, 1.0, 4.0);
+    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 120, 2, 12.0, 0.4));
+    let (o, t) = (ChannelOptions::default(), tool(4.0, 5.0));
+    let wobbling = |k: usize| {
+        let at = TAU * k as f64 / 60.0;
+        let axis = Vector::new(1.0, 0.08 * at.cos(), 0.08 * at.sin());
+        Cone::new(axis, Vector::y(), 0.1 + 0.004 * at.sin()).unwrap()
+    };
+    let path = path.clone().with_cones(Cones::along((0..path.locations.len()).map(wobbling).collect()));
+    let around = Surroundings::new(&blade, &[], 4.0).unwrap();
+    let all = intervals(&around, &t, &path, &o, &Silent).unwrap();
+    for (k, found) in all.iter().enumerate().step_by(7) {
+        let alone = Toolpath {
+            locations: vec![path.locations[k]],
+            turns: Vec::new(),
+            cones: Cones::Same(path.cone(k)),
+            ..path.clone()
+        };
+        let alone = intervals(&around, &t, &alone, &o, &Silent).unwrap().remove(0);
+        assert_eq!(found.len(), alone.len(), "{k}");
+        for (a, b) in found.iter().zip(&alone) {
+            let turn = ((a.theta_min - b.theta_min) / TAU).round() * TAU;
+            let off = (a.theta_min - b.theta_min - turn).abs().max((a.theta_max - b.theta_max - turn).abs());
+            assert!(off < 1.5 * o.tolerance_rad, "{k}: {off}");
+        }
+    }
+    // The whole channel, its moves proven: at no time does the tool come nearer than it may.
+    let proven = ChannelOptions { prove_moves: true, ..o };
+    let path = helix(&outline, 4.0, 60, 1, 12.0, 0.4);
+    let path = path.clone().with_cones(Cones::along((0..path.locations.len()).map(wobbling).collect()));
+    let channel = plan(&blade, &t, &path, &proven, &Silent).unwrap();
+    for i in (0..path.locations.len() - 1).step_by(4) {
+        let (a, b) = (&channel.rows[i], &channel.rows[i + 1]);
+        for time in [0.0, 0.3, 0.5, 0.8] {
+            let from = path.locations[i].centre;
+            let centre = from + (path.locations[i + 1].centre - from) * time;
+            let mix = |x: f64, y: f64| x + time * (y - x);
+            for theta in [mix(a.theta_min, b.theta_min), mix(a.theta_max, b.theta_max)] {
+                let m = least_margin(&blade.part.mesh, &t, (0.1, 1.0), path.cones.between(i, time), &centre, theta);
+                assert!(m > -1e-9, "after location {i}, time {time}: {m}");
+            }
+        }
+    }
 }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use crate::artifact::Blade;
 use crate::artifact::blade::{Diagnosis, Regions, Unit};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
+use crate::artifact::{Blade, Cone, Cones};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
-use crate::tool::{HolderStage, Tool, axis};
+use crate::tool::{HolderStage, Tool};
 
 pub fn tool(radius_mm: f64, taper_deg: f64) -> Tool {
     Tool {
@@ -31,6 +31,7 @@ pub fn blade(mesh: Mesh) -> Blade {
             airfoil_x_mm: [0.0, 60.0],
             platform_x_mm: Some(0.0),
             fillet_x_mm: None,
+            sides: None,
             reasons: Vec::new(),
         },
         diagnosis: Diagnosis::default(),
@@ -147,6 +148,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         region_x_mm: [from_x, from_x + pitch],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
+        cones: Cones::about_blade(5f64.to_radians()),
         turns,
         locations,
     }
@@ -154,8 +156,8 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
 
 /// Least distance from the mesh to the frusta above the ball, less each one's clearance; negative: too near. The distance
 /// from a convex body is convex: two golden section searches, one inside the other, find its least value on a triangle.
-pub fn least_margin(mesh: &Mesh, tool: &Tool, clearance: (f64, f64), b_rad: f64, centre: &Point, theta: f64) -> f64 {
-    let a = axis(b_rad, theta);
+pub fn least_margin(mesh: &Mesh, tool: &Tool, clearance: (f64, f64), cone: Cone, centre: &Point, theta: f64) -> f64 {
+    let a = cone.tool_axis(theta);
     let mut best = f64::INFINITY;
     for s in tool.segments() {
         let c = if s.part.is_holder() { clearance.1 } else { clearance.0 };
@@ -215,12 +217,12 @@ fn distance_to_frustum(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
 pub fn inside_by(
     segments: &[crate::tool::Segment],
     clearance: (f64, f64),
-    b_rad: f64,
+    cone: Cone,
     centre: &Point,
     theta: f64,
     p: &Point,
 ) -> f64 {
-    let a = axis(b_rad, theta);
+    let a = cone.tool_axis(theta);
     let v = p - centre;
     let z = v.dot(&a);
     let r = (v - a * z).norm();
@@ -236,9 +238,9 @@ pub fn deepest(
     points: &[Point],
     segments: &[crate::tool::Segment],
     clearance: (f64, f64),
-    b_rad: f64,
+    cone: Cone,
     centre: &Point,
     theta: f64,
 ) -> f64 {
-    points.iter().map(|p| inside_by(segments, clearance, b_rad, centre, theta, p)).fold(f64::NEG_INFINITY, f64::max)
+    points.iter().map(|p| inside_by(segments, clearance, cone, centre, theta, p)).fold(f64::NEG_INFINITY, f64::max)
 }

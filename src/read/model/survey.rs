@@ -13,6 +13,7 @@ use super::heal::HealOptions;
 use super::orient;
 use super::published::{Prepared, Published};
 use super::recognise::areas::areas;
+use super::recognise::sides;
 use super::recognise::wheel::{self, Wheel};
 use super::recognise::{self, Recognised};
 use super::rescue;
@@ -83,7 +84,7 @@ impl Survey {
         if let Some(e) = self.obstacle {
             return Err(e);
         }
-        let found = self.found?;
+        let mut found = self.found?;
         let blade_from_model = found.model_from_blade.inverse();
         let part = match self.part.brep {
             // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
@@ -116,6 +117,7 @@ impl Survey {
                 }
             }
         };
+        found.regions.sides = sides::sides(&part, found.regions.airfoil_x_mm, &found.outline);
         Ok(Blade {
             name: self.name,
             unit: self.unit,

@@ -58,7 +58,7 @@ fn other_sign(moves: &[Moved], axis: usize) -> Vec<Moved> {
 fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
     let bench = Bench { machine, ..*scene.bench };
     let legs = Legs::new(moves, &bench)?;
-    let turns = vec![0; legs.centres.len()];
+    let turns = vec![0; legs.stands.len()];
     let other = Scene {
         blade: scene.blade,
         part: scene.part,

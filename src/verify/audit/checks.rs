@@ -32,7 +32,7 @@ pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
         passed: share > 0.0,
     };
     let first = along.first().copied().or_else(|| cut.iter().position(|c| *c)).unwrap_or(0);
-    let point = scene.legs.centres.get(first).copied();
+    let point = scene.legs.stands.get(first).map(|s| s.centre);
     scene.judged(limit, &scene.on_leg(share, first, point), format!("{} legs", along.len()))
 }
 
@@ -40,7 +40,9 @@ pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
 pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     let options = scene.options;
     let found = match inside(scene) {
-        Some((leg, depth)) => Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.centres[leg] },
+        Some((leg, depth)) => {
+            Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.stands[leg].centre }
+        }
         None => gouge::measure(&scene.part, sweep, options.resolution_mm),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
@@ -66,7 +68,7 @@ fn inside(scene: &Scene) -> Option<(usize, f64)> {
     let legs = &scene.legs.legs;
     let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == Kind::Gap);
     (0..legs.len()).filter(begins).find_map(|i| {
-        let c = &scene.legs.centres[i];
+        let c = &scene.legs.stands[i].centre;
         let depth = || scene.part.closest(c, f64::INFINITY).map_or(0.0, |f| f.distance_mm);
         scene.part.inside(c).then(|| (i, scene.bench.tool.radius_mm + depth()))
     })
@@ -74,8 +76,7 @@ fn inside(scene: &Scene) -> Option<(usize, f64)> {
 
 impl Scene<'_> {
     fn track<'a>(&'a self, wanted: &'a [bool]) -> Track<'a> {
-        let legs = self.legs;
-        Track { centres: &legs.centres, theta: &legs.theta, b_rad: &legs.b_rad, wanted: Some(wanted) }
+        Track { stands: &self.legs.stands, wanted: Some(wanted) }
     }
 
     /// Least distance of segments of the tool, what is known of the part taken off; and its check.
@@ -224,7 +225,7 @@ pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
         let note = format!("the axis' limit is {:.3}", own.limits.velocity * scale);
         let mut check = scene.judged(
             limit,
-            &scene.on_leg(worst.1 * scale, worst.0, scene.legs.centres.get(worst.0 + 1).copied()),
+            &scene.on_leg(worst.1 * scale, worst.0, scene.legs.stands.get(worst.0 + 1).map(|s| s.centre)),
             note,
         );
         if !check.check.passed {
@@ -307,8 +308,8 @@ pub(super) fn share_bad(scene: &Scene) -> f64 {
 /// nearly everywhere.
 pub(super) fn clean(scene: &Scene) -> bool {
     let wanted = scene.legs.of(Kind::Cut);
-    let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.centres.get(i));
-    if first.is_none_or(|c| scene.part.inside(c)) {
+    let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.stands.get(i).map(|s| s.centre));
+    if first.is_none_or(|c| scene.part.inside(&c)) {
         return false;
     }
     let limit = scene.options.gouge_mm;

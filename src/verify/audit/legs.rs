@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::artifact::Stand;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::read::program::{Bench, Moved};
@@ -45,12 +46,8 @@ pub(super) struct Leg {
 /// The places and the legs between them.
 #[derive(Default)]
 pub(super) struct Legs {
-    /// Ball centres, blade frame, mm.
-    pub centres: Vec<Point>,
-    /// θ there, rad.
-    pub theta: Vec<f64>,
-    /// Lean of the tool there, rad.
-    pub b_rad: Vec<f64>,
+    /// Where the tool stands, on a cone about the blade axis whose lean may change.
+    pub stands: Vec<Stand>,
     /// One fewer than places.
     pub legs: Vec<Leg>,
     /// Moves left out because where they begin or end is not known.
@@ -71,11 +68,11 @@ impl Legs {
             }
             let kind = if m.seconds.is_some() { Kind::Cut } else { Kind::Rapid };
             let parts = parts(m, bench);
-            if parts > MOST[0] || out.centres.len() + parts > MOST[1] {
+            if parts > MOST[0] || out.stands.len() + parts > MOST[1] {
                 let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
                 return Err(Error::usage(Stage::Verify, what));
             }
-            let apart = out.centres.last().map(|c| (c - m.pose(0.0, bench.tool, bench.machine).centre).norm());
+            let apart = out.stands.last().map(|s| (s.centre - m.pose(0.0, bench.tool, bench.machine).centre).norm());
             if apart.is_none_or(|d| d > GAP_MM) {
                 out.push(m, 0.0, Leg { kind: Kind::Gap, moved, share: [0.0; 2] }, bench);
             }
@@ -91,14 +88,13 @@ impl Legs {
     }
 
     fn push(&mut self, m: &Moved, f: f64, leg: Leg, bench: &Bench) {
-        if !self.centres.is_empty() {
+        if !self.stands.is_empty() {
             self.legs.push(leg);
         }
-        self.centres.push(m.pose(f, bench.tool, bench.machine).centre);
-        let near = self.theta.last().copied().unwrap_or(0.0);
+        let centre = m.pose(f, bench.tool, bench.machine).centre;
+        let near = self.stands.last().map_or(0.0, |s| s.theta);
         let [theta, lean] = bench.machine.theta_and_lean(&m.at(f), near);
-        self.theta.push(theta);
-        self.b_rad.push(lean);
+        self.stands.push(Stand::about_blade(centre, theta, lean));
     }
 
     /// Which legs are of a kind.
@@ -109,13 +105,13 @@ impl Legs {
     /// Turns about the blade axis at each place, counted from the first place at a feed that `touches`, where there is one.
     pub fn turns(&self, touches: impl Fn(&Point) -> bool) -> Vec<u32> {
         let angle = |c: &Point| c.z.atan2(c.y);
-        let mut turned = vec![0.0f64; self.centres.len()];
-        for (i, w) in self.centres.windows(2).enumerate() {
-            let step = angle(&w[1]) - angle(&w[0]);
+        let mut turned = vec![0.0f64; self.stands.len()];
+        for (i, w) in self.stands.windows(2).enumerate() {
+            let step = angle(&w[1].centre) - angle(&w[0].centre);
             turned[i + 1] = turned[i] + step - TAU * (step / TAU).round();
         }
         let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
-        let first = (0..self.centres.len()).filter(cuts).find(|i| touches(&self.centres[*i])).unwrap_or(0);
+        let first = (0..self.stands.len()).filter(cuts).find(|i| touches(&self.stands[*i].centre)).unwrap_or(0);
         let from = turned.get(first).copied().unwrap_or(0.0);
         let count = |(i, t): (usize, &f64)| if i < first { 0 } else { ((t - from).abs() / TAU + 1e-9) as u32 };
         turned.iter().enumerate().map(count).collect()

@@ -225,7 +225,7 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     let moves: Vec<program::Moved> = moves.iter().filter(|m| m.seconds.is_none()).copied().collect();
     let legs = Legs::new(&moves, bench)?;
     let part = Allowed::new(&blade.part, 0.0);
-    let (options, turns) = (&AuditOptions::default(), vec![0; legs.centres.len()]);
+    let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
     let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
     let found = checks::rapid(&scene);
     Ok(found.map(|f| {
@@ -241,7 +241,7 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
 pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench) -> Result<Option<Check>> {
     let legs = Legs::new(moves, bench)?;
     let part = Allowed::new(&blade.part, 0.0);
-    let (options, turns) = (&AuditOptions::default(), vec![0; legs.centres.len()]);
+    let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
     let scene = Scene { blade, part, bench, options, text, moves, legs: &legs, turns };
     // What fails first, then by how much.
     let rank = |c: &report::LineCheck| (!c.check.passed, c.check.worst);
@@ -264,13 +264,14 @@ impl Scene<'_> {
     /// The ball swept over the feed moves along the part: without approach and retract, which are no passes.
     fn passes(&self) -> Sweep {
         let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
-        let touching: Vec<bool> = self.legs.centres.par_iter().map(|c| self.part.closest(c, reach).is_some()).collect();
+        let touching: Vec<bool> =
+            self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect();
         let wanted = self.legs.of(Kind::Cut).into_iter().zip(touching.windows(2));
         self.sweep_of(wanted.map(|(cut, ends)| cut && ends[0] && ends[1]).collect())
     }
 
     fn sweep_of(&self, wanted: Vec<bool>) -> Sweep {
-        let centres = self.legs.centres.clone();
+        let centres: Vec<crate::geometry::Point> = self.legs.stands.iter().map(|s| s.centre).collect();
         Sweep::of(centres.clone(), centres, self.turns.clone(), self.bench.tool.radius_mm, Some(wanted))
     }
 }

@@ -180,7 +180,7 @@ pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -
     let legs = scene.legs;
     let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
     let feeds = || (0..legs.legs.len()).filter(cut);
-    let leans = feeds().flat_map(|i| [legs.b_rad[i], legs.b_rad[i + 1]]).map(f64::to_degrees);
+    let leans = feeds().flat_map(|i| [i, i + 1].map(|k| legs.stands[k].cone.lean_rad)).map(f64::to_degrees);
     let b = leans.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], b| [lo.min(b), hi.max(b)]);
     Audit {
         lines: scene.text.lines().count(),
@@ -188,7 +188,7 @@ pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -
         rapids: scene.moves.iter().filter(|m| m.seconds.is_none()).count(),
         unknown_moves: legs.unknown,
         turns: feeds().filter_map(|i| scene.turns.get(i)).max().map_or(0, |t| t + 1),
-        feed_mm: feeds().map(|i| (legs.centres[i + 1] - legs.centres[i]).norm()).sum(),
+        feed_mm: feeds().map(|i| (legs.stands[i + 1].centre - legs.stands[i].centre).norm()).sum(),
         feed_s: scene.moves.iter().filter_map(|m| m.seconds.filter(|s| s.is_finite())).sum(),
         b_deg: b,
         scallop_samples: heights.sorted.len(),

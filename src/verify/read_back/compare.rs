@@ -4,15 +4,15 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector4;
 
-use crate::artifact::plan::{Row, Stretch};
+use crate::artifact::plan::Stretch;
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
+use crate::artifact::{Blade, Cone, Motion, Plan, Stand};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
 use crate::read::program::Moved;
-use crate::tool::{self, Tool};
+use crate::tool::Tool;
 
 /// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may do.
 const CENTRE_MM: f64 = 0.001;
@@ -60,9 +60,8 @@ struct OnPath {
 }
 
 struct Comparison<'a> {
-    plan: &'a Plan,
     /// The whole motion: leads and locations.
-    rows: Vec<Row>,
+    motion: Motion<'a>,
     tool: &'a Tool,
     machine: &'a Machine,
     centre: Worst,
@@ -88,8 +87,7 @@ pub(super) fn checks(
     machine: &Machine,
 ) -> Vec<Check> {
     let mut c = Comparison {
-        plan,
-        rows: plan.rows().collect(),
+        motion: Motion::of(plan),
         tool,
         machine,
         centre: Worst::default(),
@@ -99,10 +97,10 @@ pub(super) fn checks(
         missing: Worst::default(),
         feed: Worst::default(),
         planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
-        planned_theta: plan.rows().next().map_or(0.0, |r| r.theta),
+        planned_theta: plan.rows().next().map_or(0.0, |r| r.stand.theta),
     };
     let time = c.run(moves);
-    let planned = c.rows.last().map_or(0.0, |r| r.t_s) - c.rows.first().map_or(0.0, |r| r.t_s);
+    let planned = c.motion.rows().last().map_or(0.0, |r| r.t_s) - c.motion.rows().first().map_or(0.0, |r| r.t_s);
     let before = plan.leads[0].centres.len();
     let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
     let chord_mm = plan.toolpath.chord_mm;
@@ -126,8 +124,8 @@ pub(super) fn checks(
     .into_iter()
     .chain(curve)
     .map(|(name, quantity, worst, limit, unit)| {
-        let at = c.rows.get(worst.row);
-        let point = at.map(|r| blade.model_from_blade * r.centre);
+        let at = c.motion.rows().get(worst.row);
+        let point = at.map(|r| blade.model_from_blade * r.stand.centre);
         let last = plan.toolpath.locations.len().saturating_sub(1);
         let line = if worst.line > 0 { format!(", line {}", worst.line) } else { String::new() };
         let note = match at.map(|r| r.stretch) {
@@ -148,10 +146,10 @@ pub(super) fn checks(
 impl Comparison<'_> {
     /// Compares all cutting lines; gives their time, s.
     fn run(&mut self, moves: &[Moved]) -> f64 {
-        let rows = &self.rows;
+        let rows = self.motion.rows();
         let end_of = |m: &Moved| m.pose(1.0, self.tool, self.machine).centre;
         let near = |m: &Moved, row: usize| {
-            m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.centre).norm() < AT_END_MM)
+            m.seconds.is_some() && rows.get(row).is_some_and(|l| (end_of(m) - l.stand.centre).norm() < AT_END_MM)
         };
         let last = rows.len().saturating_sub(1);
         let (first, end) = (moves.iter().position(|m| near(m, 0)), moves.iter().rposition(|m| near(m, last)));
@@ -167,8 +165,8 @@ impl Comparison<'_> {
         }
         // Whatever the program has not come by.
         let reached = moves[end].pose(1.0, self.tool, self.machine).centre;
-        for row in at + 1..self.rows.len() {
-            self.missing.take((self.rows[row].centre - reached).norm(), moves[end].line, row);
+        for row in at + 1..self.motion.rows().len() {
+            self.missing.take((self.motion.rows()[row].stand.centre - reached).norm(), moves[end].line, row);
         }
         time
     }
@@ -207,8 +205,8 @@ impl Comparison<'_> {
             }
         }
         for row in at + 1..=here {
-            let Some(l) = self.rows.get(row) else { break };
-            let off = poses.windows(2).map(|w| to_segment(&l.centre, &w[0].centre, &w[1].centre).1);
+            let Some(l) = self.motion.rows().get(row) else { break };
+            let off = poses.windows(2).map(|w| to_segment(&l.stand.centre, &w[0].centre, &w[1].centre).1);
             self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
         }
         here
@@ -216,7 +214,8 @@ impl Comparison<'_> {
 
     /// How far a line turns against the plan: the same axis may be reached the other way round, or a turn later.
     fn turn(&mut self, m: &Moved, on: OnPath, poses: &[Pose]) {
-        let angle = |p: &Pose| p.axis.z.atan2(p.axis.y);
+        let cone = self.cone(on.row);
+        let angle = |p: &Pose| about(&cone, p);
         let step = |w: &[Pose]| angle(&w[1]) - angle(&w[0]);
         let turned: f64 = poses.windows(2).map(step).map(|s| s - TAU * (s / TAU).round()).sum();
         let planned = self.theta(on);
@@ -230,7 +229,7 @@ impl Comparison<'_> {
 
     /// The time of a line against the plan's.
     fn time(&mut self, m: &Moved, on: OnPath) {
-        let t = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.t_s);
+        let t = |row: usize| self.motion.rows().get(row).map_or(f64::NAN, |r| r.t_s);
         let now = t(on.row) + (t(on.row + 1) - t(on.row)) * on.share;
         let planned = now - self.planned_s;
         self.planned_s = now;
@@ -240,10 +239,10 @@ impl Comparison<'_> {
 
     /// The nearest place of the plan's path, from plan move `from` on.
     fn locate(&self, q: &Point, from: usize) -> OnPath {
-        let rows = &self.rows;
+        let rows = self.motion.rows();
         let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
         for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
-            let (share, distance_mm) = to_segment(q, &rows[row].centre, &rows[row + 1].centre);
+            let (share, distance_mm) = to_segment(q, &rows[row].stand.centre, &rows[row + 1].stand.centre);
             if distance_mm < best.distance_mm - 1e-12 {
                 best = OnPath { row, share, distance_mm };
             }
@@ -254,13 +253,12 @@ impl Comparison<'_> {
     /// The place of the plan's path, from plan move `from` on, with the least of distance and angle together, each over its limit: rounding
     /// moves a place along the path as well, and where θ turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
     fn locate_pose(&self, pose: &Pose, from: usize) -> OnPath {
-        let rows = &self.rows;
-        let lean = self.plan.channel.b_rad.cos().to_degrees() / DIRECTION_DEG;
-        let angle = pose.axis.z.atan2(pose.axis.y);
+        let rows = self.motion.rows();
         let mut best = (f64::INFINITY, OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY });
         for row in from..(from + AHEAD).min(rows.len().saturating_sub(1)) {
-            let (a, b) = (&rows[row], &rows[row + 1]);
-            let turn = angle - a.theta;
+            let (a, b) = (&rows[row].stand, &rows[row + 1].stand);
+            let lean = a.cone.lean_rad.cos().to_degrees() / DIRECTION_DEG;
+            let turn = about(&a.cone, pose) - a.theta;
             let off = Vector4::from_iterator(
                 (pose.centre - a.centre)
                     .iter()
@@ -284,7 +282,7 @@ impl Comparison<'_> {
     /// As [`Comparison::locate_pose`], θ following the schedule's curve; with the angle between the tool axis and the planned one there, degrees.
     fn locate_on_curve(&self, pose: &Pose, from: usize) -> (OnPath, f64) {
         let near = self.locate(&pose.centre, from).row;
-        let last = self.rows.len().saturating_sub(2);
+        let last = self.motion.rows().len().saturating_sub(2);
         let around = near.saturating_sub(1).max(from)..=(near + 1).min(last);
         let places = around.flat_map(|row| self.place_on_curve(pose, row));
         let apart = |(on, angle): &(OnPath, f64)| (on.distance_mm / ROUNDED_MM).hypot(angle / DIRECTION_DEG);
@@ -294,39 +292,49 @@ impl Comparison<'_> {
 
     /// Places of a plan move: the one nearest to the centre, and that moved along by what the angle of the tool axis asks for.
     fn place_on_curve(&self, pose: &Pose, row: usize) -> [(OnPath, f64); 2] {
-        let (a, b) = (&self.rows[row], &self.rows[row + 1]);
-        let location = row.checked_sub(self.plan.leads[0].centres.len());
-        let turning = location.and_then(|k| self.plan.turning(k));
-        let theta = |share: f64| turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
-        let b_rad = self.plan.channel.b_rad;
+        let (a, b) = (&self.motion.rows()[row].stand, &self.motion.rows()[row + 1].stand);
+        let at = |share: f64| self.motion.curved(row, share).unwrap_or(*a);
         let place = |share: f64| {
-            let distance_mm = (pose.centre - (a.centre + (b.centre - a.centre) * share)).norm();
-            (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &tool::axis(b_rad, theta(share))))
+            let there = at(share);
+            let distance_mm = (pose.centre - there.centre).norm();
+            (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &there.axis()))
         };
         let (share, _) = to_segment(&pose.centre, &a.centre, &b.centre);
-        let turn = pose.axis.z.atan2(pose.axis.y) - theta(share);
+        let turn = about(&a.cone, pose) - at(share).theta;
         let turn = turn - TAU * (turn / TAU).round();
         // Both in units of what is allowed, by the share of the way.
         let (low, high) = ((share - 0.01).max(0.0), (share + 0.01).min(1.0));
-        let lean = b_rad.cos().to_degrees() / DIRECTION_DEG;
-        let rate = lean * (theta(high) - theta(low)) / (high - low);
+        let lean = a.cone.lean_rad.cos().to_degrees() / DIRECTION_DEG;
+        let rate = lean * (at(high).theta - at(low).theta) / (high - low);
         let way = (b.centre - a.centre).norm() / ROUNDED_MM;
         let along = lean * turn * rate / (way * way + rate * rate);
         let moved = if along.is_finite() { (share + along).clamp(0.0, 1.0) } else { share };
         [place(share), place(moved)]
     }
 
+    /// The planned stand there.
+    fn planned(&self, on: OnPath) -> Option<Stand> {
+        self.motion.straight(on.row, on.share)
+    }
+
     /// The planned tool axis there.
     fn axis(&self, on: OnPath) -> Vector {
-        tool::axis(self.plan.channel.b_rad, self.theta(on))
+        self.planned(on).map_or(Vector::repeat(f64::NAN), |s| s.axis())
     }
 
     /// The planned θ there, rad.
     fn theta(&self, on: OnPath) -> f64 {
-        let theta = |row: usize| self.rows.get(row).map_or(f64::NAN, |r| r.theta);
-        let (a, b) = (theta(on.row), theta(on.row + 1));
-        a + (b - a) * on.share
+        self.planned(on).map_or(f64::NAN, |s| s.theta)
     }
+
+    fn cone(&self, row: usize) -> Cone {
+        self.motion.rows().get(row).map_or(Cone::about_blade(0.0), |r| r.stand.cone)
+    }
+}
+
+/// The angle of a pose's tool axis about the axis of a cone, rad; 0 along it.
+fn about(cone: &Cone, pose: &Pose) -> f64 {
+    cone.theta_of(&pose.axis, 0.0).unwrap_or(0.0)
 }
 
 /// Share along a segment and distance to it, mm.

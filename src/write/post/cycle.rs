@@ -68,7 +68,7 @@ fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&Axes>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }
-    let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.rotary_of(e.theta, run.b_rad()));
+    let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.turn_to(&e.stand, Some(&e.near)));
     let (to, axes, turning) = (begun.unwrap_or(&first), run.machine.axes(), run.machine.turning_axis());
     let mut way = Axes::from_fn(from.len(), |k| if axes[k].is_rotary() { from[k] - to[k] } else { 0.0 });
     if dialect.turns_back_by_the_shorter_way() && axes[turning].limits.travel.is_none() {

@@ -66,7 +66,7 @@ fn close(run: &Run, dialect: &Dialect, moves: &[Move]) -> bool {
     let programmed = dialect.file.programmed;
     let line: Vec<Point> =
         (0..=WITHIN).map(|k| ball_centre(run, programmed, from, to, k as f64 / WITHIN as f64)).collect();
-    let path: Vec<Point> = moves.iter().map(|m| m.centre).collect();
+    let path: Vec<Point> = moves.iter().map(|m| m.stand.centre).collect();
     let off = |q: &Point, way: &[Point]| way.windows(2).map(|w| to_segment(q, w)).fold(f64::INFINITY, f64::min);
     line.iter().all(|q| off(q, &path) <= allowed) && path.iter().all(|q| off(q, &line) <= allowed)
 }

@@ -45,11 +45,11 @@ pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rot
 
 use std::borrow::Cow;
 
-use crate::artifact::{Axes, Blade, CheckReport, Plan, Program};
+use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 use crate::machine::Machine;
-use crate::tool::{self, Tool};
+use crate::tool::Tool;
 use crate::verify::{self, Verified};
 
 /// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
@@ -256,11 +256,10 @@ struct Run<'a> {
 /// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the first or last location.
 #[derive(Clone, Copy, Debug)]
 struct End {
-    /// Ball centre there, blade frame.
-    centre: Point,
-    /// Tool axis there, blade frame.
-    axis: Vector,
-    theta: f64,
+    /// Where the tool stands there.
+    stand: Stand,
+    /// Where the axes stand at the location beside it.
+    near: Axes,
     /// Distance of the safe position along the tool axis, mm.
     safe_mm: f64,
     /// At the safe position the part may turn freely; false where the machine's travel ends before.
@@ -268,13 +267,13 @@ struct End {
 }
 
 impl Run<'_> {
-    fn b_rad(&self) -> f64 {
-        self.plan.channel.b_rad
-    }
     /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
     fn axes_at(&self, end: &End, lift_mm: f64) -> Axes {
-        let centre = end.centre + end.axis * lift_mm;
-        self.machine.inverse(&centre, end.theta, self.b_rad(), self.tool.length_mm())
+        self.machine.place(&end.stand.lifted(lift_mm), Some(&end.near), self.tool.length_mm())
+    }
+    /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool axes are on one cone about that.
+    fn turns_the_blade_alone(&self) -> bool {
+        self.machine.turns_the_blade() && self.plan.toolpath.cones.same().is_some_and(|c| c.is_about_blade())
     }
     /// Height of the feed height, never over the safe position.
     fn feed_height(&self, end: &End) -> f64 {
@@ -286,13 +285,13 @@ impl Run<'_> {
 fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
     moves::well_formed(plan)?;
     let sphere = sphere_on_axis(blade);
-    let b = plan.channel.b_rad;
-    let end = |row: usize, name: &str, outer: Option<(&Point, &f64)>| -> Result<End> {
-        let (Some(at), Some(&theta)) = (plan.toolpath.locations.get(row), plan.schedule.theta.get(row)) else {
+    let end = |row: usize, name: &str, outer: Option<Stand>| -> Result<End> {
+        let at = plan.toolpath.locations.get(row).zip(plan.stand(row)).zip(plan.motion.position.get(row));
+        let Some(((at, foot), near)) = at else {
             return Err(Error::usage(Stage::Post, format!("the plan has no location {row}")));
         };
-        let (centre, theta) = outer.map_or((at.centre, theta), |(c, t)| (*c, *t));
-        let axis = tool::axis(b, theta);
+        let stand = outer.unwrap_or(foot);
+        let axis = stand.axis();
         let up = at.normal.dot(&axis);
         if up < -1e-6 && outer.is_none() {
             return Err(Error::infeasible(
@@ -305,17 +304,17 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
             )
             .advise("lower channel.contact_angle_max_deg to at most 90"));
         }
-        let over = (sphere.0 - centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
+        let over = (sphere.0 - stand.centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
         let wanted = over.max(options.safe_clearance_mm);
         let gauge = tool.length_mm();
-        let reach = travel_along(machine, &centre, &axis, theta, b, gauge);
-        Ok(End { centre, axis, theta, safe_mm: wanted.min(reach), clear: wanted <= reach })
+        let reach = travel_along(machine, &stand, near, gauge);
+        Ok(End { stand, near: *near, safe_mm: wanted.min(reach), clear: wanted <= reach })
     };
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let [before, after] = &plan.leads;
     Ok([
-        end(0, "first", before.centres.first().zip(before.theta.first()))?,
-        end(last, "last", after.centres.last().zip(after.theta.last()))?,
+        end(0, "first", before.stands(plan.toolpath.cone(0)).next())?,
+        end(last, "last", after.stands(plan.toolpath.cone(last)).last())?,
     ])
 }
 
@@ -328,9 +327,8 @@ fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
 }
 
 /// How far the tool can go along its axis from a location before a linear axis meets the end of its travel, mm.
-fn travel_along(machine: &Machine, centre: &Point, axis: &Vector, theta: f64, b: f64, gauge: f64) -> f64 {
-    let from = machine.inverse(centre, theta, b, gauge);
-    let to = machine.inverse(&(centre + axis), theta, b, gauge);
+fn travel_along(machine: &Machine, stand: &Stand, near: &Axes, gauge: f64) -> f64 {
+    let [from, to] = [*stand, stand.lifted(1.0)].map(|s| machine.place(&s, Some(near), gauge));
     let mut reach = f64::INFINITY;
     for i in machine.linear() {
         let (Some([lo, hi]), rate) = (machine.axes()[i].limits.travel, to[i] - from[i]) else { continue };

@@ -8,10 +8,9 @@
 
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
-use crate::artifact::{Axes, Plan};
+use crate::artifact::{Axes, Motion, Plan, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
-use crate::tool;
 
 use super::Run;
 use super::polynomial::Bend;
@@ -25,10 +24,10 @@ const ASKEW_RAD: f64 = 1.7e-4;
 /// The end of a cutting move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Move {
-    /// Ball centre, blade frame, mm.
-    pub(super) centre: Point,
-    /// Angle of the tool axis, rad.
-    pub(super) theta: f64,
+    /// Where the tool stands.
+    pub(super) stand: Stand,
+    /// Where the plan's axes stand at the row beside it: of several ways to bring the tool there the nearest is taken.
+    pub(super) near: Axes,
     /// Time, s.
     pub(super) t_s: f64,
     /// What it belongs to.
@@ -38,9 +37,16 @@ pub(super) struct Move {
 }
 
 impl Move {
-    /// The end of a straight move to a row.
-    pub(super) fn to(Row { centre, theta, t_s, stretch }: Row) -> Self {
-        Move { centre, theta, t_s, stretch, bend: None }
+    /// The rows of the plan, each as the end of a straight move to it.
+    pub(super) fn rows(plan: &Plan) -> impl Iterator<Item = Move> + '_ {
+        let one =
+            |(Row { stand, t_s, stretch }, near): (Row, &Axes)| Move { stand, near: *near, t_s, stretch, bend: None };
+        plan.rows().zip(plan.axes()).map(one)
+    }
+
+    /// Axis positions there.
+    pub(super) fn axes(&self, run: &Run) -> Axes {
+        run.machine.place(&self.stand, Some(&self.near), run.tool.length_mm())
     }
 }
 
@@ -67,16 +73,20 @@ pub(super) fn well_formed(plan: &Plan) -> Result<()> {
             return bad(format!("cutter location {i} of the plan has a value that is not a finite number"));
         }
     }
-    if !plan.channel.b_rad.is_finite() {
-        return bad("the head's angle B is not a finite number".into());
+    if !plan.toolpath.cones.fit(n) {
+        return bad("the head's angle B, or a cone of tool axes, is not a finite number".into());
     }
     if let Some(i) = plan.motion.t_s.windows(2).position(|w| !(w[1] >= w[0] && w[1].is_finite())) {
         return bad(format!("time goes back or is not finite after cutter location {i}"));
     }
     let rows: Vec<Row> = plan.rows().collect();
     let leads: usize = plan.leads.iter().map(|l| l.centres.len()).sum();
-    let finite = |r: &Row| r.centre.iter().chain([&r.theta, &r.t_s]).all(|x| x.is_finite());
-    if rows.len() != n + leads || !rows.iter().all(finite) || !rows.windows(2).all(|w| w[1].t_s >= w[0].t_s) {
+    let finite = |r: &Row| r.stand.centre.iter().chain([&r.stand.theta, &r.t_s]).all(|x| x.is_finite());
+    if rows.len() != n + leads
+        || plan.axes().count() != rows.len()
+        || !rows.iter().all(finite)
+        || !rows.windows(2).all(|w| w[1].t_s >= w[0].t_s)
+    {
         return bad("a lead of the plan misses angles or times, or they go back or are not finite".into());
     }
     Ok(())
@@ -97,7 +107,7 @@ pub(super) fn feed_word(f: f64, range: &WordRange) -> Option<String> {
 pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     let plan = run.plan;
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
-    for (row, next) in plan.rows().map(Move::to).enumerate() {
+    for (row, next) in Move::rows(plan).enumerate() {
         if let Some(from) = out.last().copied() {
             let parts = parts(run, programmed, &from, &next);
             if parts > MOST_PARTS {
@@ -110,22 +120,16 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
             for k in 1..parts {
                 let f = k as f64 / parts as f64;
                 out.push(Move {
-                    centre: from.centre + (next.centre - from.centre) * f,
-                    theta: from.theta + (next.theta - from.theta) * f,
+                    stand: from.stand.towards(&next.stand, f),
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
-                    stretch: on_the_way(from.stretch, next.stretch),
-                    bend: None,
+                    stretch: Motion::stretch_between(from.stretch, next.stretch),
+                    ..from
                 });
             }
         }
         out.push(next);
     }
     Ok(out)
-}
-
-/// What a place between two rows belongs to: from the last location on, the ball leaves.
-pub(super) fn on_the_way(from: Stretch, to: Stretch) -> Stretch {
-    if to == Stretch::LeadOut { to } else { from }
 }
 
 /// In how many equal parts a move has to be written: the deviation falls with the square of their number.
@@ -138,14 +142,13 @@ fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
 
 /// Distance, halfway, of the ball centre as the control moves it from halfway between two locations.
 fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
-    let middle = nalgebra::center(&a.centre, &b.centre);
-    let theta = 0.5 * (a.theta + b.theta);
-    let (lean, radius) = (run.b_rad(), run.tool.radius_mm);
+    let middle = nalgebra::center(&a.stand.centre, &b.stand.centre);
+    let radius = run.tool.radius_mm;
     match programmed {
         Programmed::Centre => askew_mm(run, a, b),
         Programmed::Tip => {
-            let [at_a, at_b, between] = [a.theta, b.theta, theta].map(|t| tool::axis(lean, t));
-            if run.machine.turns_the_blade() {
+            let [at_a, at_b, between] = [a.stand, b.stand, halfway(a, b)].map(|s| s.axis());
+            if run.turns_the_blade_alone() {
                 return radius * (0.5 * (at_a + at_b) - between).norm();
             }
             let ball = halfway_axis(run, a, b) * radius - 0.5 * radius * (at_a + at_b);
@@ -153,8 +156,8 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
         }
         Programmed::Machine => {
             let gauge = run.tool.length_mm();
-            let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
-            let halfway = halfway(&p, &q);
+            let [p, q] = [a, b].map(|m| m.axes(run));
+            let halfway = mean(&p, &q);
             (run.machine.forward(&halfway, gauge).centre - middle).norm().max(askew_mm(run, a, b))
         }
     }
@@ -162,14 +165,14 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
 
 /// The ball centre at a share of the move from one place to another, as the control moves it: every word evenly.
 pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
-    let (lean, radius, gauge) = (run.b_rad(), run.tool.radius_mm, run.tool.length_mm());
-    let centre = a.centre + (b.centre - a.centre) * share;
-    let [p, q] = [a, b].map(|m| run.machine.inverse(&m.centre, m.theta, lean, gauge));
+    let (radius, gauge) = (run.tool.radius_mm, run.tool.length_mm());
+    let centre = a.stand.centre + (b.stand.centre - a.stand.centre) * share;
+    let [p, q] = [a, b].map(|m| m.axes(run));
     let axes = p.toward(&q, share);
     match programmed {
         Programmed::Centre => centre,
         Programmed::Tip => {
-            let [at_a, at_b] = [a.theta, b.theta].map(|t| tool::axis(lean, t));
+            let [at_a, at_b] = [a.stand.axis(), b.stand.axis()];
             centre + (run.machine.axis_at(&axes) - (at_a + (at_b - at_a) * share)) * radius
         }
         Programmed::Machine => run.machine.forward(&axes, gauge).centre,
@@ -177,23 +180,29 @@ pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move,
 }
 
 /// Every axis halfway between two places.
-fn halfway(p: &Axes, q: &Axes) -> Axes {
+fn mean(p: &Axes, q: &Axes) -> Axes {
     Axes::from_fn(p.len(), |i| 0.5 * (p[i] + q[i]))
+}
+
+/// Halfway on the straight move.
+fn halfway(a: &Move, b: &Move) -> Stand {
+    // The mean of both angles, to the bit.
+    Stand { theta: 0.5 * (a.stand.theta + b.stand.theta), ..a.stand.towards(&b.stand, 0.5) }
 }
 
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
 fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
-    let [p, q] = [a, b].map(|m| run.machine.rotary_of(m.theta, run.b_rad()));
-    run.machine.axis_at(&halfway(&p, &q))
+    let [p, q] = [a, b].map(|m| run.machine.turn_to(&m.stand, Some(&m.near)));
+    run.machine.axis_at(&mean(&p, &q))
 }
 
 /// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes then leave the cone. In mm of the chord tolerance,
 /// [`ASKEW_RAD`] being half of it.
 fn askew_mm(run: &Run, a: &Move, b: &Move) -> f64 {
-    if run.machine.turns_the_blade() {
+    if run.turns_the_blade_alone() {
         return 0.0;
     }
-    let between = tool::axis(run.b_rad(), 0.5 * (a.theta + b.theta));
+    let between = halfway(a, b).axis();
     0.5 * run.plan.toolpath.chord_mm * (halfway_axis(run, a, b) - between).norm() / ASKEW_RAD
 }
 

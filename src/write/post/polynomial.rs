@@ -20,11 +20,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Run;
-use super::moves::{Move, on_the_way};
-use crate::artifact::Axes;
-use crate::artifact::plan::Turning;
+use super::moves::Move;
+use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
 
 /// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
 pub(super) type Bend = Axes<[f64; 4]>;
@@ -40,8 +38,8 @@ const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
 
-/// Gives the words of a ball centre and θ, mm and degrees: a column for each axis of the machine, those of X, Y, Z being the programmed point.
-pub(super) type Words<'a> = dyn Fn(&Point, f64) -> Axes + 'a;
+/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X, Y, Z being the programmed point.
+pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + 'a;
 
 /// Solves for the coefficients of a degree.
 struct Fit {
@@ -76,22 +74,21 @@ fn bent(a: &[f64; 4], p: f64) -> f64 {
 struct Way<'a> {
     from: Move,
     to: Move,
-    turning: Option<Turning<'a>>,
+    motion: &'a Motion<'a>,
+    /// Its first row.
+    row: usize,
     words: &'a Words<'a>,
     /// What a polynomial may be off each word.
     most_off: &'a [f64],
 }
 
 impl Way<'_> {
-    fn at(&self, share: f64) -> (Point, f64) {
-        let (a, b) = (&self.from, &self.to);
-        let theta = self.turning.map_or(a.theta + (b.theta - a.theta) * share, |t| t.at(share));
-        (a.centre + (b.centre - a.centre) * share, theta)
+    fn at(&self, share: f64) -> Move {
+        Move { stand: self.motion.curved(self.row, share).unwrap_or(self.to.stand), ..self.from }
     }
 
     fn words(&self, share: f64) -> Axes {
-        let (centre, theta) = self.at(share);
-        (self.words)(&centre, theta)
+        (self.words)(&self.at(share))
     }
 
     /// The polynomials of a part of the way; `None`: they are too far off.
@@ -120,10 +117,9 @@ impl Way<'_> {
         let [from, to] = part;
         if let Some(bend) = self.bend(fit, part) {
             let (a, b) = (&self.from, &self.to);
-            let (centre, theta) = self.at(to);
+            let stretch = Motion::stretch_between(a.stretch, b.stretch);
             // The row itself, to the bit.
-            let end =
-                if to == 1.0 { *b } else { Move { centre, theta, stretch: on_the_way(a.stretch, b.stretch), ..*b } };
+            let end = if to == 1.0 { *b } else { Move { stretch, ..self.at(to) } };
             out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend: Some(bend), ..end });
             return Ok(());
         }
@@ -132,7 +128,7 @@ impl Way<'_> {
             return Err(Error::infeasible(Stage::Post, what).advise("write the program with straight moves"));
         }
         let end = END * (to - from);
-        let joint = self.turning.and_then(|t| t.joint_between(from + end, to - end));
+        let joint = self.motion.joint_between(self.row, from + end, to - end);
         let mid = joint.unwrap_or(0.5 * (from + to));
         self.write(fit, [from, mid], halvings + 1, out)?;
         self.write(fit, [mid, to], halvings + 1, out)
@@ -147,17 +143,16 @@ pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> 
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
-    let before = plan.leads[0].centres.len();
     let most_off: Vec<f64> = run.machine.axes().iter().map(|a| if a.is_rotary() { OFF_DEG } else { OFF_MM }).collect();
+    let motion = Motion::of(plan);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     let mut from: Option<Move> = None;
-    for (row, next) in plan.rows().map(Move::to).enumerate() {
+    for (k, next) in Move::rows(plan).enumerate() {
         match from {
             None => out.push(next),
             Some(from) => {
-                let location = row.checked_sub(before + 1);
-                let turning = location.and_then(|k| plan.turning(k));
-                Way { from, to: next, turning, words, most_off: &most_off }.write(&fit, [0.0, 1.0], 0, &mut out)?;
+                let way = Way { from, to: next, motion: &motion, row: k - 1, words, most_off: &most_off };
+                way.write(&fit, [0.0, 1.0], 0, &mut out)?;
             }
         }
         from = Some(next);

@@ -6,9 +6,9 @@ use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header, title};
 use super::{End, Run, cycle, merge, smoothing, turn_in};
-use crate::artifact::Axes;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
+use crate::artifact::{Axes, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
@@ -179,7 +179,7 @@ impl<'a> Writer<'a> {
 
     /// Sets the values of a pose over an end of the path.
     fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
-        let placed = self.placed(&(end.centre + end.axis * lift_mm), end.theta);
+        let placed = self.placed(&end.stand.lifted(lift_mm), &end.near);
         self.take(&placed, None)
     }
 
@@ -189,10 +189,9 @@ impl<'a> Writer<'a> {
         self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), None)
     }
 
-    fn placed(&self, centre: &Point, theta: f64) -> Placed {
-        let run = self.run;
-        let axes = run.machine.inverse(centre, theta, run.b_rad(), run.tool.length_mm());
-        self.placed_by(centre, &tool::axis(run.b_rad(), theta), axes)
+    fn placed(&self, stand: &Stand, near: &Axes) -> Placed {
+        let axes = self.run.machine.place(stand, Some(near), self.run.tool.length_mm());
+        self.placed_by(&stand.centre, &stand.axis(), axes)
     }
 
     /// A pose by its centre and tool axis, and the axis positions that bring it about.
@@ -303,8 +302,8 @@ impl<'a> Writer<'a> {
     fn cuts(&mut self) -> Result<()> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
-        let words = |centre: &Point, theta: f64| {
-            let Placed { point, a_deg, axes, .. } = self.placed(centre, theta);
+        let words = |m: &Move| {
+            let Placed { point, a_deg, axes, .. } = self.placed(&m.stand, &m.near);
             let mut words = axes.map(f64::to_degrees);
             self.run.machine.linear().into_iter().zip(point).for_each(|(k, v)| words[k] = v);
             words[self.run.machine.turning_axis()] = a_deg;
@@ -323,11 +322,11 @@ impl<'a> Writer<'a> {
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
-        for Move { centre, theta, t_s, stretch: next, bend } in &moves {
+        for Move { stand, near, t_s, stretch: next, bend } in &moves {
             if *next == Stretch::LeadOut {
                 stretch = *next;
             }
-            let placed = self.placed(centre, *theta);
+            let placed = self.placed(stand, near);
             let before = self.stands;
             self.take(&placed, bend.as_ref())?;
             let position = self.position(lines)?;

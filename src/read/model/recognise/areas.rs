@@ -133,6 +133,7 @@ mod tests {
             airfoil_x_mm: [0.0, 80.0],
             platform_x_mm: platform,
             fillet_x_mm: fillet,
+            sides: None,
             reasons: Vec::new(),
         };
         let outline = (0..9).map(|k| (10.0 * f64::from(k), [-20.0, -5.0, 20.0, 5.0])).collect();

@@ -20,6 +20,7 @@ pub mod rotor;
 pub mod run;
 pub mod search;
 pub mod shape;
+pub mod sides;
 pub mod stitch;
 pub mod wheel;
 

@@ -75,7 +75,7 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Regions, Option<Fo
         (fillet_x_mm, climbing) = (heights, foot);
         reasons.push(reason);
     }
-    Some((Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, reasons }, climbing))
+    Some((Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, sides: None, reasons }, climbing))
 }
 
 /// Heights of the fillet, or the fillet itself where it climbs, and what is to be said of it.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::artifact::program::Programmed;
+use crate::geometry::Vector;
 use crate::machine::{Carries, DEMO_TOML, MachineFile, PositiveA, PositiveB};
 use crate::read::program;
 
@@ -19,7 +20,7 @@ fn other() -> Machine {
 fn plan(machine: &Machine) -> Plan {
     let mut plan = sample::with_leads(sample::plan(2, 60));
     let gauge = sample::tool().length_mm();
-    let rows: Vec<_> = plan.rows().map(|r| machine.inverse(&r.centre, r.theta, sample::B_RAD, gauge)).collect();
+    let rows: Vec<_> = plan.rows().map(|r| machine.place(&r.stand, None, gauge)).collect();
     let [first, last] = [plan.leads[0].centres.len(), rows.len() - plan.leads[1].centres.len()];
     plan.leads[0].motion.position = rows[..first].to_vec();
     plan.motion.position = rows[first..last].to_vec();
@@ -48,7 +49,7 @@ fn every_dialect_reads_back_on_a_machine_that_turns_the_other_way() {
         let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
         let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
         let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
-        assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
+        assert!((pose.axis - plan.stand(30).unwrap().axis()).norm() < 1e-5, "{control:?}");
         // With the machine file of the demo machine the same text is another motion.
         let wrong = read_back(&p, &plan, &blade, &tool, &Machine::demo().unwrap()).unwrap();
         let vectors = [Control::SiemensVector, Control::HeidenhainVector, Control::FanucVector, Control::Apt];
@@ -118,7 +119,7 @@ fn every_dialect_reads_back_on_every_chain() {
             let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
             let near = |c: &Point| (c - plan.toolpath.locations[30].centre).norm() < 1e-3;
             let pose = moves.iter().map(|m| m.pose(1.0, &tool, &machine)).find(|q| near(&q.centre)).unwrap();
-            assert!((pose.axis - tool::axis(sample::B_RAD, plan.schedule.theta[30])).norm() < 1e-5, "{control:?}");
+            assert!((pose.axis - plan.stand(30).unwrap().axis()).norm() < 1e-5, "{control:?}");
         }
     }
 }
@@ -170,9 +171,9 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             // The last rapid comes to the safe position, as all dialects do.
             let start = plan.rows().next().unwrap();
             let reached = moves[cuts - 1].pose(1.0, &tool, &machine);
-            let axis = tool::axis(sample::B_RAD, start.theta);
+            let axis = start.stand.axis();
             assert!((reached.axis - axis).norm() < 1e-5, "{k} {control:?}");
-            assert!((reached.centre - start.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
+            assert!((reached.centre - start.stand.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
             // The same moves where the table has turned before are others, and the read-back tells so.
             let lines: Vec<&str> = p.text.lines().collect();
             let g43 = lines.iter().position(|l| l.starts_with("G43.")).unwrap();

@@ -12,8 +12,10 @@ mod read_back;
 use read_back::{Move, read};
 
 use super::*;
+use crate::artifact::Cones;
 use crate::artifact::program::Control;
 use crate::error::ErrorKind;
+use crate::geometry::Vector;
 use crate::machine::AxisLimits;
 use crate::sample;
 use crate::verify::read_back::read_back;
@@ -59,8 +61,7 @@ fn siemens_positions_are_the_plans_tool_tips() {
         let moves = cutting(&p);
         assert_eq!(moves.len(), 2160);
         for (i, m) in moves.iter().enumerate() {
-            let (l, theta) = (&plan.toolpath.locations[i + 1], plan.schedule.theta[i + 1]);
-            let tip = tool::tip(&l.centre, &tool::axis(plan.channel.b_rad, theta), 5.0);
+            let tip = plan.stand(i + 1).unwrap().tip(5.0);
             for (k, want) in [tip.x, tip.y, tip.z].into_iter().enumerate() {
                 assert!((m.at[k] - want).abs() <= 0.500_001e-5, "line {}", m.line);
             }
@@ -113,7 +114,7 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
             Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
         };
         for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {
-            let axis = tool::axis(plan.channel.b_rad, plan.schedule.theta[row]);
+            let axis = plan.stand(row).unwrap().axis();
             let (from, to) = (centre(&moves[touch]), centre(&moves[away]));
             assert!((from - plan.toolpath.locations[row].centre).norm() < 1e-4, "{control:?} row {row}");
             let way = to - from;
@@ -204,7 +205,7 @@ fn what_cannot_be_posted_is_an_error() {
     assert!(fail(&|p| p.toolpath.locations[4].centre.x = f64::INFINITY).message.contains("location 4"));
     assert!(fail(&|p| p.motion.t_s[5] = 0.0).message.contains("time goes back"));
     assert!(fail(&|p| p.motion.t_s.truncate(12)).message.contains("12 times"));
-    assert!(fail(&|p| p.channel.b_rad = f64::NAN).message.contains("angle B"));
+    assert!(fail(&|p| p.toolpath.cones = Cones::about_blade(f64::NAN)).message.contains("angle B"));
     let e = fail(&|p| p.toolpath.locations[0].normal *= -1.0);
     assert_eq!(e.kind, ErrorKind::Infeasible);
     let bad = PostOptions { spindle_rpm: 0.0, ..options() };

@@ -1,6 +1,7 @@
 //! Cuts as polynomials: that they carry the schedule's curve, in no more blocks than straight moves, and that a wrong coefficient is found.
 
 use super::*;
+use crate::geometry::Vector;
 use crate::observe::Silent;
 use crate::read::program::{self, Bench, Moved, Zero};
 use crate::verify::audit::{AuditOptions, audit};
@@ -58,7 +59,7 @@ fn the_curve_is_carried_without_loss_and_in_no_more_blocks() {
                 let (t, q) = ((s - piece[0][0]) / (piece[3][0] - piece[0][0]), piece.map(|p| p[1]));
                 let [a, b, c] = [0, 1, 2].map(|k| q[k] + (q[k + 1] - q[k]) * t);
                 let [a, b] = [a + (b - a) * t, b + (c - b) * t];
-                let axis = tool::axis(sample::B_RAD, a + (b - a) * t);
+                let axis = plan.toolpath.cone(0).tool_axis(a + (b - a) * t);
                 worst[0] = worst[0].max(off(&w));
                 worst[1] = worst[1].max(pose.axis.cross(&axis).norm().to_degrees());
                 let straight = Moved { bend: None, ..*m }.pose(f, &tool, &machine);

@@ -68,7 +68,7 @@ pub(super) fn head(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
     let axle = revolved(glb, "machine", COLOUR, &cylinder(-1.6 * radius, 1.6 * radius, 0.5 * radius))?;
     let axle = mesh_node(glb, "pivot of B", vec![axle], json!({ "axis": "B" }));
     // The pivot's axle is across blade axis and tool axis: at θ = 0 that is the blade's z.
-    let across = super::motion::lean(plan.channel.b_rad).inverse() * Vector::z();
+    let across = super::motion::lean(plan.toolpath.cone(0).lean_rad).inverse() * Vector::z();
     let q = UnitQuaternion::rotation_between(&Vector::z(), &across).unwrap_or_default();
     glb.place(axle, [0.0, 0.0, single(pivot)?], [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
     let note = json!({

@@ -11,7 +11,6 @@ use super::{Scene, mesh_node, single, triple};
 use crate::artifact::Plan;
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
-use crate::tool;
 
 /// Most fans: the narrowest place of so many turns.
 const FANS: usize = 60;
@@ -71,11 +70,12 @@ fn sectors(
     let reach = REACH * scene.tool.radius_mm;
     for &i in rows {
         let (centre, row) = (plan.toolpath.locations[i].centre, &plan.channel.rows[i]);
+        let cone = plan.toolpath.cone(i);
         let hub = u32::try_from(points.len()).unwrap_or(0);
         points.push(triple(&(scene.blade.model_from_blade * centre).coords)?);
         for k in 0..=FACETS {
             let theta = row.theta_min + (row.theta_max - row.theta_min) * f64::from(k) / f64::from(FACETS);
-            let rim = centre + tool::axis(plan.channel.b_rad, theta) * reach;
+            let rim = centre + cone.tool_axis(theta) * reach;
             points.push(triple(&(scene.blade.model_from_blade * rim).coords)?);
         }
         indices.extend((1..=FACETS).flat_map(|k| [hub, hub + k, hub + k + 1]));
@@ -90,10 +90,8 @@ fn sectors(
 pub(super) fn base_vectors(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
     let mut points = Vec::new();
     for turn in &plan.toolpath.turns {
-        let (l, theta) = (plan.toolpath.locations.get(turn.first), plan.schedule.theta.get(turn.first));
-        let Some((l, theta)) = l.zip(theta) else { continue };
-        let to = l.centre + tool::axis(plan.channel.b_rad, *theta) * (REACH * scene.tool.radius_mm);
-        for p in [l.centre, to] {
+        let Some(stand) = plan.stand(turn.first) else { continue };
+        for p in [stand.centre, stand.lifted(REACH * scene.tool.radius_mm).centre] {
             points.push(triple(&(scene.blade.model_from_blade * p).coords)?);
         }
     }

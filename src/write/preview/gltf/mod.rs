@@ -170,7 +170,7 @@ fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
         rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
         extras: extras(&json!({
             "frame": "model frame of the CAD file, mm, below this node",
-            "head_angle_b_deg": scene.plan.map(|p| p.channel.b_rad.to_degrees()),
+            "head_angle_b_deg": scene.plan.map(|p| p.toolpath.cone(0).lean_rad.to_degrees()),
             "ball_radius_mm": scene.tool.radius_mm,
             "machine": scene.machine.name,
             "figures": scene.figures,

@@ -10,12 +10,12 @@ use json::animation::{Animation, Channel, Interpolation, Property, Sampler, Targ
 use json::scene::Node;
 use json::validation::Checked;
 use json::{Index, accessor::Accessor};
-use nalgebra::UnitQuaternion;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use serde_json::json;
 
 use super::glb::Glb;
 use super::{Detail, Scene, extras, single, triple};
-use crate::artifact::Plan;
+use crate::artifact::{Plan, Stand};
 use crate::error::Result;
 use crate::geometry::{Rigid, Vector};
 
@@ -50,7 +50,24 @@ impl Track {
     }
 }
 
-/// The tool's +Z to the tool axis at θ = 0; turning about the blade axis by θ does the rest without any jump.
+/// The tool's +Z to its axis: leaning, then turning about the axis of its cone by θ, without any jump.
+pub(super) fn attitude(stand: &Stand) -> UnitQuaternion<f64> {
+    let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), stand.theta) * lean(stand.cone.lean_rad);
+    if stand.cone.is_about_blade() {
+        return turn;
+    }
+    let (c, e) = (stand.cone.axis, stand.cone.reference);
+    let frame = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[c, e, c.cross(&e)]));
+    UnitQuaternion::from_rotation_matrix(&frame) * turn
+}
+
+/// The angle of the tool axis about the blade axis, which the table of a machine turns the part by, rad.
+fn about_the_blade(stand: &Stand) -> f64 {
+    let a = stand.axis();
+    if stand.cone.is_about_blade() { stand.theta } else { a.z.atan2(a.y) }
+}
+
+/// The tool's +Z to the tool axis at θ = 0, in the frame of a cone.
 pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
     let (sb, cb) = b_rad.sin_cos();
     UnitQuaternion::rotation_between(&Vector::z(), &Vector::new(sb, cb, 0.0)).unwrap_or_default()
@@ -75,7 +92,7 @@ pub(super) fn animations(
 ) -> Result<Vec<Animation>> {
     let n = plan.toolpath.locations.len().min(plan.schedule.theta.len()).min(plan.motion.t_s.len());
     let speed = scene.play_speed(plan);
-    let (model, lean) = (&scene.blade.model_from_blade, lean(plan.channel.b_rad));
+    let model = &scene.blade.model_from_blade;
     let (to_scene, part_from_model) = (scene_from_machine(scene), model.inverse());
     let mut times: Vec<f32> = Vec::new();
     let [mut fixed, mut carried, mut turned] = [Track::default(), Track::default(), Track::default()];
@@ -85,10 +102,9 @@ pub(super) fn animations(
             continue;
         }
         times.push(time);
-        let theta = plan.schedule.theta[i];
-        let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), theta);
-        let in_part = Rigid::from_parts(plan.toolpath.locations[i].centre.coords.into(), turn * lean);
-        let table = to_scene * scene.machine.shown_part(theta);
+        let Some(stand) = plan.stand(i) else { continue };
+        let in_part = Rigid::from_parts(stand.centre.coords.into(), attitude(&stand));
+        let table = to_scene * scene.machine.shown_part(about_the_blade(&stand));
         fixed.push(&(model * in_part))?;
         carried.push(&(table * in_part))?;
         turned.push(&(table * part_from_model))?;

@@ -14,7 +14,6 @@ use super::glb::Glb;
 use super::{Detail, Scene, mesh_node, triple};
 use crate::artifact::Plan;
 use crate::error::{Error, Result, Stage};
-use crate::tool;
 use crate::write::preview::colour;
 use crate::write::preview::values::{self, Values};
 
@@ -113,22 +112,21 @@ pub(super) fn png_of(colours: &[[u8; 3]], upright: bool) -> Result<Vec<u8>> {
 
 /// The ways of the ball onto the path and off it: the arc of each lead, and the beginning of the straight line along the tool axis; `None` without locations.
 pub(super) fn leads(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
-    let (locations, theta) = (&plan.toolpath.locations, &plan.schedule.theta);
-    let ends = [locations.first().zip(theta.first()), locations.last().zip(theta.last())];
+    let last = plan.toolpath.locations.len().saturating_sub(1);
+    let ends = [plan.stand(0), plan.stand(last)];
     let material = glb.material("leads", [0.85, 0.1, 0.55], false);
     let mut primitives = Vec::new();
     for (k, (lead, end)) in plan.leads.iter().zip(ends).enumerate() {
-        let Some((at, theta)) = end else { continue };
+        let Some(at) = end else { continue };
         // From the path outwards.
-        let mut rows: Vec<_> = lead.centres.iter().copied().zip(lead.theta.iter().copied()).collect();
+        let mut rows: Vec<_> = lead.stands(at.cone).collect();
         if k == 0 {
             rows.reverse();
         }
-        rows.insert(0, (at.centre, *theta));
-        let outer = rows.last().copied().unwrap_or((at.centre, *theta));
-        let axis = tool::axis(plan.channel.b_rad, outer.1);
-        rows.push((outer.0 + axis * (SHOWN_RADII * plan.toolpath.radius_mm), outer.1));
-        let placed = rows.iter().map(|(c, _)| triple(&(scene.blade.model_from_blade * c).coords));
+        rows.insert(0, at);
+        let outer = rows.last().copied().unwrap_or(at);
+        rows.push(outer.lifted(SHOWN_RADII * plan.toolpath.radius_mm));
+        let placed = rows.iter().map(|s| triple(&(scene.blade.model_from_blade * s.centre).coords));
         let points = placed.collect::<Result<Vec<_>>>()?;
         let attributes = [(Semantic::Positions, glb.positions(&points))];
         primitives.push(Glb::primitive(attributes, None, material, Mode::LineStrip));

@@ -146,7 +146,7 @@ fn both_motions_carry_the_tool_to_the_same_place_of_the_part() {
     let (_, carried, table) = track(&animations[1], "workpiece");
     for k in 0..181 {
         let want = blade.model_from_blade * plan.toolpath.locations[k].centre;
-        let axis = blade.model_from_blade * crate::tool::axis(plan.channel.b_rad, plan.schedule.theta[k]);
+        let axis = blade.model_from_blade * plan.stand(k).unwrap().axis();
         assert!((at[k] - want).norm() < 1e-4 && (turned[k] * Vector::z() - axis).norm() < 1e-6, "key {k}");
         // On the machine the head never turns, and part and tool meet at the same place of the part.
         assert!((head[k] * Vector::z() - head[0] * Vector::z()).norm() < 1e-6);
@@ -199,7 +199,7 @@ fn fans_open_as_far_as_the_channel() {
     let first = mesh.primitives().next().unwrap();
     let at: Vec<_> = first.reader(|_| Some(&blob)).read_positions().unwrap().map(point).collect();
     let row = plan.channel.narrowest_row;
-    let axis = |theta| sample::blade().model_from_blade * crate::tool::axis(plan.channel.b_rad, theta);
+    let axis = |theta| sample::blade().model_from_blade * plan.toolpath.cone(row).tool_axis(theta);
     let (lo, hi) = (plan.channel.rows[row].theta_min, plan.channel.rows[row].theta_max);
     assert!(((at[1] - at[0]).normalize() - axis(lo)).norm() < 1e-5);
     assert!(((at[25] - at[0]).normalize() - axis(hi)).norm() < 1e-5);

@@ -8,13 +8,10 @@ use json::mesh::{Mode, Primitive, Semantic};
 use json::scene::Node;
 use serde_json::json;
 
-use nalgebra::UnitQuaternion;
-
 use super::glb::Glb;
 use super::{Scene, mesh_node, single, triple};
 use crate::artifact::Plan;
 use crate::error::Result;
-use crate::geometry::Vector;
 use crate::tool::Tool;
 
 /// Facets around.
@@ -39,10 +36,9 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
         "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
     });
     let node = super::group(glb, "tool", children, &note);
-    if let (Some(l), Some(theta)) = (plan.toolpath.locations.first(), plan.schedule.theta.first()) {
-        let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), *theta);
-        let q = scene.blade.model_from_blade.rotation * turn * super::motion::lean(plan.channel.b_rad);
-        let at = triple(&(scene.blade.model_from_blade * l.centre).coords)?;
+    if let Some(stand) = plan.stand(0) {
+        let q = scene.blade.model_from_blade.rotation * super::motion::attitude(&stand);
+        let at = triple(&(scene.blade.model_from_blade * stand.centre).coords)?;
         glb.place(node, at, [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
     }
     Ok(node)

@@ -81,7 +81,7 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         "t": of(&|i| plan.motion.t_s.get(i).copied().unwrap_or(f64::NAN)),
         "theta": of(&|i| plan.schedule.theta[i]),
         "min": of(&|i| plan.channel.rows[i].theta_min), "max": of(&|i| plan.channel.rows[i].theta_max),
-        "row": of(&|i| i as f64), "of": n, "b": plan.channel.b_rad, "turns": plan.toolpath.turns.len(),
+        "row": of(&|i| i as f64), "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
         "quantities": quantities,
     })
 }

@@ -1,37 +1,68 @@
-//! Leading and trailing edge, sides, thickness.
+//! The two ends of a section, and its thickness.
 
 use super::outline::{area, distance};
 
+/// The two ends of a section, in no order that means anything.
+#[derive(Clone, Debug)]
+pub struct Ends {
+    /// Arc length from the section's first point, mm.
+    pub s_mm: [f64; 2],
+    /// (y, z), mm.
+    pub at_mm: [[f64; 2]; 2],
+    /// Radius, mm.
+    pub radius_mm: [f64; 2],
+    /// What the side from the first end to the second and the one back bulge out over the chord, mm².
+    pub bulge_mm2: [f64; 2],
+}
+
+impl Ends {
+    /// From the second end to the first.
+    pub fn chord(&self) -> [f64; 2] {
+        let [a, b] = self.at_mm;
+        [a[0] - b[0], a[1] - b[1]]
+    }
+
+    /// Distance between the ends, mm.
+    pub fn chord_mm(&self) -> f64 {
+        distance(self.at_mm[0], self.at_mm[1])
+    }
+
+    /// How round the section is: its area over that of the circle on its chord.
+    pub fn roundness(&self) -> f64 {
+        let circle_mm2 = 0.25 * std::f64::consts::PI * self.chord_mm().powi(2);
+        self.bulge_mm2.iter().sum::<f64>() / circle_mm2.max(f64::MIN_POSITIVE)
+    }
+
+    /// The same with the ends exchanged.
+    pub fn exchanged(&self) -> Ends {
+        let turn = |[a, b]: [f64; 2]| [b, a];
+        let [a, b] = self.at_mm;
+        let (s_mm, radius_mm, bulge_mm2) = (turn(self.s_mm), turn(self.radius_mm), turn(self.bulge_mm2));
+        Ends { s_mm, at_mm: [b, a], radius_mm, bulge_mm2 }
+    }
+}
+
 /// An end of the section.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
-    pub s_mm: f64,
-    pub point: [f64; 2],
-    pub radius_mm: f64,
+struct Edge {
+    s_mm: f64,
+    point: [f64; 2],
+    radius_mm: f64,
     index: usize,
 }
 
-/// Both ends and which side follows the leading edge.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Edges {
-    pub leading: Edge,
-    pub trailing: Edge,
-    pub suction_first: bool,
-}
-
 /// Finds the ends of a closed counter-clockwise polygon: about each end of its greatest extent, the middle of the stretch that
-/// bends at least half as sharply as its sharpest point. The blunter end is the leading edge; of equal ones (within
-/// 2 %) that with the lesser y, then z.
-pub(super) fn find(points: &[[f64; 2]], s: &[f64], length: f64, curvature: &[f64]) -> Edges {
+/// bends at least half as sharply as its sharpest point.
+pub fn find(points: &[[f64; 2]], s: &[f64], length: f64, curvature: &[f64]) -> Ends {
     let (a, b) = farthest(points);
     let ring = Ring { points, s, length, curvature };
     let (a, b) = (ring.edge_near(a), ring.edge_near(b));
-    let equal = (a.radius_mm - b.radius_mm).abs() <= 0.02 * a.radius_mm.max(b.radius_mm);
-    let a_leads = if equal { a.point <= b.point } else { a.radius_mm > b.radius_mm };
-    let (leading, trailing) = if a_leads { (a, b) } else { (b, a) };
-    let first = bulge(points, leading.index, trailing.index);
-    let second = bulge(points, trailing.index, leading.index);
-    Edges { leading, trailing, suction_first: first >= second }
+    Ends {
+        s_mm: [a.s_mm, b.s_mm],
+        at_mm: [a.point, b.point],
+        radius_mm: [a.radius_mm, b.radius_mm],
+        bulge_mm2: [bulge_mm2(points, a.index, b.index), bulge_mm2(points, b.index, a.index)],
+    }
 }
 
 /// The two points that are farthest apart.
@@ -77,8 +108,8 @@ fn convex_hull(points: &[[f64; 2]]) -> Vec<usize> {
     hull
 }
 
-/// Twice what the side from `from` to `to` bulges out over its chord, in area.
-fn bulge(points: &[[f64; 2]], from: usize, to: usize) -> f64 {
+/// What the side from `from` to `to` bulges out over its chord, mm².
+fn bulge_mm2(points: &[[f64; 2]], from: usize, to: usize) -> f64 {
     let n = points.len();
     let count = (to + n - from) % n + 1;
     let side: Vec<[f64; 2]> = (0..count).map(|k| points[(from + k) % n]).collect();
@@ -153,7 +184,7 @@ impl Ring<'_> {
 /// Diameter of the largest circle inside that touches the polygon at one of up to 400 of its points: for each, a circle that
 /// touches there shrinks until no other point lies inside it. Points within the tolerance of the wall's tangent are its
 /// neighbours and noise.
-pub(super) fn thickness(points: &[[f64; 2]], outward: &[[f64; 2]], tolerance: f64) -> f64 {
+pub fn thickness(points: &[[f64; 2]], outward: &[[f64; 2]], tolerance: f64) -> f64 {
     let step = points.len().div_ceil(400).max(1);
     let extent = 2.0 * points.iter().map(|p| distance(*p, points[0])).fold(0.0, f64::max);
     let mut greatest = 0.0f64;

@@ -5,9 +5,9 @@ use crate::geometry::slice::{Loop, slice};
 use crate::geometry::{Point, Vector};
 
 /// Points that a loop of an exact part gets at least.
-pub(super) const POINTS: f64 = 400.0;
+pub const POINTS: f64 = 400.0;
 /// A point counts as on the exact surface below this, mm.
-pub(super) const ON_SURFACE_MM: f64 = 1e-8;
+pub const ON_SURFACE_MM: f64 = 1e-8;
 /// Newton's steps; smooth places need three.
 const MOST_STEPS: usize = 12;
 /// A turn between neighbouring points by more than this, besides what curvature explains, is a crease, rad.
@@ -16,7 +16,7 @@ const CREASE_RAD: f64 = 0.02;
 const BESIDE_CREASE: usize = 3;
 
 /// A closed loop of a section.
-pub(super) struct Outline {
+pub struct Outline {
     /// (y, z), counter-clockwise.
     pub points: Vec<[f64; 2]>,
     /// What the exact faces say at each point, where they do.
@@ -27,7 +27,7 @@ pub(super) struct Outline {
 
 /// What a section's curve is at a point inside a face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OnFace {
+pub struct OnFace {
     /// Curvature of the section, positive where convex, 1/mm.
     pub curvature: f64,
     /// Outward unit normal of the section.
@@ -42,7 +42,7 @@ impl Outline {
 }
 
 /// What a plane cuts out of a part.
-pub(super) struct Outlines {
+pub struct Outlines {
     /// Outer loops, the largest first, counter-clockwise.
     pub loops: Vec<Outline>,
     /// Holes and open chains besides.
@@ -57,7 +57,7 @@ pub(super) struct Outlines {
 const BRIDGED: f64 = 1e-3;
 
 /// Outer loops at a height.
-pub(super) fn outlines(part: &Part, x_mm: f64) -> Outlines {
+pub fn outlines(part: &Part, x_mm: f64) -> Outlines {
     let (closed, open): (Vec<Loop>, Vec<Loop>) = slice(&part.mesh, &part.bvh, x_mm).into_iter().partition(|l| l.closed);
     let bridged = bridged(open);
     let all = closed.len() + bridged.loops.len() + bridged.left;
@@ -137,15 +137,18 @@ fn refined(part: &Part, x_mm: f64, points: &[[f64; 2]]) -> Outline {
 }
 
 /// A point of a section of exact faces.
-pub(super) struct Placed {
+pub struct Placed {
+    /// (y, z), mm.
     pub at: [f64; 2],
+    /// What the face says there, inside one.
     pub exact: Option<OnFace>,
+    /// Distance from the part, mm.
     pub off_mm: f64,
 }
 
 /// Newton's method within the section's plane for the point where the surface meets it, `S(u, v) · e_x = x`: each step goes to the
 /// tangent plane of the closest point. Keeps the guess where that leads away (walls along the plane).
-pub(super) fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
+pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
     let cap = 10.0 * part.deflection_mm + 1e-3;
     let stays = || {
         let foot = part.closest(&Point::new(x_mm, guess[0], guess[1]), f64::INFINITY);
@@ -222,12 +225,13 @@ fn distinct(o: Outline) -> Outline {
     out
 }
 
-pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+/// Distance between two points, mm.
+pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 /// Arc length at each point of a closed polygon, and its perimeter.
-pub(super) fn arc_length(points: &[[f64; 2]]) -> (Vec<f64>, f64) {
+pub fn arc_length(points: &[[f64; 2]]) -> (Vec<f64>, f64) {
     let mut s = 0.0;
     let mut out = Vec::with_capacity(points.len());
     for (i, &p) in points.iter().enumerate() {
@@ -238,7 +242,7 @@ pub(super) fn arc_length(points: &[[f64; 2]]) -> (Vec<f64>, f64) {
 }
 
 /// Signed area of a closed polygon.
-pub(super) fn area(points: &[[f64; 2]]) -> f64 {
+pub fn area(points: &[[f64; 2]]) -> f64 {
     let Some(&o) = points.first() else { return 0.0 };
     let cross = |a: [f64; 2], b: [f64; 2]| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
     0.5 * points.windows(2).map(|w| cross(w[0], w[1])).sum::<f64>()

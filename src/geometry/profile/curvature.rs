@@ -11,7 +11,7 @@ use super::outline::{OnFace, distance};
 const LEAST: usize = 3;
 
 /// What the fits give, per point.
-pub(super) struct Fit {
+pub struct Fit {
     /// Positive where convex, 1/mm.
     pub curvature: Vec<f64>,
     /// Outward unit normal.
@@ -21,7 +21,7 @@ pub(super) struct Fit {
 }
 
 /// Curvature at every point of a closed polygon of the given perimeter; fits only where the faces say nothing.
-pub(super) fn fit(points: &[[f64; 2]], exact: &[Option<OnFace>], s: &[f64], length: f64, tolerance: f64) -> Fit {
+pub fn fit(points: &[[f64; 2]], exact: &[Option<OnFace>], s: &[f64], length: f64, tolerance: f64) -> Fit {
     let ring = Ring { points, s, length };
     let mut out =
         Fit { curvature: Vec::with_capacity(points.len()), normal: Vec::with_capacity(points.len()), error_mm: 0.0 };

@@ -1,0 +1,148 @@
+//! What the tool does from row to row: the one answer for feed, programs, previews and checks.
+
+use super::plan::{Row, Stretch};
+use super::{Cone, Plan, Schedule, Toolpath};
+use crate::geometry::{Point, Vector};
+
+/// Where the tool stands, blade frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// The tool axes that are allowed there.
+    pub cone: Cone,
+    /// Angle of the tool axis on its cone, rad, unwrapped along a motion.
+    pub theta: f64,
+}
+
+impl Stand {
+    /// On the cone about the blade axis with a lean, rad.
+    pub fn about_blade(centre: Point, theta: f64, lean_rad: f64) -> Self {
+        Stand { centre, cone: Cone::about_blade(lean_rad), theta }
+    }
+
+    /// The tool axis, unit, from tip to spindle.
+    pub fn axis(&self) -> Vector {
+        self.cone.tool_axis(self.theta)
+    }
+
+    /// The tip of a ball of that radius, mm.
+    pub fn tip(&self, radius_mm: f64) -> Point {
+        self.centre - self.axis() * radius_mm
+    }
+
+    /// With the ball centre so far along the tool axis, mm.
+    #[must_use]
+    pub fn lifted(&self, by_mm: f64) -> Self {
+        Stand { centre: self.centre + self.axis() * by_mm, ..*self }
+    }
+
+    /// At a share of the straight move to another stand: the ball centre goes straight, θ turns evenly, the cone
+    /// changes evenly.
+    pub fn towards(&self, to: &Stand, share: f64) -> Stand {
+        let cone = if self.cone == to.cone { self.cone } else { self.cone.between(&to.cone, share) };
+        Stand {
+            centre: self.centre + (to.centre - self.centre) * share,
+            cone,
+            theta: self.theta + (to.theta - self.theta) * share,
+        }
+    }
+}
+
+/// How θ goes from a location to the next.
+#[derive(Clone, Copy, Debug)]
+struct Turning<'a> {
+    schedule: &'a Schedule,
+    s_mm: [f64; 2],
+    on_curve: bool,
+}
+
+impl Turning<'_> {
+    /// θ of the schedule's curve at a share of the way, rad, where the curve goes through the angles of both
+    /// locations.
+    fn at(&self, share: f64) -> Option<f64> {
+        let [s, s1] = self.s_mm;
+        self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten()
+    }
+
+    /// The first joint of two pieces of the curve strictly between two shares of the way.
+    fn joint_between(&self, from: f64, to: f64) -> Option<f64> {
+        let [s, s1] = self.s_mm;
+        let (low, high) = (s + (s1 - s) * from, s + (s1 - s) * to);
+        let pieces = &self.schedule.pieces;
+        let joint = pieces.get(pieces.partition_point(|p| p[3][0] <= low)).map(|p| p[3][0]);
+        joint.filter(|j| self.on_curve && *j < high).map(|j| (j - s) / (s1 - s))
+    }
+}
+
+/// The motion of the tool over lead-in, path and lead-out, row by row.
+///
+/// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight moves
+/// ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
+/// ([`Motion::curved`]).
+#[derive(Clone, Debug)]
+pub struct Motion<'a> {
+    rows: Vec<Row>,
+    toolpath: &'a Toolpath,
+    schedule: &'a Schedule,
+    /// Rows before the first location.
+    before: usize,
+}
+
+impl<'a> Motion<'a> {
+    /// That of a plan. Ends with the shortest list of each part where their lengths differ.
+    pub fn of(plan: &'a Plan) -> Self {
+        let rows = plan.rows().collect();
+        let before = plan.leads[0].centres.len();
+        Motion { rows, toolpath: &plan.toolpath, schedule: &plan.schedule, before }
+    }
+
+    /// All rows, in order of time.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// On the straight move from a row to the next; beyond the last row, there.
+    pub fn straight(&self, row: usize, share: f64) -> Option<Stand> {
+        let from = self.rows.get(row)?.stand;
+        Some(self.rows.get(row + 1).map_or(from, |to| from.towards(&to.stand, share)))
+    }
+
+    /// As [`Motion::straight`], θ on the schedule's curve where there is one through both rows.
+    pub fn curved(&self, row: usize, share: f64) -> Option<Stand> {
+        let straight = self.straight(row, share)?;
+        let theta = self.turning(row).and_then(|t| t.at(share)).unwrap_or(straight.theta);
+        Some(Stand { theta, ..straight })
+    }
+
+    /// The first joint of two pieces of the schedule's curve strictly between two shares of the way from a row
+    /// to the next.
+    pub fn joint_between(&self, row: usize, from: f64, to: f64) -> Option<f64> {
+        self.turning(row)?.joint_between(from, to)
+    }
+
+    /// What a place between two rows belongs to: from the last location on, the ball leaves.
+    pub fn stretch_between(from: Stretch, to: Stretch) -> Stretch {
+        if to == Stretch::LeadOut { to } else { from }
+    }
+
+    fn turning(&self, row: usize) -> Option<Turning<'a>> {
+        let location = row.checked_sub(self.before)?;
+        let rows = [location, location + 1];
+        let s_mm = rows.map(|k| self.toolpath.locations.get(k).map_or(f64::NAN, |l| l.s_mm));
+        let known = rows.iter().all(|k| self.schedule.theta.get(*k).is_some_and(|t| t.is_finite()));
+        if !known || !s_mm.iter().all(|v| v.is_finite()) {
+            return None;
+        }
+        let on_curve = (0..2).all(|k| self.schedule.curve_meets(rows[k], s_mm[k]));
+        Some(Turning { schedule: self.schedule, s_mm, on_curve })
+    }
+}
+
+impl Toolpath {
+    /// Where the tool stands at each location with these angles, rad; without leads.
+    pub fn stands(&self, theta: &[f64]) -> Vec<Stand> {
+        let rows = self.locations.iter().zip(theta).enumerate();
+        rows.map(|(k, (l, theta))| Stand { centre: l.centre, cone: self.cone(k), theta: *theta }).collect()
+    }
+}

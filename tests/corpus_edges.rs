@@ -1,0 +1,117 @@
+//! Leading and trailing edge and the two sides keep their names along the whole airfoil: on our own twisted blade, and on the real blades
+//! of the folder that `BLADEWRIGHT_BLADES` names (see `corpus.rs`).
+
+use std::path::{Path, PathBuf};
+
+use bladewright::artifact::blade::{Blade, Unit};
+use bladewright::artifact::section::{Section, Side};
+use bladewright::observe::Silent;
+use bladewright::read::model::{self, ModelOptions};
+use bladewright::section::{self, SectionOptions};
+
+/// Heights at which a blade is cut; chords turn by few degrees from one to the next.
+const HEIGHTS: usize = 120;
+
+fn load(file: &Path, unit: Option<Unit>) -> Blade {
+    model::load(file, &ModelOptions { unit, ..ModelOptions::default() }, &Silent).expect("a blade")
+}
+
+fn sections(blade: &Blade, options: SectionOptions) -> Vec<Section> {
+    section::plan(blade, &options, &Silent).expect("sections")
+}
+
+/// Leading and trailing edge of a section's first loop, and the side between them.
+fn names(section: &Section) -> ([[f64; 2]; 2], Side) {
+    let l = &section.loops[0];
+    let at = |s_mm: f64| l.points_mm[l.s_mm.partition_point(|s| *s < s_mm).min(l.points_mm.len() - 1)];
+    ([at(l.leading_edge_s_mm), at(l.trailing_edge_s_mm)], l.side_after_leading_edge)
+}
+
+/// Heights below which an edge of the next section lies where the other edge was, or the side is another.
+fn jumps(sections: &[Section]) -> Vec<f64> {
+    let away = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let jumps = sections.windows(2).filter(|w| {
+        let (([a, b], side), ([c, d], next)) = (names(&w[0]), names(&w[1]));
+        away(a, d) + away(b, c) < away(a, c) + away(b, d) || side != next
+    });
+    jumps.map(|w| w[1].x_mm).collect()
+}
+
+fn all_along(blade: &Blade) -> Vec<Section> {
+    sections(blade, SectionOptions { count: HEIGHTS, ..SectionOptions::default() })
+}
+
+#[test]
+fn edges_keep_their_names_and_one_height_alone_has_the_same() {
+    // Its edges are nearly alike about the middle of its height, where each section alone finds another the blunter.
+    let blade = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step"), None);
+    let all = all_along(&blade);
+    assert_eq!((all.len(), jumps(&all)), (HEIGHTS, vec![]));
+    for whole in all.iter().step_by(7) {
+        let heights_mm = vec![whole.x_mm];
+        assert_eq!(sections(&blade, SectionOptions { heights_mm, ..SectionOptions::default() })[0], *whole);
+    }
+}
+
+#[test]
+fn the_mirror_image_has_its_sides_mirrored() {
+    let blade = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step"), None);
+    let sides = blade.regions.sides.as_ref().expect("sides").clone();
+    let image = Blade { part: blade.part.mirrored(&Silent).expect("an image"), ..blade.clone() };
+    let mut mirrored = image.clone();
+    mirrored.regions.sides = Some(sides.mirrored());
+    for (one, other) in all_along(&blade).iter().zip(all_along(&mirrored)).step_by(9) {
+        let ((ends, side), (image, turned)) = (names(one), names(&other));
+        for (a, b) in ends.iter().zip(image) {
+            assert!((a[0] - b[0]).hypot(a[1] + b[1]) < 0.2, "{a:?} {b:?} at {}", one.x_mm);
+        }
+        assert_ne!(side, turned);
+    }
+}
+
+#[test]
+#[ignore = "real blades, see corpus.rs"]
+fn corpus_edges_keep_their_names() {
+    let folder = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from);
+    let folder = folder.expect("BLADEWRIGHT_BLADES names the folder of real blades");
+    let (as_is, metres) = (None, Some(Unit::M));
+    let blades = [
+        ("turbine_blade_firtree.igs", as_is),
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", as_is),
+        ("tblade3_case7288/case7288_rotor_hubwedge.iges", as_is),
+        ("tblade3_case7288/case7288_rotor_blade.step", as_is),
+        ("tblade3_case7288/blade3d.Case7-28-8.dat", as_is),
+        ("turbine_blade_scan.stl", metres),
+        ("turbocharger_turbine_sector.stl", as_is),
+        ("rotor37/rotor37_DERIVED_loft_mm.step", as_is),
+        ("rotor37/profile_R37.dat", as_is),
+        ("hecc_impeller_main/hecc_main_DERIVED_loft_mm.step", as_is),
+        ("fan_sections/fan_DERIVED_loft.step", as_is),
+        ("fan_sections/ori-sections.dat", as_is),
+        ("dtmb_p4119/p4119_DERIVED_loft_mm.step", as_is),
+        ("turbodesigner_family/stage1_rotor.step", as_is),
+        ("turbodesigner_family/stage2_rotor.step", as_is),
+        ("turbodesigner_family/stage4_rotor.step", as_is),
+        ("kaplan_blade_DERIVED_from_brep.step", as_is),
+        ("je1_propeller_blade_ascii.stl", metres),
+        ("pyturbo_blade.stl", metres),
+        ("vki_blade_metres_open_shell.step", metres),
+        ("airfoil_22dx_single_surface.igs", as_is),
+    ];
+    let mut wrong = Vec::new();
+    for (file, unit) in blades {
+        let blade = load(&folder.join(file), unit);
+        // Where no section closes there is nothing to name.
+        let Ok(all) = section::plan(&blade, &SectionOptions { count: HEIGHTS, ..SectionOptions::default() }, &Silent)
+        else {
+            eprintln!("{file}: no section closes");
+            continue;
+        };
+        let found = jumps(&all);
+        eprintln!("{file}: {} sections, {} jumps", all.len(), found.len());
+        if !found.is_empty() {
+            wrong.push(format!("{file}: at {found:.2?} mm"));
+        }
+    }
+    assert!(wrong.is_empty(), "names jump: {wrong:#?}");
+}
