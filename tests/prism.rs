@@ -15,7 +15,7 @@ use bladewright::path::{self, PathOptions};
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::schedule::{self, ScheduleOptions};
 use bladewright::section::{self, SectionOptions};
-use bladewright::tool::{self, HolderStage, Tool};
+use bladewright::tool::{HolderStage, Tool};
 use bladewright::verify::{self, VerifyOptions};
 
 /// Radius of the profile's ends and half the length of its straight sides, mm.
