@@ -14,7 +14,7 @@ import { Ribbon } from './ribbon.js';
 const S = data.scene;
 const P = S.path;
 const pick = names => Object.fromEntries(names.map(n => [n, list(P?.[n])]));
-export const path = P ? { ...pick(['x', 'y', 'z', 'px', 'py', 'pz', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row']), turn: list(P.quantities[0].of) } : null;
+export const path = P ? { ...pick(['x', 'y', 'z', 'px', 'py', 'pz', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row', ...(P.ix ? ['ix', 'iy', 'iz'] : [])]), turn: list(P.quantities[0].of) } : null;
 
 /** Where between two points of the path a time or an arc length is. */
 const between = (rising, v) => {
@@ -138,10 +138,19 @@ export class View {
       const at = between(path.s, this.s);
       theta = mix(path.theta, at);
       const centre = new Vector3(mix(path.x, at), mix(path.y, at), mix(path.z, at));
-      const lean = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), axisOf(P.b, 0));
-      const turn = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), theta);
-      this.tool.matrix.compose(centre, turn.multiply(lean), new Vector3(1, 1, 1));
-      this.toolPlace = { centre, axis: axisOf(P.b, theta) };
+      const z = new Vector3(0, 0, 1);
+      if (path.ix) {
+        // Each location has a cone of its own: the tool axis itself is given, and the table turns with it.
+        const axis = new Vector3(mix(path.ix, at), mix(path.iy, at), mix(path.iz, at)).normalize();
+        theta = Math.atan2(axis.z, axis.y);
+        this.tool.matrix.compose(centre, new Quaternion().setFromUnitVectors(z, axis), new Vector3(1, 1, 1));
+        this.toolPlace = { centre, axis };
+      } else {
+        const lean = new Quaternion().setFromUnitVectors(z, axisOf(P.b, 0));
+        const turn = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), theta);
+        this.tool.matrix.compose(centre, turn.multiply(lean), new Vector3(1, 1, 1));
+        this.toolPlace = { centre, axis: axisOf(P.b, theta) };
+      }
     }
     const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
     if (this.mode === 'part') {

@@ -151,7 +151,7 @@ impl<'a> Writer<'a> {
         let (axes, leaning) = (run.machine.axes(), self.leaning());
         let turning = &axes[run.machine.turning_axis()];
         let (a_name, b_name) = (turning.name.as_str(), leaning.map_or("", |k| axes[k].name.as_str()));
-        let cone = match (leaning, run.machine.turns_the_blade()) {
+        let cone = match (leaning, run.turns_the_blade_alone()) {
             (None, _) => "No axis leans the tool".to_owned(),
             (_, true) => format!("{b_name} is fixed"),
             (_, false) => format!("{a_name} and {b_name} move together"),
@@ -471,7 +471,7 @@ impl<'a> Writer<'a> {
     fn left_out(&self, word: &Word) -> bool {
         let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
         let none = self.leaning().is_none();
-        let still = none || self.run.machine.turns_the_blade();
+        let still = none || self.run.turns_the_blade_alone();
         none && (says("b") || says("pb")) || still && (says("b_moving") || says("pb_moving"))
     }
 

@@ -186,3 +186,52 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
         }
     }
 }
+
+/// Each location has a cone of its own, whose axis and lean change along the path: feed, programs and their read-back, checks of the axes and
+/// previews take it from there.
+#[test]
+fn cones_that_change_along_the_path_are_carried_through() {
+    use crate::artifact::{Cone, Cones};
+    let wobbling = |k: usize| {
+        let at = std::f64::consts::TAU * k as f64 / 45.0;
+        Cone::new(Vector::new(1.0, 0.06 * at.cos(), 0.06 * at.sin()), Vector::y(), sample::B_RAD + 0.02 * at.sin())
+            .unwrap()
+    };
+    let (blade, tool) = (sample::blade(), sample::tool());
+    for (k, text) in [TRUNNION, FORK].into_iter().enumerate() {
+        let machine = Machine::from_toml(text, "test").unwrap();
+        let mut plan = sample::plan(2, 180);
+        let cones = Cones::along((0..plan.toolpath.locations.len()).map(wobbling).collect());
+        plan.toolpath = plan.toolpath.with_cones(cones);
+        let feed = crate::feed::FeedOptions::new(2000.0, tool.length_mm());
+        plan.motion =
+            crate::feed::plan(&plan.toolpath, &plan.schedule, &machine, &feed, &crate::observe::Silent).unwrap();
+        // The axes move on without a jump, and place ball and axis as the plan has them.
+        for (row, q) in plan.motion.position.iter().enumerate() {
+            let (pose, stand) = (machine.forward(q, tool.length_mm()), plan.stand(row).unwrap());
+            assert!(
+                (pose.centre - stand.centre).norm() < 1e-6 && (pose.axis - stand.axis()).norm() < 1e-9,
+                "{k} {row}"
+            );
+            let step = plan
+                .motion
+                .position
+                .get(row + 1)
+                .map_or(0.0, |next| (next[3] - q[3]).abs().max((next[4] - q[4]).abs()));
+            assert!(step < 0.3, "{k} {row}: {step}");
+        }
+        for control in Control::ALL {
+            let dialect = Dialect::built_in(control).unwrap();
+            let verified = Verified::for_tests(plan.clone(), sample::report(), false);
+            let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
+            let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
+            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.name != "program-rapids").collect();
+            assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
+            // The same text is not the program of the plan with one cone.
+            let mut other = plan.clone();
+            other.toolpath = other.toolpath.with_cones(Cones::about_blade(sample::B_RAD));
+            let wrong = read_back(&p, &other, &blade, &tool, &machine).unwrap();
+            assert!(wrong.iter().any(|c| !c.passed && c.name == "program-direction"), "{k} {control:?}");
+        }
+    }
+}

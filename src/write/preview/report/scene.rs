@@ -74,7 +74,7 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         })
         .collect();
     let mut of = |f: &dyn Fn(usize) -> f64| pack.list(picked.iter().map(|&i| f(i)));
-    json!({
+    let mut out = json!({
         "x": of(&|i| locations[i].centre.x), "y": of(&|i| locations[i].centre.y), "z": of(&|i| locations[i].centre.z),
         "px": of(&|i| locations[i].contact.x), "py": of(&|i| locations[i].contact.y), "pz": of(&|i| locations[i].contact.z),
         "s": of(&|i| locations[i].s_mm), "turn_s": of(&|i| locations[i].turn_s_mm),
@@ -83,5 +83,13 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         "min": of(&|i| plan.channel.rows[i].theta_min), "max": of(&|i| plan.channel.rows[i].theta_max),
         "row": of(&|i| i as f64), "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
         "quantities": quantities,
-    })
+    });
+    // Where one lean and θ do not say it: the tool axes themselves.
+    if plan.toolpath.cones.same().is_none_or(|c| !c.is_about_blade()) {
+        let axis = |i: usize| plan.toolpath.cone(i).tool_axis(plan.schedule.theta[i]);
+        for (key, k) in [("ix", 0), ("iy", 1), ("iz", 2)] {
+            out[key] = of(&|i| axis(i)[k]);
+        }
+    }
+    out
 }
