@@ -521,7 +521,7 @@ fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<Schedu
         let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
         Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
     };
-    let axes = &setup.machine.axes();
+    let axes = setup.machine.axes();
     Ok(vec![
         summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
         summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),
