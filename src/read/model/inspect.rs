@@ -6,7 +6,8 @@ use std::fmt::Write;
 use super::bodies::{Body, LISTED};
 use super::recognise::{self, wheel};
 use super::survey::Survey;
-use crate::artifact::blade::{Area, Diagnosis};
+use crate::artifact::blade::Diagnosis;
+use crate::artifact::region::Area;
 
 /// Openings that are listed.
 const OPENINGS: usize = 5;
@@ -133,7 +134,7 @@ fn found(out: &mut Lines, survey: &Survey) {
         let c = r.matrix().column(k);
         out.line("", &format!("{name} = ({:.6}, {:.6}, {:.6})", c[0] + 0.0, c[1] + 0.0, c[2] + 0.0));
     }
-    out.list("found", found.regions.reasons.iter().cloned());
+    out.list("found", found.heights.reasons.iter().cloned());
     out.list("regions", regions(survey));
 }
 
