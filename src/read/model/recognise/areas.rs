@@ -3,6 +3,8 @@
 //! By height along the blade axis, by the side a triangle faces, and, so that things beside the airfoil are told from it, by the
 //! boxes of the airfoil's sections. Faces of a B-rep that belong to one area by nearly all of their surface are taken whole.
 
+use std::collections::BTreeMap;
+
 use super::Recognised;
 use crate::artifact::region::Area;
 use crate::geometry::Point;
@@ -87,12 +89,22 @@ fn within(found: &Recognised, p: &Point) -> bool {
     (0..2).all(|k| q[k] > b[k] - wider * margin(k) && q[k] < b[k + 2] + wider * margin(k))
 }
 
+/// The area that each face belongs to by most of its surface.
+pub fn of_faces(mesh: &Mesh, areas: &[Area]) -> BTreeMap<u32, Area> {
+    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
+    for (t, area) in areas.iter().enumerate() {
+        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
+    }
+    let most = |by: &BTreeMap<Area, f64>| by.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
+    surface.iter().filter_map(|(face, by)| Some((*face, most(by)?))).collect()
+}
+
 fn take_whole(mesh: &Mesh, out: &mut [Area]) {
-    let mut surface: std::collections::BTreeMap<u32, std::collections::BTreeMap<Area, f64>> = Default::default();
+    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = Default::default();
     for (t, area) in out.iter().enumerate() {
         *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
     }
-    let whole: std::collections::BTreeMap<u32, Area> = surface
+    let whole: BTreeMap<u32, Area> = surface
         .iter()
         .filter_map(|(face, by)| {
             let total: f64 = by.values().sum();

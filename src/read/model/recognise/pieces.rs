@@ -1,8 +1,6 @@
 //! The regions of a part: for each area its faces or facets, the curves that bound it, and the names of its sides.
 
-use std::collections::BTreeMap;
-
-use super::areas::areas;
+use super::areas::{areas, of_faces};
 use super::sides::sides;
 use super::{Heights, Recognised};
 use crate::artifact::region::{Area, Boundary, Patch, Region, Regions};
@@ -13,11 +11,13 @@ pub fn pieces(part: &Part, found: &Recognised) -> Regions {
     let h = &found.heights;
     let is_exact = part.brep.is_some();
     let areas = areas(&part.mesh, found, is_exact);
+    let by_face = of_faces(&part.mesh, &areas);
+    let faces = |area| Patch::Faces(by_face.iter().filter(|(_, own)| **own == area).map(|(face, _)| *face).collect());
     let mut list: Vec<Region> = [Area::Airfoil, Area::Fillet, Area::Platform, Area::Root, Area::Tip, Area::Other]
         .into_iter()
         .map(|area| {
             let (start, end) = boundaries(h, area);
-            let patch = if is_exact { faces(part, &areas, area) } else { facets(&areas, area) };
+            let patch = if is_exact { faces(area) } else { facets(&areas, area) };
             Region { patch, ..Region::between(area, start, end) }
         })
         .filter(|r| r.area == Area::Airfoil || r.start.is_some() || !r.patch.is_empty())
@@ -37,17 +37,6 @@ fn boundaries(h: &Heights, area: Area) -> (Option<Boundary>, Option<Boundary>) {
         Area::Platform => (h.platform_x_mm.and_then(height), None),
         Area::Root | Area::Tip | Area::Other => (None, None),
     }
-}
-
-/// The faces that belong to an area by most of their surface.
-fn faces(part: &Part, areas: &[Area], area: Area) -> Patch {
-    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
-    for (t, area) in areas.iter().enumerate() {
-        let of_face = surface.entry(part.mesh.face(t)).or_default();
-        *of_face.entry(*area).or_default() += part.mesh.triangle_area_mm2(t);
-    }
-    let most = |by: &BTreeMap<Area, f64>| by.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
-    Patch::Faces(surface.iter().filter(|(_, by)| most(by) == Some(area)).map(|(face, _)| *face).collect())
 }
 
 /// The triangles of an area.
