@@ -518,14 +518,14 @@ fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) ->
 
 /// Figures of the schedule in use and of the fixed-lead baseline.
 fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
-    const A: usize = 3;
+    let a = setup.machine.turning_axis();
     let constant = |s: &Schedule| {
         let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
-        Result::Ok([peaks.velocity[A], peaks.acceleration[A]])
+        Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
     };
-    let names = setup.machine.axis_names();
+    let axes = &setup.machine.axes();
     Ok(vec![
-        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, names),
-        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, names),
+        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
+        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),
     ])
 }

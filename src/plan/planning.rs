@@ -208,7 +208,7 @@ pub(super) fn channel_as_far_as_it_goes(
         let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
         // An end that was asked for stays, and the first turn at least needs room above it.
         let end_mm = blocked
-            .region_may_end_mm
+            .region_may_end_mm()
             .filter(|_| setup.job.region.end_mm.is_none())
             .map(|end_mm: f64| end_mm.max(above_mm))
             .filter(|end_mm| *end_mm < setup.job.region.start_mm);
