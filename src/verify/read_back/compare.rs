@@ -259,15 +259,18 @@ impl Comparison<'_> {
             let (a, b) = (&rows[row].stand, &rows[row + 1].stand);
             let lean = a.cone.lean_rad.cos().to_degrees() / DIRECTION_DEG;
             let turn = about(&a.cone, pose) - a.theta;
+            let whole = if a.cone == b.cone {
+                b.theta - a.theta
+            } else {
+                wrapped(a.cone.theta_of(&b.axis(), 0.0).unwrap_or(b.theta) - a.theta)
+            };
             let off = Vector4::from_iterator(
                 (pose.centre - a.centre)
                     .iter()
                     .map(|v| v / CENTRE_MM)
                     .chain([lean * (turn - TAU * (turn / TAU).round())]),
             );
-            let way = Vector4::from_iterator(
-                (b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * (b.theta - a.theta)]),
-            );
+            let way = Vector4::from_iterator((b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * whole]));
             let length = way.norm_squared();
             let share = if length > 0.0 { (off.dot(&way) / length).clamp(0.0, 1.0) } else { 0.0 };
             let apart = (off - way * share).norm();
@@ -330,6 +333,11 @@ impl Comparison<'_> {
     fn cone(&self, row: usize) -> Cone {
         self.motion.rows().get(row).map_or(Cone::about_blade(0.0), |r| r.stand.cone)
     }
+}
+
+/// The angle within half a turn.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// The angle of a pose's tool axis about the axis of a cone, rad; 0 along it.
