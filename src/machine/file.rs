@@ -1,11 +1,8 @@
 //! Reading machine files, their checks, and what follows from the file alone.
 
-use std::path::Path;
-
 use super::chain::Chain;
 use super::config::{AxisLimits, AxisName, DEMO_TOML, Machine, Provenance, RotaryAxis};
 use crate::error::{Error, Result, Stage};
-use crate::files;
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -31,17 +28,6 @@ impl Machine {
         })?;
         machine.validate(origin)?;
         Ok(machine)
-    }
-
-    /// Reads a machine file.
-    ///
-    /// # Errors
-    /// Kind `InputOutput` where the file cannot be read, else as [`Machine::from_toml`].
-    pub fn load(path: &Path) -> Result<Self> {
-        let text = files::read_text(path, files::SHORT).map_err(|e| {
-            Error::io(Stage::Machine, format!("cannot read the machine file {}: {e}", path.display())).caused_by(e)
-        })?;
-        Self::from_toml(&text, &path.display().to_string())
     }
 
     /// The rotary axes: first the one nearest to the workpiece. The second is missing on a machine of four axes.
@@ -264,6 +250,5 @@ mod tests {
             assert_eq!(e.kind, ErrorKind::Usage);
             assert!(e.message.contains(names) && e.message.contains("m.toml"), "{}", e.message);
         }
-        assert_eq!(Machine::load(Path::new("/nonexistent.toml")).unwrap_err().kind, ErrorKind::InputOutput);
     }
 }
