@@ -180,7 +180,7 @@ fn timed(path: &Toolpath, s: &Schedule, machine: &Machine, options: &FeedOptions
 /// Greatest share of its limit among divided differences of the positions, by order.
 fn shares(m: &AxisMotion, machine: &Machine) -> [f64; 3] {
     let mut out = [0.0f64; 3];
-    for (k, l) in machine.limits().iter().enumerate() {
+    for (k, l) in machine.axes().iter().map(|a| a.limits).enumerate() {
         let mut values: Vec<f64> = m.position.iter().map(|q| q[k]).collect();
         for (order, most) in [l.velocity, l.acceleration, l.jerk].into_iter().enumerate() {
             let span = order + 1;
@@ -196,7 +196,7 @@ fn beside_peers(out: &mut String, n: usize) -> Result<(), String> {
     let machine = Machine::demo().map_err(|e| e.message)?;
     let (path, schedule) = ellipse(n);
     let mut text = String::from("#");
-    for l in machine.limits() {
+    for l in machine.axes().iter().map(|a| a.limits) {
         let _ = write!(text, " {} {} {}", l.velocity, l.acceleration, l.jerk);
     }
     text.push('\n');
@@ -253,7 +253,7 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let channel = channel::plan(&blade, &tool, &path, &ChannelOptions::default(), &Silent).map_err(|e| e.message)?;
     let machine = Machine::demo().map_err(|e| e.message)?;
     let feed = FeedOptions::new(2000.0, tool.length_mm());
-    let (f, a) = (feed.feed_mm_min / 60.0, machine.limits()[3]);
+    let (f, a) = (feed.feed_mm_min / 60.0, machine.axes()[machine.turning_axis()].limits);
     let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f), standing_mm: 0.0 });
     let _ = writeln!(out, "{}: {} cutter locations, {length:.0} mm", model.display(), path.locations.len());
     let kinds = [

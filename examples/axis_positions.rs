@@ -1,7 +1,7 @@
 //! Axis positions of poses, for comparing kinematics with other programs.
 //!
-//! Reads lines `x y z theta b` (ball centre in the blade frame in mm, angles in degrees) from standard input and prints the axis positions `X Y Z` and both
-//! rotary axes, that nearest to the workpiece first, of the demo machine or the one given, mm and degrees: `cargo run --release --example axis_positions GAUGE_LENGTH_MM [MACHINE.toml] < poses`.
+//! Reads lines `x y z theta b` (ball centre in the blade frame in mm, angles in degrees) from standard input and prints the positions of all axes, X, Y, Z and the rotary
+//! ones, that nearest to the workpiece first, of the demo machine or the one given, mm and degrees: `cargo run --release --example axis_positions GAUGE_LENGTH_MM [MACHINE.toml] < poses`.
 #![allow(clippy::print_stdout)]
 
 use std::io::BufRead;
@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let v = line.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>()?;
         let [x, y, z, theta, b] = v[..] else { return Err(format!("five numbers are needed: {line}").into()) };
         let q = machine.inverse(&Point::new(x, y, z), theta.to_radians(), b.to_radians(), gauge_mm);
-        println!("{:.12} {:.12} {:.12} {:.12} {:.12}", q[0], q[1], q[2], q[3].to_degrees(), q[4].to_degrees());
+        let words =
+            machine.axes().iter().zip(q.iter()).map(|(axis, v)| format!("{:.12}", axis.shown(*v))).collect::<Vec<_>>();
+        println!("{}", words.join(" "));
     }
     Ok(())
 }

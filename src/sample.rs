@@ -4,6 +4,7 @@
 //! the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
+use crate::artifact::Axes;
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Regions, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -206,7 +207,7 @@ fn schedule(theta: &[f64], ds: f64) -> Schedule {
 /// Axis positions on the demo machine at a feed of 20 mm/s.
 fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
     let (feed, machine, gauge) = (20.0, Machine::demo().unwrap(), tool().length_mm());
-    let position: Vec<[f64; 5]> =
+    let position: Vec<Axes> =
         path.locations.iter().zip(theta).map(|(l, t)| machine.inverse(&l.centre, *t, B_RAD, gauge)).collect();
     let start = path.locations[0].s_mm;
     let t_s: Vec<f64> = path.locations.iter().map(|l| (l.s_mm - start) / feed).collect();
@@ -217,11 +218,11 @@ fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
     AxisMotion { feed: vec![feed; t_s.len()], position, velocity, acceleration, jerk, time_s, t_s }
 }
 
-fn differences(rows: &[[f64; 5]], t: &[f64]) -> Vec<[f64; 5]> {
+fn differences(rows: &[Axes], t: &[f64]) -> Vec<Axes> {
     (0..rows.len())
         .map(|i| {
             let (lo, hi) = (i.saturating_sub(1), (i + 1).min(rows.len() - 1));
-            std::array::from_fn(|k| (rows[hi][k] - rows[lo][k]) / (t[hi] - t[lo]))
+            Axes::from_fn(rows[hi].len(), |k| (rows[hi][k] - rows[lo][k]) / (t[hi] - t[lo]))
         })
         .collect()
 }

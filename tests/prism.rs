@@ -15,7 +15,7 @@ use bladewright::path::{self, PathOptions};
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::schedule::{self, ScheduleOptions};
 use bladewright::section::{self, SectionOptions};
-use bladewright::tool::{self, HolderStage, Tool};
+use bladewright::tool::{HolderStage, Tool};
 use bladewright::verify::{self, VerifyOptions};
 
 /// Radius of the profile's ends and half the length of its straight sides, mm.
@@ -203,7 +203,7 @@ fn schedule_feed_and_checks() {
     let full = FEED_MM_MIN / 60.0;
     // From rest and to rest again; no limit binds in between. A is the slowest axis to come up: with limits a and j of acceleration and jerk
     // it takes v/a + a/j to the speed v, half of which is lost at either end.
-    let limits = machine.limits()[3];
+    let limits = machine.axes()[machine.turning_axis()].limits;
     let speed = turned / length * full;
     let lost = speed / limits.acceleration + limits.acceleration / limits.jerk;
     let from_rest = motion.time_s - length / full;

@@ -1,5 +1,6 @@
 //! What is carried between stages: one file per datum, plain, validated, without algorithms.
 //! Everything is in the blade frame, mm, radians, seconds (see the crate's page).
+pub mod axes;
 pub mod axis_motion;
 pub mod blade;
 pub mod channel;
@@ -16,6 +17,7 @@ pub mod section;
 pub mod tool_part;
 pub mod toolpath;
 
+pub use axes::Axes;
 pub use axis_motion::AxisMotion;
 pub use blade::Blade;
 pub use channel::Channel;

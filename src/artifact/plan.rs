@@ -1,5 +1,5 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
+use super::{Axes, AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -75,7 +75,7 @@ impl Plan {
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].
-    pub fn axes(&self) -> impl Iterator<Item = &[f64; 5]> {
+    pub fn axes(&self) -> impl Iterator<Item = &Axes> {
         let [before, after] = &self.leads;
         before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
     }

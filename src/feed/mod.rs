@@ -46,7 +46,7 @@ mod jerk;
 mod peaks;
 mod topp;
 
-use crate::artifact::{AxisMotion, Cone, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
@@ -140,11 +140,14 @@ pub fn plan_with_bound(
     let curve = axis_curve(path, schedule, machine, options)?;
     observer.check(Stage::Feed)?;
     let caps = caps::of_path(path, schedule, options);
-    let limits = machine.limits();
+    let axes = machine.axes();
     observer.progress(Stage::Feed, 0, path.locations.len());
     if options.limit_jerk {
-        let all = limits.map(|l| [l.velocity, l.acceleration, l.jerk]);
-        let profile = jerk::fastest(&curve, &all, options.feed_mm_min / 60.0, &caps, observer);
+        let limits = jerk::Limits::from_fn(axes.len(), |k| {
+            let l = axes[k].limits;
+            [l.velocity, l.acceleration, l.jerk]
+        });
+        let profile = jerk::fastest(&curve, &limits, options.feed_mm_min / 60.0, &caps, observer);
         observer.check(Stage::Feed)?;
         let profile = profile.ok_or_else(|| {
             Error::usage(
@@ -155,7 +158,8 @@ pub fn plan_with_bound(
         observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
         return Ok((smooth_motion(&curve, &profile), Some(profile.gap)));
     }
-    let profile = topp::fastest(&curve, &limits.map(|l| [l.velocity, l.acceleration]), &caps, observer)?;
+    let limits: Vec<_> = axes.iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
+    let profile = topp::fastest(&curve, &limits, &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
     Ok((motion(&curve, &profile), None))
 }
@@ -186,16 +190,17 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
         let deg = stand.cone.lean_rad.to_degrees();
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
-    let q = machine.along(&stands, options.gauge_length_mm).concat();
-    CubicSpline::new(&s, &q, 5, &Ends::Natural).map_err(|e| {
+    let q = machine.along(&stands, options.gauge_length_mm);
+    let q: Vec<f64> = q.iter().flat_map(|row| row.iter().copied()).collect();
+    CubicSpline::new(&s, &q, machine.axes().len(), &Ends::Natural).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
     })
 }
 
 /// Position, first and second derivative of every axis at the start of interval `i`, plus `t`.
-fn at(curve: &CubicSpline, i: usize, t: f64) -> [[f64; 3]; 5] {
-    std::array::from_fn(|k| {
+fn at(curve: &CubicSpline, i: usize, t: f64) -> Axes<[f64; 3]> {
+    Axes::from_fn(curve.functions(), |k| {
         let [a, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
         [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
     })
@@ -216,7 +221,7 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     feed[0] = feed[1];
     let mut position = Vec::with_capacity(n);
     let mut velocity = Vec::with_capacity(n);
-    let mut acceleration: Vec<[f64; 5]> = Vec::with_capacity(n);
+    let mut acceleration: Vec<Axes> = Vec::with_capacity(n);
     for i in 0..n {
         let interval = i.min(n - 2);
         let d = at(curve, interval, s[i] - s[interval]);
@@ -227,7 +232,7 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     }
     let quotient = |i: usize| {
         let dt = t_s[i + 1] - t_s[i];
-        std::array::from_fn(|k| (acceleration[i + 1][k] - acceleration[i][k]) / dt)
+        Axes::from_fn(curve.functions(), |k| (acceleration[i + 1][k] - acceleration[i][k]) / dt)
     };
     let jerk = (0..n).map(|i| quotient(i.min(n - 2))).collect();
     AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
@@ -262,7 +267,7 @@ fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
         out.acceleration.push(d.map(|q| q[1] * u + q[2] * x));
         // At rest the jerk along the path itself is given.
         let along = if x > 0.0 { v * w } else { w };
-        out.jerk.push(std::array::from_fn(|k| third(k) * x * v + 3.0 * d[k][2] * v * u + d[k][1] * along));
+        out.jerk.push(Axes::from_fn(curve.functions(), |k| third(k) * x * v + 3.0 * d[k][2] * v * u + d[k][1] * along));
     }
     for i in 1..n {
         out.feed[i] = (s[i] - s[i - 1]) / (out.t_s[i] - out.t_s[i - 1]);

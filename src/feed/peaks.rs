@@ -1,20 +1,20 @@
 //! What the axes would have to do at constant feed: to compare schedules.
 
 use super::FeedOptions;
-use crate::artifact::{Schedule, Toolpath};
+use crate::artifact::{Axes, Schedule, Toolpath};
 use crate::error::Result;
 use crate::machine::Machine;
 
-/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`Machine::axis_names`];
-/// mm or rad, and s.
+/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`Machine::axes`]; mm or
+/// rad, and s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisPeaks {
     /// Velocities, mm/s or rad/s.
-    pub velocity: [f64; 5],
+    pub velocity: Axes,
     /// Accelerations, mm/s² or rad/s².
-    pub acceleration: [f64; 5],
+    pub acceleration: Axes,
     /// Jerks, mm/s³ or rad/s³.
-    pub jerk: [f64; 5],
+    pub jerk: Axes,
 }
 
 /// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F`, `q'' F²` and `q''' F³`.
@@ -24,11 +24,12 @@ pub struct AxisPeaks {
 pub fn peaks(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &FeedOptions) -> Result<AxisPeaks> {
     let curve = super::axis_curve(path, schedule, machine, options)?;
     let feed = options.feed_mm_min / 60.0;
-    let mut out = AxisPeaks::default();
+    let none = Axes::of_default(curve.functions());
+    let mut out = AxisPeaks { velocity: none, acceleration: none, jerk: none };
     let s = curve.abscissae();
     for i in 0..s.len() {
         let interval = i.min(s.len() - 2);
-        for (k, [_, q1, q2]) in super::at(&curve, interval, s[i] - s[interval]).into_iter().enumerate() {
+        for (k, [_, q1, q2]) in super::at(&curve, interval, s[i] - s[interval]).iter().enumerate() {
             out.velocity[k] = out.velocity[k].max((q1 * feed).abs());
             out.acceleration[k] = out.acceleration[k].max((q2 * feed * feed).abs());
             let third = curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);

@@ -58,7 +58,7 @@ fn options(feed_mm_min: f64) -> FeedOptions {
 /// Every limit, at the locations (both sides) and densely between them.
 fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedOptions) {
     let curve = axis_curve(p, s, machine, o).unwrap();
-    let limits = machine.limits().map(|l| [l.velocity, l.acceleration]);
+    let limits: Vec<_> = machine.axes().iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let feed = o.feed_mm_min / 60.0;
     let at_s = curve.abscissae();
     let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()], &Silent).unwrap();
@@ -69,7 +69,7 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
             let more = 1.0 + 1e-6;
             let x = (profile.x[i] + 2.0 * t * profile.u[i]).max(0.0);
             assert!(x.sqrt() <= feed * more);
-            for ([_, q1, q2], [v, a]) in at(&curve, i, t).into_iter().zip(limits) {
+            for ([_, q1, q2], [v, a]) in at(&curve, i, t).iter().zip(&limits) {
                 assert!(q1.abs() * x.sqrt() <= v * more, "velocity at {i} + {k}/8");
                 assert!((q1 * profile.u[i] + q2 * x).abs() <= a * more, "acceleration at {i} + {k}/8");
             }
@@ -93,7 +93,7 @@ fn wavy(n: usize, step: f64, wave: f64) -> Vec<(f64, Point, f64)> {
 #[test]
 fn a_straight_line_takes_the_time_of_a_trapezoid() {
     let machine = Machine::demo().unwrap();
-    let a = machine.axes.x.acceleration_mm_s2;
+    let a = machine.axes()[0].limits.acceleration;
     for (length, feed) in [(100.0, 100.0), (2.0, 400.0)] {
         let n = 4001;
         let points: Vec<_> = (0..n)
@@ -128,7 +128,7 @@ fn on_a_circle_the_speed_is_held_by_the_centripetal_acceleration() {
     let (p, s) = path(&points);
     let o = options(400.0 * 60.0);
     let m = plan(&p, &s, &machine, &o, &Silent).unwrap();
-    let most = (machine.axes.x.acceleration_mm_s2 * r).sqrt();
+    let most = (machine.axes()[0].limits.acceleration * r).sqrt();
     for quarter in 2..10 {
         let i = quarter * 120;
         let v = m.velocity[i][0].hypot(m.velocity[i][1]);
@@ -151,7 +151,7 @@ fn a_turning_table_is_held_by_its_own_limits() {
         .collect();
     let (p, s) = path(&points);
     let m = plan(&p, &s, &machine, &options(60000.0), &Silent).unwrap();
-    let (v, a) = (PI, machine.limits()[3].acceleration);
+    let (v, a) = (PI, machine.axes()[3].limits.acceleration);
     let want = 50.0 * k / v + v / a;
     assert!((m.time_s / want - 1.0).abs() < 1e-3, "{} {want}", m.time_s);
     let double = plan(&p, &s, &machine.with_limits_scaled(4.0), &options(60000.0), &Silent).unwrap();
@@ -246,7 +246,7 @@ proptest! {
 /// Divided differences of the written positions: averages of the derivative, so none may exceed its limit. As anybody would
 /// take them from `axes.csv`.
 fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
-    let limits = machine.limits();
+    let limits: Vec<_> = machine.axes().iter().map(|a| a.limits).collect();
     for k in 0..5 {
         let mut values: Vec<f64> = m.position.iter().map(|q| q[k]).collect();
         for (order, most) in [limits[k].velocity, limits[k].acceleration, limits[k].jerk].into_iter().enumerate() {
@@ -267,7 +267,7 @@ fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
 #[test]
 fn within_jerk_a_straight_line_takes_the_time_of_its_s_curve() {
     let machine = Machine::demo().unwrap();
-    let (length, feed, jerk) = (100.0, 100.0, machine.axes.x.jerk_mm_s3);
+    let (length, feed, jerk) = (100.0, 100.0, machine.axes()[0].limits.jerk);
     let points: Vec<_> = (0..=800)
         .map(|i| (length * f64::from(i) / 800.0, Point::new(length * f64::from(i) / 800.0, 5.0, 7.0), 1.0))
         .collect();
@@ -289,7 +289,7 @@ fn within_jerk_acceleration_is_continuous_and_time_hardly_more() {
     let m = plan(&p, &s, &machine, &FeedOptions { limit_jerk: true, ..options(3000.0) }, &Silent).unwrap();
     assert!(m.time_s > 0.998 * fast.time_s && m.time_s < 1.1 * fast.time_s, "{} {}", m.time_s, fast.time_s);
     assert_differences_within_limits(&m, &machine);
-    let limits = machine.limits();
+    let limits: Vec<_> = machine.axes().iter().map(|a| a.limits).collect();
     for i in 1..m.t_s.len() {
         let dt = m.t_s[i] - m.t_s[i - 1];
         for k in 0..5 {

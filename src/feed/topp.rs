@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::artifact::axes::MOST_AXES;
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::CubicSpline;
 use crate::observe::Observer;
@@ -22,7 +23,7 @@ pub(super) struct Profile {
 }
 
 /// Bernstein coefficients of the acceleration of all axes over an interval.
-const ROWS: usize = 15;
+const ROWS: usize = 3 * MOST_AXES;
 
 /// Limits of all axes' accelerations over an interval, each a strip `|a u + b x| ≤ 1`, solved for `u`.
 ///
@@ -34,6 +35,8 @@ struct Strips {
     slope: [f64; ROWS],
     /// `1/|a|`: half its height; without end where `u` does not matter.
     half: [f64; ROWS],
+    /// How many of them the machine has.
+    rows: usize,
     /// Greatest `x` by strips in which `u` does not matter, and by the caps of ṡ² at the start of the interval.
     most_here: f64,
     /// Greatest `x` at its end by the caps.
@@ -52,12 +55,12 @@ struct Range {
 
 impl Strips {
     /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in each interval.
-    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]; 5], most: &[f64]) -> Strips {
+    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]], most: &[f64]) -> Strips {
         let s = curve.abscissae();
         let h = s[i + 1] - s[i];
         let own = most.get(i).copied().unwrap_or(f64::INFINITY);
-        let mut out =
-            Strips { slope: [0.0; ROWS], half: [f64::INFINITY; ROWS], most_here: own, most_there: own, length: h };
+        let (slope, half, rows) = ([0.0; ROWS], [f64::INFINITY; ROWS], 3 * limits.len());
+        let mut out = Strips { slope, half, rows, most_here: own, most_there: own, length: h };
         for (k, [velocity, acceleration]) in limits.iter().enumerate() {
             // q' = b + 2ct + 3dt², q'' = 2c + 6dt, q' + 2t q'' = b + 6ct + 15dt².
             let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
@@ -82,7 +85,7 @@ impl Strips {
 
     fn range(&self, x: f64) -> Range {
         let mut r = Range { low: f64::NEG_INFINITY, low_slope: 0.0, high: f64::INFINITY, high_slope: 0.0 };
-        for (slope, half) in self.slope.iter().zip(&self.half) {
+        for (slope, half) in self.slope.iter().zip(&self.half).take(self.rows) {
             let (low, high) = (slope * x - half, slope * x + half);
             if high < r.high {
                 (r.high, r.high_slope) = (high, *slope);
@@ -127,7 +130,7 @@ impl Strips {
 /// ṡ² in each interval.
 pub(super) fn fastest(
     curve: &CubicSpline,
-    limits: &[[f64; 2]; 5],
+    limits: &[[f64; 2]],
     most: &[f64],
     observer: &dyn Observer,
 ) -> Result<Profile> {

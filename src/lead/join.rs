@@ -1,7 +1,7 @@
 //! Leads put to the ends of path and schedule, for the feed, and the motion of both taken apart again.
 
 use crate::artifact::toolpath::CutterLocation;
-use crate::artifact::{AxisMotion, Lead, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisMotion, Lead, Schedule, Toolpath};
 
 /// Path and schedule with the leads at their ends. Arc lengths go on before the start, below 0, and behind the end. Only what the feed needs is
 /// made: locations, their angles and arc lengths; turns and pieces of the schedule are those of the path alone.
@@ -50,7 +50,7 @@ pub fn split(whole: &AxisMotion, leads: [Lead; 2]) -> (AxisMotion, [Lead; 2]) {
 }
 
 fn cut(m: &AxisMotion, rows: std::ops::Range<usize>) -> AxisMotion {
-    let of = |list: &[[f64; 5]]| list.get(rows.clone()).unwrap_or_default().to_vec();
+    let of = |list: &[Axes]| list.get(rows.clone()).unwrap_or_default().to_vec();
     let t_s = m.t_s.get(rows.clone()).unwrap_or_default().to_vec();
     AxisMotion {
         time_s: t_s.last().unwrap_or(&0.0) - t_s.first().unwrap_or(&0.0),

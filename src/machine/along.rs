@@ -5,32 +5,31 @@
 //! there the way nearest to where they stood is taken, so that they move on without a jump.
 
 use super::Machine;
-use crate::artifact::Stand;
+use crate::artifact::{Axes, Stand};
 
 impl Machine {
     /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several bring it there;
     /// `None`: near 0. `gauge_length_mm` as in [`Machine::inverse`]. Not numbers where the machine does not reach it.
-    pub fn place(&self, stand: &Stand, near: Option<&[f64; 5]>, gauge_length_mm: f64) -> [f64; 5] {
+    pub fn place(&self, stand: &Stand, near: Option<&Axes>, gauge_length_mm: f64) -> Axes {
         if stand.cone.is_about_blade() {
             return self.inverse(&stand.centre, stand.theta, stand.cone.lean_rad, gauge_length_mm);
         }
-        let rotary = self.turn_to(stand, near);
-        let [x, y, z] = self.linear_at(&stand.centre, rotary, gauge_length_mm);
-        [x, y, z, rotary[0], rotary[1]]
+        self.linear_at(&stand.centre, &self.turn_to(stand, near), gauge_length_mm)
     }
 
-    /// Rotary positions (rad) of a tool that stands so, as [`Machine::place`] has them.
-    pub fn turn_to(&self, stand: &Stand, near: Option<&[f64; 5]>) -> [f64; 2] {
+    /// The rotary axes (rad) where a tool stands so, as [`Machine::place`] has them.
+    pub fn turn_to(&self, stand: &Stand, near: Option<&Axes>) -> Axes {
         if stand.cone.is_about_blade() {
             return self.rotary_of(stand.theta, stand.cone.lean_rad);
         }
-        let near = near.map_or([0.0; 2], |q| [q[3], q[4]]);
-        self.rotary_of_axis(&stand.axis(), near).unwrap_or([f64::NAN; 2])
+        let count = self.axes().len();
+        let near = near.copied().unwrap_or(Axes::of_default(count));
+        self.rotary_of_axis(&stand.axis(), &near).unwrap_or(Axes::from_fn(count, |_| f64::NAN))
     }
 
     /// Axis positions along a motion, each nearest to those before it.
-    pub fn along<'a>(&self, stands: impl IntoIterator<Item = &'a Stand>, gauge_length_mm: f64) -> Vec<[f64; 5]> {
-        let mut out: Vec<[f64; 5]> = Vec::new();
+    pub fn along<'a>(&self, stands: impl IntoIterator<Item = &'a Stand>, gauge_length_mm: f64) -> Vec<Axes> {
+        let mut out: Vec<Axes> = Vec::new();
         for stand in stands {
             let placed = self.place(stand, out.last(), gauge_length_mm);
             out.push(placed);

@@ -1,4 +1,4 @@
-//! Chains of axes in general: forward kinematics as a product of motions, inverse kinematics in closed form.
+//! Chains of axes: forward kinematics as a product of motions, inverse kinematics in closed form.
 //!
 //! A chain lists the axes from the workpiece to the tool. Every axis is a motion `E(q)` of all that follows it in the list, against all that comes
 //! before: a shift by `q` along a direction, or the right-hand turn by `q` about a line. Directions and lines are those of the machine while all axes read 0. So the
@@ -36,9 +36,9 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
-use super::Machine;
-use super::config::{AxisName, RotaryAxis};
+use super::axis::Axis;
 use super::kinematics::Pose;
+use crate::artifact::Axes;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
@@ -52,8 +52,11 @@ const ROUNDING: f64 = 1e-9;
 /// The same for a tool axis that was read from a program: its words are rounded. What is reached is a position; it is the axis there that counts.
 const WORDS: f64 = 1e-4;
 
+/// Angles are counted from half a turn before this one on, rad: not from where blades are clamped, at which rounding would decide the turn.
+const CUT_RAD: f64 = 0.1;
+
 /// A rotary axis of a chain.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Turn {
     direction: Unit<Vector>,
     point: Point,
@@ -61,36 +64,44 @@ struct Turn {
 }
 
 impl Turn {
-    fn new(name: AxisName, axis: &RotaryAxis) -> Option<Self> {
-        let direction = Vector::from(axis.direction.unwrap_or_else(|| name.unit()));
-        Some(Turn {
-            direction: Unit::try_new(direction, 1e-9)?,
-            point: Point::from(axis.point_mm.unwrap_or([0.0; 3])),
-            travel: axis.min_deg.zip(axis.max_deg).map(|(lo, hi)| [lo.to_radians(), hi.to_radians()]),
-        })
+    fn of(axis: &Axis) -> Self {
+        Turn { direction: axis.direction, point: axis.point, travel: axis.limits.travel }
     }
     fn rotation(&self, q: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::from_axis_angle(&self.direction, q)
     }
-    fn motion(&self, q: f64) -> Rigid {
-        let rotation = self.rotation(q);
+    fn motion(&self, rotation: UnitQuaternion<f64>) -> Rigid {
         Rigid::from_parts((self.point - rotation * self.point).into(), rotation)
     }
 }
 
-/// A chain ready to be computed with.
-#[derive(Clone, Debug)]
-pub(super) struct Chain {
+/// Columns of a head's axes in the rows of the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Columns {
+    linear: [usize; 3],
     /// From the workpiece.
+    first: usize,
+    /// None: a head of four axes.
+    second: Option<usize>,
+}
+
+/// A tool of the machine and the axes between the workpiece and it, ready to be computed with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Head {
+    columns: Columns,
     first: Turn,
-    /// None: a machine of four axes.
     second: Option<Turn>,
     /// X, Y, Z: direction, and how many rotary axes come before.
     linear: [(Vector, usize); 3],
     gauge: Point,
     tool: Vector,
-    /// Blade frame to the workpiece's side of the chain.
+    /// Blade frame to the workpiece's side of the chain, and back.
     mount: Rigid,
+    blade: Rigid,
+    /// The first rotary axis in the blade frame.
+    first_in_blade: Vector,
+    /// `k₀`, `ρ`, `φ` of the module's page; `None` for four axes, or a second axis that is along the first or along the tool.
+    tilt: Option<[f64; 3]>,
 }
 
 /// How the rotary axes stand along a cone of tool axes.
@@ -104,34 +115,115 @@ struct Posture {
     excess: f64,
 }
 
-impl Chain {
-    /// The chain of a machine that has one; `None` where it has none or it is none.
-    pub(super) fn of(machine: &Machine) -> Option<Self> {
-        let mut turns = Vec::new();
+/// Positions of the rotary axes of a chain, as rotations.
+struct Turned {
+    first: UnitQuaternion<f64>,
+    second: UnitQuaternion<f64>,
+}
+
+impl Head {
+    /// A head on some axes of a machine, `links` being their columns from the workpiece to the tool. `spindle`: gauge point and tool axis while all
+    /// axes read 0. `mount`: blade frame to machine coordinates then. `None` where the links are not three linear axes and one or two rotary ones.
+    pub(super) fn new(axes: &[Axis], links: &[usize], spindle: (Point, Unit<Vector>), mount: Rigid) -> Option<Self> {
+        let is_rotary = |k: &usize| axes.get(*k).is_some_and(Axis::is_rotary);
+        let rotary: Vec<usize> = links.iter().copied().filter(is_rotary).collect();
+        let (first, second) = match rotary[..] {
+            [first] => (first, None),
+            [first, second] => (first, Some(second)),
+            _ => return None,
+        };
+        let mut columns = Columns { linear: [usize::MAX; 3], first, second };
         let mut linear = [(Vector::zeros(), 0); 3];
-        for name in &machine.chain {
-            match name.linear() {
-                Some(k) => {
-                    let own = machine.axes.linear(k).direction.unwrap_or_else(|| name.unit());
-                    linear[k] = (Vector::from(own).try_normalize(1e-9)?, turns.len());
-                }
-                None => turns.push(Turn::new(*name, machine.axes.rotary(*name)?)?),
+        for (at, k) in links.iter().enumerate() {
+            let axis = axes.get(*k)?;
+            if let Some(own) = axis.letter.linear() {
+                columns.linear[own] = *k;
+                linear[own] = (axis.direction.into_inner(), links[..at].iter().filter(|k| is_rotary(k)).count());
             }
         }
-        let spindle = machine.spindle.unwrap_or_default();
-        let along = Vector::from(machine.mount.along.unwrap_or([1.0, 0.0, 0.0])).try_normalize(1e-9)?;
-        // Straight back is half a turn about Z.
-        let placed = UnitQuaternion::rotation_between(&Vector::x(), &along)
-            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector::z_axis(), std::f64::consts::PI));
-        let clamped = UnitQuaternion::from_axis_angle(&Vector::x_axis(), machine.mount.clamping_deg.to_radians());
-        Some(Chain {
-            first: *turns.first()?,
-            second: turns.get(1).copied(),
+        let (gauge, tool) = (spindle.0, spindle.1.into_inner());
+        let blade = mount.inverse();
+        let mut head = Head {
+            columns,
+            first: Turn::of(&axes[first]),
+            second: second.map(|k| Turn::of(&axes[k])),
             linear,
-            gauge: Point::from(spindle.gauge_mm),
-            tool: Vector::from(spindle.direction).try_normalize(1e-9)?,
-            mount: Rigid::from_parts(Vector::from(machine.mount.offset_mm).into(), placed * clamped),
-        })
+            gauge,
+            tool,
+            mount,
+            blade,
+            first_in_blade: Vector::zeros(),
+            tilt: None,
+        };
+        head.prepare();
+        (!columns.linear.contains(&usize::MAX)).then_some(head)
+    }
+
+    /// The same head where directions, places or limits of the machine's axes are others.
+    pub(super) fn with_axes(&self, axes: &[Axis]) -> Self {
+        let mut head = self.clone();
+        head.first = Turn::of(&axes[self.columns.first]);
+        head.second = self.columns.second.map(|k| Turn::of(&axes[k]));
+        for (own, k) in head.linear.iter_mut().zip(self.columns.linear) {
+            own.0 = axes[k].direction.into_inner();
+        }
+        head.prepare();
+        head
+    }
+
+    /// What follows from directions alone.
+    fn prepare(&mut self) {
+        let u = self.first.direction;
+        self.first_in_blade = self.blade.rotation * u.into_inner();
+        self.tilt = self.second.and_then(|s| {
+            let k0 = u.dot(&s.direction) * s.direction.dot(&self.tool);
+            let [c, s] = [u.dot(&self.tool) - k0, u.dot(&s.direction.cross(&self.tool))];
+            let rho = c.hypot(s);
+            (rho > PARALLEL_RAD).then(|| [k0, rho, s.atan2(c)])
+        });
+    }
+
+    /// Columns of X, Y and Z.
+    pub fn linear(&self) -> [usize; 3] {
+        self.columns.linear
+    }
+
+    /// Columns of the rotary axes, that nearest to the workpiece first.
+    pub fn rotary(&self) -> impl Iterator<Item = usize> + Clone + use<> {
+        [Some(self.columns.first), self.columns.second].into_iter().flatten()
+    }
+
+    /// Column of the rotary axis nearest to the workpiece.
+    pub fn turning_axis(&self) -> usize {
+        self.columns.first
+    }
+
+    /// Blade frame to machine coordinates while all axes read 0.
+    pub(super) fn mount(&self) -> &Rigid {
+        &self.mount
+    }
+
+    /// The tool axis in machine coordinates while all axes read 0.
+    pub(super) fn tool(&self) -> &Vector {
+        &self.tool
+    }
+
+    /// How far a point lies behind the gauge line along the tool while all axes read 0, mm.
+    pub(super) fn along_tool_mm(&self, p: &Point) -> f64 {
+        (p - self.gauge).dot(&self.tool)
+    }
+
+    /// Puts positions of the rotary axes into a row.
+    fn put(&self, [q1, q2]: [f64; 2], at: &mut Axes) {
+        at[self.columns.first] = q1;
+        if let Some(k) = self.columns.second {
+            at[k] = q2;
+        }
+    }
+
+    /// Positions of the rotary axes in a row.
+    fn rotary_in(&self, at: &Axes) -> [f64; 2] {
+        [at[self.columns.first], self.columns.second.map_or(0.0, |k| at[k])]
     }
 
     /// Distance of a point of the part from the rotary axis nearest to it, mm.
@@ -139,65 +231,80 @@ impl Chain {
         (self.mount * p - self.first.point).cross(&self.first.direction).norm()
     }
 
-    /// All rotary axes at these positions, the linear ones at 0.
-    fn turned(&self, [q1, q2]: [f64; 2]) -> Rigid {
-        let first = self.first.motion(q1);
-        self.second.map_or(first, |s| first * s.motion(q2))
+    fn at(&self, [q1, q2]: [f64; 2]) -> Turned {
+        let second = self.second.map_or_else(UnitQuaternion::identity, |s| s.rotation(q2));
+        Turned { first: self.first.rotation(q1), second }
+    }
+
+    /// All rotary axes turned, the linear ones at 0.
+    fn turned(&self, at: &Turned) -> Rigid {
+        let first = self.first.motion(at.first);
+        self.second.map_or(first, |s| first * s.motion(at.second))
     }
 
     /// Shifts of X, Y, Z seen from the workpiece, in columns.
-    fn shifts(&self, [q1, q2]: [f64; 2]) -> Matrix3<f64> {
+    fn shifts(&self, at: &Turned) -> Matrix3<f64> {
         let column = |(direction, before): &(Vector, usize)| match (before, &self.second) {
             (0, _) => *direction,
-            (2, Some(s)) => self.first.rotation(q1) * (s.rotation(q2) * direction),
-            _ => self.first.rotation(q1) * direction,
+            (2, Some(_)) => at.first * (at.second * direction),
+            _ => at.first * direction,
         };
         Matrix3::from_columns(&[column(&self.linear[0]), column(&self.linear[1]), column(&self.linear[2])])
     }
 
     /// Whether X, Y, Z reach all places with the rotary axes at 0.
     pub(super) fn spans_space(&self) -> bool {
-        self.shifts([0.0; 2]).determinant().abs() > 1e-3
+        self.shifts(&self.at([0.0; 2])).determinant().abs() > 1e-3
     }
 
-    pub(super) fn forward(&self, axes: &[f64; 5], gauge_length_mm: f64) -> Pose {
-        let [x, y, z, rotary @ ..] = *axes;
-        let turned = self.turned(rotary);
-        let at = turned * (self.gauge - self.tool * gauge_length_mm) + self.shifts(rotary) * Vector::new(x, y, z);
-        let blade = self.mount.inverse();
-        Pose { centre: blade * at, axis: blade * (turned * self.tool) }
+    /// The pose of the tool in the blade frame at positions of the machine's axes (mm, rad). `gauge_length_mm`: from the ball centre to the
+    /// spindle's gauge line.
+    pub fn forward(&self, row: &Axes, gauge_length_mm: f64) -> Pose {
+        let at = self.at(self.rotary_in(row));
+        let (turned, shift) = (self.turned(&at), Vector::from(self.columns.linear.map(|k| row[k])));
+        let centre = turned * (self.gauge - self.tool * gauge_length_mm) + self.shifts(&at) * shift;
+        Pose { centre: self.blade * centre, axis: self.blade * (turned * self.tool) }
     }
 
-    /// See [`Machine::blade_from_frame_fixed_at`]; rotary axes of the tool at 0.
-    pub(super) fn blade_from_frame_fixed_at(&self, table: [f64; 2]) -> Rigid {
-        self.mount.inverse() * self.turned(table) * self.mount
+    /// From the frame fixed to the workpiece, the rotary axes turned as in a row, to the blade frame.
+    pub(super) fn blade_from_turned(&self, row: &Axes) -> Rigid {
+        self.blade * self.turned(&self.at(self.rotary_in(row))) * self.mount
     }
 
-    /// The tool axis, blade frame.
-    pub(super) fn axis(&self, rotary: [f64; 2]) -> Vector {
-        self.mount.rotation.inverse() * (self.turned(rotary).rotation * self.tool)
+    /// The tool axis where the rotary axes stand, blade frame.
+    pub(super) fn axis(&self, row: &Axes) -> Vector {
+        self.axis_of(self.rotary_in(row))
     }
 
-    /// X, Y, Z that bring the ball there; not numbers where their directions do not reach it.
-    pub(super) fn linear(&self, centre: &Point, rotary: [f64; 2], gauge_length_mm: f64) -> [f64; 3] {
-        let from = self.turned(rotary) * (self.gauge - self.tool * gauge_length_mm);
-        let shift = self.shifts(rotary);
-        let solved = shift.try_inverse().map(|inverse| inverse * (self.mount * centre - from));
-        solved.map_or([f64::NAN; 3], Into::into)
+    fn axis_of(&self, rotary: [f64; 2]) -> Vector {
+        self.blade.rotation * (self.turned(&self.at(rotary)).rotation * self.tool)
     }
 
-    /// `k₀`, `ρ`, `φ` of the module's page; `None` for four axes, or a second axis that is along the first or along the tool.
-    fn second_axis(&self) -> Option<(f64, f64, f64)> {
-        let (u, s) = (self.first.direction, self.second?);
-        let k0 = u.dot(&s.direction) * s.direction.dot(&self.tool);
-        let [c, s] = [u.dot(&self.tool) - k0, u.dot(&s.direction.cross(&self.tool))];
-        let rho = c.hypot(s);
-        (rho > PARALLEL_RAD).then(|| (k0, rho, s.atan2(c)))
+    /// Moves X, Y, Z in a row so that the ball comes there; not numbers where their directions do not reach it.
+    pub(super) fn place_linear(&self, centre: &Point, gauge_length_mm: f64, row: &mut Axes) {
+        let at = self.at(self.rotary_in(row));
+        let from = self.turned(&at) * (self.gauge - self.tool * gauge_length_mm);
+        let solved = self.shifts(&at).try_inverse().map(|inverse| inverse * (self.mount * centre - from));
+        for (k, own) in self.columns.linear.into_iter().enumerate() {
+            row[own] = solved.map_or(f64::NAN, |s| s[k]);
+        }
+    }
+
+    /// Moves the head's axes in a row so that the tool stands at a ball centre of the blade frame with an angle `θ` and a lean; not numbers where it
+    /// does not reach that. Other heads' own axes stay.
+    pub fn place(&self, centre: &Point, theta_rad: f64, lean_rad: f64, gauge_length_mm: f64, row: &mut Axes) {
+        self.place_rotary(theta_rad, lean_rad, row);
+        self.place_linear(centre, gauge_length_mm, row);
+    }
+
+    /// Turns the rotary axes in a row to an angle `θ` and a lean.
+    pub(super) fn place_rotary(&self, theta_rad: f64, lean_rad: f64, row: &mut Axes) {
+        self.put(self.rotary_of(theta_rad, lean_rad), row);
     }
 
     /// Positions of the second axis of both branches for a tool axis with that cosine to the first; `None`: out of reach by more than `slack`.
     fn second_of(&self, cosine: f64, slack: f64) -> Option<[f64; 2]> {
-        let Some((k0, rho, phi)) = self.second_axis() else {
+        let Some([k0, rho, phi]) = self.tilt else {
             let fixed = self.second.is_none() && (self.first.direction.dot(&self.tool) - cosine).abs() < slack;
             return fixed.then_some([0.0; 2]);
         };
@@ -208,20 +315,16 @@ impl Chain {
 
     /// Least and greatest cosine between the first rotary axis and the tool axes of a cone.
     fn cosines(&self, lean_rad: f64) -> [f64; 2] {
-        let w = self.first_in_blade();
+        let w = self.first_in_blade;
         let across = w.y.hypot(w.z);
         let (along, apart) = (w.x * lean_rad.sin(), across * lean_rad.cos());
         // Parallel: one value, to the bit.
         if across < PARALLEL_RAD { [along; 2] } else { [along - apart, along + apart] }
     }
 
-    fn first_in_blade(&self) -> Vector {
-        self.mount.rotation.inverse() * self.first.direction.into_inner()
-    }
-
     /// Whether the first rotary axis is along the blade axis, and its sense then: 1 along x, -1 against it.
     pub(super) fn along_blade(&self) -> Option<f64> {
-        let w = self.first_in_blade();
+        let w = self.first_in_blade;
         (w.y.hypot(w.z) < PARALLEL_RAD).then(|| w.x.signum())
     }
 
@@ -250,7 +353,7 @@ impl Chain {
     }
 
     /// Rotary positions for a lean and an angle `θ` over all turns; not numbers where the lean is out of reach.
-    pub(super) fn rotary(&self, theta: f64, lean_rad: f64) -> [f64; 2] {
+    fn rotary_of(&self, theta: f64, lean_rad: f64) -> [f64; 2] {
         let Some(posture) = self.posture(lean_rad) else { return [f64::NAN; 2] };
         let one = |theta: f64| {
             let a = self.mount * tool::axis(lean_rad, theta);
@@ -261,7 +364,7 @@ impl Chain {
         if let Some(sense) = self.along_blade() {
             return one(0.0).map_or([f64::NAN; 2], |[q1, q2]| [q1 + sense * theta, q2]);
         }
-        let w = self.first_in_blade();
+        let w = self.first_in_blade;
         let middle = w.z.atan2(w.y);
         let (Some([centre, _]), Some([q1, q2])) = (one(middle), one(theta)) else { return [f64::NAN; 2] };
         let (apart, half) = (w.x.clamp(-1.0, 1.0).acos(), FRAC_PI_2 - lean_rad);
@@ -273,8 +376,15 @@ impl Chain {
         [near + wrapped(q1 - near), q2]
     }
 
-    /// Rotary positions for a tool axis of the blade frame, of both branches and all turns those nearest to `near`, within travel where they can be.
-    pub(super) fn rotary_of_axis(&self, axis: &Vector, near: [f64; 2]) -> Option<[f64; 2]> {
+    /// The row `near`, but the rotary axes along a tool axis of the blade frame: of both branches and all turns those nearest, within travel where
+    /// they can be.
+    pub(super) fn rotary_of_axis(&self, axis: &Vector, near: &Axes) -> Option<Axes> {
+        let mut row = *near;
+        self.put(self.along(axis, self.rotary_in(near))?, &mut row);
+        Some(row)
+    }
+
+    fn along(&self, axis: &Vector, near: [f64; 2]) -> Option<[f64; 2]> {
         let a = self.mount * axis.try_normalize(f64::MIN_POSITIVE)?;
         let cosine = self.first.direction.dot(&a);
         if !(1.0 - cosine.abs() > 1e-12 && near.iter().all(|v| v.is_finite())) {
@@ -301,13 +411,15 @@ impl Chain {
         Some(if better { p.2 } else { n.2 })
     }
 
-    /// `θ` and lean of the tool axis at rotary positions; `θ` over all turns where the first axis is along the blade, else nearest to `near`.
-    pub(super) fn theta_and_lean(&self, rotary: [f64; 2], near: f64) -> [f64; 2] {
+    /// `θ` and lean of the tool axis where the rotary axes stand; `θ` over all turns where the first axis is along the blade, else nearest to `near`.
+    pub(super) fn theta_and_lean(&self, row: &Axes, near: f64) -> [f64; 2] {
+        let rotary = self.rotary_in(row);
         if let Some(sense) = self.along_blade() {
-            let a = self.axis([0.0, rotary[1]]);
-            return [a.z.atan2(a.y) + sense * rotary[0], a.x.atan2(a.y.hypot(a.z))];
+            let a = self.axis_of([0.0, rotary[1]]);
+            let theta = CUT_RAD + wrapped(a.z.atan2(a.y) - CUT_RAD);
+            return [theta + sense * rotary[0], a.x.atan2(a.y.hypot(a.z))];
         }
-        let a = self.axis(rotary);
+        let a = self.axis_of(rotary);
         let theta = a.z.atan2(a.y);
         [near + wrapped(theta - near), a.x.atan2(a.y.hypot(a.z))]
     }
@@ -315,13 +427,15 @@ impl Chain {
     /// `θ` between the ends of travel of the first rotary axis, where it turns the blade.
     pub(super) fn theta_limits(&self, lean_rad: f64) -> Option<[f64; 2]> {
         let (sense, [lo, hi]) = (self.along_blade()?, self.first.travel?);
-        let [zero, _] = self.rotary(0.0, lean_rad);
+        let [zero, _] = self.rotary_of(0.0, lean_rad);
         let [a, b] = [lo, hi].map(|q| sense * (q - zero));
         zero.is_finite().then(|| [a.min(b), a.max(b)])
     }
 
     /// Whether a lean of the tool can be kept all round the blade.
-    pub(super) fn check_lean(&self, lean_rad: f64, names: [&str; 5]) -> Result<()> {
+    pub(super) fn check_lean(&self, lean_rad: f64, axes: &[Axis]) -> Result<()> {
+        let name = |column: usize| axes[column].name.as_str();
+        let (first, second) = (name(self.columns.first), self.columns.second.map_or("", name));
         let deg = lean_rad.to_degrees();
         let no = |what: String, advice: &str| Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()));
         let Some(posture) = self.posture(lean_rad) else {
@@ -336,13 +450,12 @@ impl Chain {
                     )
                 }
                 (None, None) => no(
-                    format!("axis {} is not along the blade axis, and there is no other rotary axis", names[3]),
+                    format!("axis {first} is not along the blade axis, and there is no other rotary axis"),
                     "mount the blade along it (mount.along)",
                 ),
                 _ => no(
                     format!(
-                        "the rotary axes {} and {} do not reach the tool axis all round the blade at a lean of {deg} deg",
-                        names[3], names[4]
+                        "the rotary axes {first} and {second} do not reach the tool axis all round the blade at a lean of {deg} deg"
                     ),
                     "mount the blade along the first rotary axis (mount.along), or change machine.b_deg",
                 ),
@@ -351,15 +464,13 @@ impl Chain {
         let off = self.cosines(lean_rad).map(|c| 1.0 - c.abs()).into_iter().fold(1.0, f64::min);
         if off < 1.0 - SINGULAR_RAD.cos() {
             let what = format!(
-                "at a lean of {deg} deg the tool axis comes along axis {}, which would have to turn by any angle at once (singular)",
-                names[3]
+                "at a lean of {deg} deg the tool axis comes along axis {first}, which would have to turn by any angle at once (singular)"
             );
             return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
         }
         if posture.excess > ROUNDING {
             let what = format!(
-                "at a lean of {deg} deg axis {} would leave its travel by {:.3} deg on either branch",
-                names[4],
+                "at a lean of {deg} deg axis {second} would leave its travel by {:.3} deg on either branch",
                 posture.excess.to_degrees()
             );
             return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");

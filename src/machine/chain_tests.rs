@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
 
-use super::{AxisName, Machine, PositiveA, PositiveB, Spindle};
+use super::{Axis, Carries, Head, Machine};
+use crate::artifact::Axes;
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
 use crate::tool;
@@ -51,78 +52,80 @@ fn all() -> Vec<(&'static str, Machine, f64)> {
     ]
 }
 
-/// The table-head machine written as a chain.
-fn as_chain(m: &Machine) -> Machine {
-    let (table, head) = (m.table.unwrap(), m.head.unwrap());
-    let mut out = m.clone();
-    (out.table, out.head) = (None, None);
-    out.chain = vec![AxisName::A, AxisName::X, AxisName::Y, AxisName::Z, AxisName::B];
-    out.spindle = Some(Spindle::default());
-    let a = out.axes.a.as_mut().unwrap();
-    a.direction = Some(if table.positive_a_turns == PositiveA::Tool { [1.0, 0.0, 0.0] } else { [-1.0, 0.0, 0.0] });
-    a.point_mm = Some([0.0, table.axis_y_mm, table.axis_z_mm]);
-    let b = out.axes.b.as_mut().unwrap();
-    b.direction = Some(if head.positive_b_leans == PositiveB::PlusX { [0.0, 1.0, 0.0] } else { [0.0, -1.0, 0.0] });
-    b.point_mm = Some([-head.spindle_offset_mm, 0.0, head.pivot_length_mm]);
-    Machine::from_toml(&toml::to_string(&out).unwrap(), "chain").unwrap()
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
-    #[test]
-    fn a_table_head_machine_is_a_chain_like_any_other(
-        c in prop::array::uniform3(-300.0..300.0f64), theta in -30.0..30.0f64, lean in -1.5..1.5f64,
-        gauge in 0.0..400.0f64, clamp in -360.0..360.0f64, axis_at in prop::array::uniform2(-100.0..100.0f64),
-        passes in -50.0..50.0f64, iso in any::<bool>(), plus in any::<bool>(),
-    ) {
-        let mut m = Machine::demo().unwrap();
-        m.mount.clamping_deg = clamp;
-        let t = m.table.as_mut().unwrap();
-        [t.axis_y_mm, t.axis_z_mm] = axis_at;
-        t.positive_a_turns = if iso { PositiveA::Tool } else { PositiveA::Workpiece };
-        let h = m.head.as_mut().unwrap();
-        h.spindle_offset_mm = passes;
-        h.positive_b_leans = if plus { PositiveB::PlusX } else { PositiveB::MinusX };
-        let chain = as_chain(&m);
-        let centre = Point::from(c);
-        let (p, q) = (m.inverse(&centre, theta, lean, gauge), chain.inverse(&centre, theta, lean, gauge));
-        for k in 0..5 {
-            // A may be counted from another turn.
-            let off = if k == 3 { (p[k] - q[k]) - TAU * ((p[k] - q[k]) / TAU).round() } else { p[k] - q[k] };
-            prop_assert!(off.abs() < 1e-8, "{p:?} {q:?}");
-        }
-        let (a, b) = (m.forward(&p, gauge), chain.forward(&p, gauge));
-        prop_assert!((a.centre - b.centre).norm() < 1e-9 && (a.axis - b.axis).norm() < 1e-11);
-    }
-
     #[test]
     fn forward_undoes_inverse_on_every_chain(
         which in 0..7usize, c in prop::array::uniform3(-200.0..200.0f64), theta in -60.0..60.0f64, gauge in 0.0..400.0f64,
         more in -0.05..0.05f64,
     ) {
         let (name, m, lean) = all().swap_remove(which);
-        let lean = if m.rotary_axes()[1].is_some() { lean + more } else { lean };
+        let lean = if m.rotary().count() > 1 { lean + more } else { lean };
         let centre = Point::from(c);
         let q = m.inverse(&centre, theta, lean, gauge);
         let pose = m.forward(&q, gauge);
         prop_assert!((pose.centre - centre).norm() < 1e-9, "{name}: {q:?}");
         prop_assert!((pose.axis - tool::axis(lean, theta)).norm() < 1e-11, "{name}: {q:?}");
-        let rotary = [q[3], q[4]];
-        prop_assert!((m.axis_at(rotary) - pose.axis).norm() < 1e-12);
-        let linear = m.linear_at(&centre, rotary, gauge);
-        prop_assert!((Vector::from(linear) - Vector::new(q[0], q[1], q[2])).norm() < 1e-9);
-        let [t, l] = m.theta_and_lean(rotary, theta + 1.0);
+        prop_assert!((m.axis_at(&q) - pose.axis).norm() < 1e-12);
+        let again = m.linear_at(&centre, &q, gauge);
+        prop_assert!(again.iter().zip(q.iter()).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {again:?} {q:?}");
+        let [t, l] = m.theta_and_lean(&q, theta + 1.0);
         let turns = (t - theta) / TAU;
         prop_assert!((turns - turns.round()).abs() < 1e-9 && (l - lean).abs() < 1e-9, "{name}: {t} {theta}");
         // A vector is placed on the same branch, from nearby.
-        let again = m.rotary_of_axis(&pose.axis, [q[3] + 0.3, q[4] + 0.05]).unwrap();
-        prop_assert!((again[0] - q[3]).abs() < 1e-7 && (again[1] - q[4]).abs() < 1e-7, "{name}: {again:?} {q:?}");
+        let mut near = q;
+        m.rotary().zip([0.3, 0.05]).for_each(|(k, off)| near[k] += off);
+        let again = m.rotary_of_axis(&pose.axis, &near).unwrap();
+        prop_assert!(again.iter().zip(q.iter()).all(|(a, b)| (a - b).abs() < 1e-7), "{name}: {again:?} {q:?}");
+    }
+}
+
+/// The demo machine with a second head of its own X, Y, Z and B under the table, its spindle upwards.
+fn two_heads() -> Machine {
+    let mut m = Machine::demo().unwrap();
+    let own = |k: usize| Axis { name: format!("{}2", m.axes[k].name), carries: Carries::Head(1), ..m.axes[k].clone() };
+    let mut second: Vec<Axis> = [0, 1, 2, 4].map(own).into();
+    second[3].point.z = -150.0;
+    m.axes.append(&mut second);
+    let (links, spindle) = ([3, 5, 6, 7, 8], (Point::origin(), -Vector::z_axis()));
+    let head = Head::new(&m.axes, &links, spindle, *m.heads[0].mount()).unwrap();
+    m.heads.push(head);
+    m
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+    #[test]
+    fn two_heads_share_the_table_and_stand_each_at_its_own_place(
+        c in prop::array::uniform6(-100.0..100.0f64), theta in -20.0..20.0f64, lean in prop::array::uniform2(-1.2..1.2f64),
+    ) {
+        let m = two_heads();
+        let centres = [Point::new(c[0], c[1], c[2]), Point::new(c[3], c[4], c[5])];
+        // Tools that face one another ask for the same table.
+        let thetas = [theta, theta + PI];
+        let mut row = Axes::of_default(m.axes().len());
+        let mut table = [0.0; 2];
+        for k in 0..2 {
+            m.heads()[k].place(&centres[k], thetas[k], lean[k], 80.0, &mut row);
+            table[k] = row[m.turning_axis()];
+        }
+        let turns = (table[0] - table[1]) / TAU;
+        prop_assert!((turns - turns.round()).abs() < 1e-9, "{table:?}");
+        for k in 0..2 {
+            let pose = m.heads()[k].forward(&row, 80.0);
+            prop_assert!((pose.centre - centres[k]).norm() < 1e-9, "{row:?}");
+            prop_assert!((pose.axis - tool::axis(lean[k], thetas[k])).norm() < 1e-11, "{row:?}");
+        }
+        // The first head alone places its own columns only.
+        let alone = m.inverse(&centres[0], theta, lean[0], 80.0);
+        prop_assert!(alone.len() == 9 && alone[..3] == row[..3] && alone[5..].iter().all(|v| *v == 0.0));
     }
 }
 
 /// Rotary positions over three turns of θ, every half degree.
 fn over_turns(m: &Machine, lean: f64) -> Vec<[f64; 2]> {
-    (0..=2160).map(|k| m.rotary_of((f64::from(k) * 0.5).to_radians(), lean)).collect()
+    let at = |k: i32| m.rotary_of((f64::from(k) * 0.5).to_radians(), lean);
+    (0..=2160).map(|k| [3, 4].map(|axis| at(k).get(axis).copied().unwrap_or(0.0))).collect()
 }
 
 #[test]
@@ -134,7 +137,7 @@ fn rotary_axes_run_on_without_a_jump_and_within_travel() {
         let fastest =
             q.windows(2).flat_map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).fold(0.0, |m: f64, d| m.max(d.abs()));
         assert!(fastest < 0.06, "{name}: {fastest}");
-        let travel = m.limits()[4].travel;
+        let travel = m.axes().get(4).and_then(|a| a.limits.travel);
         assert!(travel.is_none_or(|[lo, hi]| q.iter().all(|q| (lo..=hi).contains(&q[1]))), "{name}");
         let turned = (q.last().unwrap()[0] - q[0][0]) / TAU;
         let wanted = if name == "lying" { 0.0 } else { 3.0 };
@@ -161,8 +164,8 @@ fn hand_worked_poses() {
     assert!((out.norm() - 320.0).abs() < 1e-9 && (out.z - 320.0 * lean.sin()).abs() < 1e-9, "{q:?}");
     // A nutating head reaches the horizontal at half a turn.
     let n = machine(NUTATING);
-    assert!((n.rotary_of(0.0, 1e-6)[1] - PI).abs() < 3e-3);
-    assert!((n.rotary_of(0.0, FRAC_PI_2 - 1e-3)[1]).abs() < 3e-3);
+    assert!((n.rotary_of(0.0, 1e-6)[4] - PI).abs() < 3e-3);
+    assert!((n.rotary_of(0.0, FRAC_PI_2 - 1e-3)[4]).abs() < 3e-3);
 }
 
 #[test]
@@ -185,22 +188,22 @@ fn what_a_chain_cannot_do_is_said() {
     }
     assert!(Machine::demo().unwrap().leans(1.5) && !Machine::demo().unwrap().leans(1.53));
     let m = machine(TRUNNION);
-    assert_eq!(m.rotary_of_axis(&Vector::zeros(), [0.0; 2]), None);
-    assert_eq!(m.rotary_of_axis(&Vector::x(), [0.0; 2]), None, "the blade's x is along C");
+    assert_eq!(m.rotary_of_axis(&Vector::zeros(), &Axes::of_default(5)), None);
+    assert_eq!(m.rotary_of_axis(&Vector::x(), &Axes::of_default(5)), None, "the blade's x is along C");
 }
 
 #[test]
 fn the_other_branch_is_taken_where_travel_asks_for_it() {
     let other = machine(&TRUNNION.replace("min_deg = -120.0\nmax_deg = 30.0", "min_deg = -30.0\nmax_deg = 120.0"));
     for (m, sign) in [(machine(TRUNNION), -1.0), (other, 1.0)] {
-        let [_, a] = m.rotary_of(1.0, 0.1);
+        let a = m.rotary_of(1.0, 0.1)[4];
         assert!((a - sign * (FRAC_PI_2 - 0.1)).abs() < 1e-12, "{a}");
     }
     // Ends of travel of the axis that turns the blade are ends of θ.
     let short = machine(&FORK.replace("[axes.c]", "[axes.c]\nmin_deg = -360.0\nmax_deg = 360.0"));
     let [lo, hi] = short.theta_limits(0.1).unwrap();
     assert!((hi - lo - 2.0 * TAU).abs() < 1e-12);
-    assert!((short.rotary_of(hi, 0.1)[0].abs() - TAU).abs() < 1e-12);
+    assert!((short.rotary_of(hi, 0.1)[3].abs() - TAU).abs() < 1e-12);
     assert_eq!(machine(FORK).theta_limits(0.1), None);
 }
 
@@ -232,7 +235,16 @@ fn bad_chains_are_usage_errors_that_say_what() {
         let e = Machine::from_toml(&demo.replacen(from, to, 1), "m.toml").unwrap_err();
         assert!(e.message.contains(says), "{}", e.message);
     }
-    assert_eq!(machine(FOUR).axis_names(), ["X", "Y", "Z", "A", "B"]);
-    assert_eq!(machine(TRUNNION).axis_names(), ["X", "Y", "Z", "C", "A"]);
-    assert_eq!(Machine::demo().unwrap().axis_names(), ["X", "Y", "Z", "A", "B"]);
+}
+
+#[test]
+fn axes_are_named_and_say_what_they_carry() {
+    let said = |m: &Machine| {
+        let carries = |a: &Axis| if a.carries == Carries::Workpiece { "workpiece" } else { "tool" };
+        m.axes().iter().map(|a| format!("{} {}", a.name, carries(a))).collect::<Vec<_>>().join(", ")
+    };
+    assert_eq!(said(&machine(FOUR)), "X tool, Y tool, Z tool, A workpiece");
+    assert_eq!(said(&machine(TRUNNION)), "X tool, Y tool, Z tool, C workpiece, A workpiece");
+    assert_eq!(said(&machine(FORK)), "X tool, Y tool, Z tool, C tool, A tool");
+    assert_eq!(said(&Machine::demo().unwrap()), "X tool, Y tool, Z tool, A workpiece, B tool");
 }

@@ -1,20 +1,12 @@
-//! The machine file: what is in it, and limits of its axes in inner units.
+//! The machine file as it is written, and limits of its axes in inner units.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::axis::{AxisLimits, AxisName, Provenance};
+
 /// The built-in demo machine as its file.
 pub const DEMO_TOML: &str = include_str!("../../models/machines/demo_table_head.toml");
-
-/// Where limits of velocity, acceleration and jerk come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Provenance {
-    /// Of the usual size for such a machine; results on time are to be read with that in mind.
-    Assumed,
-    /// Measured on the machine, or its maker's figures.
-    Measured,
-}
 
 /// What positive `A` turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -52,49 +44,6 @@ pub struct Mount {
     pub along: Option<[f64; 3]>,
 }
 
-/// Name of an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum AxisName {
-    /// Linear.
-    X,
-    /// Linear.
-    Y,
-    /// Linear.
-    Z,
-    /// Rotary, about X where the file gives no direction.
-    A,
-    /// Rotary, about Y where the file gives no direction.
-    B,
-    /// Rotary, about Z where the file gives no direction.
-    C,
-}
-
-impl AxisName {
-    /// Its place among X, Y, Z; `None`: a rotary one.
-    pub fn linear(self) -> Option<usize> {
-        [AxisName::X, AxisName::Y, AxisName::Z].iter().position(|n| *n == self)
-    }
-    /// Its letter.
-    pub fn letter(self) -> &'static str {
-        match self {
-            AxisName::X => "X",
-            AxisName::Y => "Y",
-            AxisName::Z => "Z",
-            AxisName::A => "A",
-            AxisName::B => "B",
-            AxisName::C => "C",
-        }
-    }
-    /// The direction that it has by its name.
-    pub fn unit(self) -> [f64; 3] {
-        match self {
-            AxisName::X | AxisName::A => [1.0, 0.0, 0.0],
-            AxisName::Y | AxisName::B => [0.0, 1.0, 0.0],
-            AxisName::Z | AxisName::C => [0.0, 0.0, 1.0],
-        }
-    }
-}
-
 /// The spindle of a machine with a `chain`, while all axes read 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -125,8 +74,8 @@ pub struct Table {
 
 /// The pivoting head `B`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Head {
+#[serde(deny_unknown_fields, rename = "Head")]
+pub struct HeadTable {
     /// From the pivot to the spindle's gauge line, mm.
     pub pivot_length_mm: f64,
     /// How far the spindle's axis passes the pivot by, along X of the machine while B = 0, mm; 0: they meet.
@@ -187,8 +136,8 @@ pub struct RotaryAxis {
 
 /// All axes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Axes {
+#[serde(deny_unknown_fields, rename = "Axes")]
+pub struct AxisTables {
     /// Along the blade.
     pub x: LinearAxis,
     /// Across.
@@ -206,10 +155,11 @@ pub struct Axes {
     pub c: Option<RotaryAxis>,
 }
 
-/// A machine: a rotary table about X with a pivoting head (`table`, `head`), or a `chain` of axes; see the module's page for the kinematics.
+/// A machine file: a `chain` of axes, or in its place a rotary table about X and a pivoting head (`table`, `head`). [`MachineFile::build`] makes the
+/// machine of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Machine {
+pub struct MachineFile {
     /// Short name, for headers.
     pub name: String,
     /// One line about it.
@@ -224,7 +174,7 @@ pub struct Machine {
     pub table: Option<Table>,
     /// The pivoting head, on a machine without a `chain`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub head: Option<Head>,
+    pub head: Option<HeadTable>,
     /// All axes from the workpiece to the tool: X, Y, Z and one or two rotary axes. Left out: a table about X and a pivoting head.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub chain: Vec<AxisName>,
@@ -232,40 +182,16 @@ pub struct Machine {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spindle: Option<Spindle>,
     /// Travel and dynamic limits.
-    pub axes: Axes,
+    pub axes: AxisTables,
 }
 
-/// Limits of one axis in inner units: mm or rad, and s.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AxisLimits {
-    /// Least and greatest position; `None`: unlimited turns.
-    pub travel: Option<[f64; 2]>,
-    /// Greatest speed, mm/s or rad/s.
-    pub velocity: f64,
-    /// Greatest acceleration, mm/s² or rad/s².
-    pub acceleration: f64,
-    /// Greatest jerk, mm/s³ or rad/s³.
-    pub jerk: f64,
-    /// Where the last three come from.
-    pub provenance: Provenance,
-}
-
-impl Axes {
+impl AxisTables {
     /// X, Y or Z, counted from 0; Z for any other number.
     pub(super) fn linear(&self, k: usize) -> &LinearAxis {
         match k {
             0 => &self.x,
             1 => &self.y,
             _ => &self.z,
-        }
-    }
-    /// As [`Axes::rotary`], to be changed.
-    pub fn rotary_mut(&mut self, name: AxisName) -> Option<&mut RotaryAxis> {
-        match name {
-            AxisName::A => self.a.as_mut(),
-            AxisName::B => self.b.as_mut(),
-            AxisName::C => self.c.as_mut(),
-            _ => None,
         }
     }
     /// A rotary axis by its name.

@@ -1,8 +1,13 @@
-//! Reading machine files, their checks, and what follows from the file alone.
+//! Machine files: reading, their checks, and the machine that is built from one.
 
-use super::chain::Chain;
-use super::config::{AxisLimits, AxisName, DEMO_TOML, Machine, Provenance, RotaryAxis};
+use nalgebra::{Unit, UnitQuaternion};
+
+use super::Machine;
+use super::axis::{Axis, AxisLimits, AxisName, Carries};
+use super::chain::Head;
+use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Rigid, Vector};
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -13,81 +18,131 @@ impl Machine {
         Self::from_toml(DEMO_TOML, "built-in demo machine")
     }
 
-    /// Reads a machine from the text of its file; `origin` names the file in messages.
+    /// Builds the machine of a file's text; `origin` names the file in messages.
     ///
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key, or a value outside its range.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
-        let machine: Machine = toml::from_str(text).map_err(|e| {
+        MachineFile::from_toml(text, origin)?.build(origin)
+    }
+}
+
+impl MachineFile {
+    /// What a text says; [`MachineFile::build`] judges the values. `origin` names the file in messages.
+    ///
+    /// # Errors
+    /// Kind `Usage`: not TOML, an unknown or missing key.
+    pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
+        toml::from_str(text).map_err(|e| {
             let place = e.span().map(|s| {
                 let before = text.get(..s.start).unwrap_or(text);
                 format!(" line {}", before.matches('\n').count() + 1)
             });
             Error::usage(Stage::Machine, format!("{origin}{}: {}", place.unwrap_or_default(), e.message()))
                 .advise("models/machines/demo_table_head.toml shows every key with its unit")
-        })?;
-        machine.validate(origin)?;
-        Ok(machine)
+        })
     }
 
-    /// The rotary axes: first the one nearest to the workpiece. The second is missing on a machine of four axes.
-    pub fn rotary_axes(&self) -> [Option<AxisName>; 2] {
-        if self.chain.is_empty() {
-            return [Some(AxisName::A), Some(AxisName::B)];
-        }
-        let mut turns = self.chain.iter().copied().filter(|n| n.linear().is_none());
-        [turns.next(), turns.next()]
-    }
-
-    /// Letters of the axes, in the order of the arrays of [`crate::artifact::AxisMotion`]: X, Y, Z, the rotary axis nearest to the workpiece, the
-    /// other one. Where there is no other one: a letter that is free, for an axis that stands at 0.
-    pub fn axis_names(&self) -> [&'static str; 5] {
-        let [first, second] = self.rotary_axes();
-        let first = first.unwrap_or(AxisName::A);
-        let free = if first == AxisName::B { AxisName::A } else { AxisName::B };
-        ["X", "Y", "Z", first.letter(), second.unwrap_or(free).letter()]
-    }
-
-    /// Limits of all axes in the order of [`Machine::axis_names`]. An axis that is not there has no ends of travel.
-    pub fn limits(&self) -> [AxisLimits; 5] {
-        let a = &self.axes;
-        let [first, second] =
-            self.rotary_axes().map(|n| n.and_then(|n| a.rotary(n)).map_or(NO_AXIS, RotaryAxis::limits));
-        [a.x.limits(), a.y.limits(), a.z.limits(), first, second]
-    }
-
-    /// Letters of the axes whose velocity, acceleration and jerk are assumed, not measured.
-    pub fn assumed_limits(&self) -> Vec<&'static str> {
-        let a = &self.axes;
-        let linear = [("X", a.x.limits), ("Y", a.y.limits), ("Z", a.z.limits)].map(Some);
-        let rotary = self.rotary_axes().map(|n| n.and_then(|n| Some((n.letter(), a.rotary(n)?.limits))));
-        let all = linear.into_iter().chain(rotary).flatten();
-        all.filter(|(_, from)| *from == Provenance::Assumed).map(|(letter, _)| letter).collect()
-    }
-
-    /// The same machine with velocity, acceleration and jerk of all axes multiplied by `factor` (for sweeps over
-    /// assumed limits).
-    #[must_use]
-    pub fn with_limits_scaled(mut self, factor: f64) -> Self {
-        let a = &mut self.axes;
-        for l in [&mut a.x, &mut a.y, &mut a.z] {
-            l.velocity_mm_s *= factor;
-            l.acceleration_mm_s2 *= factor;
-            l.jerk_mm_s3 *= factor;
-        }
-        for r in [&mut a.a, &mut a.b, &mut a.c].into_iter().flatten() {
-            r.velocity_deg_s *= factor;
-            r.acceleration_deg_s2 *= factor;
-            r.jerk_deg_s3 *= factor;
-        }
-        self
-    }
-
-    /// Checks all values; see [`Machine::from_toml`].
-    fn validate(&self, origin: &str) -> Result<()> {
+    /// The machine that the file describes; `origin` names the file in messages.
+    ///
+    /// # Errors
+    /// Kind `Usage`: a value outside its range, axes that are no chain.
+    pub fn build(&self, origin: &str) -> Result<Machine> {
         self.numbers(origin)?;
         self.travels(origin)?;
-        if self.chain.is_empty() { self.table_and_head(origin) } else { self.links(origin) }
+        if self.chain.is_empty() {
+            self.table_and_head(origin)?;
+            return self.as_chain().assembled(origin, "table.positive_a_turns");
+        }
+        self.links(origin)?;
+        self.assembled(origin, "its direction")
+    }
+
+    /// A table about X and a pivoting head, written as a chain. A file that has a chain stays as it is.
+    fn as_chain(&self) -> MachineFile {
+        let mut out = self.clone();
+        let (Some(table), Some(head)) = (out.table.take(), out.head.take()) else { return out };
+        out.chain = vec![AxisName::A, AxisName::X, AxisName::Y, AxisName::Z, AxisName::B];
+        if let Some(a) = &mut out.axes.a {
+            let sense = if table.positive_a_turns == PositiveA::Tool { 1.0 } else { -1.0 };
+            a.direction = Some([sense, 0.0, 0.0]);
+            a.point_mm = Some([0.0, table.axis_y_mm, table.axis_z_mm]);
+        }
+        if let Some(b) = &mut out.axes.b {
+            let sense = if head.positive_b_leans == PositiveB::PlusX { 1.0 } else { -1.0 };
+            b.direction = Some([0.0, sense, 0.0]);
+            b.point_mm = Some([-head.spindle_offset_mm, 0.0, head.pivot_length_mm]);
+        }
+        out
+    }
+
+    /// Letters of the axes in the order of the machine's columns: X, Y, Z, the rotary axes from the workpiece.
+    fn letters(&self) -> impl Iterator<Item = AxisName> {
+        let table_and_head = [AxisName::A, AxisName::B];
+        let chain = if self.chain.is_empty() { &table_and_head[..] } else { &self.chain };
+        let rotary = chain.iter().copied().filter(|n| n.linear().is_none()).collect::<Vec<_>>();
+        [AxisName::X, AxisName::Y, AxisName::Z].into_iter().chain(rotary)
+    }
+
+    /// Limits of an axis; `None`: the file has no table for it.
+    fn limits(&self, letter: AxisName) -> Option<AxisLimits> {
+        match letter.linear() {
+            Some(k) => Some(self.axes.linear(k).limits()),
+            None => self.axes.rotary(letter).map(RotaryAxis::limits),
+        }
+    }
+
+    /// The axis of a letter; `None`: its direction is none. `carries`: see [`carried`].
+    fn axis(&self, letter: AxisName, carries: Carries, sense_key: &'static str) -> Option<Axis> {
+        let rotary = self.axes.rotary(letter);
+        let direction = match letter.linear() {
+            Some(k) => self.axes.linear(k).direction,
+            None => rotary.and_then(|r| r.direction),
+        };
+        Some(Axis {
+            name: letter.letter().into(),
+            letter,
+            direction: Unit::try_new(Vector::from(direction.unwrap_or_else(|| letter.unit())), 1e-9)?,
+            point: Point::from(rotary.and_then(|r| r.point_mm).unwrap_or([0.0; 3])),
+            carries,
+            limits: self.limits(letter)?,
+            sense_key,
+        })
+    }
+
+    /// The machine of a chain; `sense_key` says where the file has the senses of rotary axes.
+    fn assembled(&self, origin: &str, sense_key: &'static str) -> Result<Machine> {
+        let no_direction =
+            || bad(origin, "a direction of an axis, of the spindle or of mount.along is no direction".into());
+        let carries = |letter: AxisName| carried(&self.chain, letter);
+        let axes: Option<Vec<Axis>> = self.letters().map(|n| self.axis(n, carries(n), sense_key)).collect();
+        let (Some(axes), Some(mount), Some(spindle)) = (axes, self.blade_on_machine(), self.spindle()) else {
+            return no_direction();
+        };
+        let column = |letter: &AxisName| axes.iter().position(|a| a.letter == *letter);
+        let links: Vec<usize> = self.chain.iter().filter_map(column).collect();
+        let Some(head) = Head::new(&axes, &links, spindle, mount) else { return no_direction() };
+        if !head.spans_space() {
+            return bad(origin, "X, Y and Z do not reach all places: their directions lie in a plane".into());
+        }
+        let (name, mount) = (self.name.clone(), self.mount);
+        Ok(Machine { name, swing_diameter_mm: self.swing_diameter_mm, mount, axes, heads: vec![head] })
+    }
+
+    /// Blade frame to machine coordinates while all axes read 0; `None`: the blade points nowhere.
+    fn blade_on_machine(&self) -> Option<Rigid> {
+        let along = Vector::from(self.mount.along.unwrap_or([1.0, 0.0, 0.0])).try_normalize(1e-9)?;
+        // Straight back is half a turn about Z.
+        let placed = UnitQuaternion::rotation_between(&Vector::x(), &along)
+            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector::z_axis(), std::f64::consts::PI));
+        let clamped = UnitQuaternion::from_axis_angle(&Vector::x_axis(), self.mount.clamping_deg.to_radians());
+        Some(Rigid::from_parts(Vector::from(self.mount.offset_mm).into(), placed * clamped))
+    }
+
+    /// The gauge point and the tool axis while all axes read 0; `None`: the tool axis is no direction.
+    fn spindle(&self) -> Option<(Point, Unit<Vector>)> {
+        let Spindle { gauge_mm, direction } = self.spindle.unwrap_or_default();
+        Some((Point::from(gauge_mm), Unit::try_new(Vector::from(direction), 1e-9)?))
     }
 
     fn numbers(&self, origin: &str) -> Result<()> {
@@ -130,8 +185,8 @@ impl Machine {
                 return bad(origin, format!("axes.{axis} has only one of min_deg and max_deg, give both or none"));
             }
         }
-        for (name, l) in self.axis_names().iter().zip(self.limits()) {
-            let key = format!("axes.{}", name.to_lowercase());
+        for (letter, l) in self.letters().filter_map(|n| Some((n, self.limits(n)?))) {
+            let key = format!("axes.{}", letter.letter().to_lowercase());
             for (what, v) in [("velocity", l.velocity), ("acceleration", l.acceleration), ("jerk", l.jerk)] {
                 if !(v > 0.0 && v.is_finite()) {
                     return bad(origin, format!("{key}: {what} is {v}, it must be greater than 0"));
@@ -146,7 +201,7 @@ impl Machine {
         Ok(())
     }
 
-    /// A machine without a chain.
+    /// Checks a file without a chain.
     fn table_and_head(&self, origin: &str) -> Result<()> {
         let a = &self.axes;
         if self.table.is_none() || self.head.is_none() {
@@ -163,13 +218,13 @@ impl Machine {
         {
             return bad(origin, "direction, point_mm, mount.along and [spindle] are for machines with a chain".into());
         }
-        match self.limits()[4].travel {
+        match a.b.and_then(|b| b.limits().travel) {
             Some([lo, hi]) if lo.to_degrees() >= -89.9 && hi.to_degrees() <= 89.9 => Ok(()),
             _ => bad(origin, "axes.b must be limited to -89.9 … 89.9 degrees: at 90 the tool axis is along X".into()),
         }
     }
 
-    /// A machine with a chain.
+    /// Checks a file with a chain.
     fn links(&self, origin: &str) -> Result<()> {
         if self.table.is_some() || self.head.is_some() {
             return bad(origin, "it has both a chain and [table] or [head]".into());
@@ -192,23 +247,22 @@ impl Machine {
                 );
             }
         }
-        match Chain::of(self) {
-            None => bad(origin, "a direction of an axis, of the spindle or of mount.along is no direction".into()),
-            Some(chain) if !chain.spans_space() => {
-                bad(origin, "X, Y and Z do not reach all places: their directions lie in a plane".into())
-            }
-            Some(_) => Ok(()),
-        }
+        Ok(())
     }
+}
+
+/// What an axis of a chain carries: rotary axes with a linear one between them and the tool carry the
+/// workpiece, with all axes before them.
+fn carried(chain: &[AxisName], letter: AxisName) -> Carries {
+    let behind = |from: usize| chain[from..].iter();
+    let turns_workpiece = |k: usize| chain[k].linear().is_none() && behind(k).any(|n| n.linear().is_some());
+    let at = chain.iter().position(|n| *n == letter).unwrap_or(chain.len());
+    if (at..chain.len()).any(turns_workpiece) { Carries::Workpiece } else { Carries::Head(0) }
 }
 
 fn bad<T>(origin: &str, what: String) -> Result<T> {
     Err(Error::usage(Stage::Machine, format!("{origin}: {what}")))
 }
-
-/// An axis that is not there: it stands still.
-const NO_AXIS: AxisLimits =
-    AxisLimits { travel: None, velocity: 1.0, acceleration: 1.0, jerk: 1.0, provenance: Provenance::Measured };
 
 #[cfg(test)]
 mod tests {
@@ -218,15 +272,16 @@ mod tests {
 
     #[test]
     fn the_demo_machine_reads_and_round_trips() {
-        let m = Machine::demo().unwrap();
-        let again = Machine::from_toml(&toml::to_string(&m).unwrap(), "again").unwrap();
-        assert_eq!(m, again);
-        let l = m.limits();
-        assert_eq!(l[3].travel, None);
-        assert!((l[4].travel.unwrap()[1].to_degrees() - 87.0).abs() < 1e-12);
-        assert!(l.iter().all(|l| l.provenance == Provenance::Assumed));
-        assert_eq!(l[0].travel, Some([0.0, 2800.0]));
-        assert_eq!(m.with_limits_scaled(0.5).limits()[1].velocity, 0.5 * l[1].velocity);
+        let file = MachineFile::from_toml(DEMO_TOML, "demo").unwrap();
+        assert_eq!(file, MachineFile::from_toml(&toml::to_string(&file).unwrap(), "again").unwrap());
+        let m = file.build("demo").unwrap();
+        assert_eq!(m, Machine::demo().unwrap());
+        let limits = |m: &Machine, k: usize| m.axes()[k].limits;
+        assert_eq!(limits(&m, 3).travel, None);
+        assert!((limits(&m, 4).travel.unwrap()[1].to_degrees() - 87.0).abs() < 1e-12);
+        assert_eq!(m.assumed_limits(), ["X", "Y", "Z", "A", "B"]);
+        assert_eq!(limits(&m, 0).travel, Some([0.0, 2800.0]));
+        assert_eq!(limits(&m.clone().with_limits_scaled(0.5), 1).velocity, 0.5 * limits(&m, 1).velocity);
     }
 
     #[test]

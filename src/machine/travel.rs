@@ -1,17 +1,15 @@
 //! Travel and swing against the machine's limits.
 
-use super::Machine;
-use super::chain::Chain;
-use super::kinematics::TableHead;
+use super::{Axis, Machine};
 use crate::artifact::AxisMotion;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 
 /// The worst position of one axis outside its travel.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TravelFinding {
-    /// `X`, `Y`, `Z`, `A`, `B` or `C`.
-    pub axis: String,
+    /// The axis.
+    pub axis: Axis,
     /// Cutter location where it is worst.
     pub row: usize,
     /// Position there, mm or rad.
@@ -22,22 +20,14 @@ pub struct TravelFinding {
     pub excess: f64,
 }
 
-impl TravelFinding {
-    /// What lengths or angles are multiplied by for people, and the unit then.
-    pub fn scale_and_unit(&self) -> (f64, &'static str) {
-        let linear = ["X", "Y", "Z"].contains(&self.axis.as_str());
-        if linear { (1.0, "mm") } else { (1f64.to_degrees(), "deg") }
-    }
-}
-
 impl std::fmt::Display for TravelFinding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (scale, unit) = self.scale_and_unit();
+        let (scale, unit) = (self.axis.scale(), self.axis.unit());
         let [p, l, e] = [self.position, self.limit, self.excess].map(|v| v * scale);
         write!(
             f,
             "{} is at {p:.3} {unit} at location {}, {e:.3} {unit} past its limit {l:.3} {unit}",
-            self.axis, self.row
+            self.axis.name, self.row
         )
     }
 }
@@ -47,9 +37,8 @@ impl Machine {
     /// number counts as outside.
     pub fn check_travel(&self, motion: &AxisMotion) -> Vec<TravelFinding> {
         let mut out = Vec::new();
-        let names = self.axis_names();
-        for (i, limits) in self.limits().iter().enumerate() {
-            let Some([lo, hi]) = limits.travel else { continue };
+        for (i, axis) in self.axes().iter().enumerate() {
+            let Some([lo, hi]) = axis.limits.travel else { continue };
             let mut worst: Option<TravelFinding> = None;
             for (row, q) in motion.position.iter().enumerate() {
                 let v = q[i];
@@ -58,21 +47,12 @@ impl Machine {
                 }
                 let (limit, excess) = if v < lo { (lo, lo - v) } else { (hi, v - hi) };
                 if worst.as_ref().is_none_or(|w| excess > w.excess) {
-                    worst = Some(TravelFinding { axis: names[i].into(), row, position: v, limit, excess });
+                    worst = Some(TravelFinding { axis: axis.clone(), row, position: v, limit, excess });
                 }
             }
             out.extend(worst);
         }
         out
-    }
-
-    /// How far a point of the blade, in the blade frame, is from the axis of the table that turns it, mm; `None` on a machine on which
-    /// the blade stands still (its first axis, from the workpiece, is a linear one).
-    pub fn off_table_axis_mm(&self, p: &Point) -> Option<f64> {
-        match Chain::of(self) {
-            None => Some(TableHead::of(self).off_axis_mm(p)),
-            Some(chain) => self.chain.first().is_some_and(|a| a.linear().is_none()).then(|| chain.off_axis_mm(p)),
-        }
     }
 
     /// Whether a part of these points (blade frame, mm) turns freely.
@@ -102,15 +82,17 @@ impl Machine {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::Axes;
+    use crate::machine::{DEMO_TOML, MachineFile};
 
     #[test]
     fn the_worst_location_of_each_axis_is_named() {
         let m = Machine::demo().unwrap();
-        let mut q = vec![[100.0, 0.0, 200.0, 1e4, 0.1]; 5];
+        let mut q = vec![Axes::from([100.0, 0.0, 200.0, 1e4, 0.1]); 5];
         q[1][1] = 331.0;
         q[2][1] = -340.0;
         q[3][4] = 1.6;
-        let z = vec![[0.0; 5]; 5];
+        let z = vec![Axes::of_default(5); 5];
         let motion = AxisMotion {
             t_s: vec![0.0; 5],
             position: q,
@@ -122,8 +104,8 @@ mod tests {
         };
         let found = m.check_travel(&motion);
         assert_eq!(found.len(), 2);
-        assert_eq!((found[0].axis.as_str(), found[0].row, found[0].excess), ("Y", 2, 10.0));
-        assert_eq!((found[1].axis.as_str(), found[1].row), ("B", 3));
+        assert_eq!((found[0].axis.name.as_str(), found[0].row, found[0].excess), ("Y", 2, 10.0));
+        assert_eq!((found[1].axis.name.as_str(), found[1].row), ("B", 3));
         assert!(found[0].to_string().contains("Y is at -340.000 mm at location 2, 10.000 mm past"));
     }
 
@@ -135,9 +117,10 @@ mod tests {
         assert_eq!(e.kind, crate::error::ErrorKind::Infeasible);
         assert!(e.message.contains("reaches 360.6 mm") && e.message.contains("650"), "{}", e.message);
         // Mounted off the axis, and clamped turned, a part needs more room.
-        let mut off = m.clone();
+        let mut off = MachineFile::from_toml(DEMO_TOML, "demo").unwrap();
         off.mount.offset_mm = [0.0, 20.0, 0.0];
         off.mount.clamping_deg = 90.0;
+        let off = off.build("demo").unwrap();
         assert!((off.off_table_axis_mm(&Point::new(3.0, 0.0, 300.0)).unwrap() - 280.0).abs() < 1e-9);
         let file = |name: &str| {
             let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);

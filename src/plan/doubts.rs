@@ -21,7 +21,7 @@ impl Setup {
 
 /// A warning for a feed that the linear axes do not reach even together.
 pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<String> {
-    let linear = [0, 1, 2].map(|k| 60.0 * machine.limits()[k].velocity);
+    let linear = machine.linear().map(|k| 60.0 * machine.axes()[k].limits.velocity);
     let together = linear.iter().map(|v| v * v).sum::<f64>().sqrt();
     (feed_mm_min > together).then(|| {
         let [x, y, z] = linear;

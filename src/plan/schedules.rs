@@ -9,9 +9,6 @@ use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent, Warning};
 use crate::schedule::{self, Pace, ScheduleOptions};
 
-/// The rotary axis' place in [`Machine::axis_names`].
-const A: usize = 3;
-
 /// Lengths over which the rotary axis stands still at either end, as shares of what the ball needs to gain its feed: it is gained more
 /// slowly where several axes share it.
 const STANDING: [f64; 2] = [1.0, 4.0];
@@ -55,7 +52,7 @@ struct Moved {
 
 /// What the rotary axis can follow at the programmed feed.
 pub(crate) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
-    let (limits, f) = (machine.limits()[A], feed_mm_min / 60.0);
+    let (limits, f) = (machine.axes()[machine.turning_axis()].limits, feed_mm_min / 60.0);
     Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f), standing_mm: 0.0 }
 }
 
@@ -75,11 +72,11 @@ pub(crate) fn paced(
     let speed = feed.feed_mm_min / 60.0;
     // Seconds to full feed of one axis that takes all of it.
     let to_speed = |k: usize| {
-        let l = machine.limits()[k];
+        let l = machine.axes()[k].limits;
         speed / l.acceleration
             + if feed.limit_jerk { l.acceleration.min((speed * l.jerk).sqrt()) / l.jerk } else { 0.0 }
     };
-    let to_feed_mm = speed * (0..A).map(to_speed).fold(0.0, f64::max);
+    let to_feed_mm = speed * machine.linear().into_iter().map(to_speed).fold(0.0, f64::max);
     let plan = |standing: f64| {
         let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
         schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)

@@ -91,8 +91,8 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
         .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", plan_file.display())).caused_by(e))?;
     let plan: Plan = serde_json::from_str(&text)
         .map_err(|e| Error::io(Stage::Output, format!("{} is damaged: {e}", plan_file.display())).caused_by(e))?;
-    verify::well_formed(&plan)?;
     let loaded = Loaded::read(&draft, observer)?;
+    verify::well_formed(&plan, &loaded.setup.machine)?;
     let mut checks = vec![outputs(out, kept.as_ref()), changed(&loaded.inputs, kept.as_ref())];
     let (plan, tables) = read_tables(out, &loaded.setup, plan);
     checks.extend(tables);
@@ -112,7 +112,7 @@ fn text_of(out: &Path, name: &str) -> Option<String> {
 
 /// The plan with what others read of it, and what is not as the plan has it.
 fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
-    let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, setup.machine.axis_names())];
+    let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, &setup.machine.axes())];
     let names = [("table-cutter-locations", "cutter_locations.csv"), ("table-axes", "axes.csv")];
     let texts = names.map(|(_, file)| text_of(out, file));
     let mut read = plan.clone();

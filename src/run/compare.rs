@@ -8,11 +8,11 @@ use serde::Serialize;
 
 use super::{Loaded, RunFolder};
 use crate::artifact::schedule::{Measure, ScheduleKind};
-use crate::artifact::{Channel, Schedule, Toolpath};
+use crate::artifact::{Axes, Channel, Schedule, Toolpath};
 use crate::error::Result;
 use crate::feed::{self, AxisPeaks, FeedOptions};
 use crate::job::Draft;
-use crate::machine::Machine;
+use crate::machine::{Axis, Machine};
 use crate::observe::{Observer, Recorder, Silent};
 use crate::plan::Setup;
 use crate::plan::planning::{channel_as_far_as_it_goes, path_as_asked};
@@ -31,7 +31,7 @@ const JERK_ROUNDING: f64 = 1.001;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Peak {
     /// Axis.
-    pub axis: &'static str,
+    pub axis: String,
     /// Per second.
     pub velocity: f64,
     /// Per second squared.
@@ -152,7 +152,7 @@ pub fn compare(
         sweep,
     };
     folder.add_json("compare.json", &found)?;
-    folder.add("compare.csv", table(&found, setup.machine.axis_names()))?;
+    folder.add("compare.csv", table(&found, &setup.machine.axes()))?;
     let curves: Vec<(&str, &Schedule)> = names.iter().map(String::as_str).zip(made.iter().map(|m| &m.0)).collect();
     folder.add("compare.svg", plot::svg(&found, &toolpath, &channel, &curves))?;
     Ok((found, folder.finish()?))
@@ -182,17 +182,13 @@ fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<Made> {
     Ok((made, kinds.iter().map(|k| k.0.to_owned()).collect()))
 }
 
-fn unit(axis: usize, v: f64) -> f64 {
-    if axis < 3 { v } else { v.to_degrees() }
-}
-
-fn peaks_of(p: &AxisPeaks, names: [&'static str; 5]) -> Vec<Peak> {
-    let peak = |(k, axis): (usize, &'static str)| Peak {
-        axis,
-        velocity: unit(k, p.velocity[k]),
-        acceleration: unit(k, p.acceleration[k]),
+fn peaks_of(p: &AxisPeaks, axes: &[Axis]) -> Vec<Peak> {
+    let peak = |(k, axis): (usize, &Axis)| Peak {
+        axis: axis.name.clone(),
+        velocity: axis.shown(p.velocity[k]),
+        acceleration: axis.shown(p.acceleration[k]),
     };
-    names.into_iter().enumerate().map(peak).collect()
+    axes.iter().enumerate().map(peak).collect()
 }
 
 fn figures(
@@ -212,7 +208,7 @@ fn figures(
         rate_deg_mm: s.peak_rate.to_degrees(),
         second_deg_mm2: s.peak_acceleration.to_degrees(),
         seconds,
-        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axis_names()),
+        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, &setup.machine.axes()),
     })
 }
 
@@ -251,20 +247,21 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
     let motion = feed::plan(path, s, machine, feed, &Silent)?;
     let at = feed::peaks(path, s, machine, feed)?;
     let mut share = 1.0f64;
-    for (k, l) in machine.limits().iter().enumerate() {
+    let axes = machine.axes();
+    for (k, l) in axes.iter().map(|a| a.limits).enumerate() {
         share = share.min(l.velocity / at.velocity[k]).min((l.acceleration / at.acceleration[k]).sqrt());
         if feed.limit_jerk {
             share = share.min((l.jerk / at.jerk[k]).cbrt());
         }
     }
     let constant = share * feed.feed_mm_min;
-    let greatest = |rows: &[[f64; 5]]| std::array::from_fn(|k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
+    let greatest = |rows: &[Axes]| Axes::from_fn(axes.len(), |k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
     let own = AxisPeaks {
         velocity: greatest(&motion.velocity),
         acceleration: greatest(&motion.acceleration),
         jerk: greatest(&motion.jerk),
     };
-    let within = || machine.limits().iter().zip(&own.jerk).all(|(l, j)| *j <= JERK_ROUNDING * l.jerk);
+    let within = || axes.iter().zip(own.jerk.iter()).all(|(a, j)| *j <= JERK_ROUNDING * a.limits.jerk);
     Ok(Run {
         name: name.into(),
         time_s: motion.time_s,
@@ -273,7 +270,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         gain_on_fixed: 0.0,
         constant_feed_mm_min: constant,
         constant_feed_time_s: path.locations.last().map_or(0.0, |l| l.s_mm) / (constant / 60.0),
-        peaks: peaks_of(&own, machine.axis_names()),
+        peaks: peaks_of(&own, &axes),
     })
 }
 
@@ -281,16 +278,16 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
 fn least_turning(machine: &Machine, channel: &Channel) -> f64 {
     let (first, last) = (channel.rows.first(), channel.rows.last());
     let turn = first.zip(last).map_or(0.0, |(a, b)| b.theta_min - a.theta_max);
-    turn.max(0.0) / machine.limits()[3].velocity
+    turn.max(0.0) / machine.axes()[machine.turning_axis()].limits.velocity
 }
 
 /// The sweep as a table.
-fn table(c: &Comparison, names: [&str; 5]) -> String {
+fn table(c: &Comparison, axes: &[Axis]) -> String {
     let mut out = String::from(
         "scale,schedule,time_s,within_jerk,over_bound,gain_on_fixed,constant_feed_mm_min,constant_feed_time_s",
     );
-    for axis in names {
-        out.push_str(&format!(",v{axis},a{axis}"));
+    for Axis { name, .. } in axes {
+        out.push_str(&format!(",v{name},a{name}"));
     }
     out.push('\n');
     for l in &c.sweep {

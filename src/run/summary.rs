@@ -4,7 +4,8 @@ use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule};
+use crate::artifact::{Axes, AxisMotion, CheckReport, Plan, Schedule};
+use crate::machine::Axis;
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -149,31 +150,27 @@ pub struct Summary {
 }
 
 /// Peaks of every axis; rotary axes in degrees.
-pub fn axis_peaks(motion: &AxisMotion, names: [&str; 5]) -> Vec<AxisPeak> {
-    let greatest = |rows: &[[f64; 5]], i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
-    names
-        .iter()
+pub fn axis_peaks(motion: &AxisMotion, axes: &[Axis]) -> Vec<AxisPeak> {
+    let greatest = |rows: &[Axes], i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
+    axes.iter()
         .enumerate()
-        .map(|(i, axis)| {
-            let unit = |v: f64| if i < 3 { v } else { v.to_degrees() };
-            AxisPeak {
-                axis: (*axis).into(),
-                velocity: unit(greatest(&motion.velocity, i)),
-                acceleration: unit(greatest(&motion.acceleration, i)),
-                jerk: unit(greatest(&motion.jerk, i)),
-            }
+        .map(|(i, axis)| AxisPeak {
+            axis: axis.name.clone(),
+            velocity: axis.shown(greatest(&motion.velocity, i)),
+            acceleration: axis.shown(greatest(&motion.acceleration, i)),
+            jerk: axis.shown(greatest(&motion.jerk, i)),
         })
         .collect()
 }
 
 /// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and acceleration, rad, at the
-/// programmed feed held constant; `names` are the axes'.
+/// programmed feed held constant.
 pub fn schedule_figures(
     plan: &Plan,
     schedule: &Schedule,
     motion: &AxisMotion,
     constant_feed: [f64; 2],
-    names: [&str; 5],
+    axes: &[Axis],
 ) -> ScheduleFigures {
     let outside = schedule
         .theta
@@ -188,7 +185,7 @@ pub fn schedule_figures(
         theta_rate_peak_deg_per_mm: schedule.peak_rate.to_degrees(),
         theta_acceleration_peak_deg_per_mm2: schedule.peak_acceleration.to_degrees(),
         machining_time_s: motion.time_s,
-        axes: axis_peaks(motion, names),
+        axes: axis_peaks(motion, axes),
         a_velocity_at_constant_feed_deg_s: constant_feed[0].to_degrees(),
         a_acceleration_at_constant_feed_deg_s2: constant_feed[1].to_degrees(),
     }

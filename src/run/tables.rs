@@ -6,6 +6,7 @@ use crate::artifact::deviation::DeviationMap;
 use crate::artifact::{Blade, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
+use crate::machine::Axis;
 
 /// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back exactly.
 pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
@@ -64,13 +65,13 @@ pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
 
 /// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second. The leads' rows stand before and
 /// behind those of the cutter locations.
-pub fn axes(plan: &Plan, names: [&str; 5]) -> String {
+pub fn axes(plan: &Plan, axes: &[Axis]) -> String {
     let [before, after] = &plan.leads;
     let mut out = String::with_capacity(400 * plan.motion.t_s.len() + 200);
     out.push_str("t_s");
     for prefix in ["", "v", "a", "j"] {
-        for axis in names {
-            let _ = write!(out, ",{prefix}{axis}");
+        for axis in axes {
+            let _ = write!(out, ",{prefix}{}", axis.name);
         }
     }
     out.push('\n');
@@ -78,8 +79,8 @@ pub fn axes(plan: &Plan, names: [&str; 5]) -> String {
         for (k, t_s) in m.t_s.iter().enumerate() {
             let _ = write!(out, "{t_s}");
             for row in [&m.position, &m.velocity, &m.acceleration, &m.jerk].into_iter().filter_map(|rows| rows.get(k)) {
-                for (i, value) in row.iter().enumerate() {
-                    let _ = write!(out, ",{}", if i < 3 { *value } else { value.to_degrees() });
+                for (axis, value) in axes.iter().zip(row.iter()) {
+                    let _ = write!(out, ",{}", axis.shown(*value));
                 }
             }
             out.push('\n');

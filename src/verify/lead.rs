@@ -10,11 +10,11 @@ use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Cone, Lead, Obstacle, Plan, Stand};
+use crate::artifact::{Axes, Blade, Cone, Lead, Obstacle, Plan, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
-use crate::machine::Machine;
+use crate::machine::{Axis, Machine};
 use crate::tool::Tool;
 
 /// At its outer end an arc must be this share of its height off the part, or the ball has not left it.
@@ -113,12 +113,12 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
 
 /// An axis that would leave its travel on the arc.
 fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
-    let limits = room.machine.limits();
+    let axes = room.machine.axes();
     let gauge = room.tool.length_mm();
     let stands: Vec<Stand> = lead.stands(cone).collect();
     room.machine.along(&stands, gauge).into_iter().find_map(|q| {
-        let out = |i: &usize| limits[*i].travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
-        (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", room.machine.axis_names()[i]))
+        let out = |i: &usize| axes[*i].limits.travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
+        (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", axes[i].name))
     })
 }
 
@@ -200,33 +200,33 @@ fn within_travel(plan: &Plan, room: &Room) -> Check {
     let findings = plan.leads.iter().flat_map(|l| room.machine.check_travel(&l.motion));
     let worst = findings.max_by(|a, b| a.excess.total_cmp(&b.excess));
     let over = worst.as_ref().map_or(0.0, |w| if w.excess.is_nan() { f64::MAX } else { w.excess });
-    let (scale, unit) = worst.as_ref().map_or((1.0, "mm"), |w| w.scale_and_unit());
+    let (scale, unit) = worst.as_ref().map_or((1.0, "mm"), |w| (w.axis.scale(), w.axis.unit()));
     let quantity = "how far an axis leaves its travel on the leads";
-    let note = worst.map_or(String::new(), |w| format!("axis {}", w.axis));
+    let note = worst.map_or(String::new(), |w| format!("axis {}", w.axis.name));
     // Rounding of positions.
     Check { passed: over <= 1e-9, ..Check::at_most("lead-travel", quantity, over * scale, 0.0, unit, note) }
 }
 
 /// Velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
 fn within_limits(plan: &Plan, room: &Room) -> Check {
-    let rows: Vec<(f64, [f64; 5])> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
+    let rows: Vec<(f64, Axes)> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
     let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());
     // Two rows of the path belong to the accelerations at the joint.
     let ends = [&rows[..(before + 2).min(rows.len())], &rows[rows.len().saturating_sub(after + 2)..]];
-    let (mut worst, names) = ((0.0f64, String::new()), room.machine.axis_names());
-    let mut take = |share: f64, axis: usize, kind: &str| {
+    let mut worst = (0.0f64, String::new());
+    let mut take = |share: f64, axis: &str, kind: &str| {
         let share = if share.is_nan() { f64::MAX } else { share };
         if share > worst.0 {
-            worst = (share, format!("axis {}: {kind}", names[axis]));
+            worst = (share, format!("axis {axis}: {kind}"));
         }
     };
-    for (axis, limit) in room.machine.limits().iter().enumerate() {
+    for (axis, Axis { name, limits: limit, .. }) in room.machine.axes().iter().enumerate() {
         for rows in ends {
             let v: Vec<f64> = rows.windows(2).map(|w| (w[1].1[axis] - w[0].1[axis]) / (w[1].0 - w[0].0)).collect();
-            v.iter().for_each(|v| take(v.abs() / limit.velocity, axis, "velocity"));
+            v.iter().for_each(|v| take(v.abs() / limit.velocity, name, "velocity"));
             for (i, w) in v.windows(2).enumerate() {
                 let a = (w[1] - w[0]) / (0.5 * (rows[i + 2].0 - rows[i].0));
-                take(a.abs() / limit.acceleration, axis, "acceleration");
+                take(a.abs() / limit.acceleration, name, "acceleration");
             }
         }
     }

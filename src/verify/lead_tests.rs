@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 use crate::geometry::mesh::Mesh;
+use crate::machine::AxisLimits;
 use crate::sample;
 
 /// The sample's blade with a thin triangle more.
@@ -86,10 +87,10 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let c = plan.leads[0].centres[10];
     let wall = [c, c + Vector::new(1.0, 0.0, 0.0), c + Vector::new(0.0, 0.0, -1.0)];
     assert!(said(&with_needle(wall), &machine, &[]).unwrap().contains("the ball would cut"));
-    let mut short = machine.clone();
     let stand = plan.leads[0].stands(foot.cone).nth(10).unwrap();
     let q = machine.place(&stand, None, tool.length_mm());
-    short.axes.z.max_mm = q[2];
+    let z = machine.axes()[2].limits;
+    let short = machine.clone().with_limits(2, AxisLimits { travel: z.travel.map(|[lo, _]| [lo, q[2]]), ..z });
     assert_eq!(said(&sample::blade(), &short, &[]).unwrap(), "axis Z would leave its travel");
     let axis = stand.axis();
     let beside = c + axis * 30.0 + axis.cross(&Vector::x()).normalize() * 7.0;

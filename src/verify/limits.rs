@@ -11,8 +11,8 @@
 
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
-use crate::machine::Machine;
+use crate::artifact::{Axes, Blade, Plan};
+use crate::machine::{Axis, Machine};
 use crate::tool::Tool;
 
 /// A worst value and its row; the first of equals.
@@ -33,11 +33,9 @@ fn worst(values: impl Iterator<Item = f64>) -> Worst {
 /// All checks of the machine's motion.
 pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &VerifyOptions) -> Vec<Check> {
     let mut checks = vec![forward_in_time(plan, blade)];
-    let limits = machine.limits();
-    let there = if machine.rotary_axes()[1].is_some() { 5 } else { 4 };
-    for (axis, limit) in limits.iter().enumerate().take(there) {
+    for (axis, Axis { limits: limit, .. }) in machine.axes().iter().enumerate() {
         let travel = limit.travel.map(|[lo, hi]| {
-            let over = |q: &[f64; 5]| (lo - q[axis]).max(q[axis] - hi);
+            let over = |q: &Axes| (lo - q[axis]).max(q[axis] - hi);
             ("travel", "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
         });
         let (v, a) = (velocities(plan, axis), accelerations(plan, axis));
@@ -69,16 +67,16 @@ fn accelerations(plan: &Plan, axis: usize) -> Vec<f64> {
 
 /// Range of an axis over the motion beside its travel, and what moves it.
 fn where_it_goes(axis: usize, plan: &Plan, machine: &Machine) -> String {
-    let scale = if axis >= 3 { 1f64.to_degrees() } else { 1.0 };
-    let Some(travel) = machine.limits()[axis].travel else { return String::new() };
+    let own = &machine.axes()[axis];
+    let Some(travel) = own.limits.travel else { return String::new() };
     let positions = plan.motion.position.iter().map(|q| q[axis]);
     let (lo, hi) = positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
-    let what = match axis {
-        2 => "; a longer tool or holder raises it, machine.mount places the blade",
-        0 | 1 => "; machine.mount places the blade",
-        _ => "",
+    let what = match machine.linear().iter().position(|k| *k == axis) {
+        Some(2) => "; a longer tool or holder raises it, machine.mount places the blade",
+        Some(_) => "; machine.mount places the blade",
+        None => "",
     };
-    let [a, b, c, d] = [lo, hi, travel[0], travel[1]].map(|x| x * scale);
+    let [a, b, c, d] = [lo, hi, travel[0], travel[1]].map(|x| x * own.scale());
     format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}{what}")
 }
 
@@ -94,16 +92,14 @@ fn judge(
     machine: &Machine,
     options: &VerifyOptions,
 ) -> Check {
-    let (rotary, name) = (axis >= 3, machine.axis_names()[axis]);
-    let scale = if rotary { 1f64.to_degrees() } else { 1.0 };
-    let unit = match (kind, rotary) {
-        ("travel", false) => "mm",
-        ("travel", true) => "deg",
-        ("velocity", false) => "mm/s",
-        ("velocity", true) => "deg/s",
-        (_, false) => "mm/s²",
-        (_, true) => "deg/s²",
+    let own = &machine.axes()[axis];
+    let (name, scale) = (&own.name, own.scale());
+    let per = match kind {
+        "travel" => "",
+        "velocity" => "/s",
+        _ => "/s²",
     };
+    let unit = format!("{}{per}", own.unit());
     // Rounding of positions, and the limits' own units.
     let slack = if kind == "travel" { 1e-9 } else { options.limit_tolerance * limit };
     let row = if kind == "acceleration" { found.row + 1 } else { found.row };
@@ -115,7 +111,7 @@ fn judge(
     let (check_name, quantity) = (format!("{}-{kind}", name.to_lowercase()), format!("axis {name}: {quantity}"));
     let worst = if kind == "travel" { worst.max(0.0) } else { worst };
     let note = if kind == "travel" { where_it_goes(axis, plan, machine) } else { String::new() };
-    let check = Check::at_most(&check_name, &quantity, worst, limit * scale, unit, note);
+    let check = Check::at_most(&check_name, &quantity, worst, limit * scale, &unit, note);
     Check { passed: found.value <= limit + slack, ..check }.at_location(row, plan, blade)
 }
 

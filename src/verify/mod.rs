@@ -98,7 +98,7 @@ pub fn check_among(
     options: &VerifyOptions,
     observer: &dyn Observer,
 ) -> Result<Verdict<Plan>> {
-    well_formed(&plan)?;
+    well_formed(&plan, machine)?;
     tool.validate()?;
     let mut report = CheckReport::default();
     let step = |done: usize| {
@@ -140,11 +140,12 @@ pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut 
     scallop::measure(&part, &sweep::Sweep::new(&plan.toolpath), options, report);
 }
 
-/// Every list has one row per location and every number is finite.
+/// Every list has one row per location, rows of the motion have a column for each axis of the
+/// machine, and every number is finite.
 ///
 /// # Errors
 /// `Usage`, naming the list or the row.
-pub fn well_formed(plan: &Plan) -> Result<()> {
+pub fn well_formed(plan: &Plan, machine: &Machine) -> Result<()> {
     let n = plan.toolpath.locations.len();
     let bad = |what: String| Err(Error::usage(Stage::Verify, what));
     if n < 2 {
@@ -171,6 +172,12 @@ pub fn well_formed(plan: &Plan) -> Result<()> {
     }
     if !plan.toolpath.cones.fit(n) {
         return bad("the cones of tool axes of the plan are not finite, or not as many as its cutter locations".into());
+    }
+    let (columns, [before, after]) = (machine.axes().len(), &plan.leads);
+    let motions = [&before.motion, &plan.motion, &after.motion];
+    let tables = motions.into_iter().flat_map(|m| [&m.position, &m.velocity, &m.acceleration, &m.jerk]);
+    if let Some(row) = tables.flatten().find(|row| row.len() != columns) {
+        return bad(format!("the machine has {columns} axes, a row of the plan's motion has {}", row.len()));
     }
     let finite = |i: usize| {
         let (l, c) = (&plan.toolpath.locations[i], &plan.channel.rows[i]);

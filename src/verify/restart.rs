@@ -13,7 +13,7 @@ use crate::error::{Error, Result, Stage};
 /// # Errors
 /// `Usage` where `left` is no plan, or not the whole one's from some location on.
 pub fn restart(whole: &Verified<Plan>, left: Plan, room: &Room) -> Result<Verdict<Plan>> {
-    well_formed(&left)?;
+    well_formed(&left, room.machine)?;
     let (all, n) = (whole.value(), left.toolpath.locations.len());
     let skip = all.toolpath.locations.len().checked_sub(n);
     let same = skip.is_some_and(|k| {

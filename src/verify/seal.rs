@@ -53,6 +53,8 @@ pub fn recall(
     sealed: &str,
     about: &Subject,
 ) -> Result<std::result::Result<Verdict<Plan>, Plan>> {
-    let fits = well_formed(&plan).is_ok() && !report.checks.is_empty() && seal(plan_json, &report, about)? == sealed;
+    let fits = well_formed(&plan, about.machine).is_ok()
+        && !report.checks.is_empty()
+        && seal(plan_json, &report, about)? == sealed;
     Ok(if fits { Ok(Verdict::of(plan, report)) } else { Err(plan) })
 }

@@ -9,7 +9,7 @@ use crate::artifact::channel::{Binding, Channel, ChannelRow};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{AxisMotion, Cones, Plan, Stand};
+use crate::artifact::{Axes, AxisMotion, Cones, Plan, Stand};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -102,7 +102,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
         binds_min: Binding::ContactAngle,
         binds_max: Binding::Free,
     };
-    let zeros = vec![[0.0; 5]; n];
+    let zeros = vec![Axes::of_default(5); n];
     with_motion(Plan {
         leads: Default::default(),
         toolpath: Toolpath {
@@ -366,7 +366,7 @@ fn axis_limits_exceeded_are_found_and_placed() {
     assert!((300..=301).contains(&find(&report, "a-acceleration").row.unwrap()));
     // Velocity columns are not trusted.
     p.motion = clean.motion.clone();
-    p.motion.velocity = vec![[1e9; 5]; p.motion.velocity.len()];
+    p.motion.velocity = vec![Axes::from([1e9; 5]); p.motion.velocity.len()];
     assert_eq!(failed(run(p, &blade, &limits).report()), Vec::<&str>::new());
     // Far outside the stroke of X, and not where the plan says.
     let mut p = clean.clone();
@@ -395,7 +395,15 @@ fn plans_that_are_none_are_refused() {
     nan.toolpath.locations[5].centre.y = f64::NAN;
     let mut empty = plan(3, 180, 0.0, helix);
     empty.toolpath.locations.clear();
-    for (bad, word) in [(short, "schedule"), (nan, "location 5"), (empty, "0 cutter locations")] {
+    let mut narrow = plan(3, 180, 0.0, helix);
+    narrow.motion.jerk[7] = Axes::of_default(4);
+    let bad = [
+        (short, "schedule"),
+        (nan, "location 5"),
+        (empty, "0 cutter locations"),
+        (narrow, "the machine has 5 axes, a row of the plan's motion has 4"),
+    ];
+    for (bad, word) in bad {
         let e = check(bad, &blade, &tool(), &machine(), &options(), &Silent).unwrap_err();
         assert!(e.message.contains(word), "{e}");
     }

@@ -183,9 +183,8 @@ fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
     }
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let row = |k: usize| k.saturating_sub(plan.leads[0].centres.len()).min(last);
-    let names = machine.axis_names();
-    for (axis, limit) in machine.limits().iter().enumerate() {
-        let (unit, name) = (if axis < 3 { 1.0 } else { 1f64.to_degrees() }, names[axis]);
+    for (axis, own) in machine.axes().iter().enumerate() {
+        let (unit, name, limit) = (own.scale(), &own.name, own.limits);
         let jerk = JERK * limit.jerk;
         let (still, steady) = (ROUNDING * limit.velocity, ROUNDING * limit.acceleration);
         for k in 0..n - 1 {

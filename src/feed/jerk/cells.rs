@@ -1,10 +1,9 @@
 //! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of size 1.
 
+use crate::artifact::Axes;
 use crate::feed::caps::of_velocity;
 use crate::numerics::spline::CubicSpline;
 
-/// Axes that take part.
-pub(super) const AXES: usize = 5;
 /// Cells at least.
 const LEAST_CELLS: usize = 24;
 /// Parts of the outer intervals, from the end inwards: from rest ṡ² rises with the 4/3rd power of the arc length, which parabolas
@@ -14,16 +13,16 @@ const OUTER_PARTS: [usize; 5] = [8, 4, 3, 2, 2];
 const END_SHARE: f64 = 0.5;
 
 /// Limits of all axes: velocity, acceleration, jerk.
-pub(in crate::feed) type Limits = [[f64; 3]; AXES];
+pub(in crate::feed) type Limits = Axes<[f64; 3]>;
 
 /// Bernstein coefficients of `q'` (3), `q''` (2) and `q'''` over one cell, for every axis; by scaled arc length.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     /// Length.
     pub h: f64,
-    pub q1: [[f64; 3]; AXES],
-    pub q2: [[f64; 2]; AXES],
-    pub q3: [f64; AXES],
+    pub q1: Axes<[f64; 3]>,
+    pub q2: Axes<[f64; 2]>,
+    pub q3: Axes,
     /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight between.
     pub cap: [f64; 2],
 }
@@ -82,13 +81,13 @@ pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits:
     let (a, h) = (from - start, w[1].0 - from);
     let mut out = Cell {
         h: h / l,
-        q1: [[0.0; 3]; AXES],
-        q2: [[0.0; 2]; AXES],
-        q3: [0.0; AXES],
+        q1: Axes::of_default(limits.len()),
+        q2: Axes::of_default(limits.len()),
+        q3: Axes::of_default(limits.len()),
         cap: [cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed); 2],
     };
     let own = out.cap[0];
-    for k in 0..AXES {
+    for k in 0..limits.len() {
         let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
         let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
         let second = |t: f64| 2.0 * c + 6.0 * t * d;
@@ -175,7 +174,7 @@ impl Cell {
     /// Greatest constant speed squared over the cell.
     pub fn steady(&self, limits: &Limits) -> f64 {
         let mut most = self.cap[0].min(self.cap[1]);
-        for k in 0..AXES {
+        for k in 0..limits.len() {
             most = most.min(limits[k][1] / greatest(&self.q2[k]));
             most = most.min((limits[k][2] / self.q3[k].abs()).powf(2.0 / 3.0));
         }
@@ -188,7 +187,7 @@ impl Cell {
         // Squares of jerks, which grow with the cube of ṡ².
         let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
-        for k in 0..AXES {
+        for k in 0..limits.len() {
             for g in self.acceleration(k) {
                 most = most.max(dot(&g, v).abs() / limits[k][1]);
             }
@@ -210,7 +209,7 @@ impl Cell {
     pub fn end_from_rest(&self, limits: &Limits) -> f64 {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
-        for k in 0..AXES {
+        for k in 0..limits.len() {
             let (q1, q2, q3) = (greatest(&self.q1[k]), greatest(&self.q2[k]), self.q3[k].abs());
             u = u.min(limits[k][1] / (q1 + 1.5 * h * q2));
             let jerk = q1 / (6.0 * h).sqrt() + 3.0 * q2 * (1.5 * h).sqrt() + q3 * (1.5 * h).powf(1.5);

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use super::cells::{AXES, Cell, Limits, dot, greatest, of_x};
+use crate::artifact::Axes;
+
+use super::cells::{Cell, Limits, dot, greatest, of_x};
 
 /// The path between the end cells.
 pub(super) struct Problem<'a> {
@@ -89,7 +91,7 @@ impl Rows {
             let caps = of_x(c.h).into_iter().zip(problem.caps(i)).map(|(g, cap)| g.map(|v| v / cap));
             out.linear.extend(caps.filter(|g| dot(g, v) > shares.others));
             let active = decisive(c, limits);
-            for k in (0..AXES).filter(|k| active[*k]) {
+            for k in (0..limits.len()).filter(|k| active[*k]) {
                 for g in c.acceleration(k) {
                     let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / limits[k][1]));
                     out.linear.extend(signed.into_iter().filter(|g| dot(g, v) > shares.accelerations));
@@ -154,7 +156,7 @@ fn add(to: &mut [f64; 3], factor: f64, g: &[f64; 3], h: f64) {
 
 /// Axes whose limits of acceleration or jerk may be reached in a cell. Where the limits of one axis bound `|u|` and `√x |w|`
 /// so much that another cannot reach its own, the other is left out.
-fn decisive(p: &Cell, limits: &Limits) -> [bool; AXES] {
+fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
     let least = |q: &[f64; 3]| {
         let one_sign = q.iter().all(|v| *v > 0.0) || q.iter().all(|v| *v < 0.0);
         if one_sign { q.iter().fold(f64::INFINITY, |m, v| m.min(v.abs())) } else { 0.0 }
@@ -162,14 +164,14 @@ fn decisive(p: &Cell, limits: &Limits) -> [bool; AXES] {
     let cap = p.cap[0].max(p.cap[1]);
     let speed = cap.sqrt();
     let (mut u, mut w) = (f64::INFINITY, f64::INFINITY);
-    for k in 0..AXES {
+    for k in 0..limits.len() {
         u = u.min((limits[k][1] + greatest(&p.q2[k]) * cap) / least(&p.q1[k]));
     }
     let rest = |k: usize| 3.0 * greatest(&p.q2[k]) * u * speed + p.q3[k].abs() * cap * speed;
-    for k in 0..AXES {
+    for k in 0..limits.len() {
         w = w.min((limits[k][2] + rest(k)) / least(&p.q1[k]));
     }
-    std::array::from_fn(|k| {
+    Axes::from_fn(limits.len(), |k| {
         let q = greatest(&p.q1[k]);
         if q == 0.0 && p.q2[k] == [0.0; 2] {
             return false;

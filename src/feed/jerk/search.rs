@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::cells::{AXES, greatest};
+use super::cells::greatest;
 use super::rows::{Dual, Problem, Shares};
 use super::window::{self, Found, Search};
 use super::{bound, relaxed};
@@ -207,7 +207,8 @@ fn crossing(
 fn length(problem: &Problem) -> usize {
     let mut ramps: Vec<f64> = Vec::with_capacity(problem.inner.len());
     for c in problem.inner {
-        let u = (0..AXES).map(|k| problem.limits[k][1] / greatest(&c.q1[k])).fold(f64::INFINITY, f64::min);
+        let u =
+            (0..problem.limits.len()).map(|k| problem.limits[k][1] / greatest(&c.q1[k])).fold(f64::INFINITY, f64::min);
         ramps.push(0.5 * c.steady(problem.limits) / (u * c.h));
     }
     let most = ramps.len() * 9 / 10;

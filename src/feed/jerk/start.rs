@@ -7,7 +7,7 @@
 
 use rayon::prelude::*;
 
-use super::cells::{AXES, Cell, Limits, greatest};
+use super::cells::{Cell, Limits, greatest};
 
 /// Share of the limits that is used: room to the limits for the solver to start in.
 const SHARE: f64 = 0.7;
@@ -64,7 +64,7 @@ struct Allowed {
 
 impl Allowed {
     fn of(c: &Cell, limits: &Limits) -> Allowed {
-        let u = (0..AXES).map(|k| limits[k][1] / greatest(&c.q1[k])).fold(f64::INFINITY, f64::min);
+        let u = (0..limits.len()).map(|k| limits[k][1] / greatest(&c.q1[k])).fold(f64::INFINITY, f64::min);
         Allowed { x: STEADY * c.steady(limits), u: RISE * u }
     }
 

@@ -6,7 +6,9 @@ use super::*;
 use crate::numerics::spline::Ends;
 use crate::observe::Silent;
 
-const LIMITS: Limits = [[500.0, 3000.0, 50000.0]; cells::AXES];
+fn limits() -> Limits {
+    Limits::from([[500.0, 3000.0, 50000.0]; 5])
+}
 
 /// Three axes along a circle with noise.
 fn curve(n: usize, noise: f64) -> CubicSpline {
@@ -31,10 +33,10 @@ proptest! {
     ) {
         let (curve, feed) = (curve(120, noise), 30.0);
         let grid = cells::grid(curve.abscissae());
-        let units = Units::of(&grid, feed, &LIMITS);
+        let units = Units::of(&grid, feed, &limits());
         let caps = vec![feed * feed; 119];
-        let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(&curve, w, &caps, &LIMITS, units)).collect();
-        let scaled = units.scaled(&LIMITS);
+        let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(&curve, w, &caps, &limits(), units)).collect();
+        let scaled = units.scaled(&limits());
         let ends = [&cells[0], &cells[cells.len() - 1]].map(|c| [c.h, c.end_from_rest(&scaled)]);
         let inner = &cells[1..cells.len() - 1];
         let problem = Problem { inner, ends, limits: &scaled };

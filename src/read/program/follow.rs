@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 
 use super::block::{Block, Feed, Place, Way};
 use super::unreachable;
+use crate::artifact::Axes;
 use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
@@ -33,6 +34,8 @@ impl Default for Zero {
 
 /// A vector is along the tool axis within this, rad: its components are rounded.
 const ALONG_RAD: f64 = 1e-6;
+/// Letters of rotary axes, in the order of a block's words.
+const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
 /// Chords that the length of a bent move is taken from.
 const CHORDS: usize = 64;
 
@@ -54,15 +57,15 @@ pub struct Bench<'a> {
 pub struct Moved {
     /// Line of the text.
     pub line: usize,
-    /// What the first three numbers of `from` and `to` are.
+    /// What the columns of X, Y, Z in `from` and `to` are.
     pub words: Programmed,
-    /// Before it: tip or ball centre in the blade frame or X, Y, Z of the machine, mm; rotary axes as in
-    /// [`Machine::axis_names`], rad, over all turns.
-    pub from: [f64; 5],
+    /// Before it, in the order of [`Machine::axes`]: rotary axes, rad, over all turns; in place of X, Y, Z tip or ball centre in the blade
+    /// frame where `words` say so, mm.
+    pub from: Axes,
     /// After it.
-    pub to: [f64; 5],
+    pub to: Axes,
     /// Coefficients of `p²` to `p⁵` of each, `p` being the share of the move; `None`: every one moves evenly.
-    pub bend: Option<[[f64; 4]; 5]>,
+    pub bend: Option<Axes<[f64; 4]>>,
     /// Time it takes, s; `None`: rapid.
     pub seconds: Option<f64>,
 }
@@ -70,25 +73,25 @@ pub struct Moved {
 impl Moved {
     /// Whether the whole move is known: false where the program has not said yet where an axis stands.
     pub fn known(&self) -> bool {
-        self.from.iter().chain(&self.to).all(|v| v.is_finite())
+        self.from.iter().chain(self.to.iter()).all(|v| v.is_finite())
     }
 
     /// Whether it is one in which every word moves evenly.
     pub fn even(&self) -> bool {
-        self.bend.is_none_or(|b| b.as_flattened().iter().all(|a| *a == 0.0))
+        self.bend.is_none_or(|b| b.iter().flatten().all(|a| *a == 0.0))
     }
 
     /// The words at the share `f` of the move.
-    pub fn at(&self, f: f64) -> [f64; 5] {
+    pub fn at(&self, f: f64) -> Axes {
         // The end is known where the beginning is not.
         if f == 1.0 {
             return self.to;
         }
         let mut out = self.from;
-        for (o, to) in out.iter_mut().zip(&self.to) {
+        for (o, to) in out.iter_mut().zip(self.to.iter()) {
             *o += (to - *o) * f;
         }
-        for (o, a) in out.iter_mut().zip(self.bend.iter().flatten()) {
+        for (o, a) in out.iter_mut().zip(self.bend.iter().flat_map(|b| b.iter())) {
             *o += a.iter().zip(2..).map(|(a, k)| a * (f.powi(k) - f)).sum::<f64>();
         }
         out
@@ -100,30 +103,29 @@ impl Moved {
     }
 
     /// Positions of the machine's axes at the share `f` of the move, mm and rad.
-    pub fn axes(&self, f: f64, tool: &Tool, machine: &Machine) -> [f64; 5] {
+    pub fn axes(&self, f: f64, tool: &Tool, machine: &Machine) -> Axes {
         axes(self.words, &self.at(f), tool, machine)
     }
 }
 
 /// The tool where the words say.
-fn pose(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> Pose {
-    let [x, y, z, a, b] = *at;
+fn pose(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Pose {
     if words == Programmed::Machine {
         return machine.forward(at, tool.length_mm());
     }
-    let axis = machine.axis_at([a, b]);
+    let axis = machine.axis_at(at);
+    let point = machine.linear().map(|k| at[k]);
     let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
-    Pose { centre: Point::new(x, y, z) + axis * lift, axis }
+    Pose { centre: Point::from(point) + axis * lift, axis }
 }
 
 /// Positions of the axes where the words say; the rotary ones are kept to the bit.
-fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f64; 5] {
+fn axes(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Axes {
     if words == Programmed::Machine {
         return *at;
     }
     let centre = pose(words, at, tool, machine).centre;
-    let [x, y, z] = machine.linear_at(&centre, [at[3], at[4]], tool.length_mm());
-    [x, y, z, at[3], at[4]]
+    machine.linear_at(&centre, at, tool.length_mm())
 }
 
 /// Follows the moves. What a move comes from is `NaN` where the program has not said it.
@@ -131,7 +133,7 @@ fn axes(words: Programmed, at: &[f64; 5], tool: &Tool, machine: &Machine) -> [f6
 /// # Errors
 /// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame before tool-centre-point control is on.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
-    let mut follower = Follower { bench, stands: UNKNOWN, said: None, fixed: None };
+    let mut follower = Follower { bench, stands: at_first(bench.machine), said: None, fixed: None };
     blocks.iter().map(|b| follower.step(b)).collect()
 }
 
@@ -148,26 +150,30 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
             format!("the program calls a tool {calls} times, {} tools are given", benches.len()),
         ));
     }
-    let mut stands = UNKNOWN;
+    let mut stood = None;
     let mut rest = blocks;
     let mut out = Vec::new();
     for (k, bench) in benches.iter().enumerate() {
+        let stands = stood.unwrap_or_else(|| at_first(bench.machine));
         let own = rest.iter().take_while(|b| b.tool_calls <= k + 1).count();
         let (mine, later) = rest.split_at(own);
         let mut follower = Follower { bench, stands, said: None, fixed: None };
         out.push(mine.iter().map(|b| follower.step(b)).collect::<Result<_>>()?);
-        (stands, rest) = (follower.stands, later);
+        (stood, rest) = (Some(follower.stands), later);
     }
     Ok(out)
 }
 
-/// Where the axes stand at first: rotary ones at 0.
-const UNKNOWN: [f64; 5] = [f64::NAN, f64::NAN, f64::NAN, 0.0, 0.0];
+/// Where the axes stand at first: rotary ones at 0, others nobody knows where.
+fn at_first(machine: &Machine) -> Axes {
+    let axes = machine.axes();
+    Axes::from_fn(axes.len(), |k| if axes[k].is_rotary() { 0.0 } else { f64::NAN })
+}
 
 struct Follower<'a> {
     bench: &'a Bench<'a>,
     /// Positions of the machine's axes.
-    stands: [f64; 5],
+    stands: Axes,
     /// The programmed point, as long as it is the program's own: not taken back from the axes, so that it keeps its digits.
     said: Option<[f64; 3]>,
     /// The line that fixed the frame to the table, and the frame: to the blade frame.
@@ -181,12 +187,12 @@ impl Follower<'_> {
     }
 
     /// Fixes the frame to the table, where a line before has done so, as it stands.
-    fn fix(&mut self, block: &Block, rotary: [f64; 2], in_this_line: bool) {
+    fn fix(&mut self, block: &Block, at: &Axes, in_this_line: bool) {
         if let Some(line) = block.fixed_by
             && self.fixed.is_none_or(|f| f.0 != line)
             && (line == block.line) == in_this_line
         {
-            self.fixed = Some((line, self.bench.machine.blade_from_frame_fixed_at(rotary)));
+            self.fixed = Some((line, self.bench.machine.blade_from_frame_fixed_at(at)));
         }
     }
 
@@ -194,15 +200,16 @@ impl Follower<'_> {
         if block.fixed_by.is_none() {
             self.fixed = None;
         }
-        self.fix(block, [self.stands[3], self.stands[4]], false);
-        let (point, rotary) = match block.place {
+        let stands = self.stands;
+        self.fix(block, &stands, false);
+        let (point, to) = match block.place {
             Place::Words { point, rotary } => (point, self.rotary(block, rotary)?),
             Place::Vector { point, axis } => {
                 let axis = self.blade_from_program().rotation * Vector::from(axis);
-                let (machine, stands) = (self.bench.machine, [self.stands[3], self.stands[4]]);
+                let machine = self.bench.machine;
                 // Along the first rotary axis any position of that would do: it stays where the tool stands so already.
-                let stays = || axis.angle(&machine.axis_at(stands)) < ALONG_RAD;
-                let near = machine.rotary_of_axis(&axis, stands).or_else(|| stays().then_some(stands));
+                let stays = || axis.angle(&machine.axis_at(&stands)) < ALONG_RAD;
+                let near = machine.rotary_of_axis(&axis, &stands).or_else(|| stays().then_some(stands));
                 let reached = near.ok_or_else(|| {
                     unreachable(block.line, "the tool axis is along the rotary axis, out of reach, or none")
                 })?;
@@ -210,43 +217,43 @@ impl Follower<'_> {
             }
         };
         // Rotary words of the line that fixes it turn the table before.
-        self.fix(block, rotary, true);
+        self.fix(block, &to, true);
         let own = self.bench.language.programmed == Programmed::Machine;
         if !own && !block.machine && !block.centre_point && point.iter().any(Option::is_some) {
             return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
         let mut moved = if own || block.machine || !block.centre_point {
-            self.in_axes(block, point, rotary)
+            self.in_axes(block, point, to)
         } else {
-            self.over_the_part(block, point, rotary)
+            self.over_the_part(block, point, to)
         };
-        moved.seconds = seconds(block.feed, &moved);
+        moved.seconds = seconds(block.feed, &moved, self.bench.machine);
         Ok(moved)
     }
 
-    /// X, Y, Z are positions of the axes.
-    fn in_axes(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
-        let mut to = self.stands;
+    /// X, Y, Z are positions of the axes; `to` has where the rotary axes go.
+    fn in_axes(&mut self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> Moved {
+        let linear = self.bench.machine.linear();
         for (i, word) in point.into_iter().enumerate() {
+            let to = &mut to[linear[i]];
             if let (true, Some(step)) = (block.steps[i], word) {
-                to[i] += step;
+                *to += step;
                 continue;
             }
             // G43 adds the length to the tip along Z of the machine, however the head leans.
             let tool = self.bench.tool;
             let length = if block.tool_length && i == 2 { tool.length_mm() + tool.radius_mm } else { 0.0 };
             let zero = if block.machine { 0.0 } else { self.bench.zero.axes_mm[i] };
-            to[i] = word.map_or(to[i], |w| w + zero + length);
+            *to = word.map_or(*to, |w| w + zero + length);
         }
-        (to[3], to[4]) = (a, b);
         let bend = self.bend(block, |point| point);
         let moved = Moved { line: block.line, words: Programmed::Machine, from: self.stands, to, bend, seconds: None };
         (self.stands, self.said) = (to, None);
         moved
     }
 
-    /// X, Y, Z are the programmed point over the part.
-    fn over_the_part(&mut self, block: &Block, point: [Option<f64>; 3], [a, b]: [f64; 2]) -> Moved {
+    /// X, Y, Z are the programmed point over the part; `to` has where the rotary axes go.
+    fn over_the_part(&mut self, block: &Block, point: [Option<f64>; 3], to: Axes) -> Moved {
         let Bench { language, tool, machine, .. } = *self.bench;
         let blade_from_program = self.blade_from_program();
         let words = language.programmed;
@@ -259,10 +266,12 @@ impl Follower<'_> {
         for ((t, word), step) in there.iter_mut().zip(point).zip(block.steps) {
             *t = word.map_or(*t, |w| if step { *t + w } else { w });
         }
-        let in_blade = |p: [f64; 3]| blade_from_program * Point::from(p);
-        let (from, to) = (in_blade(here), in_blade(there));
-        let from = [from.x, from.y, from.z, self.stands[3], self.stands[4]];
-        let to = [to.x, to.y, to.z, a, b];
+        let at = |mut axes: Axes, point: [f64; 3]| {
+            let point = blade_from_program * Point::from(point);
+            machine.linear().into_iter().zip(point.iter()).for_each(|(k, v)| axes[k] = *v);
+            axes
+        };
+        let (from, to) = (at(self.stands, here), at(to, there));
         let bend = self.bend(block, |point| blade_from_program.rotation * point);
         let moved = Moved { line: block.line, words, from, to, bend, seconds: None };
         (self.stands, self.said) = (axes(words, &to, tool, machine), Some(there));
@@ -270,18 +279,17 @@ impl Follower<'_> {
     }
 
     /// Polynomials in the order of the axes; those of X, Y and Z brought to the frame of the move.
-    fn bend(&self, block: &Block, turned: impl Fn(Vector) -> Vector) -> Option<[[f64; 4]; 5]> {
-        let said = block.bend?;
-        let mut out = [[0.0; 4]; 5];
+    fn bend(&self, block: &Block, turned: impl Fn(Vector) -> Vector) -> Option<Axes<[f64; 4]>> {
+        let (said, machine) = (block.bend?, self.bench.machine);
+        let (axes, linear) = (machine.axes(), machine.linear());
+        let mut out: Axes<[f64; 4]> = Axes::of_default(axes.len());
         for k in 0..4 {
             let point = turned(Vector::from(said.point.map(|a| a[k])));
-            (0..3).for_each(|i| out[i][k] = point[i]);
+            (0..3).for_each(|i| out[linear[i]][k] = point[i]);
         }
-        let names = self.bench.machine.rotary_axes();
-        for (name, own) in [AxisName::A, AxisName::B, AxisName::C].into_iter().zip(said.rotary) {
-            if let Some(i) = names.iter().position(|n| *n == Some(name)) {
-                out[3 + i] = own.map(f64::to_radians);
-            }
+        for k in machine.rotary() {
+            let word = ROTARY.iter().position(|letter| *letter == axes[k].letter);
+            out[k] = word.map_or([0.0; 4], |w| said.rotary[w].map(f64::to_radians));
         }
         Some(out)
     }
@@ -291,26 +299,23 @@ impl Follower<'_> {
         self.bench.language.shortest_way && self.bench.language.grammar == Grammar::Gcode
     }
 
-    /// Rotary positions after a line, rad.
-    fn rotary(&self, block: &Block, words: [Option<f64>; 3]) -> Result<[f64; 2]> {
-        let mut to = [self.stands[3], self.stands[4]];
-        let axes = self.bench.machine.rotary_axes();
-        let own = [AxisName::A, AxisName::B, AxisName::C];
-        for (name, word) in own.into_iter().zip(words) {
-            if word.is_some() && !axes.contains(&Some(name)) {
-                return Err(unreachable(block.line, &format!("the machine has no axis {}", name.letter())));
-            }
-        }
-        for (i, at) in to.iter_mut().enumerate() {
-            let Some(letter) = own.iter().position(|n| Some(*n) == axes[i]) else { continue };
-            let Some(word) = words[letter].map(f64::to_radians) else { continue };
+    /// Where the axes stand after the rotary words of a line, rad.
+    fn rotary(&self, block: &Block, words: [Option<f64>; 3]) -> Result<Axes> {
+        let (mut to, machine) = (self.stands, self.bench.machine);
+        let (axes, rotary) = (machine.axes(), machine.rotary());
+        for (letter, (word, way)) in ROTARY.into_iter().zip(words.into_iter().zip(block.ways)) {
+            let Some(word) = word.map(f64::to_radians) else { continue };
+            let Some(k) = rotary.clone().find(|k| axes[*k].letter == letter) else {
+                return Err(unreachable(block.line, &format!("the machine has no axis {}", letter.letter())));
+            };
+            let at = &mut to[k];
             let nearest = word + TAU * ((*at - word) / TAU).round();
-            *at = match block.ways[letter] {
+            *at = match way {
                 Way::By => *at + word,
                 Way::Shorter => nearest,
                 Way::Up => *at + (word - *at).rem_euclid(TAU),
                 Way::Down => *at - (*at - word).rem_euclid(TAU),
-                Way::To if self.shortest_way() && i == 0 => nearest,
+                Way::To if self.shortest_way() && k == machine.turning_axis() => nearest,
                 Way::To => word,
             };
         }
@@ -319,22 +324,22 @@ impl Follower<'_> {
 }
 
 /// How long a move takes, s; `None` for a rapid.
-fn seconds(feed: Feed, moved: &Moved) -> Option<f64> {
+fn seconds(feed: Feed, moved: &Moved, machine: &Machine) -> Option<f64> {
     match feed {
         Feed::Rapid => None,
         Feed::PerMove(f) => Some(60.0 / f),
         Feed::PerMinute(f) => {
-            let way = length(moved, 0..3);
-            let turn = length(moved, 3..5).to_degrees();
+            let way = length(moved, machine.linear().into_iter());
+            let turn = length(moved, machine.rotary()).to_degrees();
             Some(60.0 * if way > 0.0 { way } else { turn } / f)
         }
     }
 }
 
 /// The way of some words, by chords where they bend.
-fn length(moved: &Moved, words: std::ops::Range<usize>) -> f64 {
+fn length(moved: &Moved, words: impl Iterator<Item = usize> + Clone) -> f64 {
     let parts = if moved.even() { 1 } else { CHORDS };
-    let places: Vec<[f64; 5]> = (0..=parts).map(|k| moved.at(k as f64 / parts as f64)).collect();
-    let chord = |w: &[[f64; 5]]| words.clone().map(|i| (w[1][i] - w[0][i]).powi(2)).sum::<f64>().sqrt();
+    let places: Vec<Axes> = (0..=parts).map(|k| moved.at(k as f64 / parts as f64)).collect();
+    let chord = |w: &[Axes]| words.clone().map(|i| (w[1][i] - w[0][i]).powi(2)).sum::<f64>().sqrt();
     places.windows(2).map(chord).sum()
 }

@@ -4,7 +4,7 @@ use super::legs::Legs;
 use super::report::{Limit, LineCheck, Worst};
 use super::{Scene, checks};
 use crate::error::Result;
-use crate::machine::{Machine, PositiveA};
+use crate::machine::Machine;
 use crate::read::program::{Bench, Moved};
 
 /// A sign that is wrong is so all over: with a smaller share of bad legs it is not to blame.
@@ -20,51 +20,38 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
     if contact && checks::share_bad(scene) < WIDESPREAD {
         return Ok(out);
     }
-    let [.., first, second] = scene.bench.machine.axis_names();
-    let leans = scene.moves.iter().any(|m| m.from[4] != 0.0 || m.to[4] != 0.0);
-    if leans && well(scene, &other_b(scene.moves), scene.bench.machine)? {
-        let quantity = format!(
-            "with the other sign of {second} there is contact, and neither gouge nor touch: {second} has the wrong sign in the program, or in the machine file"
-        );
-        out.push(blamed(scene, "b-sign", &quantity, |m| m.to[4] != 0.0));
+    let machine = scene.bench.machine;
+    let (turning, axes) = (machine.turning_axis(), machine.axes());
+    for leaning in machine.rotary().skip(1) {
+        let leans = scene.moves.iter().any(|m| m.from[leaning] != 0.0 || m.to[leaning] != 0.0);
+        if leans && well(scene, &other_sign(scene.moves, leaning), machine)? {
+            let name = &axes[leaning].name;
+            let quantity = format!(
+                "with the other sign of {name} there is contact, and neither gouge nor touch: {name} has the wrong sign in the program, or in the machine file"
+            );
+            out.push(blamed(scene, "b-sign", &quantity, |m| m.to[leaning] != 0.0));
+        }
     }
-    if well(scene, scene.moves, &other_a(scene.bench.machine))? {
-        let says = if scene.bench.machine.chain.is_empty() { "table.positive_a_turns" } else { "its direction" };
+    if well(scene, scene.moves, &machine.clone().with_axis_reversed(turning))? {
+        let first = &axes[turning].name;
+        let says = axes[turning].sense_key;
         let quantity = format!(
             "with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says"
         );
-        out.push(blamed(scene, "a-sense", &quantity, |m| m.to[3] != 0.0));
+        out.push(blamed(scene, "a-sense", &quantity, |m| m.to[turning] != 0.0));
     }
     Ok(out)
 }
 
-/// Every B negative.
-fn other_b(moves: &[Moved]) -> Vec<Moved> {
+/// Every position of an axis with the other sign.
+fn other_sign(moves: &[Moved], axis: usize) -> Vec<Moved> {
     let turned = |m: &Moved| {
         let mut m = *m;
-        (m.from[4], m.to[4]) = (-m.from[4], -m.to[4]);
-        m.bend.iter_mut().for_each(|bend| bend[4] = bend[4].map(|a| -a));
+        (m.from[axis], m.to[axis]) = (-m.from[axis], -m.to[axis]);
+        m.bend.iter_mut().for_each(|bend| bend[axis] = bend[axis].map(|a| -a));
         m
     };
     moves.iter().map(turned).collect()
-}
-
-/// The first rotary axis counted the other way.
-fn other_a(machine: &Machine) -> Machine {
-    let mut other = machine.clone();
-    if let Some(table) = &mut other.table {
-        table.positive_a_turns = match table.positive_a_turns {
-            PositiveA::Tool => PositiveA::Workpiece,
-            PositiveA::Workpiece => PositiveA::Tool,
-        };
-    }
-    if let [Some(first), _] = other.rotary_axes()
-        && let (false, Some(axis)) = (other.chain.is_empty(), other.axes.rotary_mut(first))
-    {
-        let [x, y, z] = axis.direction.unwrap_or_else(|| first.unit());
-        axis.direction = Some([-x, -y, -z]);
-    }
-    other
 }
 
 /// Neither gouge nor touch.

@@ -160,11 +160,11 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
 /// Every axis that has an end of travel.
 pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
     let machine = scene.bench.machine;
-    let (reached, names) = (reached(scene), machine.axis_names());
+    let reached = reached(scene);
     let mut out = Vec::new();
-    for (axis, limits) in machine.limits().iter().enumerate() {
-        let Some([lo, hi]) = limits.travel else { continue };
-        let scale = if axis >= 3 { 1f64.to_degrees() } else { 1.0 };
+    for (axis, own) in machine.axes().iter().enumerate() {
+        let Some([lo, hi]) = own.limits.travel else { continue };
+        let (name, scale) = (&own.name, own.scale());
         let over: Vec<(usize, f64)> =
             reached[axis].iter().map(|(at, least, most)| (*at, (lo - least).max(most - hi))).collect();
         // The first of equals: the line that went there, not those that stay.
@@ -175,10 +175,10 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
         let limit = Limit {
-            name: format!("{}-travel", names[axis].to_lowercase()),
-            quantity: format!("how far axis {} leaves its travel", names[axis]),
+            name: format!("{}-travel", name.to_lowercase()),
+            quantity: format!("how far axis {name} leaves its travel"),
             limit: 0.0,
-            unit: if axis >= 3 { "deg" } else { "mm" },
+            unit: own.unit(),
             passed: worst.1 <= ROUNDING,
         };
         let point =
@@ -198,9 +198,8 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
 /// What the programmed feeds ask of every axis, leg by leg.
 pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
-    let (limits, names) = (machine.limits(), machine.axis_names());
-    let there = if machine.rotary_axes()[1].is_some() { 5 } else { 4 };
-    let mut fastest = vec![Vec::new(); there];
+    let axes = machine.axes();
+    let mut fastest = vec![Vec::new(); axes.len()];
     for (leg, l) in scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == Kind::Cut) {
         let m = &scene.moves[l.moved];
         let time = m.seconds.unwrap_or(0.0) * (l.share[1] - l.share[0]);
@@ -212,17 +211,18 @@ pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
         }
     }
     let judge = |(axis, list): (usize, Vec<(usize, f64)>)| {
-        let allowed = OVER_VELOCITY * limits[axis].velocity;
+        let own = &axes[axis];
+        let allowed = OVER_VELOCITY * own.limits.velocity;
         let worst = list.iter().copied().reduce(|best, v| if v.1 > best.1 { v } else { best })?;
-        let (scale, unit) = if axis >= 3 { (1f64.to_degrees(), "deg/s") } else { (1.0, "mm/s") };
+        let (scale, unit) = (own.scale(), if own.is_rotary() { "deg/s" } else { "mm/s" });
         let limit = Limit {
-            name: format!("{}-velocity", names[axis].to_lowercase()),
-            quantity: format!("velocity of axis {} that a programmed feed asks for", names[axis]),
+            name: format!("{}-velocity", own.name.to_lowercase()),
+            quantity: format!("velocity of axis {} that a programmed feed asks for", own.name),
             limit: allowed * scale,
             unit,
             passed: worst.1 <= allowed,
         };
-        let note = format!("the axis' limit is {:.3}", limits[axis].velocity * scale);
+        let note = format!("the axis' limit is {:.3}", own.limits.velocity * scale);
         let mut check = scene.judged(
             limit,
             &scene.on_leg(worst.1 * scale, worst.0, scene.legs.stands.get(worst.0 + 1).map(|s| s.centre)),
@@ -253,15 +253,15 @@ pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<Li
 }
 
 /// Move, least and greatest position of each axis in it, in order; positions that are not known are left out.
-type Reached = [Vec<(usize, f64, f64)>; 5];
+type Reached = Vec<Vec<(usize, f64, f64)>>;
 
 fn reached(scene: &Scene) -> Reached {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
-    let mut out: Reached = Default::default();
+    let mut out: Reached = vec![Vec::new(); machine.axes().len()];
     for (k, m) in scene.moves.iter().enumerate() {
         if m.words == Programmed::Machine && m.even() || !m.known() {
             // Axes go straight from where they were: the end tells.
-            for (axis, to) in m.axes(1.0, tool, machine).into_iter().enumerate().filter(|(_, v)| v.is_finite()) {
+            for (axis, to) in m.axes(1.0, tool, machine).iter().copied().enumerate().filter(|(_, v)| v.is_finite()) {
                 out[axis].push((k, to, to));
             }
         }

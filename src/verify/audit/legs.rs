@@ -91,10 +91,9 @@ impl Legs {
         if !self.stands.is_empty() {
             self.legs.push(leg);
         }
-        let [.., a, b] = m.at(f);
         let centre = m.pose(f, bench.tool, bench.machine).centre;
         let near = self.stands.last().map_or(0.0, |s| s.theta);
-        let [theta, lean] = bench.machine.theta_and_lean([a, b], near);
+        let [theta, lean] = bench.machine.theta_and_lean(&m.at(f), near);
         self.stands.push(Stand::about_blade(centre, theta, lean));
     }
 
@@ -121,26 +120,25 @@ impl Legs {
 
 /// In how many equal legs a move has to be looked at.
 fn parts(m: &Moved, bench: &Bench) -> usize {
-    let bent = m.bend.unwrap_or_default();
-    let turn = |k: usize| (m.to[k] - m.from[k]).abs() + bent[k].iter().map(|a| a.abs()).sum::<f64>();
-    let least = if m.even() { 1.0 } else { 4.0 };
-    let coarse = (turn(3).max(turn(4)) / COARSE_RAD).ceil().clamp(least, 1e9);
+    let bent = |k: usize| m.bend.map_or(0.0, |b| b[k].iter().map(|a| a.abs()).sum::<f64>());
+    let turn = |k: usize| (m.to[k] - m.from[k]).abs() + bent(k);
     let (machine, reach) = (bench.machine, bench.tool.length_mm());
-    let pose = |f: f64| {
-        let [.., a, b] = m.at(f);
-        (m.pose(f, bench.tool, machine).centre, [a, b])
-    };
+    let rotary = machine.rotary();
+    let least = if m.even() { 1.0 } else { 4.0 };
+    let farthest = rotary.clone().map(turn).fold(0.0, f64::max);
+    let coarse = (farthest / COARSE_RAD).ceil().clamp(least, 1e9);
+    let pose = |f: f64| (m.pose(f, bench.tool, machine).centre, m.at(f));
     let allowed = if m.seconds.is_some() { OFF_MM } else { OFF_RAPID_MM };
     // The deviation of a leg falls with the square of its length; it may differ along the move.
     let off = |k: f64| {
         let [a, mid, b] = [k, k + 0.5, k + 1.0].map(|k| pose(k / coarse));
         let centre = (mid.0 - nalgebra::center(&a.0, &b.0)).norm();
         // θ and lean change evenly with the rotary axes where one of these turns the blade.
-        if m.even() && machine.turns_the_blade() && a.1[1] == b.1[1] {
+        if m.even() && machine.turns_the_blade() && rotary.clone().skip(1).all(|k| a.1[k] == b.1[k]) {
             return centre;
         }
-        let from = machine.theta_and_lean(a.1, 0.0);
-        let [middle, to] = [mid.1, b.1].map(|rotary| machine.theta_and_lean(rotary, from[0]));
+        let from = machine.theta_and_lean(&a.1, 0.0);
+        let [middle, to] = [mid.1, b.1].map(|at| machine.theta_and_lean(&at, from[0]));
         let turned = (middle[0] - 0.5 * (from[0] + to[0])).hypot(middle[1] - 0.5 * (from[1] + to[1]));
         centre.max(turned * reach * allowed / OFF_GAUGE_MM.max(allowed))
     };

@@ -7,7 +7,6 @@
 mod chart;
 pub(in crate::write) mod scale;
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use chart::{BLACK, BLUE, Chart, Curve, Dots, GREEN, ORANGE, PINK, PURPLE};
@@ -16,7 +15,7 @@ use resvg::usvg;
 
 use crate::artifact::{AxisMotion, CheckReport, Plan, Section};
 use crate::error::{Error, Result, Stage};
-use crate::machine::Machine;
+use crate::machine::{Axis, Machine};
 use crate::write::preview::report::{Baseline, scallop_histogram};
 
 /// Most dots of the scallop map.
@@ -49,7 +48,7 @@ pub fn plots(input: &PlotInput, turn: usize) -> Result<Vec<(String, String)>> {
     };
     let rows = t.first.min(n)..t.first.saturating_add(t.count).min(n);
     let mut out = vec![(format!("channel-turn-{turn}"), chart::svg(&[channel(input, turn, rows.clone())]))];
-    for (axis, name) in input.machine.axis_names().iter().enumerate() {
+    for (axis, Axis { name, .. }) in input.machine.axes().iter().enumerate() {
         let panels: Vec<Chart> = (0..4).map(|kind| motion(input, turn, rows.clone(), axis, kind)).collect();
         out.push((format!("axis-{}-turn-{turn}", name.to_lowercase()), chart::svg(&panels)));
     }
@@ -107,11 +106,12 @@ fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Char
 
 /// One panel of an axis: position, velocity, acceleration or jerk over the time from the turn's start.
 fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: usize, kind: usize) -> Chart {
-    let scale = if axis < 3 { 1.0 } else { 180.0 / PI };
+    let (turning, own_axis) = (input.machine.turning_axis(), &input.machine.axes()[axis]);
+    let scale = own_axis.scale();
     let line = |m: &AxisMotion| -> Vec<[f64; 2]> {
         let list = [&m.position, &m.velocity, &m.acceleration, &m.jerk][kind];
         let start = m.t_s.get(rows.start).copied().unwrap_or(0.0);
-        let zero = if kind == 0 && axis == 3 { list.get(rows.start).map_or(0.0, |r| r[3]) } else { 0.0 };
+        let zero = if kind == 0 && axis == turning { list.get(rows.start).map_or(0.0, |r| r[axis]) } else { 0.0 };
         let at = |i: usize| Some([m.t_s.get(i)? - start, (list.get(i)?[axis] - zero) * scale]);
         rows.clone().filter_map(at).collect()
     };
@@ -122,7 +122,7 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
     let own = line(&input.plan.motion);
     let ends = [own.first(), own.last()].map(|p| p.map_or(0.0, |p| p[0]));
     curves.push(curve("this plan", own, BLUE, "", 2.0));
-    let l = &input.machine.limits()[axis];
+    let l = own_axis.limits;
     if let Some(limit) = [None, Some(l.velocity), Some(l.acceleration), Some(l.jerk)][kind] {
         // A limit far above all values would press them flat.
         let most = curves.iter().flat_map(|c| &c.points).map(|p| p[1].abs()).fold(0.0, f64::max);
@@ -133,7 +133,7 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
             }
         }
     }
-    let (unit, name) = (if axis < 3 { "mm" } else { "°" }, input.machine.axis_names()[axis]);
+    let (unit, name) = (own_axis.sign(), &own_axis.name);
     let (what, per) = [("position", ""), ("velocity", "/s"), ("acceleration", "/s²"), ("jerk", "/s³")][kind];
     Chart {
         title: format!("{name} {what} of turn {turn}"),

@@ -8,9 +8,10 @@ use std::f64::consts::TAU;
 
 use super::dialect::Dialect;
 use super::{End, Run, turn_in};
+use crate::artifact::Axes;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::CycleTime;
-use crate::machine::{AxisLimits, Machine};
+use crate::machine::{Axis, AxisLimits, Machine};
 
 /// The time of an operation as a dialect writes it.
 pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
@@ -39,12 +40,12 @@ fn planned(run: &Run) -> [f64; 3] {
 
 /// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by places one after another, the approach feed to the feed height, the
 /// plunge feed from there on.
-fn outside(run: &Run, end: &End, by: &[[f64; 5]]) -> f64 {
+fn outside(run: &Run, end: &End, by: &[Axes]) -> f64 {
     let (o, height) = (run.options, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
     let mut over = by[0];
-    over[2] = safe_z(run);
+    over[up(run)] = safe_z(run);
     let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| rapid(run.machine, from, to)).sum();
     let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
     60.0 * at_feed + rapids
@@ -52,28 +53,34 @@ fn outside(run: &Run, end: &End, by: &[[f64; 5]]) -> f64 {
 
 /// The end of travel in Z, where programs retract to.
 pub(super) fn safe_z(run: &Run) -> f64 {
-    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[2];
-    run.machine.limits()[2].travel.map_or(here, |[_, up]| up)
+    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[up(run)];
+    run.machine.axes()[up(run)].limits.travel.map_or(here, |[_, up]| up)
+}
+
+/// Column of Z.
+pub(super) fn up(run: &Run) -> usize {
+    let [_, _, z] = run.machine.linear();
+    z
 }
 
 /// The rotary axes back to where the program began with them: at `begun`, or at the first location's.
-fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64; 5]>) -> f64 {
+fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&Axes>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }
     let [first, from] = [&run.ends[0], &run.ends[1]].map(|e| run.machine.turn_to(&e.stand, Some(&e.near)));
-    let to = begun.map_or(first, |axes| [axes[3], axes[4]]);
-    let mut turned = from[0] - to[0];
-    if dialect.turns_back_by_the_shorter_way() && run.machine.limits()[3].travel.is_none() {
-        turned -= TAU * (turned / TAU).round();
+    let (to, axes, turning) = (begun.unwrap_or(&first), run.machine.axes(), run.machine.turning_axis());
+    let mut way = Axes::from_fn(from.len(), |k| if axes[k].is_rotary() { from[k] - to[k] } else { 0.0 });
+    if dialect.turns_back_by_the_shorter_way() && axes[turning].limits.travel.is_none() {
+        way[turning] -= TAU * (way[turning] / TAU).round();
     }
-    rapid(run.machine, &[0.0, 0.0, 0.0, turned, from[1] - to[1]], &[0.0; 5])
+    rapid(run.machine, &way, &Axes::of_default(way.len()))
 }
 
 /// Time of a rapid, all axes at once, s.
-fn rapid(machine: &Machine, from: &[f64; 5], to: &[f64; 5]) -> f64 {
-    let limits = machine.limits();
-    (0..5).map(|i| trapezoid((to[i] - from[i]).abs(), &limits[i])).fold(0.0, f64::max)
+fn rapid(machine: &Machine, from: &Axes, to: &Axes) -> f64 {
+    let time = |(k, axis): (usize, &Axis)| trapezoid((to[k] - from[k]).abs(), &axis.limits);
+    machine.axes().iter().enumerate().map(time).fold(0.0, f64::max)
 }
 
 /// From rest to rest over a way, under velocity and acceleration, s.
@@ -93,7 +100,8 @@ mod tests {
 
     #[test]
     fn rapids_take_a_trapezoid_or_a_triangle() {
-        let a = Machine::demo().unwrap().limits()[3];
+        let machine = Machine::demo().unwrap();
+        let a = machine.axes()[machine.turning_axis()].limits;
         let deg = f64::to_radians;
         // 180 degrees a second after 0.3 s: 27 degrees on the way there, and as many to a halt.
         assert!((trapezoid(deg(54.0), &a) - 0.6).abs() < 1e-12);

@@ -45,7 +45,7 @@ pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rot
 
 use std::borrow::Cow;
 
-use crate::artifact::{Blade, CheckReport, Plan, Program, Stand};
+use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::machine::Machine;
@@ -259,7 +259,7 @@ struct End {
     /// Where the tool stands there.
     stand: Stand,
     /// Where the axes stand at the location beside it.
-    near: [f64; 5],
+    near: Axes,
     /// Distance of the safe position along the tool axis, mm.
     safe_mm: f64,
     /// At the safe position the part may turn freely; false where the machine's travel ends before.
@@ -268,7 +268,7 @@ struct End {
 
 impl Run<'_> {
     /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
-    fn axes_at(&self, end: &End, lift_mm: f64) -> [f64; 5] {
+    fn axes_at(&self, end: &End, lift_mm: f64) -> Axes {
         self.machine.place(&end.stand.lifted(lift_mm), Some(&end.near), self.tool.length_mm())
     }
     /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool axes are on one cone about that.
@@ -327,11 +327,11 @@ fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
 }
 
 /// How far the tool can go along its axis from a location before a linear axis meets the end of its travel, mm.
-fn travel_along(machine: &Machine, stand: &Stand, near: &[f64; 5], gauge: f64) -> f64 {
+fn travel_along(machine: &Machine, stand: &Stand, near: &Axes, gauge: f64) -> f64 {
     let [from, to] = [*stand, stand.lifted(1.0)].map(|s| machine.place(&s, Some(near), gauge));
     let mut reach = f64::INFINITY;
-    for (i, limits) in machine.limits().iter().enumerate().take(3) {
-        let (Some([lo, hi]), rate) = (limits.travel, to[i] - from[i]) else { continue };
+    for i in machine.linear() {
+        let (Some([lo, hi]), rate) = (machine.axes()[i].limits.travel, to[i] - from[i]) else { continue };
         if rate.abs() > 1e-9 {
             let room = if rate > 0.0 { hi - from[i] } else { lo - from[i] };
             reach = reach.min((room / rate).max(0.0));

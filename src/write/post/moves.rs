@@ -8,12 +8,12 @@
 
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
-use crate::artifact::{Motion, Plan, Stand};
+use crate::artifact::{Axes, Motion, Plan, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 use super::Run;
-use super::polynomial::{Bend, NONE};
+use super::polynomial::Bend;
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
@@ -27,30 +27,25 @@ pub(super) struct Move {
     /// Where the tool stands.
     pub(super) stand: Stand,
     /// Where the plan's axes stand at the row beside it: of several ways to bring the tool there the nearest is taken.
-    pub(super) near: [f64; 5],
+    pub(super) near: Axes,
     /// Time, s.
     pub(super) t_s: f64,
     /// What it belongs to.
     pub(super) stretch: Stretch,
     /// How its words bend on the way.
-    pub(super) bend: Bend,
+    pub(super) bend: Option<Bend>,
 }
 
 impl Move {
     /// The rows of the plan, each as the end of a straight move to it.
     pub(super) fn rows(plan: &Plan) -> impl Iterator<Item = Move> + '_ {
-        let one = |(Row { stand, t_s, stretch }, near): (Row, &[f64; 5])| Move {
-            stand,
-            near: *near,
-            t_s,
-            stretch,
-            bend: NONE,
-        };
+        let one =
+            |(Row { stand, t_s, stretch }, near): (Row, &Axes)| Move { stand, near: *near, t_s, stretch, bend: None };
         plan.rows().zip(plan.axes()).map(one)
     }
 
     /// Axis positions there.
-    pub(super) fn axes(&self, run: &Run) -> [f64; 5] {
+    pub(super) fn axes(&self, run: &Run) -> Axes {
         run.machine.place(&self.stand, Some(&self.near), run.tool.length_mm())
     }
 }
@@ -162,10 +157,7 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
         Programmed::Machine => {
             let gauge = run.tool.length_mm();
             let [p, q] = [a, b].map(|m| m.axes(run));
-            let mut halfway = [0.0; 5];
-            for (h, (p, q)) in halfway.iter_mut().zip(p.iter().zip(&q)) {
-                *h = 0.5 * (p + q);
-            }
+            let halfway = mean(&p, &q);
             (run.machine.forward(&halfway, gauge).centre - middle).norm().max(askew_mm(run, a, b))
         }
     }
@@ -176,15 +168,20 @@ pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move,
     let (radius, gauge) = (run.tool.radius_mm, run.tool.length_mm());
     let centre = a.stand.centre + (b.stand.centre - a.stand.centre) * share;
     let [p, q] = [a, b].map(|m| m.axes(run));
-    let axes: [f64; 5] = std::array::from_fn(|i| p[i] + (q[i] - p[i]) * share);
+    let axes = p.toward(&q, share);
     match programmed {
         Programmed::Centre => centre,
         Programmed::Tip => {
             let [at_a, at_b] = [a.stand.axis(), b.stand.axis()];
-            centre + (run.machine.axis_at([axes[3], axes[4]]) - (at_a + (at_b - at_a) * share)) * radius
+            centre + (run.machine.axis_at(&axes) - (at_a + (at_b - at_a) * share)) * radius
         }
         Programmed::Machine => run.machine.forward(&axes, gauge).centre,
     }
+}
+
+/// Every axis halfway between two places.
+fn mean(p: &Axes, q: &Axes) -> Axes {
+    Axes::from_fn(p.len(), |i| 0.5 * (p[i] + q[i]))
 }
 
 /// Halfway on the straight move.
@@ -196,7 +193,7 @@ fn halfway(a: &Move, b: &Move) -> Stand {
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
 fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
     let [p, q] = [a, b].map(|m| run.machine.turn_to(&m.stand, Some(&m.near)));
-    run.machine.axis_at([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])])
+    run.machine.axis_at(&mean(&p, &q))
 }
 
 /// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes then leave the cone. In mm of the chord tolerance,

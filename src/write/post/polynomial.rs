@@ -21,13 +21,11 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Run;
 use super::moves::Move;
-use crate::artifact::Motion;
+use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Result, Stage};
 
-/// Coefficients of `p²` to `p⁵` of X, Y, Z (mm) and of the rotary axes (degrees).
-pub(super) type Bend = [[f64; 4]; 5];
-/// Straight.
-pub(super) const NONE: Bend = [[0.0; 4]; 5];
+/// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
+pub(super) type Bend = Axes<[f64; 4]>;
 
 /// A polynomial is at most this far off its word, mm: half of what reading back allows.
 const OFF_MM: f64 = 5e-4;
@@ -40,8 +38,8 @@ const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
 
-/// Gives the words (X, Y, Z, first and second rotary axis; mm and degrees) of a place.
-pub(super) type Words<'a> = dyn Fn(&Move) -> [f64; 5] + 'a;
+/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X, Y, Z being the programmed point.
+pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + 'a;
 
 /// Solves for the coefficients of a degree.
 struct Fit {
@@ -80,6 +78,8 @@ struct Way<'a> {
     /// Its first row.
     row: usize,
     words: &'a Words<'a>,
+    /// What a polynomial may be off each word.
+    most_off: &'a [f64],
 }
 
 impl Way<'_> {
@@ -87,7 +87,7 @@ impl Way<'_> {
         Move { stand: self.motion.curved(self.row, share).unwrap_or(self.to.stand), ..self.from }
     }
 
-    fn words(&self, share: f64) -> [f64; 5] {
+    fn words(&self, share: f64) -> Axes {
         (self.words)(&self.at(share))
     }
 
@@ -95,16 +95,19 @@ impl Way<'_> {
     fn bend(&self, fit: &Fit, [from, to]: [f64; 2]) -> Option<Bend> {
         let at = |p: f64| self.words(from + (to - from) * p);
         let (first, last) = (at(0.0), at(1.0));
-        let off_straight = |p: f64| -> [f64; 5] {
+        let off_straight = |p: f64| {
             let here = at(p);
-            std::array::from_fn(|w| here[w] - first[w] - (last[w] - first[w]) * p)
+            Axes::from_fn(here.len(), |w| here[w] - first[w] - (last[w] - first[w]) * p)
         };
-        let met: Vec<[f64; 5]> = fit.at.iter().map(|p| off_straight(*p)).collect();
-        let bend: Bend = std::array::from_fn(|w| fit.solve(met.iter().map(|m| m[w]).collect()));
+        let met: Vec<Axes> = fit.at.iter().map(|p| off_straight(*p)).collect();
+        let bend = Bend::from_fn(first.len(), |w| fit.solve(met.iter().map(|m| m[w]).collect()));
         let close = (0..LOOKED_AT).all(|k| {
             let p = (k as f64 + 0.5) / LOOKED_AT as f64;
             let off = off_straight(p);
-            (0..5).all(|w| (off[w] - bent(&bend[w], p)).abs() <= if w < 3 { OFF_MM } else { OFF_DEG })
+            off.iter()
+                .zip(bend.iter())
+                .zip(self.most_off)
+                .all(|((off, bend), most)| (off - bent(bend, p)).abs() <= *most)
         });
         close.then_some(bend)
     }
@@ -117,7 +120,7 @@ impl Way<'_> {
             let stretch = Motion::stretch_between(a.stretch, b.stretch);
             // The row itself, to the bit.
             let end = if to == 1.0 { *b } else { Move { stretch, ..self.at(to) } };
-            out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend, ..end });
+            out.push(Move { t_s: a.t_s + (b.t_s - a.t_s) * to, bend: Some(bend), ..end });
             return Ok(());
         }
         if halvings >= MOST_HALVINGS {
@@ -140,6 +143,7 @@ pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> 
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
+    let most_off: Vec<f64> = run.machine.axes().iter().map(|a| if a.is_rotary() { OFF_DEG } else { OFF_MM }).collect();
     let motion = Motion::of(plan);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     let mut from: Option<Move> = None;
@@ -147,7 +151,7 @@ pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> 
         match from {
             None => out.push(next),
             Some(from) => {
-                let way = Way { from, to: next, motion: &motion, row: k - 1, words };
+                let way = Way { from, to: next, motion: &motion, row: k - 1, words, most_off: &most_off };
                 way.write(&fit, [0.0, 1.0], 0, &mut out)?;
             }
         }

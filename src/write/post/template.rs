@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 49] = [
+pub const KEYS: [(&str, Class, &str); 50] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -46,6 +46,11 @@ pub const KEYS: [(&str, Class, &str); 49] = [
     ),
     ("b_moving", Class::Angle, "as b; a word with it is left out where that axis stands still while the blade turns"),
     ("b_name", Class::Text, "its letter: B on a machine with a table about X"),
+    (
+        "moves_b",
+        Class::Text,
+        "what leaving the cone would do besides: ` and move B`, nothing on a machine of four axes",
+    ),
     (
         "cone",
         Class::Text,

@@ -7,7 +7,7 @@ use super::Run;
 use super::dialect::{Numbered, PostFile};
 
 /// A number in fixed point, exactly as rounded: an integer count of `10^-decimals`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fixed {
     units: i64,
     decimals: usize,
@@ -291,7 +291,7 @@ fn notes(run: &Run, lines: &mut Lines) {
         lines.comment("CAUTION  the travel of the machine ends before the tool is clear of the turning part:");
         lines.comment(&format!(
             "         approach and retract are shortened, and {} is not unwound at the end.",
-            run.machine.axis_names()[3]
+            run.machine.axes()[run.machine.turning_axis()].name
         ));
     }
 }

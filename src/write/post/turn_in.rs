@@ -7,8 +7,10 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{Run, cycle};
+use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
 use crate::geometry::Vector;
+use crate::machine::Carries;
 
 /// Longest step: the shorter way to its end is the one meant, whatever the control takes.
 const LONGEST_RAD: f64 = FRAC_PI_2;
@@ -22,24 +24,22 @@ const WITHIN: usize = 8;
 const MOST_STEPS: usize = 1000;
 
 /// Axis positions one after another: where tool-centre-point control comes on, the ends of the steps, the safe position over the first location.
-pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<[f64; 5]> {
+pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
     let first = &run.ends[0];
     let safe = run.axes_at(first, first.safe_mm);
     let stray_mm = STRAY * run.options.safe_clearance_mm;
     let mut turned = safe;
     // A tool may be longer than planned, and strays.
-    turned[2] = safe[2].max(cycle::safe_z(run) - stray_mm);
+    let z = cycle::up(run);
+    turned[z] = safe[z].max(cycle::safe_z(run) - stray_mm);
     let mut zero = turned;
-    let at_zero = [run.turns_before_rad(), 0.0];
-    for (i, of_table) in run.machine.table_axes().into_iter().enumerate() {
-        if of_table {
-            zero[3 + i] = at_zero[i];
-        }
+    let (axes, rotary) = (run.machine.axes(), run.machine.rotary());
+    for k in rotary.clone().filter(|k| axes[*k].carries == Carries::Workpiece) {
+        zero[k] = if k == run.machine.turning_axis() { run.turns_before_rad() } else { 0.0 };
     }
-    let way = (turned[3] - zero[3]).abs().max((turned[4] - zero[4]).abs());
+    let way = rotary.map(|k| (turned[k] - zero[k]).abs()).fold(0.0, f64::max);
     let least = (way / LONGEST_RAD).ceil() as usize;
-    let steps =
-        |n: usize| (0..=n).map(move |k| between(&zero, &turned, if n == 0 { 1.0 } else { k as f64 / n as f64 }));
+    let steps = |n: usize| (0..=n).map(move |k| zero.toward(&turned, if n == 0 { 1.0 } else { k as f64 / n as f64 }));
     let keeps = |n: usize| {
         let ends: Vec<_> = steps(n).collect();
         ends.windows(2).all(|w| (1..WITHIN).all(|k| keeps(run, programmed, w, k as f64 / WITHIN as f64, stray_mm)))
@@ -48,39 +48,36 @@ pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<[f64; 5]> {
     steps(n).chain([safe]).collect()
 }
 
-fn between(a: &[f64; 5], b: &[f64; 5], share: f64) -> [f64; 5] {
-    std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share)
-}
-
 /// Whether the linear axes, at a share of the way between two places on which the programmed point goes straight over the part, are near the one where they stand at
 /// both ends, and within their travel.
-fn keeps(run: &Run, programmed: Programmed, ends: &[[f64; 5]], share: f64, stray_mm: f64) -> bool {
+fn keeps(run: &Run, programmed: Programmed, ends: &[Axes], share: f64, stray_mm: f64) -> bool {
     let (machine, gauge) = (run.machine, run.tool.length_mm());
     let lift_mm = if programmed == Programmed::Tip { run.tool.radius_mm } else { 0.0 };
     let [p, q] = [0, 1].map(|k| machine.forward(&ends[k], gauge).tip(lift_mm));
-    let [.., a, b] = between(&ends[0], &ends[1], share);
-    let centre = p + (q - p) * share + machine.axis_at([a, b]) * lift_mm;
-    let at = machine.linear_at(&centre, [a, b], gauge);
-    let stands = &ends[0][..3];
-    let off_mm = (Vector::from(at) - Vector::from_column_slice(stands)).norm();
-    let limits = machine.limits();
+    let turned = ends[0].toward(&ends[1], share);
+    let centre = p + (q - p) * share + machine.axis_at(&turned) * lift_mm;
+    let at = machine.linear_at(&centre, &turned, gauge);
+    let (stands, linear, axes) = (&ends[0], machine.linear(), machine.axes());
+    let off_mm = Vector::from(linear.map(|k| at[k] - stands[k])).norm();
     // Where an axis is beyond its travel anyhow, that is found as such.
-    let inside = |i: usize| {
+    let inside = |i: &usize| {
+        let i = *i;
         let within =
             |[lo, hi]: [f64; 2]| (lo.min(stands[i]) - ROUNDING_MM..=hi.max(stands[i]) + ROUNDING_MM).contains(&at[i]);
-        limits[i].travel.is_none_or(within)
+        axes[i].limits.travel.is_none_or(within)
     };
-    off_mm <= stray_mm && (0..3).all(inside)
+    off_mm <= stray_mm && linear.iter().all(inside)
 }
 
 impl Run<'_> {
     /// Whole turns of the first rotary axis that a program drops: all dialects begin in the same one, from 0 on. None where it has ends of travel and
     /// stands where it is told. Rad.
     pub(super) fn turns_before_rad(&self) -> f64 {
-        if self.machine.limits()[3].travel.is_some() {
+        let turning = self.machine.turning_axis();
+        if self.machine.axes()[turning].limits.travel.is_some() {
             return 0.0;
         }
-        let first = self.plan.axes().next().map_or(0.0, |q| q[3].to_degrees());
+        let first = self.plan.axes().next().map_or(0.0, |q| q[turning].to_degrees());
         TAU * (first / 360.0).floor()
     }
 }

@@ -6,9 +6,9 @@ use super::polynomial::{self, Bend};
 use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
 use super::text::{Fixed, Lines, ascii, header, title};
 use super::{End, Run, cycle, merge, smoothing, turn_in};
-use crate::artifact::Stand;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
+use crate::artifact::{Axes, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
@@ -91,8 +91,8 @@ struct Writer<'a> {
     dialect: &'a Dialect,
     lines: Lines<'a>,
     values: Vec<Value>,
-    /// X, Y, Z and the rotary axes as last rounded.
-    stands: Option<[Fixed; 5]>,
+    /// The programmed point in place of X, Y, Z, and the rotary axes, as last rounded.
+    stands: Option<Axes<Fixed>>,
     /// What each modal word last was.
     modal: Vec<(Word, String)>,
 }
@@ -103,7 +103,7 @@ struct Placed {
     point: [f64; 3],
     /// A as the program counts it, and B, degrees.
     a_deg: f64,
-    axes: [f64; 5],
+    axes: Axes,
     axis: [f64; 3],
 }
 
@@ -148,17 +148,21 @@ impl<'a> Writer<'a> {
         }
         let [shift, rows] = cad(&run.blade.model_from_blade);
         let [row_1, row_2, row_3] = &rows[..] else { return };
-        let [.., a_name, b_name] = run.machine.axis_names();
-        let cone = match run.machine.turns_the_blade() {
-            true => format!("{b_name} is fixed"),
-            false => format!("{a_name} and {b_name} move together"),
+        let (axes, leaning) = (run.machine.axes(), self.leaning());
+        let turning = &axes[run.machine.turning_axis()];
+        let (a_name, b_name) = (turning.name.as_str(), leaning.map_or("", |k| axes[k].name.as_str()));
+        let cone = match (leaning, run.machine.turns_the_blade()) {
+            (None, _) => "No axis leans the tool".to_owned(),
+            (_, true) => format!("{b_name} is fixed"),
+            (_, false) => format!("{a_name} and {b_name} move together"),
         };
         let along =
             m.along.map_or_else(String::new, |[x, y, z]| format!(" Blade axis along machine {x:.6} {y:.6} {z:.6}."));
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),
-            ("a_way", if run.machine.limits()[3].travel.is_some() { "AC" } else { "DC" }),
+            ("moves_b", &leaning.map_or_else(String::new, |_| format!(" and move {b_name}"))),
+            ("a_way", if turning.limits.travel.is_some() { "AC" } else { "DC" }),
             ("cone", &cone),
             ("along", &along),
             ("name", o.program_name.as_str()),
@@ -176,28 +180,29 @@ impl<'a> Writer<'a> {
     /// Sets the values of a pose over an end of the path.
     fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
         let placed = self.placed(&end.stand.lifted(lift_mm), &end.near);
-        self.take(&placed, &polynomial::NONE)
+        self.take(&placed, None)
     }
 
     /// Sets the values of axis positions.
-    fn stand(&mut self, axes: &[f64; 5]) -> Result<()> {
+    fn stand(&mut self, axes: &Axes) -> Result<()> {
         let pose = self.run.machine.forward(axes, self.run.tool.length_mm());
-        self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), &polynomial::NONE)
+        self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), None)
     }
 
-    fn placed(&self, stand: &Stand, near: &[f64; 5]) -> Placed {
+    fn placed(&self, stand: &Stand, near: &Axes) -> Placed {
         let axes = self.run.machine.place(stand, Some(near), self.run.tool.length_mm());
         self.placed_by(&stand.centre, &stand.axis(), axes)
     }
 
     /// A pose by its centre and tool axis, and the axis positions that bring it about.
-    fn placed_by(&self, centre: &Point, axis: &Vector, axes: [f64; 5]) -> Placed {
+    fn placed_by(&self, centre: &Point, axis: &Vector, axes: Axes) -> Placed {
         let point = match self.dialect.file.programmed {
             Programmed::Tip => tool::tip(centre, axis, self.run.tool.radius_mm).into(),
             Programmed::Centre => (*centre).into(),
-            Programmed::Machine => [axes[0], axes[1], axes[2]],
+            Programmed::Machine => self.run.machine.linear().map(|k| axes[k]),
         };
-        Placed { point, a_deg: self.a_deg(axes[3]), axes, axis: (*axis).into() }
+        let turning = self.run.machine.turning_axis();
+        Placed { point, a_deg: self.a_deg(axes[turning]), axes, axis: (*axis).into() }
     }
 
     /// `A` in degrees as the program counts it.
@@ -205,56 +210,91 @@ impl<'a> Writer<'a> {
         let a = a_rad.to_degrees();
         match self.dialect.file.rotary {
             // An axis with ends of travel stands where it is told.
-            _ if self.run.machine.limits()[3].travel.is_some() => a,
+            _ if !self.turns_without_end() => a,
             Rotary::Modulo => a.rem_euclid(360.0),
             Rotary::Accumulate | Rotary::Vector | Rotary::Incremental => a - self.run.turns_before_rad().to_degrees(),
         }
     }
 
+    /// Whether the rotary axis nearest to the workpiece has no ends of travel.
+    fn turns_without_end(&self) -> bool {
+        let machine = self.run.machine;
+        machine.axes()[machine.turning_axis()].limits.travel.is_none()
+    }
+
+    /// Column of the other rotary axis, where there is one.
+    fn leaning(&self) -> Option<usize> {
+        self.run.machine.rotary().nth(1)
+    }
+
     /// Takes over a pose, reached with words that bend; the step of `A` is from the pose before.
-    fn take(&mut self, p: &Placed, bend: &Bend) -> Result<()> {
+    fn take(&mut self, p: &Placed, bend: Option<&Bend>) -> Result<()> {
         let numbers = &self.dialect.file.numbers;
         let length = |v: f64| Fixed::new(v, numbers.length_decimals);
         let mut a = Fixed::new(p.a_deg, numbers.angle_decimals)?;
-        if self.dialect.file.rotary == Rotary::Modulo && self.run.machine.limits()[3].travel.is_none() {
+        if self.dialect.file.rotary == Rotary::Modulo && self.turns_without_end() {
             a = a.modulo(360);
         }
-        let [x, y, z] = p.point;
-        let b = Fixed::new(p.axes[4].to_degrees(), numbers.angle_decimals)?;
-        let stands = [length(x)?, length(y)?, length(z)?, a, b];
+        let (machine, leaning) = (self.run.machine, self.leaning());
+        let (turning, b_deg) = (machine.turning_axis(), leaning.map_or(0.0, |k| p.axes[k].to_degrees()));
+        let mut stands = Axes::of_default(p.axes.len());
+        for (k, v) in machine.linear().into_iter().zip(p.point) {
+            stands[k] = length(v)?;
+        }
+        stands[turning] = a;
+        if let Some(k) = leaning {
+            stands[k] = Fixed::new(b_deg, numbers.angle_decimals)?;
+        }
         let before = self.stands.replace(stands);
         if let Some(before) = before {
-            self.set("da", Value::Rounded(a.since(before[3])));
+            self.set("da", Value::Rounded(a.since(before[turning])));
         }
         if self.dialect.file.poly_degree.is_some() {
-            self.take_polynomials(stands, before, bend)?;
+            self.take_polynomials(&stands, before, bend)?;
         }
         self.set("a", Value::Rounded(a));
         for name in ["b", "b_moving"] {
-            self.set(name, Value::Number(p.axes[4].to_degrees()));
+            self.set(name, Value::Number(b_deg));
         }
         let numbers = ["x", "y", "z", "mx", "my", "mz", "i", "j", "k"].into_iter();
-        let values = p.point.iter().chain(&p.axes[..3]).chain(&p.axis);
-        for (name, v) in numbers.zip(values) {
-            self.set(name, Value::Number(*v));
+        let reached = machine.linear().map(|k| p.axes[k]);
+        for (name, v) in numbers.zip(p.point.into_iter().chain(reached).chain(p.axis)) {
+            self.set(name, Value::Number(v));
         }
         Ok(())
     }
 
     /// Sets the polynomials that end at a pose: steps or positions as the rotary axes are told.
-    fn take_polynomials(&mut self, ends: [Fixed; 5], before: Option<[Fixed; 5]>, bend: &Bend) -> Result<()> {
+    fn take_polynomials(&mut self, ends: &Axes<Fixed>, before: Option<Axes<Fixed>>, bend: Option<&Bend>) -> Result<()> {
         let numbers = &self.dialect.file.numbers;
         let steps = before.filter(|_| self.dialect.file.rotary == Rotary::Incremental);
-        for (w, names) in [&["px"][..], &["py"], &["pz"], &["pa"], &["pb", "pb_moving"]].into_iter().enumerate() {
-            let decimals = if w < 3 { numbers.length_decimals } else { numbers.angle_decimals };
+        let axes = self.run.machine.axes();
+        for name in ["px", "py", "pz", "pa", "pb", "pb_moving"] {
+            // An axis that the machine has not: its word is left out.
+            let Some(w) = self.column(name) else { continue };
+            let decimals = if axes[w].is_rotary() { numbers.angle_decimals } else { numbers.length_decimals };
             let end = steps.map_or(ends[w], |before| ends[w].since(before[w]));
-            let rounded: Vec<Fixed> = bend[w].iter().map(|a| Fixed::new(*a, decimals)).collect::<Result<_>>()?;
+            let bent = bend.map_or([0.0; 4], |bend| bend[w]);
+            let rounded: Vec<Fixed> = bent.iter().map(|a| Fixed::new(*a, decimals)).collect::<Result<_>>()?;
             let kept = rounded.iter().rposition(|a| !a.is_zero()).map_or(0, |last| last + 1);
             let all = std::iter::once(&end).chain(&rounded[..kept]);
             let text = all.map(|n| n.text(numbers.plus, numbers.trim)).collect::<Vec<_>>().join(",");
-            names.iter().for_each(|name| self.set(name, Value::Text(text.clone())));
+            self.set(name, Value::Text(text));
         }
         Ok(())
+    }
+
+    /// Column of the axis that a value of a polynomial is about.
+    fn column(&self, value: &str) -> Option<usize> {
+        let (machine, [x, y, z]) = (self.run.machine, self.run.machine.linear());
+        match value {
+            "px" => Some(x),
+            "py" => Some(y),
+            "pz" => Some(z),
+            "pa" => Some(machine.turning_axis()),
+            "pb" | "pb_moving" => self.leaning(),
+            _ => None,
+        }
     }
 
     /// All cutting lines. A move whose words would all repeat those before is left out; its time goes to the next, so the
@@ -263,8 +303,11 @@ impl<'a> Writer<'a> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
         let words = |m: &Move| {
-            let Placed { point: [x, y, z], a_deg, axes, .. } = self.placed(&m.stand, &m.near);
-            [x, y, z, a_deg, axes[4].to_degrees()]
+            let Placed { point, a_deg, axes, .. } = self.placed(&m.stand, &m.near);
+            let mut words = axes.map(f64::to_degrees);
+            self.run.machine.linear().into_iter().zip(point).for_each(|(k, v)| words[k] = v);
+            words[self.run.machine.turning_axis()] = a_deg;
+            words
         };
         let moves = match (dialect.file.poly_degree, dialect.file.feed) {
             (Some(degree), _) => polynomial::all(self.run, degree, &words)?,
@@ -285,7 +328,7 @@ impl<'a> Writer<'a> {
             }
             let placed = self.placed(stand, near);
             let before = self.stands;
-            self.take(&placed, bend)?;
+            self.take(&placed, bend.as_ref())?;
             let position = self.position(lines)?;
             match &last {
                 None => last = Some((position, *t_s, placed)),
@@ -297,9 +340,9 @@ impl<'a> Writer<'a> {
                     if begun != Some(stretch) {
                         begun = Some(stretch);
                         // What is said of a turn is said where it begins.
-                        self.take(from, &polynomial::NONE)?;
+                        self.take(from, None)?;
                         self.begin(stretch)?;
-                        self.take(&placed, bend)?;
+                        self.take(&placed, bend.as_ref())?;
                     }
                     self.put(lines)?;
                     last = Some((position, until, placed));
@@ -340,11 +383,7 @@ impl<'a> Writer<'a> {
             let said = match KEYS.get(*k).map(|(name, ..)| *name) {
                 Some("f") => None,
                 Some("da") => self.rounded(key("a").unwrap_or(*k), *digits)?,
-                Some("px") => self.stands.map(|s| s[0]),
-                Some("py") => self.stands.map(|s| s[1]),
-                Some("pz") => self.stands.map(|s| s[2]),
-                Some("pa") => self.stands.map(|s| s[3]),
-                Some("pb" | "pb_moving") => self.stands.map(|s| s[4]),
+                Some(name) if self.column(name).is_some() => self.stands.zip(self.column(name)).map(|(s, k)| s[k]),
                 _ => self.rounded(*k, *digits)?,
             };
             out.extend(said);
@@ -365,7 +404,7 @@ impl<'a> Writer<'a> {
     /// F of a cutting line between two places and times, `before` being the first as it is rounded: so that the line takes its time to the control too.
     fn feed_word(
         &self,
-        before: Option<[Fixed; 5]>,
+        before: Option<Axes<Fixed>>,
         from: &Placed,
         to: &Placed,
         [since, t_s]: [f64; 2],
@@ -374,9 +413,11 @@ impl<'a> Writer<'a> {
         let f = match file.feed {
             FeedWord::InverseTime => 60.0 / dt_s,
             FeedWord::PerMinute => {
-                let steps = before.zip(self.stands).map(|(a, b)| [0, 1, 2].map(|i| b[i].since(a[i]).value()));
+                let linear = self.run.machine.linear();
+                let steps = before.zip(self.stands).map(|(a, b)| linear.map(|i| b[i].since(a[i]).value()));
                 let way = steps.map_or(0.0, |s| s.iter().map(|d| d * d).sum::<f64>().sqrt());
-                let turn = (to.axes[3] - from.axes[3]).hypot(to.axes[4] - from.axes[4]).to_degrees();
+                let turned = self.run.machine.rotary().map(|k| to.axes[k] - from.axes[k]);
+                let turn = turned.fold(0.0, f64::hypot).to_degrees();
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
             }
         };
@@ -428,10 +469,9 @@ impl<'a> Writer<'a> {
 
     /// A word of the second rotary axis that the machine has not, or that stands still and need not be told again.
     fn left_out(&self, word: &Word) -> bool {
-        let machine = self.run.machine;
         let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
-        let none = machine.rotary_axes()[1].is_none();
-        let still = none || machine.turns_the_blade();
+        let none = self.leaning().is_none();
+        let still = none || self.run.machine.turns_the_blade();
         none && (says("b") || says("pb")) || still && (says("b_moving") || says("pb_moving"))
     }
 

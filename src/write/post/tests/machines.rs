@@ -3,17 +3,17 @@
 use super::*;
 use crate::artifact::program::Programmed;
 use crate::geometry::Vector;
-use crate::machine::{PositiveA, PositiveB};
+use crate::machine::{Carries, DEMO_TOML, MachineFile, PositiveA, PositiveB};
 use crate::read::program;
 
 /// Both rotary axes turn the other way, and the spindle's axis passes the pivot by.
 fn other() -> Machine {
-    let mut m = Machine::demo().unwrap();
+    let mut m = MachineFile::from_toml(DEMO_TOML, "demo").unwrap();
     let (head, table) = (m.head.as_mut().unwrap(), m.table.as_mut().unwrap());
     head.positive_b_leans = PositiveB::MinusX;
     head.spindle_offset_mm = 12.5;
     table.positive_a_turns = PositiveA::Workpiece;
-    m
+    m.build("demo").unwrap()
 }
 
 /// The sample's plan with the axes of a machine.
@@ -149,15 +149,17 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             let moves = program::follow(&script.blocks, &bench).unwrap();
             let on = moves.iter().position(|m| m.words == Programmed::Tip).unwrap();
             let cuts = moves.iter().position(|m| m.seconds.is_some()).unwrap();
-            let table = |axes: [f64; 5]| [0, 1].map(|i| if machine.table_axes()[i] { axes[3 + i] } else { 0.0 });
-            assert!(table(moves[on].to).iter().all(|a| a.abs() < 1e-6), "{k} {control:?}");
+            let axes = machine.axes();
+            let of_table = |k: &usize| axes[*k].is_rotary() && axes[*k].carries == Carries::Workpiece;
+            let at_zero = |k: usize| moves[on].to[k].abs() < 1e-6;
+            assert!((0..axes.len()).filter(of_table).all(at_zero), "{k} {control:?}");
             let end = |m: &program::Moved| m.axes(1.0, &tool, &machine);
             let first = end(&moves[on]);
             let room_mm = 0.5 * options().safe_clearance_mm;
             for m in &moves[on + 1..cuts - 1] {
                 let (from, to) = (m.axes(0.0, &tool, &machine), end(m));
                 assert!(
-                    (3..5).all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
+                    machine.rotary().all(|i| (to[i] - from[i]).abs() <= std::f64::consts::FRAC_PI_2 + 1e-6),
                     "{k} {control:?}"
                 );
                 for f in 0..=8 {

@@ -16,6 +16,7 @@ use crate::artifact::Cones;
 use crate::artifact::program::Control;
 use crate::error::ErrorKind;
 use crate::geometry::Vector;
+use crate::machine::AxisLimits;
 use crate::sample;
 use crate::verify::read_back::read_back;
 
@@ -107,9 +108,9 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
         let centre = |m: &Move| {
             let q = [m.at[0], m.at[1], m.at[2], m.at[3].to_radians(), m.at[4].to_radians()];
             if control == Control::Linuxcnc {
-                return machine.forward(&q, tool.length_mm()).centre;
+                return machine.forward(&q.into(), tool.length_mm()).centre;
             }
-            let axis = machine.axis_at([q[3], q[4]]);
+            let axis = machine.axis_at(&q.into());
             Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
         };
         for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {
@@ -136,7 +137,7 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
     let cut = cutting(&p);
     let centre = |m: &Move| {
         let [x, y, z, a, b] = m.at;
-        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()], tool.length_mm()).centre
+        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()].into(), tool.length_mm()).centre
     };
     let centres: Vec<Point> = cut.iter().map(centre).collect();
     let near = |row: usize| {
@@ -168,8 +169,9 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
 
 #[test]
 fn a_short_travel_shortens_the_retract_and_says_so() {
-    let mut machine = Machine::demo().unwrap();
-    machine.axes.z.max_mm = 180.0;
+    let demo = Machine::demo().unwrap();
+    let z = demo.axes()[2].limits;
+    let machine = demo.with_limits(2, AxisLimits { travel: z.travel.map(|[lo, _]| [lo, 180.0]), ..z });
     let plan = Verified::for_tests(sample::plan(1, 30), sample::report(), false);
     let text = |m| {
         post(&Dialect::built_in(Control::Linuxcnc).unwrap(), &plan, &sample::blade(), &sample::tool(), m, &options())

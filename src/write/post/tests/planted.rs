@@ -199,7 +199,7 @@ fn a_gouge_of_five_micrometres_is_found() {
         let machine = s.program.language.programmed == crate::artifact::program::Programmed::Machine;
         let inward = out * -0.005;
         let d = if machine {
-            s.machine.shown_part(s.machine.theta_and_lean([cut.to[3], cut.to[4]], 0.0)[0]).rotation * inward
+            s.machine.shown_part(s.machine.theta_and_lean(&cut.to, 0.0)[0]).rotation * inward
         } else {
             inward
         };
@@ -354,10 +354,11 @@ fn a_travel_limit_exceeded_by_a_hundredth_is_found() {
         let cuts: Vec<&Moved> = moves.iter().filter(|m| m.seconds.is_some()).collect();
         let top = cuts.iter().max_by(|a, b| reached(a).total_cmp(&reached(b))).unwrap();
         let most = moves.iter().map(reached).filter(|v| v.is_finite()).fold(f64::MIN, f64::max);
-        let limit = if axis == 0 { &mut s.machine.axes.x.max_mm } else { &mut s.machine.axes.y.max_mm };
-        assert!(most < *limit);
+        let limits = machine.axes()[axis].limits;
+        let [least, limit] = limits.travel.unwrap();
+        assert!(most < limit);
         let line = top.line;
-        *limit = most - 0.01;
+        s.machine = machine.clone().with_limits(axis, AxisLimits { travel: Some([least, most - 0.01]), ..limits });
         let found = s.failing(&s.program.text);
         s.only(&found, &[check]);
         let travel = s.find(&found, check);

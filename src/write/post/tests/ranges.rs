@@ -1,8 +1,9 @@
 //! Programs inside what their controls read, and what heads them.
 
 use super::*;
+use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
-use crate::machine::AxisLimits;
+use crate::machine::Axis;
 use crate::read::program::{self, Bench, Moved, Zero};
 
 fn checks(p: &Program, plan: &Plan) -> Vec<crate::artifact::report::Check> {
@@ -234,12 +235,12 @@ fn high_speed_words_are_there_unless_the_job_does_without() {
 }
 
 /// Time of the slowest axis, under velocity and acceleration.
-fn from_rest_to_rest(from: &[f64; 5], to: &[f64; 5], machine: &Machine) -> f64 {
-    let time = |(i, limit): (usize, &AxisLimits)| {
-        let (way, v, a) = ((to[i] - from[i]).abs(), limit.velocity, limit.acceleration);
+fn from_rest_to_rest(from: &Axes, to: &Axes, machine: &Machine) -> f64 {
+    let time = |(i, axis): (usize, &Axis)| {
+        let (way, v, a) = ((to[i] - from[i]).abs(), axis.limits.velocity, axis.limits.acceleration);
         if way < v * v / a { 2.0 * (way / a).sqrt() } else { way / v + v / a }
     };
-    machine.limits().iter().enumerate().map(time).fold(0.0, f64::max)
+    machine.axes().iter().enumerate().map(time).fold(0.0, f64::max)
 }
 
 #[test]
@@ -258,15 +259,16 @@ fn time_goes_where_the_header_and_the_figures_say() {
         let fed: f64 = all.iter().filter_map(|m| m.seconds).sum();
         let (down, up) =
             (all.iter().find(|m| m.seconds.is_some()).unwrap(), all.iter().rfind(|m| m.seconds.is_some()).unwrap());
-        let z = machine.limits()[2];
+        let z = machine.axes()[2].limits;
         let rapid = |at: f64| (z.travel.unwrap()[1] - at) / z.velocity + z.velocity / z.acceleration;
         let turned_in = all.iter().take_while(|m| m.seconds.is_none()).filter(|m| m.words == Programmed::Tip);
         let down_s = match control {
             // From rest to rest: to where tool-centre-point control comes on, step by step, down to the safe position.
             Control::Fanuc | Control::FanucVector => {
-                let mut places: Vec<[f64; 5]> = turned_in.map(|m| m.axes(1.0, &tool, &machine)).collect();
+                let mut places: Vec<Axes> = turned_in.map(|m| m.axes(1.0, &tool, &machine)).collect();
                 assert!(places.len() > 10);
-                places.insert(0, [0, 1, 2, 3, 4].map(|i| if i == 2 { z.travel.unwrap()[1] } else { places[0][i] }));
+                places.insert(0, places[0]);
+                places[0][2] = z.travel.unwrap()[1];
                 places.windows(2).map(|w| from_rest_to_rest(&w[0], &w[1], &machine)).sum()
             }
             _ => rapid(down.axes(0.0, &tool, &machine)[2]),
@@ -275,7 +277,7 @@ fn time_goes_where_the_header_and_the_figures_say() {
         assert!((fed + rapids - parts[..5].iter().sum::<f64>()).abs() < 0.02, "{control:?} {fed} {rapids} {c:?}");
         let last = all.iter().rfind(|m| m.seconds.is_none()).unwrap();
         let turned = (last.axes(1.0, &tool, &machine)[3] - last.from[3]).abs();
-        let limits = machine.limits()[3];
+        let limits = machine.axes()[3].limits;
         let want = turned / limits.velocity + limits.velocity / limits.acceleration;
         match control {
             // All turns, at 180 degrees a second, the spindle at rest; on a control that rolls over the vector's would be less.

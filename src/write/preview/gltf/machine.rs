@@ -40,7 +40,7 @@ pub(super) fn table(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>>
         glb,
         "table",
         vec![shown],
-        json!({ "what": "the machine's table, schematic: its axis is true, its size is not", "axis": scene.machine.axis_names()[3] }),
+        json!({ "what": "the machine's table, schematic: its axis is true, its size is not", "axis": scene.machine.axes()[scene.machine.turning_axis()].name }),
     );
     // The table's axis in the blade frame, at the root's end.
     let (clamped, [axis_y, axis_z], _) = scene.machine.shown_table();

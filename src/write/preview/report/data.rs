@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use super::pack::Pack;
 use super::{ReportInput, scallop, scene};
-use crate::artifact::{AxisMotion, Plan, Section};
+use crate::artifact::{Axes, AxisMotion, Plan, Section};
+use crate::machine::{Axis, Machine};
 use crate::write::preview::colour;
 
 /// Points of all S–θ curves together, about.
@@ -112,24 +113,27 @@ fn one_turn(
     })
 }
 
-/// Scale of an axis from inner units to those shown.
-fn scale(axis: usize) -> f64 {
-    if axis < 3 { 1.0 } else { 1f64.to_degrees() }
-}
-
 /// Times of a turn, from its start, and for each axis position at the start of each stretch and of velocity, acceleration and jerk the
 /// one of greatest size in it.
-fn motion_of(motion: &AxisMotion, range: &Range<usize>, pieces: &[Range<usize>], pack: &mut Pack) -> Value {
+fn motion_of(
+    motion: &AxisMotion,
+    machine: &Machine,
+    range: &Range<usize>,
+    pieces: &[Range<usize>],
+    pack: &mut Pack,
+) -> Value {
     let start = motion.t_s.get(range.start).copied().unwrap_or(0.0);
     let first = motion.position.get(range.start).copied().unwrap_or_default();
     let t = pack.list(pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
+    let all = machine.axes();
     let axes = (0..first.len()).map(|axis| {
+        let scale = all[axis].scale();
         // What turns the blade is shown from the turn's start on, the others where they are.
-        let zero = if axis == 3 { first[3] } else { 0.0 };
-        let at = |p: &Range<usize>| motion.position.get(p.start).map_or(f64::NAN, |r| (r[axis] - zero) * scale(axis));
-        let mut peak = |rows: &[[f64; 5]]| {
+        let zero = if axis == machine.turning_axis() { first[axis] } else { 0.0 };
+        let at = |p: &Range<usize>| motion.position.get(p.start).map_or(f64::NAN, |r| (r[axis] - zero) * scale);
+        let mut peak = |rows: &[Axes]| {
             let greatest = |p: &Range<usize>| {
-                let values = p.clone().filter_map(|i| rows.get(i)).map(|r| r[axis] * scale(axis));
+                let values = p.clone().filter_map(|i| rows.get(i)).map(|r| r[axis] * scale);
                 values.fold(f64::NAN, |best, v| if v.abs() > best.abs() || best.is_nan() { v } else { best })
             };
             pack.list(pieces.iter().map(greatest))
@@ -146,20 +150,20 @@ fn axes(plan: &Plan, input: &ReportInput, pack: &mut Pack) -> Value {
     let ranges = ranges(plan);
     let most = (AXIS_POINTS / ranges.len().max(1)).clamp(40, 400);
     let baseline = input.baseline.and_then(|b| b.motion);
-    let limits = input.machine.limits();
+    let axes = input.machine.axes();
     let mut turns = Vec::new();
     for range in &ranges {
         let pieces = stretches(range, most);
         let s = pack.list(pieces.iter().map(|p| plan.toolpath.locations[p.start].s_mm));
-        let own = motion_of(&plan.motion, range, &pieces, pack);
-        let other = baseline.map(|m| motion_of(m, range, &pieces, pack));
+        let own = motion_of(&plan.motion, input.machine, range, &pieces, pack);
+        let other = baseline.map(|m| motion_of(m, input.machine, range, &pieces, pack));
         turns.push(json!({ "s": s, "plan": own, "baseline": other }));
     }
     json!({
-        "names": input.machine.axis_names(),
-        "units": (0..limits.len()).map(|i| if i < 3 { "mm" } else { "°" }).collect::<Vec<_>>(),
-        "limits": limits.iter().enumerate().map(|(i, l)| json!([
-            rounded(l.velocity * scale(i), 3), rounded(l.acceleration * scale(i), 3), rounded(l.jerk * scale(i), 3)
+        "names": axes.iter().map(|a| &a.name).collect::<Vec<_>>(),
+        "units": axes.iter().map(Axis::sign).collect::<Vec<_>>(),
+        "limits": axes.iter().map(|a| (a.limits, a.scale())).map(|(l, scale)| json!([
+            rounded(l.velocity * scale, 3), rounded(l.acceleration * scale, 3), rounded(l.jerk * scale, 3)
         ])).collect::<Vec<_>>(),
         "turns": turns,
     })

@@ -182,7 +182,7 @@ fn schedules(input: &ReportInput) -> String {
     let names: Vec<String> = (0..n).map(|k| if k == 0 { format!("{} (in use)", kind(k)) } else { kind(k) }).collect();
     let mut head = vec![("Schedule", false)];
     head.extend(names.iter().map(|n| (n.as_str(), true)));
-    let turns = input.machine.axis_names()[3];
+    let turns = &input.machine.axes()[input.machine.turning_axis()].name;
     let figures = [
         ("machining time, s", "machining_time_s"),
         ("reversals of θ", "reversals"),
@@ -255,16 +255,14 @@ pub(super) fn axes(input: &ReportInput) -> String {
     if input.plan.is_none() {
         return String::new();
     }
-    let limits = input.machine.limits();
     let others = count(input, "/schedules") > 1;
     let mut rows = String::new();
-    for (i, axis) in input.machine.axis_names().iter().enumerate() {
-        let unit = if i < 3 { "mm" } else { "°" };
-        let scale = if i < 3 { 1.0 } else { 1f64.to_degrees() };
+    for (i, axis) in input.machine.axes().iter().enumerate() {
+        let (name, unit, scale, limits) = (&axis.name, axis.sign(), axis.scale(), axis.limits);
         let kinds = [
-            ("velocity", "/s", limits[i].velocity),
-            ("acceleration", "/s²", limits[i].acceleration),
-            ("jerk", "/s³", limits[i].jerk),
+            ("velocity", "/s", limits.velocity),
+            ("acceleration", "/s²", limits.acceleration),
+            ("jerk", "/s³", limits.jerk),
         ];
         for (kind, per, limit) in kinds {
             let at = |k: usize| format!("/schedules/{k}/axes/{i}/{kind}");
@@ -276,7 +274,7 @@ pub(super) fn axes(input: &ReportInput) -> String {
                 number(limit * scale),
                 number(100.0 * now / (limit * scale)),
             ];
-            rows.push_str(&row(&format!("{axis} {kind}, {unit}{per}"), cells.into_iter()));
+            rows.push_str(&row(&format!("{name} {kind}, {unit}{per}"), cells.into_iter()));
         }
     }
     let head = [
@@ -290,7 +288,7 @@ pub(super) fn axes(input: &ReportInput) -> String {
     format!(
         "<section id=\"peaks\"><h2>Peaks of the axes</h2><p>Over all cutter locations. Limits are those of the machine \
          file ({}).</p>{}</section>\n",
-        if limits.iter().any(|l| l.provenance == crate::machine::Provenance::Assumed) { "assumed" } else { "measured" },
+        if !input.machine.assumed_limits().is_empty() { "assumed" } else { "measured" },
         table("Peaks of the axes", &head, &rows)
     )
 }
