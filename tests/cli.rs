@@ -452,6 +452,19 @@ fn what_helps_to_type_the_command() {
     let lines: Vec<serde_json::Value> = text.lines().map(|l| serde_json::from_str(l).expect(l)).collect();
     assert!(lines.iter().any(|l| l["event"] == "output" && l["text"] == "man/bladewright.1"), "{text}");
     assert_eq!(lines.last().map(|l| l["exit_code"].clone()), Some(0.into()));
+    // What stands in the way of a plan is told as data, too.
+    let model = root().join("models/prism.step").display().to_string();
+    let lean =
+        ["--set", "machine.b_deg=60", "--set", "region.start_mm=30", "--set", "region.end_mm=28", "--until", "channel"];
+    let holder = ["--set", "tool.stickout_mm=8", "--set", "path.scallop_mm=0.2"];
+    let args: Vec<&str> = ["--json", "plan", &model, "-o", "closed"].into_iter().chain(lean).chain(holder).collect();
+    let out = bladewright(&args, dir.path());
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    let error =
+        text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok()).find(|l| l["event"] == "error");
+    let error = error.expect(&text);
+    assert_eq!((out.status.code(), &error["infeasible"]["what"]), (Some(3), &"no-free-angle".into()), "{text}");
+    assert!(error["infeasible"]["at"]["turn"].is_u64() && error["infeasible"]["bounds"][0]["by"].is_string(), "{text}");
     let out = bladewright(&["--json", "verify", "nowhere"], dir.path());
     let text = String::from_utf8_lossy(&out.stdout).into_owned();
     assert!(text.contains("\"event\":\"error\"") && text.contains("\"exit_code\":4"), "{text}");

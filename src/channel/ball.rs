@@ -5,8 +5,9 @@
 
 use rayon::prelude::*;
 
-use crate::artifact::{Obstacle, Toolpath};
-use crate::error::{Error, Result, Stage};
+use super::report;
+use crate::artifact::{Blade, Obstacle, Toolpath};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
 
@@ -15,11 +16,11 @@ use crate::geometry::mesh::Mesh;
 /// # Errors
 /// Kind `Infeasible` at the first location whose ball comes too near, or inside; the distance asked for is the ball's radius, the
 /// clearance of taper and shank, and half of the longer move beside the location.
-pub(super) fn check(path: &Toolpath, obstacles: &[Obstacle]) -> Result<()> {
+pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> Result<()> {
     let Some(first) = path.locations.first() else { return Ok(()) };
     for o in obstacles.iter().filter(|o| !o.cut_by_the_tool) {
         if winding(&o.part.mesh, &first.centre).abs() > 0.5 {
-            return Err(too_near(o, path, 0, "the tool starts in collision: the ball centre is inside"));
+            return Err(too_near(o, (path, blade), 0, "the tool starts in collision: the ball centre is inside", true));
         }
         let step = |i: usize| {
             let beside = [i.checked_sub(1), Some(i + 1)];
@@ -32,18 +33,25 @@ pub(super) fn check(path: &Toolpath, obstacles: &[Obstacle]) -> Result<()> {
         });
         if let Some(i) = hit {
             let start = if i == 0 { "the tool starts in collision: " } else { "" };
-            return Err(too_near(o, path, i, &format!("{start}the ball comes nearer than {} mm to", o.clearance_mm)));
+            let what = format!("{start}the ball comes nearer than {} mm to", o.clearance_mm);
+            return Err(too_near(o, (path, blade), i, &what, false));
         }
     }
     Ok(())
 }
 
-fn too_near(o: &Obstacle, path: &Toolpath, i: usize, what: &str) -> Error {
+fn too_near(o: &Obstacle, (path, blade): (&Toolpath, &Blade), i: usize, what: &str, inside: bool) -> Error {
     let place = path.locations.get(i).map_or_else(String::new, |l| {
         format!("turn {}, S = {:.2} mm, {:.3} mm along the blade axis", l.turn, l.turn_s_mm, l.centre.x)
     });
     Error::infeasible(Stage::Channel, format!("{what} {} at {place}", o.name))
         .advise("move the fixture, let the region end before it, or let it keep less clearance")
+        .since(Infeasible::BallNearFixture {
+            at: report::at(path, i, |p| blade.model_from_blade * p),
+            name: o.name.clone(),
+            clearance_mm: o.clearance_mm,
+            inside,
+        })
 }
 
 /// How often the closed mesh winds round a point: 0 outside, ±1 inside.

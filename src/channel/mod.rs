@@ -237,7 +237,7 @@ pub fn plan_among(
     observer: &dyn Observer,
 ) -> Result<Channel> {
     check_input(tool, path, options)?;
-    ball::check(path, surroundings.obstacles)?;
+    ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
     let samples = samples::along(path, options.max_step_mm);

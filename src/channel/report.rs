@@ -2,7 +2,8 @@
 
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, ToolPart, Toolpath};
-use crate::error::{Error, Stage};
+use crate::error::{At, Bound, Error, Infeasible, Stage};
+use crate::geometry::Point;
 use crate::geometry::part::Part;
 
 use super::forbidden::{Body, Free, Scene, Search};
@@ -28,10 +29,18 @@ impl Reporter<'_> {
         let place = self.place(sample.row);
         let here = layers.get(at).map(Vec::as_slice).unwrap_or_default();
         if here.is_empty() {
-            let (what, advice) = self.everything_taken(sample);
-            let start = if at == 0 && self.is_start { "the tool starts in collision: " } else { "" };
+            let (what, ends) = self.everything_taken(sample);
+            let at_start = at == 0 && self.is_start;
+            let start = if at_start { "the tool starts in collision: " } else { "" };
             let message = format!("{start}no angle of the tool axis is free at {place}: {what}");
-            return Error::infeasible(Stage::Channel, message).advise(advice).region_may_end(self.above(sample.row));
+            return Error::infeasible(Stage::Channel, message).advise(advice_for(&ends)).since(
+                Infeasible::NoFreeAngle {
+                    at: self.at(sample.row),
+                    at_start,
+                    bounds: self.bounds(&ends),
+                    region_may_end_mm: self.above(sample.row),
+                },
+            );
         }
         let before = at.checked_sub(1).and_then(|i| layers.get(i)).map(Vec::as_slice).unwrap_or_default();
         let ends: Vec<Binding> = here
@@ -53,7 +62,11 @@ impl Reporter<'_> {
             ),
         )
         .advise(advice_for(&ends))
-        .region_may_end(self.above(sample.row))
+        .since(Infeasible::ChannelCloses {
+            at: self.at(sample.row),
+            bounds: self.bounds(&ends),
+            region_may_end_mm: self.above(sample.row),
+        })
     }
 
     /// The channel closes on the move from sample `at` to the next.
@@ -67,19 +80,25 @@ impl Reporter<'_> {
             }
         }
         let said: Vec<String> = ends.iter().map(|b| self.blame(b)).collect();
+        let widths_deg = [from, to].map(|f| (f.hi - f.lo).to_degrees());
         Error::infeasible(
             Stage::Channel,
             format!(
                 "the channel closes on the move after {}: {:.3}° wide before it and {:.3}° after it, no straight walls lead \
                  through it ({})",
                 self.place(row),
-                (from.hi - from.lo).to_degrees(),
-                (to.hi - to.lo).to_degrees(),
+                widths_deg[0],
+                widths_deg[1],
                 said.join("; ")
             ),
         )
         .advise(advice_for(&ends))
-        .region_may_end(self.above(row))
+        .since(Infeasible::ChannelClosesOnMove {
+            after: self.at(row),
+            widths_deg,
+            bounds: self.bounds(&ends),
+            region_may_end_mm: self.above(row),
+        })
     }
 
     /// The hulls cross.
@@ -101,7 +120,14 @@ impl Reporter<'_> {
             ),
         )
         .advise(advice_for(&ends))
-        .region_may_end(self.above(crossing.high_row))
+        .since(Infeasible::WallsCross {
+            lower_at: self.at(crossing.low_row),
+            lower_deg: a.theta_min.to_degrees(),
+            upper_at: self.at(crossing.high_row),
+            upper_deg: b.theta_max.to_degrees(),
+            bounds: self.bounds(&ends),
+            region_may_end_mm: self.above(crossing.high_row),
+        })
     }
 
     /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the turns above do without the
@@ -117,6 +143,30 @@ impl Reporter<'_> {
         // Turns that tilt may begin lower than they are at the location.
         let pitch = (8.0 * self.path.radius_mm * self.path.scallop_mm).sqrt();
         Some(if own > begin { own + pitch } else { begin })
+    }
+
+    fn at(&self, row: usize) -> At {
+        at(self.path, row, |p| self.blade.model_from_blade * p)
+    }
+
+    /// Bindings as data, each once.
+    fn bounds(&self, ends: &[Binding]) -> Vec<Bound> {
+        let one = |b: &Binding| match b {
+            Binding::Part { tool, face, .. } => {
+                Some(Bound::Part { tool: tool.to_string(), face: self.blade.part.face_name(*face).to_string() })
+            }
+            Binding::Fixture { name, tool, .. } => Some(Bound::Fixture { tool: tool.to_string(), name: name.clone() }),
+            Binding::AxisLimit => Some(Bound::AxisLimit),
+            Binding::ContactAngle => Some(Bound::ContactAngle),
+            Binding::Free => None,
+        };
+        let mut out: Vec<Bound> = Vec::new();
+        for bound in ends.iter().filter_map(one) {
+            if !out.contains(&bound) {
+                out.push(bound);
+            }
+        }
+        out
     }
 
     fn place(&self, row: usize) -> String {
@@ -144,7 +194,7 @@ impl Reporter<'_> {
     }
 
     /// What takes the whole circle at a sample: the limits without which there would be free angles.
-    fn everything_taken(&self, sample: &Sample) -> (String, String) {
+    fn everything_taken(&self, sample: &Sample) -> (String, Vec<Binding>) {
         let mut said = Vec::new();
         let mut ends = Vec::new();
         let mut wide = self.scene.options.clone();
@@ -168,7 +218,7 @@ impl Reporter<'_> {
             let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
             said.push(format!("{} together take it", parts.join(", ")));
         }
-        (said.join("; "), advice_for(&ends))
+        (said.join("; "), ends)
     }
 
     /// What ends the free intervals at a sample if the tool had only the parts that `keep` lets through; empty:
@@ -186,6 +236,19 @@ impl Reporter<'_> {
         }
         let free = Search::new(&scene).free(&sample.view(), &sample.normal, None);
         free.iter().flat_map(|f| [f.lo_by, f.hi_by]).map(|by| binding(by, &scene)).collect()
+    }
+}
+
+/// A location of a path as a place; `to_model` takes a point of the blade frame to the model frame.
+pub(super) fn at(path: &Toolpath, row: usize, to_model: impl Fn(Point) -> Point) -> At {
+    let l = path.locations.get(row);
+    let centre = l.map_or(Point::origin(), |l| l.centre);
+    At {
+        location: row,
+        turn: l.map_or(0, |l| l.turn),
+        turn_s_mm: l.map_or(0.0, |l| l.turn_s_mm),
+        centre_mm: to_model(centre).into(),
+        height_mm: centre.x,
     }
 }
 

@@ -90,6 +90,7 @@ fn threads(count: Option<usize>) -> Result<rayon::ThreadPool> {
 fn report(e: &Error) {
     let told = serde_json::json!({
         "event": "error", "stage": e.stage, "kind": format!("{:?}", e.kind), "message": e.message, "advice": e.advice,
+        "infeasible": e.infeasible,
     });
     if out::event(&told) {
         return;

@@ -39,7 +39,7 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion};
 use super::axis::Axis;
 use super::kinematics::Pose;
 use crate::artifact::Axes;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
 
@@ -437,7 +437,10 @@ impl Head {
         let name = |column: usize| axes[column].name.as_str();
         let (first, second) = (name(self.columns.first), self.columns.second.map_or("", name));
         let deg = lean_rad.to_degrees();
-        let no = |what: String, advice: &str| Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()));
+        let no = |what: String, advice: &str, since: Infeasible| {
+            Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()).since(since))
+        };
+        let unreached = |fixed_deg: Option<f64>| Infeasible::LeanOutOfReach { lean_deg: deg, fixed_deg };
         let Some(posture) = self.posture(lean_rad) else {
             return match (self.second, self.along_blade()) {
                 (None, Some(sense)) => {
@@ -447,17 +450,20 @@ impl Head {
                             "the machine has no axis that leans the tool: it always leans by {fixed:.6} deg, machine.b_deg is {deg}"
                         ),
                         "set machine.b_deg to that",
+                        unreached(Some(fixed)),
                     )
                 }
                 (None, None) => no(
                     format!("axis {first} is not along the blade axis, and there is no other rotary axis"),
                     "mount the blade along it (mount.along)",
+                    unreached(None),
                 ),
                 _ => no(
                     format!(
                         "the rotary axes {first} and {second} do not reach the tool axis all round the blade at a lean of {deg} deg"
                     ),
                     "mount the blade along the first rotary axis (mount.along), or change machine.b_deg",
+                    unreached(None),
                 ),
             };
         };
@@ -466,14 +472,17 @@ impl Head {
             let what = format!(
                 "at a lean of {deg} deg the tool axis comes along axis {first}, which would have to turn by any angle at once (singular)"
             );
-            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
+            let since = Infeasible::Singular { lean_deg: deg, axis: first.to_owned() };
+            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)", since);
         }
         if posture.excess > ROUNDING {
             let what = format!(
                 "at a lean of {deg} deg axis {second} would leave its travel by {:.3} deg on either branch",
                 posture.excess.to_degrees()
             );
-            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)");
+            let (axis, excess_deg) = (second.to_owned(), posture.excess.to_degrees());
+            let since = Infeasible::BeyondTravel { lean_deg: deg, axis, excess_deg };
+            return no(what, "change machine.b_deg, or mount the blade otherwise (mount.along)", since);
         }
         Ok(())
     }

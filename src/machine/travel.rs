@@ -2,7 +2,7 @@
 
 use super::{Axis, Machine};
 use crate::artifact::AxisMotion;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 
 /// The worst position of one axis outside its travel.
@@ -74,7 +74,8 @@ impl Machine {
                 0.5 * self.swing_diameter_mm
             ),
         )
-        .advise("name a machine that takes it with --set machine.file=…, or the unit with --unit if the part is not that large; --until channel plans without the machine's room"))
+        .advise("name a machine that takes it with --set machine.file=…, or the unit with --unit if the part is not that large; --until channel plans without the machine's room")
+        .since(Infeasible::Swing { reach_mm: radius_mm, swing_diameter_mm: self.swing_diameter_mm }))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The planning stages, one after another.
 
 use super::{Baseline, Setup, leads, schedules};
+use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
@@ -193,7 +194,7 @@ pub(crate) fn channel_as_far_as_it_goes(
         let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
         // An end that was asked for stays, and the first turn at least needs room above it.
         let end_mm = blocked
-            .region_may_end_mm
+            .region_may_end_mm()
             .filter(|_| setup.job.region.end_mm.is_none())
             .map(|end_mm: f64| end_mm.max(above_mm))
             .filter(|end_mm| *end_mm < setup.job.region.start_mm);
@@ -201,7 +202,8 @@ pub(crate) fn channel_as_far_as_it_goes(
             return by_exact_faces(setup, toolpath, observer).unwrap_or(Err(blocked));
         };
         ended_mm = Some(end_mm);
-        shorter.region_x_mm[1] = Some(end_mm);
+        shorter.extent.ends.retain(|end| !matches!(end, Boundary::Height(_)));
+        shorter.extent.ends.push(Boundary::Height(end_mm));
         *toolpath = timed(observer, Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = EndReason::Blocked(blocked.message);
         cut = Some(format!(

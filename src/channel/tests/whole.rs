@@ -6,7 +6,7 @@ use super::super::{ChannelOptions, plan};
 use super::world::{banana, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
 use crate::artifact::{Cone, Cones, Toolpath};
-use crate::error::ErrorKind;
+use crate::error::{Bound, ErrorKind, Infeasible};
 use crate::geometry::Vector;
 use crate::observe::Silent;
 
@@ -95,6 +95,12 @@ fn a_holder_too_near_the_platform_is_named() {
     let e = plan(&blade, &t, &path, &ChannelOptions::default(), &Silent).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
     assert!(e.message.contains("holder 1 against group 1"), "{e}");
+    // The same as data.
+    let Some(Infeasible::NoFreeAngle { at, at_start: true, bounds, .. }) = e.infeasible.as_deref() else {
+        panic!("{:?}", e.infeasible)
+    };
+    assert!((at.location, at.turn, at.height_mm) == (0, 0, 6.0), "{at:?}");
+    assert!(bounds.contains(&Bound::Part { tool: "holder 1".into(), face: "group 1".into() }), "{bounds:?}");
     assert!(e.advice.unwrap().contains("stick out"));
 }
 
@@ -110,6 +116,12 @@ fn a_pocket_too_bent_for_a_monotone_schedule_is_named() {
     let e = plan(&blade, &t, &path, &ChannelOptions::default(), &Silent).map(|_| ()).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
     assert!(e.message.contains("turning back") || e.message.contains("no angle"), "{e}");
+    match e.infeasible.as_deref() {
+        Some(Infeasible::WallsCross { lower_at, lower_deg, upper_at, upper_deg, .. }) => {
+            assert!(lower_at.location < upper_at.location && lower_deg > upper_deg, "{e:?}");
+        }
+        other => assert!(matches!(other, Some(Infeasible::NoFreeAngle { .. })), "{other:?}"),
+    }
 }
 
 #[test]

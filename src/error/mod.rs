@@ -1,5 +1,9 @@
 //! One error for all stages: what went wrong, where, which limit, what to do; and the exit code that follows.
 
+mod infeasible;
+
+pub use infeasible::{At, Bound, Infeasible};
+
 use std::fmt;
 
 /// The stage in which an error arose.
@@ -84,8 +88,8 @@ pub struct Error {
     pub message: String,
     /// What to do.
     pub advice: Option<String>,
-    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade frame).
-    pub region_may_end_mm: Option<f64>,
+    /// What stands in the way of a plan, as data, where the message says it.
+    pub infeasible: Option<Box<Infeasible>>,
     /// The cause, if another error caused it.
     #[source]
     pub source: Option<Box<dyn std::error::Error + Send + Sync>>,
@@ -94,7 +98,7 @@ pub struct Error {
 impl Error {
     /// A new error without advice or cause.
     pub fn new(stage: Stage, kind: ErrorKind, message: impl Into<String>) -> Self {
-        Error { stage, kind, message: message.into(), advice: None, region_may_end_mm: None, source: None }
+        Error { stage, kind, message: message.into(), advice: None, infeasible: None, source: None }
     }
     /// Command line or job file.
     pub fn usage(stage: Stage, message: impl Into<String>) -> Self {
@@ -118,11 +122,15 @@ impl Error {
         self.advice = Some(advice.into());
         self
     }
-    /// Adds the height at which the region would have to end for a plan to be possible.
+    /// Adds what stands in the way of a plan, as data.
     #[must_use]
-    pub fn region_may_end(mut self, x_mm: Option<f64>) -> Self {
-        self.region_may_end_mm = x_mm;
+    pub fn since(mut self, what: Infeasible) -> Self {
+        self.infeasible = Some(Box::new(what));
         self
+    }
+    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade frame).
+    pub fn region_may_end_mm(&self) -> Option<f64> {
+        self.infeasible.as_ref()?.region_may_end_mm()
     }
     /// Adds the cause.
     #[must_use]
