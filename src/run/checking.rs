@@ -43,7 +43,7 @@ impl Run<'_, '_> {
     ) -> Result<Checked> {
         let (setup, course) = (&self.loaded.setup, self.course);
         self.folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
-        self.folder.add("axes.csv", tables::axes(&plan, &setup.machine.axes()))?;
+        self.folder.add("axes.csv", tables::axes(&plan, setup.machine.axes()))?;
         let plan_json = json_compact(&plan)?;
         self.folder.add("plan.json", &plan_json)?;
         let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;
@@ -133,7 +133,7 @@ pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result
         let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
         Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
     };
-    let axes = &setup.machine.axes();
+    let axes = setup.machine.axes();
     Ok(vec![
         summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
         summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),
