@@ -29,9 +29,10 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "section" | "path" | "channel" | "schedule" | "lead" | "feed" => STAGE,
         "verify" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
         "read" => READER,
-        "make" | "job" => STAGE,
+        "make" => STAGE,
         "write" => WRITER,
-        "plan" => PLANNER,
+        // The job stands above the stages: its defaults are those of their options.
+        "job" | "plan" => PLANNER,
         "run" => RUNNER,
         "batch" => &["numerics", "geometry", "artifact", "tool", "machine", "read", "make", "job", "run", "files"],
         // `sample` is a made-up plan for unit tests only.

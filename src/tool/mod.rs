@@ -11,6 +11,11 @@ use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
+/// Room that taper and shank keep from a part where nobody asks for another, mm.
+pub const CLEARANCE_MM: f64 = 0.1;
+/// Room that the holder keeps from a part where nobody asks for another, mm.
+pub const HOLDER_CLEARANCE_MM: f64 = 1.0;
+
 /// A cylindrical stage of the holder.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
