@@ -9,11 +9,12 @@ use std::path::Path;
 
 use bladewright::geometry::Point;
 use bladewright::machine::Machine;
+use bladewright::run::inputs;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut args = std::env::args().skip(1);
     let gauge_mm: f64 = args.next().ok_or("the length from ball centre to gauge line is missing")?.parse()?;
-    let machine = args.next().map_or_else(Machine::demo, |file| Machine::load(Path::new(&file)))?;
+    let machine = args.next().map_or_else(Machine::demo, |file| inputs::machine(Path::new(&file)))?;
     for line in std::io::stdin().lock().lines() {
         let line = line?;
         let v = line.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>()?;

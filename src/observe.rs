@@ -16,6 +16,10 @@ pub struct Warning {
 pub trait Observer: Sync {
     /// `done` of `total` units of the stage's work are done (a unit is whatever the stage counts).
     fn progress(&self, _stage: Stage, _done: usize, _total: usize) {}
+    /// Work on a stage begins; it ends before that on another one begins.
+    fn begins(&self, _stage: Stage) {}
+    /// Work on a stage ends, well or not.
+    fn ends(&self, _stage: Stage) {}
     /// Something the user should know.
     fn warn(&self, _warning: Warning) {}
     /// True when the user has asked to stop.
@@ -26,6 +30,14 @@ pub trait Observer: Sync {
     fn check(&self, stage: Stage) -> Result<()> {
         if self.cancelled() { Err(Error::cancelled(stage)) } else { Ok(()) }
     }
+}
+
+/// Works on a stage and tells the observer when that begins and ends.
+pub fn timed<T>(observer: &dyn Observer, stage: Stage, work: impl FnOnce() -> T) -> T {
+    observer.begins(stage);
+    let out = work();
+    observer.ends(stage);
+    out
 }
 
 /// Says nothing, never cancels.
@@ -56,6 +68,12 @@ impl<'a> Recorder<'a> {
 impl Observer for Recorder<'_> {
     fn progress(&self, stage: Stage, done: usize, total: usize) {
         self.inner.progress(stage, done, total);
+    }
+    fn begins(&self, stage: Stage) {
+        self.inner.begins(stage);
+    }
+    fn ends(&self, stage: Stage) {
+        self.inner.ends(stage);
     }
     fn warn(&self, warning: Warning) {
         let mut all = self.warnings.lock().unwrap_or_else(std::sync::PoisonError::into_inner);

@@ -20,7 +20,7 @@ use bladewright::geometry::tessellate::{Options, tessellate};
 use bladewright::job::{JobFile, resolve};
 use bladewright::observe::Silent;
 use bladewright::path;
-use bladewright::plan::Setup;
+use bladewright::run::Loaded;
 use bladewright::schedule::{self, ScheduleOptions};
 use bladewright::verify;
 
@@ -74,7 +74,7 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
         job.set(setting).expect("a setting");
     }
     let draft = resolve(job, Path::new(".")).expect("a job");
-    let setup = Setup::load(&draft, &Silent).unwrap_or_else(|e| panic!("{}: {e}", model.display()));
+    let Loaded { setup, .. } = Loaded::read(&draft, &Silent).unwrap_or_else(|e| panic!("{}: {e}", model.display()));
     let toolpath = path::plan(&setup.blade, &setup.path_options(), &Silent).expect("a path");
     let around = setup.surroundings().expect("an index");
     let options = setup.channel_options();

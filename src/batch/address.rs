@@ -12,8 +12,8 @@ use super::members::{Member, Source};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::JobFile;
-use crate::plan;
 use crate::read::model;
+use crate::run;
 
 /// Raised when results of the same inputs are kept in another way.
 const LAYOUT: &str = "bladewright-family 2";
@@ -60,8 +60,8 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
     };
     let told = |content: Content| content.map_or_else(|| "unreadable".to_owned(), |(_, hash)| hash);
     add(&mut blade, LAYOUT);
-    add(&mut blade, &plan::program());
-    add(&mut blade, plan::build());
+    add(&mut blade, &run::program());
+    add(&mut blade, run::build());
     match &member.source {
         Source::Design(d) => {
             add(&mut blade, "design");

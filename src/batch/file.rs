@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
-use crate::job::{self, JobFile};
+use crate::job::JobFile;
+use crate::run::inputs;
 
 /// The family file. Exactly one of `models`, `table` and `design` says what the members are, or none, where the template names the
 /// model; `ranges` multiply them. A parameter is a key of the job (`tool.radius_mm`), of the generator's design
@@ -159,7 +160,7 @@ pub fn schema() -> schemars::Schema {
 /// `InputOutput` where it cannot be read; `Usage` with file, line and key where it is no family file.
 pub fn load(path: &Path) -> Result<FamilyFile> {
     let short = "a family file is a short TOML text; name models and tables in it";
-    parse(&job::text_of(path, Stage::Batch, "family file", short)?, &path.display().to_string())
+    parse(&inputs::text_of(path, Stage::Batch, "family file", short)?, &path.display().to_string())
 }
 
 /// Parses the text of a family file; `name` is used in messages.

@@ -8,8 +8,9 @@ use super::file::{self, Combine, FamilyFile, MOST_MEMBERS, Override};
 use super::models;
 use super::table;
 use crate::error::{Error, Result, Stage};
-use crate::job::{self, JobFile};
+use crate::job::JobFile;
 use crate::make::BladeDesign;
+use crate::run::inputs;
 
 /// Where a member's blade comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,7 +117,7 @@ fn template(file: &FamilyFile, base: &Path) -> Result<JobFile> {
     let mut of_file = JobFile::default();
     if let Some(name) = &file.job {
         let path = base.join(name);
-        of_file = absolute(job::load(&path)?, path.parent().unwrap_or(base));
+        of_file = absolute(inputs::job(&path)?, path.parent().unwrap_or(base));
     }
     let Some(keys) = &file.template else { return Ok(of_file) };
     let value = |j: &JobFile| toml::Value::try_from(j).map_err(|e| usage(format!("the template job: {e}")));

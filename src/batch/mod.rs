@@ -12,7 +12,7 @@
 //!   killed and started again, whichever stages were taken over from earlier runs. `log/` alone, with times, memory and locks, is different every time.
 //! * **Nothing is half-written**: a member's folder appears in one step, whole ([`store`](self)).
 //! * **Nothing is computed twice**: a member is known by the hash of what it is computed from (`address.rs`); stages whose inputs
-//!   have not changed are taken over ([`crate::plan::reuse`]).
+//!   have not changed are taken over ([`crate::run::reuse`]).
 //! * **A member that fails harms no other**: its stage and reason stand in the tables. What stops everything is only what would stop
 //!   every member: a full disk, an unwritable folder, Ctrl-C.
 //!

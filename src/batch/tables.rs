@@ -53,7 +53,7 @@ fn write(columns: &[Column]) -> std::result::Result<Vec<u8>, ParquetError> {
     };
     let fields = columns.iter().map(field).collect::<std::result::Result<Vec<_>, _>>()?;
     let schema = Arc::new(Type::group_type_builder("family").with_fields(fields).build()?);
-    let properties = WriterProperties::builder().set_created_by(crate::plan::program()).build();
+    let properties = WriterProperties::builder().set_created_by(crate::run::program()).build();
     let mut file = SerializedFileWriter::new(Vec::new(), schema, Arc::new(properties))?;
     let mut group = file.next_row_group()?;
     for c in columns {

@@ -16,9 +16,9 @@ use crate::files;
 use crate::job::{self, ModelKeys};
 use crate::make;
 use crate::observe::{Observer, Warning};
-use crate::plan::reuse::{Earlier, ReadFile};
-use crate::plan::{self, Course, Outcome};
-use crate::run::{self, manifest::StageRecord};
+use crate::run::manifest::StageRecord;
+use crate::run::reuse::{Earlier, ReadFile};
+use crate::run::{self, Course, Outcome};
 
 /// The model of a made blade, beside its results.
 const MODEL: &str = "model.step";
@@ -166,7 +166,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
     let earlier: Vec<Earlier> =
         own.into_iter().chain(work.helper).filter_map(|name| earlier(work.store, name)).collect();
     let course = Course { timeless: true, ..Course::default() };
-    plan::run_on(&draft, folder, course, &earlier, observer)
+    run::run_on(&draft, folder, course, &earlier, observer)
 }
 
 /// A finished member whose stages may be taken over. A file that changed since counts as missing.

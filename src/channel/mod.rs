@@ -62,7 +62,7 @@ use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
 
 pub use advise::{Advice, Farthest, advise, sweep_b};
-pub use options::ChannelOptions;
+pub use options::{CONTACT_ANGLE_DEG, ChannelOptions, TOLERANCE_DEG};
 
 use arcs::Witness;
 use forbidden::{Body, Free, Scene};

@@ -1,6 +1,12 @@
 //! What the user may ask of the channel.
 
 use crate::error::{Error, Result, Stage};
+use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM};
+
+/// Least and greatest angle between tool axis and surface normal where nobody asks for others, degrees.
+pub const CONTACT_ANGLE_DEG: [f64; 2] = [0.0, 90.0];
+/// Tolerance of the channel's ends where nobody asks for another, degrees.
+pub const TOLERANCE_DEG: f64 = 0.01;
 
 /// Options of [`plan`](super::plan).
 #[derive(Clone, Debug, PartialEq)]
@@ -35,12 +41,12 @@ pub struct ChannelOptions {
 impl Default for ChannelOptions {
     fn default() -> Self {
         ChannelOptions {
-            clearance_mm: 0.1,
-            holder_clearance_mm: 1.0,
-            contact_angle_min_rad: 0.0,
-            contact_angle_max_rad: 90f64.to_radians(),
+            clearance_mm: CLEARANCE_MM,
+            holder_clearance_mm: HOLDER_CLEARANCE_MM,
+            contact_angle_min_rad: CONTACT_ANGLE_DEG[0].to_radians(),
+            contact_angle_max_rad: CONTACT_ANGLE_DEG[1].to_radians(),
             theta_limits_rad: None,
-            tolerance_rad: 0.01f64.to_radians(),
+            tolerance_rad: TOLERANCE_DEG.to_radians(),
             prove_moves: false,
             prove_at: Vec::new(),
             exact_ends: false,

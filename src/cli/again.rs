@@ -10,9 +10,9 @@ use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::plan;
-use crate::plan::again::{Checked, read};
-use crate::plan::operations::{self, Done};
-use crate::run::{self, RunFolder, tables};
+use crate::run::again::{Checked, read};
+use crate::run::operations::{self, Done};
+use crate::run::{self, RunFolder, inputs, tables};
 use crate::verify;
 use crate::write::post::{self, Dialect, PostOptions};
 use crate::write::{draw, preview};
@@ -22,17 +22,17 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| run.check(&terminal));
     terminal.finish();
-    let Checked { setup, verdict, files, wrote_programs } = checked?;
+    let Checked { loaded, verdict, files, wrote_programs } = checked?;
     if let Some((file, tolerance)) = map {
         let path = &verdict.value().toolpath;
-        let map = verify::deviation(&setup.blade, path, tolerance)?;
-        write_map(file, &map, &setup.blade, path.scallop_mm)?;
+        let map = verify::deviation(&loaded.setup.blade, path, tolerance)?;
+        write_map(file, &map, &loaded.setup.blade, path.scallop_mm)?;
     }
     let mut report = verdict.report().clone();
     report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = plan::accept(verdict, true) {
-        report.checks.extend(plan::programs_again(&setup, &verified, &folder, wrote_programs)?);
+        report.checks.extend(run::programs_again(&loaded.setup, &verified, &folder, wrote_programs)?);
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
@@ -76,7 +76,7 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         }
     };
     let (name, dialect) = match (&args.post_file, args.control) {
-        (Some(file), _) => (plan::post_name(file), Dialect::load(file)?),
+        (Some(file), _) => (plan::post_name(file), inputs::dialect(file)?),
         (None, Some(control)) => (control.to_string(), Dialect::built_in(control)?),
         (None, None) => return Err(Error::usage(Stage::Post, "give --control or --post-file")),
     };
@@ -110,11 +110,11 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
 fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Result<(Done, bool)> {
     let terminal = Terminal::new(quiet);
     let checked = read(run, &terminal).and_then(|run| {
-        post::planned(&run.plan, &PostOptions { from_turn, ..run.setup.post_options() })?;
+        post::planned(&run.plan, &PostOptions { from_turn, ..run.loaded.setup.post_options() })?;
         run.check(&terminal)
     });
     terminal.finish();
-    let Checked { setup, verdict, files, .. } = checked?;
+    let Checked { loaded, verdict, files, .. } = checked?;
     let mut report = verdict.report().clone();
     report.checks.extend(files);
     let accepted = plan::accept(verdict, force).map(|v| if report.passed() { v } else { v.as_forced() });
@@ -127,7 +127,7 @@ fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Re
         )
         .advise("mend the job and plan again, or pass --force to write a program marked as not verified"));
     };
-    Ok((Done { setup, verified, name: run.display().to_string() }, report.passed()))
+    Ok((Done { loaded, verified, name: run.display().to_string() }, report.passed()))
 }
 
 /// `preview`: preview.glb and report.html again.
@@ -135,7 +135,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let written = read(&args.out, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let mut folder = RunFolder::begin(&args.out)?;
-        plan::preview_again(&run, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
+        run::preview_again(&run, args.preview_budget.map(|b| b.0), &mut folder, &terminal)?;
         folder.finish()
     });
     terminal.finish();
@@ -148,7 +148,7 @@ pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let drawn = read(&args.run, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
         let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2);
-        plan::plots(&run.setup, &run.verdict, turn, &terminal)
+        run::plots(&run.loaded.setup, &run.verdict, turn, &terminal)
     });
     terminal.finish();
     let mut folder = RunFolder::begin(&args.out.clone().unwrap_or_else(|| args.run.join("plots")))?;

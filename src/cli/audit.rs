@@ -13,8 +13,7 @@ use crate::geometry::Rigid;
 use crate::machine::Machine;
 use crate::read::model;
 use crate::read::program::{self, Bench, Zero};
-use crate::run;
-use crate::tool::Tool;
+use crate::run::{self, inputs};
 use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
 use crate::write::post::Dialect;
 
@@ -36,8 +35,8 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     };
     let text = text(&args.what)?;
     let (language, why) = language(args, &text)?;
-    let tools = args.tool.iter().map(|t| Tool::load(t)).collect::<Result<Vec<_>>>()?;
-    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| Machine::load(f))?;
+    let tools = args.tool.iter().map(|t| inputs::tool(t)).collect::<Result<Vec<_>>>()?;
+    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
     let audit = blade.and_then(|blade| {
@@ -98,7 +97,7 @@ fn text(path: &Path) -> Result<String> {
 /// How the program is to be read, and why.
 fn language(args: &Verify, text: &str) -> Result<(Language, String)> {
     let (mut language, why) = match (&args.post_file, args.control) {
-        (Some(file), _) => (Dialect::load(file)?.language(), format!("as {} says", file.display())),
+        (Some(file), _) => (inputs::dialect(file)?.language(), format!("as {} says", file.display())),
         (None, Some(control)) => {
             let dialect = Dialect::built_in(control)?;
             (dialect.language(), format!("as told: {}", dialect.name()))

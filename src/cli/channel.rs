@@ -12,8 +12,7 @@ use crate::channel::{self, FreeInterval};
 use crate::error::Result;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
-use crate::plan::Setup;
-use crate::run::{self, RunFolder};
+use crate::run::{self, Loaded, RunFolder};
 use crate::write::preview::plot;
 
 /// Angles B that advice looks at: from, to, step, degrees.
@@ -29,7 +28,7 @@ pub fn run(args: &Channel, quiet: bool) -> Result<u8> {
 
 fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.job.out)?;
-    let setup = Setup::load(&draft_of(&args.job)?, observer)?;
+    let setup = Loaded::read(&draft_of(&args.job)?, observer)?.setup;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
@@ -110,7 +109,7 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 }
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
-    let setup = Setup::load(&draft_from(&args.input, &args.reading, &args.set)?, observer)?;
+    let setup = Loaded::read(&draft_from(&args.input, &args.reading, &args.set)?, observer)?.setup;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let angles = setup.angles_b(ANGLES_DEG);

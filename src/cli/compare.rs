@@ -5,7 +5,7 @@ use super::out::sayln;
 use super::plan::draft_of;
 use super::progress::Terminal;
 use crate::error::Result;
-use crate::plan::compare::{Comparison, Run, compare};
+use crate::run::compare::{Comparison, Run, compare};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Compare, quiet: bool) -> Result<u8> {

@@ -10,9 +10,9 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{self, Draft, JobFile};
 use crate::make::BladeDesign;
-use crate::plan::{self, Course, Outcome};
 use crate::read::model;
 use crate::run::summary::{ScheduleFigures, Summary};
+use crate::run::{self, Course, Outcome, inputs};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
@@ -20,7 +20,7 @@ pub fn run(args: &Plan, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let preview_bytes = args.preview_budget.map(|b| b.0);
     let course = Course { until: args.until, force: args.force, preview_bytes, ..Course::default() };
-    let outcome = plan::run(&draft, &args.job.out, course, &terminal);
+    let outcome = run::run(&draft, &args.job.out, course, &terminal);
     terminal.finish();
     let outcome = outcome?;
     print(&outcome, args.until);
@@ -48,7 +48,7 @@ pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Res
 
 /// A job file; a design for `make` in its place is named as that.
 fn job_file(input: &Path) -> Result<JobFile> {
-    let read = job::load(input);
+    let read = inputs::job(input);
     let design = || files::read_text(input, files::SHORT).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
     match (read, input.display()) {
         (Err(_), name) if design().is_some() => Err(Error::usage(

@@ -31,7 +31,7 @@ impl Terminal {
         // Before anything is written: a reader of standard output that has gone to sleep must not keep the signals from being heard.
         let stop = super::signals::stop_flag(super::signals::ONE_RUN);
         let bar = ProgressBar::new(1);
-        let json = out::event(&serde_json::json!({ "event": "start", "program": crate::plan::program() }));
+        let json = out::event(&serde_json::json!({ "event": "start", "program": crate::run::program() }));
         if quiet || json || !std::io::stderr().is_terminal() {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }

@@ -12,7 +12,13 @@ use crate::artifact::Blade;
 use crate::artifact::program::Control;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::PathKind;
+use crate::channel::{CONTACT_ANGLE_DEG, ChannelOptions, TOLERANCE_DEG};
 use crate::error::{Error, Result, Stage};
+use crate::path::PathOptions;
+use crate::read::model::ModelOptions;
+use crate::schedule::ScheduleOptions;
+use crate::verify::VerifyOptions;
+use crate::write::post::PostOptions;
 
 /// A job that is settled as far as it can be without the blade: enough to read the model.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +47,7 @@ pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
         file: absolute(&file),
         unit: keys.unit,
         axis: keys.axis.unwrap_or_default(),
-        deflection_mm: keys.deflection_mm.unwrap_or(0.01),
+        deflection_mm: keys.deflection_mm.unwrap_or(ModelOptions::default().deflection_mm),
         weld_mm: keys.weld_mm,
         close_holes_mm: keys.close_holes_mm,
         body: keys.body,
@@ -128,7 +134,13 @@ impl Draft {
         let (kind, scallop_mm) =
             (path.kind.unwrap_or_else(|| default_kind(blade, &region)), path.scallop_mm.unwrap_or(0.01));
         let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
-        let room = [channel.clearance_mm.unwrap_or(0.1), channel.holder_clearance_mm.unwrap_or(1.0)];
+        let (of_path, of_channel) = (PathOptions::new(radius, scallop_mm), ChannelOptions::default());
+        let (of_schedule, of_checks, of_post) =
+            (ScheduleOptions::default(), VerifyOptions::default(), PostOptions::default());
+        let room = [
+            channel.clearance_mm.unwrap_or(of_channel.clearance_mm),
+            channel.holder_clearance_mm.unwrap_or(of_channel.holder_clearance_mm),
+        ];
         let fixtures = t.fixture.unwrap_or_default();
         let fixture = fixtures.iter().map(|f| self.fixture("fixture", f, room)).collect::<Result<_>>()?;
         let stock = t.stock.map(|f| self.fixture("stock", &f, room)).transpose()?;
@@ -143,21 +155,21 @@ impl Draft {
                 kind,
                 scallop_mm,
                 chord_mm,
-                max_step_mm: path.max_step_mm.unwrap_or((0.25 * radius).min(1.0)),
+                max_step_mm: path.max_step_mm.unwrap_or(of_path.max_step_mm),
                 max_lean_deg: path.max_lean_deg.unwrap_or(max_lean_deg),
                 direction: path.direction.unwrap_or_default(),
                 start: path.start.unwrap_or_default(),
-                stock_mm: path.stock_mm.unwrap_or(0.0),
+                stock_mm: path.stock_mm.unwrap_or(of_path.stock_mm),
                 compare: path.compare.unwrap_or(false),
             },
             channel: ChannelJob {
-                clearance_mm: channel.clearance_mm.unwrap_or(0.1),
-                holder_clearance_mm: channel.holder_clearance_mm.unwrap_or(1.0),
-                contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(0.0),
-                contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(90.0),
-                tolerance_deg: channel.tolerance_deg.unwrap_or(0.01),
+                clearance_mm: room[0],
+                holder_clearance_mm: room[1],
+                contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(CONTACT_ANGLE_DEG[0]),
+                contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(CONTACT_ANGLE_DEG[1]),
+                tolerance_deg: channel.tolerance_deg.unwrap_or(TOLERANCE_DEG),
                 prove_moves: channel.prove_moves.unwrap_or(schedule.kind.is_some_and(ScheduleKind::is_wall)),
-                exact_ends: channel.exact_ends.unwrap_or(false),
+                exact_ends: channel.exact_ends.unwrap_or(of_channel.exact_ends),
                 sweep_b: channel.sweep_b.unwrap_or(false),
             },
             machine: MachineJob {
@@ -169,9 +181,9 @@ impl Draft {
                 base_angle: schedule.base_angle.unwrap_or_default(),
                 measure: schedule.measure.unwrap_or_default(),
                 scope: schedule.scope.unwrap_or_default(),
-                margin_deg: schedule.margin_deg.unwrap_or(0.5),
-                lead_deg: schedule.lead_deg.unwrap_or(15.0),
-                beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(0.0),
+                margin_deg: schedule.margin_deg.unwrap_or(of_schedule.margin_deg),
+                lead_deg: schedule.lead_deg.unwrap_or(of_schedule.lead_deg),
+                beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(of_schedule.beyond_wall_deg),
             },
             feed: FeedJob {
                 feed_mm_min: feed.feed_mm_min.unwrap_or(2000.0),
@@ -180,20 +192,20 @@ impl Draft {
             post: PostJob {
                 control: post.control.unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
                 files: self.post_files.clone(),
-                tool_number: post.tool_number.unwrap_or(1),
-                spindle_rpm: post.spindle_rpm.unwrap_or(6000.0),
-                approach_feed_mm_min: post.approach_feed_mm_min.unwrap_or(5000.0),
-                plunge_feed_mm_min: post.plunge_feed_mm_min.unwrap_or(300.0),
-                feed_height_mm: post.feed_height_mm.unwrap_or(5.0),
-                safe_clearance_mm: post.safe_clearance_mm.unwrap_or(20.0),
+                tool_number: post.tool_number.unwrap_or(of_post.tool_number),
+                spindle_rpm: post.spindle_rpm.unwrap_or(of_post.spindle_rpm),
+                approach_feed_mm_min: post.approach_feed_mm_min.unwrap_or(of_post.approach_feed_mm_min),
+                plunge_feed_mm_min: post.plunge_feed_mm_min.unwrap_or(of_post.plunge_feed_mm_min),
+                feed_height_mm: post.feed_height_mm.unwrap_or(of_post.feed_height_mm),
+                safe_clearance_mm: post.safe_clearance_mm.unwrap_or(of_post.safe_clearance_mm),
                 smoothing_mm: post.smoothing_mm,
-                look_ahead: post.look_ahead.unwrap_or(true),
+                look_ahead: post.look_ahead.unwrap_or(of_post.look_ahead),
             },
             verify: VerifyJob {
-                gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(0.003)),
-                scallop_ratio: verify.scallop_ratio.unwrap_or(1.05),
-                resolution_mm: verify.resolution_mm.unwrap_or(0.0005),
-                surface_samples: verify.surface_samples.unwrap_or(120_000),
+                gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(of_checks.gouge_mm)),
+                scallop_ratio: verify.scallop_ratio.unwrap_or(of_checks.scallop_ratio),
+                resolution_mm: verify.resolution_mm.unwrap_or(of_checks.resolution_mm),
+                surface_samples: verify.surface_samples.unwrap_or(of_checks.surface_samples as u32),
             },
             section: SectionJob { count: t.section.and_then(|s| s.count).unwrap_or(12) },
             tool,

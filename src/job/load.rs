@@ -1,33 +1,9 @@
-//! Reading a job file, and changing single keys (`--set`).
+//! Reading the text of a job file, and changing single keys (`--set`).
 
-use std::io::ErrorKind;
 use std::path::Path;
 
 use super::typed::{JobFile, ModelKeys};
 use crate::error::{Error, Result, Stage};
-use crate::files;
-
-/// Reads a job file.
-///
-/// # Errors
-/// `InputOutput` when the file cannot be read; `Usage` with file, line and key when it is not a job file.
-pub fn load(path: &Path) -> Result<JobFile> {
-    let short = "a job file is a short TOML text; name the CAD file in it as model.file";
-    parse(&text_of(path, Stage::Job, "job file", short)?, &path.display().to_string())
-}
-
-/// The text of a file that is written by hand; `what` it is, and what is said where it is `too_large` to be that.
-///
-/// # Errors
-/// `InputOutput` where it cannot be read; `Usage` where it is too large, or no text.
-pub(crate) fn text_of(path: &Path, stage: Stage, what: &str, too_large: &str) -> Result<String> {
-    let shown = path.display();
-    let bytes = files::read(path, files::SHORT).map_err(|e| match e.kind() {
-        ErrorKind::FileTooLarge => Error::usage(stage, format!("{shown} is too large for a {what}")).advise(too_large),
-        _ => Error::io(stage, format!("the {what} {shown} cannot be read: {e}")).caused_by(e),
-    })?;
-    String::from_utf8(bytes).map_err(|e| Error::usage(stage, format!("{shown} is not a text in UTF-8: {e}")))
-}
 
 /// Parses the text of a job file; `name` is used in messages.
 ///

@@ -19,8 +19,7 @@ mod typed;
 
 pub use axis::AxisChoice;
 pub use defaults::{Draft, resolve};
-pub(crate) use load::text_of;
-pub use load::{insert, load, parse, read_value};
+pub use load::{insert, parse, read_value};
 pub use resolved::{
     ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
 };

@@ -130,7 +130,7 @@ fn example_jobs_name_models_that_exist() {
     let files: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()).collect();
     assert!(files.len() >= 3);
     for file in files {
-        let draft = resolve(load(&file).unwrap(), &folder).unwrap();
+        let draft = resolve(parse(&std::fs::read_to_string(&file).unwrap(), "example").unwrap(), &folder).unwrap();
         assert!(draft.model().file.is_file(), "{} names {}", file.display(), draft.model().file.display());
     }
 }

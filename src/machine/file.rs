@@ -1,7 +1,5 @@
 //! Machine files: reading, their checks, and the machine that is built from one.
 
-use std::path::Path;
-
 use nalgebra::{Unit, UnitQuaternion};
 
 use super::Machine;
@@ -9,7 +7,6 @@ use super::axis::{Axis, AxisLimits, AxisName, Carries};
 use super::chain::Head;
 use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
 use crate::error::{Error, Result, Stage};
-use crate::files;
 use crate::geometry::{Point, Rigid, Vector};
 
 impl Machine {
@@ -27,17 +24,6 @@ impl Machine {
     /// Kind `Usage`: not TOML, an unknown or missing key, or a value outside its range.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
         MachineFile::from_toml(text, origin)?.build(origin)
-    }
-
-    /// Reads a machine file.
-    ///
-    /// # Errors
-    /// Kind `InputOutput` where the file cannot be read, else as [`Machine::from_toml`].
-    pub fn load(path: &Path) -> Result<Self> {
-        let text = files::read_text(path, files::SHORT).map_err(|e| {
-            Error::io(Stage::Machine, format!("cannot read the machine file {}: {e}", path.display())).caused_by(e)
-        })?;
-        Self::from_toml(&text, &path.display().to_string())
     }
 }
 
@@ -319,6 +305,5 @@ mod tests {
             assert_eq!(e.kind, ErrorKind::Usage);
             assert!(e.message.contains(names) && e.message.contains("m.toml"), "{}", e.message);
         }
-        assert_eq!(Machine::load(Path::new("/nonexistent.toml")).unwrap_err().kind, ErrorKind::InputOutput);
     }
 }

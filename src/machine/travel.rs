@@ -124,7 +124,8 @@ mod tests {
         let off = off.build("demo").unwrap();
         assert!((off.off_table_axis_mm(&Point::new(3.0, 0.0, 300.0)).unwrap() - 280.0).abs() < 1e-9);
         let file = |name: &str| {
-            Machine::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name)).unwrap()
+            let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
+            Machine::from_toml(&std::fs::read_to_string(path).unwrap(), name).unwrap()
         };
         // A chain: about the axis nearest to the workpiece; two heads let the blade stand still.
         let p = Point::new(10.0, 900.0, 0.0);

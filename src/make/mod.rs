@@ -1,7 +1,7 @@
 //! The parametric blade generator.
 //!
 //! In: a [`BladeDesign`] (a TOML file, or one of the [`presets`]). Out: a [`MadeBlade`], a closed solid of NURBS faces and a
-//! watertight mesh of it, which [`write_step`] and [`write_obj`] put into files.
+//! watertight mesh of it, as the text of a STEP ([`step_text`]) or an OBJ file ([`obj_text`]).
 //!
 //! * **Airfoil**: sections from a profile law ([`profile`]) whose chord, stagger, camber, thickness, edge radii, sweep and lean are
 //!   laws of height. A periodic C² cubic round the section through `stations` points, cubic upwards through `rows` rows.
@@ -27,7 +27,7 @@ pub mod rolling_ball;
 mod write;
 
 pub use design::{Accuracy, AirfoilDesign, BladeDesign, Law, OutlinePoint, PlatformDesign, PrismDesign};
-pub use write::{obj_text, step_text, write_obj, write_step};
+pub use write::{obj_text, step_text};
 
 use crate::error::Result;
 use crate::geometry::Point;

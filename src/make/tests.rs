@@ -337,19 +337,6 @@ fn models_prism_regenerates() {
     regenerates("prism");
 }
 
-#[test]
-fn files_are_written_whole_or_not_at_all() {
-    let dir = tempfile::tempdir().unwrap();
-    let b = build(&presets::prism()).unwrap();
-    let path = dir.path().join("prism.step");
-    write_step(&b, &path).unwrap();
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), step_text(&b).unwrap());
-    let missing = dir.path().join("missing/prism.obj");
-    let e = write_obj(&b, &missing).unwrap_err();
-    assert!(e.kind == crate::ErrorKind::InputOutput && e.message.contains("prism.obj"));
-    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
     #[test]

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::path::Path;
 
 use step_io::build::{CurveInput, FaceBoundInput, SurfaceInput};
 use step_io::{AuthorError, Orientation, StepBuilder, scene};
@@ -108,31 +107,4 @@ pub fn obj_text(blade: &MadeBlade) -> String {
         }
     }
     s
-}
-
-/// Writes the STEP file whole or not at all.
-pub fn write_step(blade: &MadeBlade, path: &Path) -> Result<()> {
-    write_whole(path, &step_text(blade)?)
-}
-
-/// Writes the OBJ file whole or not at all.
-pub fn write_obj(blade: &MadeBlade, path: &Path) -> Result<()> {
-    write_whole(path, &obj_text(blade))
-}
-
-/// Temporary file in the same folder, then rename.
-fn write_whole(path: &Path, text: &str) -> Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let failed = |e: std::io::Error| {
-        Error::io(Stage::Make, format!("{} cannot be written: {e}", path.display()))
-            .advise("check folder and free space")
-    };
-    let mut builder = tempfile::Builder::new();
-    // Readable like any other file that the user writes, as far as the umask allows.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder).map_err(failed)?;
-    std::io::Write::write_all(&mut file, text.as_bytes()).map_err(failed)?;
-    file.persist(path).map_err(|e| failed(e.error))?;
-    Ok(())
 }

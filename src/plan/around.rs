@@ -1,14 +1,11 @@
 //! What is in the tool's way, and the channel's width among it.
 
 use super::Setup;
+use crate::artifact::Plan;
 use crate::artifact::channel::Width;
-use crate::artifact::{Blade, Obstacle, Plan};
 use crate::channel::{self, Surroundings};
-use crate::error::{Result, Stage};
-use crate::job::Job;
+use crate::error::Result;
 use crate::observe::Observer;
-use crate::read::model;
-use crate::run::manifest::{self, Input};
 
 /// Angles B that a report looks at (from, to, step, degrees).
 const REPORT_SWEEP_DEG: [f64; 3] = [-20.0, 45.0, 5.0];
@@ -42,26 +39,13 @@ impl Setup {
         let radius_mm = self.job.tool.radius_mm;
         Ok(Surroundings::new(&self.blade, &self.obstacles, radius_mm)?.finer(radius_mm))
     }
-}
 
-/// Fixtures and stock in the blade frame; their files are inputs.
-pub(super) fn obstacles(
-    job: &Job,
-    blade: &Blade,
-    inputs: &mut Vec<Input>,
-    observer: &dyn Observer,
-) -> Result<Vec<Obstacle>> {
-    let mut all = job.fixture.iter().map(|f| (false, f)).chain(job.stock.iter().map(|f| (true, f)));
-    all.try_fold(Vec::new(), |mut out, (stock, f)| {
-        inputs.push(manifest::input(&f.file, Stage::Model, if stock { "stock.file" } else { "fixture.file" })?);
-        let room = [f.clearance_mm, f.holder_clearance_mm];
-        out.push(model::obstacle(&f.file, f.unit, stock, room, &blade.model_from_blade, observer)?);
-        Ok(out)
-    })
-}
-
-/// The channel's width against B for a report.
-pub(super) fn widths(setup: &Setup, plan: &Plan, observer: &dyn Observer) -> Result<Vec<Width>> {
-    let (around, options, angles) = (setup.surroundings()?, setup.channel_options(), setup.angles_b(REPORT_SWEEP_DEG));
-    channel::sweep_b(&around, &setup.job.tool, &plan.toolpath, &options, &angles, REPORT_PLACES, observer)
+    /// The channel's width against B for a report.
+    ///
+    /// # Errors
+    /// Those of [`channel::sweep_b`].
+    pub fn widths(&self, plan: &Plan, observer: &dyn Observer) -> Result<Vec<Width>> {
+        let (around, options, angles) = (self.surroundings()?, self.channel_options(), self.angles_b(REPORT_SWEEP_DEG));
+        channel::sweep_b(&around, &self.job.tool, &plan.toolpath, &options, &angles, REPORT_PLACES, observer)
+    }
 }

@@ -12,7 +12,7 @@ use crate::write::post::{self, PostOptions};
 
 /// The first arc with room for it at each end. Where there is none: a straight lead with the
 /// reason, which is reported unless the job asked for it.
-pub(super) fn choose(
+pub(crate) fn choose(
     setup: &Setup,
     path: &Toolpath,
     schedule: &Schedule,
@@ -49,7 +49,7 @@ fn room<'a>(setup: &'a Setup, path: &Toolpath, options: &'a VerifyOptions) -> Ro
 ///
 /// # Errors
 /// `Usage` where there is no such turn; `Infeasible` where the tool cannot come onto it; those of the feed.
-pub(super) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Result<Verified<Plan>> {
+pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Result<Verified<Plan>> {
     let from = PostOptions { from_turn: Some(turn), ..setup.post_options() };
     let left = post::planned(whole.value(), &from)?.into_owned();
     if turn == 1 {
@@ -108,7 +108,7 @@ fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Ro
 }
 
 /// The fastest motion over path and leads, taken apart.
-pub(super) fn motion(
+pub(crate) fn motion(
     setup: &Setup,
     path: &Toolpath,
     schedule: &Schedule,

@@ -1,91 +1,46 @@
-//! The stages in a straight line: a job in, the files of a run out.
+//! The stages in order, in memory: a job, a blade and a machine in; a checked plan and programs as text out.
+//!
+//! **In** [`Setup`]: all that stands still during a plan. **Out** [`Plan`] with its [`Verdict`], and
+//! [`Setup::program`]: the text of a program. **Method** The stages follow one another; where the
+//! channel closes or the schedule comes too near between locations, path, channel and schedule are
+//! planned again ([`stages()`]). **Guarantees** No file is read or written; folders, times and
+//! manifests are those of [`crate::run`]. The observer is told when a stage begins and ends.
+//! **Fails** with the error of the stage, and with kind `Cancelled` when the observer asks to stop.
+//!
+//! [`stages()`]: planning::stages
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::artifact::blade::Blade;
-use crate::artifact::program::Control;
 use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule};
+use crate::artifact::{AxisMotion, Obstacle, Plan, Program, Schedule};
 use crate::channel::ChannelOptions;
 use crate::error::{Error, Result, Stage};
-use crate::feed::{self, FeedOptions};
-use crate::job::{Chosen, Draft, Job, ModelJob};
+use crate::feed::FeedOptions;
+use crate::job::{Chosen, Draft, Job};
 use crate::machine::Machine;
-use crate::observe::{Observer, Recorder, Warning};
+use crate::observe::{Observer, Warning};
 use crate::path::PathOptions;
 use crate::read::model::openings::{self, Reach};
-use crate::read::model::{self, ModelOptions};
-use crate::run::RunFolder;
-use crate::run::manifest::{self, Clock, Input, Manifest, SCHEMA_VERSION, StageRecord};
-use crate::run::summary::{self, ProgramFigures, ScheduleFigures, Summary};
+use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
-use crate::section::{self, SectionOptions};
+use crate::section::SectionOptions;
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions};
 use crate::write::post::{self, Dialect, PostOptions};
-use reuse::Earlier;
 
-pub mod again;
 mod around;
-mod checking;
-pub mod compare;
 mod doubts;
-mod leads;
-mod look;
-pub mod operations;
-mod paths;
-mod planning;
-mod programs;
-mod repost;
-pub mod reuse;
-mod schedules;
-mod sketch;
+pub(crate) mod leads;
+pub(crate) mod paths;
+pub(crate) mod planning;
+pub(crate) mod schedules;
+pub(crate) mod sketch;
 
-pub use look::{plots, preview_again};
-use planning::Reached;
-pub use programs::programs_again;
+use planning::{Known, Reached};
 
-/// How far to go and what to do with a plan that fails its checks.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Course {
-    /// Stop after this stage.
-    pub until: Option<Stage>,
-    /// Write programs even if the checks fail; their headers say so.
-    pub force: bool,
-    /// Leave times and memory out of `manifest.json`, so that the same job leaves the same bytes.
-    pub timeless: bool,
-    /// Most bytes of preview.glb; `None`: as [`GltfOptions`] has it.
-    ///
-    /// [`GltfOptions`]: crate::write::preview::GltfOptions
-    pub preview_bytes: Option<usize>,
-}
-
-impl Course {
-    fn ends_at(self, stage: Stage) -> bool {
-        self.until == Some(stage)
-    }
-}
-
-/// What a run came to.
-pub struct Outcome {
-    /// Files written, in order.
-    pub files: Vec<PathBuf>,
-    /// The tool of the job, and why it is this one.
-    pub tool: Chosen,
-    /// Figures, where the run went far enough.
-    pub summary: Option<Summary>,
-    /// What the checks found, where the run went far enough.
-    pub report: Option<CheckReport>,
-    /// The plan, where the run went far enough.
-    pub plan: Option<Plan>,
-    /// Time and memory of each stage that was worked on.
-    pub stages: Vec<StageRecord>,
-    /// Stages whose results were taken over from earlier runs.
-    pub taken: Vec<Stage>,
-}
-
-/// A blade with everything that stands still during a run.
+/// A blade with everything that stands still during a plan.
 pub struct Setup {
     /// The job, complete.
     pub job: Job,
@@ -103,50 +58,12 @@ pub struct Setup {
     pub post_files: Vec<Dialect>,
     /// Fixtures and stock.
     pub obstacles: Vec<Obstacle>,
-    /// Input files with their hashes: the model first.
-    pub inputs: Vec<Input>,
+    /// BLAKE3 hash of the model's file, which programs name; empty where the model came from no file.
+    pub part_hash: String,
 }
 
 impl Setup {
-    /// Reads model and machine and completes the job.
-    ///
-    /// # Errors
-    /// Those of reading and of the job.
-    pub fn load(draft: &Draft, observer: &dyn Observer) -> Result<Setup> {
-        let m = draft.model();
-        // Read once: what is planned is what the manifest names.
-        let bytes = model::file_bytes(&m.file)?;
-        let mut inputs = vec![manifest::input_of(&m.file, &bytes)];
-        // A header of a section table has its points in files of their own.
-        for file in crate::read::model::table::data_files(&m.file) {
-            inputs.push(manifest::input(&file, Stage::Model, "files of the table")?);
-        }
-        let options = model_options(m);
-        let blade = model::load_bytes(&m.file, &bytes, &options, observer)?;
-        let machine = match draft.machine_file() {
-            Some(file) => {
-                inputs.push(manifest::input(file, Stage::Machine, "machine.file")?);
-                Machine::load(file)?
-            }
-            None => Machine::demo()?,
-        };
-        let mut post_files = Vec::new();
-        for file in draft.post_files() {
-            inputs.push(manifest::input(file, Stage::Post, "post.files")?);
-            post_files.push(Dialect::load(file)?);
-        }
-        let mut setup = Setup::of(draft, blade, machine, observer)?;
-        if let Some(model) = inputs.first_mut() {
-            model.path = setup.job.model.file.display().to_string();
-        }
-        setup.obstacles = around::obstacles(&setup.job, &setup.blade, &mut inputs, observer)?;
-        (setup.post_files, setup.inputs) = (post_files, inputs);
-        setup.check_program_names()?;
-        Ok(setup)
-    }
-
-    /// Completes the job for a blade and a machine that are in memory already; no file is read. Obstacles, own post files and inputs are left empty,
-    /// for the caller to set.
+    /// Completes the job for a blade and a machine. Obstacles, own post files and the model's hash are left empty, for the caller to set.
     ///
     /// # Errors
     /// Those of the job.
@@ -166,12 +83,13 @@ impl Setup {
             Start::Concave => None,
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
-        let end_faces = model::recognise::named::faces_of(&job.region.end_faces, &blade.part)?;
-        let (post_files, obstacles, inputs) = (Vec::new(), Vec::new(), Vec::new());
-        Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, inputs })
+        let end_faces = named::faces_of(&job.region.end_faces, &blade.part)?;
+        let (post_files, obstacles, part_hash) = (Vec::new(), Vec::new(), String::new());
+        Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, part_hash })
     }
 
-    fn section_options(&self) -> SectionOptions {
+    /// Options of the sections as the job has them.
+    pub fn section_options(&self) -> SectionOptions {
         SectionOptions { count: self.job.section.count as usize, ..SectionOptions::default() }
     }
 
@@ -211,7 +129,8 @@ impl Setup {
         }
     }
 
-    fn schedule_options(&self) -> ScheduleOptions {
+    /// Options of the schedule as the job and the machine have them.
+    pub fn schedule_options(&self) -> ScheduleOptions {
         let s = &self.job.schedule;
         let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
         ScheduleOptions {
@@ -226,7 +145,8 @@ impl Setup {
         }
     }
 
-    fn feed_options(&self) -> FeedOptions {
+    /// Options of the feed as the job has them.
+    pub fn feed_options(&self) -> FeedOptions {
         let (feed, gauge) = (self.job.feed.feed_mm_min, self.job.tool.length_mm());
         FeedOptions { chord_mm: self.job.path.chord_mm, ..FeedOptions::new(feed, gauge) }
     }
@@ -277,7 +197,7 @@ impl Setup {
         PostOptions {
             program_name: program_name(&self.blade.name),
             part_file: file,
-            part_hash: self.inputs.first().map(|model| model.blake3.clone()).unwrap_or_default(),
+            part_hash: self.part_hash.clone(),
             job: "job.resolved.toml".into(),
             tool_number: p.tool_number,
             spindle_rpm: p.spindle_rpm,
@@ -292,14 +212,20 @@ impl Setup {
     }
 
     /// The dialects that programs are to be written in, with the names of their controls or files.
-    fn dialects(&self) -> Result<Vec<(String, Dialect)>> {
+    ///
+    /// # Errors
+    /// Those of the built-in dialects; they pass.
+    pub fn dialects(&self) -> Result<Vec<(String, Dialect)>> {
         let built_in = self.job.post.control.iter().map(|c| Ok((c.to_string(), Dialect::built_in(*c)?)));
         let own = self.job.post.files.iter().map(|f| post_name(f)).zip(self.post_files.iter().cloned()).map(Ok);
         built_in.chain(own).collect()
     }
 
     /// No two programs have the same file.
-    fn check_program_names(&self) -> Result<()> {
+    ///
+    /// # Errors
+    /// Kind `Usage`, naming both controls or post files.
+    pub fn check_program_names(&self) -> Result<()> {
         let dialects = self.dialects()?;
         for (k, (name, dialect)) in dialects.iter().enumerate() {
             let file = dialect.file_name();
@@ -309,6 +235,15 @@ impl Setup {
             }
         }
         Ok(())
+    }
+
+    /// A plan judged by all checks.
+    ///
+    /// # Errors
+    /// Those of [`verify::check_among`].
+    pub fn verdict(&self, plan: Plan, observer: &dyn Observer) -> Result<Verdict<Plan>> {
+        let (blade, tool, options) = (&self.blade, &self.job.tool, self.verify_options());
+        verify::check_among(plan, blade, &self.obstacles, tool, &self.machine, &options, observer)
     }
 
     /// A checked plan as a program, and what reading the program back found.
@@ -326,33 +261,6 @@ impl Setup {
 /// What wrote a program, in the manifest: an own post file by its name, wherever it lies.
 pub fn post_name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// Name and version of this program.
-pub fn program() -> String {
-    format!("bladewright {}", env!("CARGO_PKG_VERSION"))
-}
-
-/// The build: a hash of the sources, the built-in data and the versions of all dependencies. Two programs with the same one compute the same;
-/// what the system's own mathematics library gives for the last digit of a sine is not in it.
-pub fn build() -> &'static str {
-    env!("BLADEWRIGHT_BUILD")
-}
-
-/// How the job reads its model.
-fn model_options(m: &ModelJob) -> ModelOptions {
-    ModelOptions {
-        unit: m.unit,
-        axis: m.axis.direction(),
-        deflection_mm: m.deflection_mm,
-        weld_mm: m.weld_mm,
-        close_holes_mm: m.close_holes_mm,
-        body: m.body,
-        airfoil_mm: m.airfoil_mm,
-        platform_mm: m.platform_mm,
-        airfoil_faces: m.airfoil_faces.clone(),
-        platform_faces: m.platform_faces.clone(),
-    }
 }
 
 /// Heights that the tool can take: ball centres run from the region's start to its end or, where that is left out, at most one
@@ -380,108 +288,15 @@ pub struct Baseline {
     pub motion: AxisMotion,
 }
 
-/// Plans, checks and writes everything.
-///
-/// # Errors
-/// The first stage's that fails; nothing is written then.
-pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -> Result<Outcome> {
-    run_on(draft, out, course, &[], observer)
-}
-
-/// As [`run`]; stages whose inputs are those of an earlier run are taken over from it. The files are the same, but for the times in
-/// `manifest.json`.
-///
-/// # Errors
-/// As [`run`].
-pub fn run_on(
-    draft: &Draft,
-    out: &Path,
-    course: Course,
-    earlier: &[Earlier],
-    observer: &dyn Observer,
-) -> Result<Outcome> {
-    let recorder = Recorder::new(observer);
-    let programs = Control::ALL.iter().map(|c| Ok(Dialect::built_in(*c)?.file_name().to_owned()));
-    let mut folder = RunFolder::begin_run(out, programs.collect::<Result<_>>()?)?;
-    let mut clock = Clock::default();
-    let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
-    folder.add_job(&setup.job.to_toml()?)?;
-    let mut run = checking::Run { setup: &setup, course, folder: &mut folder, clock: &mut clock, observer: &recorder };
-    let made = match repost::again(&mut run, earlier)? {
-        Some(made) => made,
-        None => make(&mut run, earlier)?,
-    };
-    let status = match (&made.report, course.until) {
-        (Some(r), None) if !r.passed() => reuse::FINDINGS.to_owned(),
-        (_, until) => until.map_or_else(|| reuse::GOOD.to_owned(), |s| format!("until {s}")),
-    };
-    let job = serde_json::to_value(&setup.job)
-        .map_err(|e| Error::io(Stage::Output, format!("the job cannot be written as JSON: {e}")).caused_by(e))?;
-    folder.add_json(
-        manifest::FILE,
-        &Manifest {
-            schema_version: SCHEMA_VERSION,
-            program: program(),
-            build: build().to_owned(),
-            inputs: setup.inputs.clone(),
-            job,
-            stages: if course.timeless { Vec::new() } else { clock.records.clone() },
-            warnings: recorder.warnings(),
-            seal: made.seal,
-            outputs: folder.hashes().clone(),
-            programs: folder.programs().clone(),
-            status,
-        },
-    )?;
-    let Made { summary, report, plan, taken, .. } = made;
-    Ok(Outcome { files: folder.finish()?, tool: setup.tool, summary, report, plan, stages: clock.records, taken })
-}
-
-/// What the stages after the model came to.
-#[derive(Default)]
-struct Made {
-    summary: Option<Summary>,
-    report: Option<CheckReport>,
-    plan: Option<Plan>,
-    seal: Option<String>,
-    taken: Vec<Stage>,
-}
-
-/// Plans and checks in memory: no file is written. What the setup holds is all that is read.
+/// Plans and checks.
 ///
 /// # Errors
 /// The first stage's that fails; kind `Cancelled` where the observer asks to stop.
 pub fn plan(setup: &Setup, observer: &dyn Observer) -> Result<Verdict<Plan>> {
-    let mut clock = Clock::default();
-    match planning::plan(setup, None, reuse::Taken::default(), &mut clock, observer)? {
-        Reached::Motion(planned) => checking::verdict(setup, planned.0, observer),
+    match planning::stages(setup, None, Known::default(), observer)? {
+        Reached::Motion(planned) => setup.verdict(planned.0, observer),
         _ => Err(Error::usage(Stage::Feed, "planning ended before the motion")),
     }
-}
-
-/// All stages after the model, as far as the course goes.
-fn make(run: &mut checking::Run, earlier: &[Earlier]) -> Result<Made> {
-    let (setup, observer) = (run.setup, run.observer);
-    let sections =
-        run.clock.time(Stage::Section, || section::plan(&setup.blade, &setup.section_options(), observer))?;
-    run.folder.add_json("sections.json", &sections)?;
-    let mut made = Made::default();
-    if run.course.ends_at(Stage::Section) {
-        return Ok(made);
-    }
-    let mut known = reuse::take(setup, earlier, observer);
-    made.taken = std::mem::take(&mut known.stages);
-    let before = known.checks.take();
-    let reached = planning::plan(setup, run.course.until, known, run.clock, observer)?;
-    reached.write(run.folder)?;
-    if let Reached::Motion(planned) = reached {
-        let (plan, baseline) = *planned;
-        let checked = run.check_and_write(&sections, plan, &baseline, before)?;
-        made.taken.extend(checked.recalled.then_some(Stage::Verify));
-        (made.summary, made.report, made.plan) = (checked.summary, Some(checked.report), Some(checked.plan));
-        made.seal = Some(checked.seal);
-    }
-    Ok(made)
 }
 
 /// The plan as evidence: passed, or failed and forced.
@@ -491,41 +306,4 @@ pub fn accept(verdict: Verdict<Plan>, force: bool) -> Option<Verified<Plan>> {
         Verdict::Failed(r) if force => Some(r.write_anyway()),
         Verdict::Failed(_) => None,
     }
-}
-
-/// What writing all programs came to.
-#[derive(Default)]
-struct Posted {
-    /// Of their reading back.
-    checks: Vec<Check>,
-    /// Those that were written.
-    figures: Vec<ProgramFigures>,
-}
-
-/// Writes all programs. One that does not come back as the plan is not written.
-fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Posted> {
-    let mut posted = Posted::default();
-    for (name, dialect) in setup.dialects()? {
-        let (program, checks) = setup.program(&dialect, verified)?;
-        if checks.iter().all(|c| c.passed) {
-            posted.figures.push(summary::program_figures(&program));
-            folder.add_program(&program.file_name, program.text, &name)?;
-        }
-        posted.checks.extend(checks);
-    }
-    Ok(posted)
-}
-
-/// Figures of the schedule in use and of the fixed-lead baseline.
-fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
-    let a = setup.machine.turning_axis();
-    let constant = |s: &Schedule| {
-        let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
-        Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
-    };
-    let axes = setup.machine.axes();
-    Ok(vec![
-        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
-        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),
-    ])
 }

@@ -1,17 +1,17 @@
 //! What the pipeline does about kinds of path: where turns are to begin, and other kinds for comparison.
 
 use super::Setup;
+use crate::artifact::report::LimitFigures;
 use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, CheckReport, Toolpath};
 use crate::error::{ErrorKind, Result, Stage};
 use crate::observe::{Observer, Warning};
 use crate::path::{self, PathOptions};
-use crate::run::summary::{self, PathFigures};
 use crate::section::{self, SectionOptions};
 use crate::verify;
 
 /// The trailing edge on the section at a height, blade frame, mm.
-pub(super) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -> Result<Option<[f64; 3]>> {
+pub(crate) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -> Result<Option<[f64; 3]>> {
     let options = SectionOptions { heights_mm: vec![x_mm], ..SectionOptions::default() };
     let sections = section::plan(blade, &options, observer)?;
     Ok(sections.first().and_then(|s| s.loops.first()).and_then(|airfoil| {
@@ -24,20 +24,21 @@ pub(super) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -
 /// Greatest `path.max_lean_deg` of turns that are not of constant scallop.
 const MOST_LEAN_DEG: f64 = 85.0;
 
-/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop. A kind whose turns cannot be laid is left
+/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop, each beside the
+/// limit that was measured on it. A kind whose turns cannot be laid is left
 /// out, with a warning.
-pub(super) fn others(
+pub(crate) fn others(
     setup: &Setup,
     path: &Toolpath,
     report: &CheckReport,
     observer: &dyn Observer,
-) -> Result<Vec<PathFigures>> {
+) -> Result<Vec<(Toolpath, LimitFigures)>> {
     let kinds = PathKind::ALL.into_iter().filter(|k| *k != path.kind);
     let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
     // A ball that comes to an edge at the part's end has its centre beyond it.
     let [a, b] = path.region_x_mm;
     let end_mm = a.min(b).max(setup.blade.regions.part_x_mm[0]);
-    let mut figures = Vec::new();
+    let mut out = Vec::new();
     for kind in kinds {
         let own = setup.path_options();
         let extent = own.extent.clone().down_to(end_mm);
@@ -54,7 +55,7 @@ pub(super) fn others(
         };
         let samples = setup.job.verify.surface_samples as usize;
         let limit = verify::limit(&setup.blade, &other, path.scallop_mm, samples)?;
-        figures.push(summary::path_figures(&other, limit, &report.limit));
+        out.push((other, limit));
     }
-    Ok(figures)
+    Ok(out)
 }

@@ -1,6 +1,5 @@
 //! The planning stages, one after another.
 
-use super::reuse::Taken;
 use super::{Baseline, Setup, leads, schedules};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
@@ -9,10 +8,8 @@ use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
-use crate::observe::{Observer, Silent, Warning};
+use crate::observe::{Observer, Silent, Warning, timed};
 use crate::path;
-use crate::run::RunFolder;
-use crate::run::manifest::Clock;
 use crate::schedule;
 use crate::verify;
 
@@ -27,7 +24,7 @@ const MOST_PROOFS: usize = 4;
 const MOST_ENDS: usize = 12;
 
 /// How far planning went.
-pub(super) enum Reached {
+pub(crate) enum Reached {
     Path(Toolpath),
     Channel(Toolpath, Channel),
     Schedule(Toolpath, Channel, Schedule),
@@ -35,43 +32,31 @@ pub(super) enum Reached {
     Motion(Box<(Plan, Baseline)>),
 }
 
-impl Reached {
-    /// Writes what was planned where planning stopped early; a whole plan is written with its checks.
-    pub fn write(&self, folder: &mut RunFolder) -> Result<()> {
-        let (path, channel, schedule) = match self {
-            Reached::Path(path) => (path, None, None),
-            Reached::Channel(path, channel) => (path, Some(channel), None),
-            Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
-            Reached::Motion(..) => return Ok(()),
-        };
-        folder.add_json("toolpath.json", path)?;
-        channel.map_or(Ok(()), |c| folder.add_json("channel.json", c))?;
-        schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))
-    }
+/// What is known before planning begins. A stage whose result is known is not worked on; so is none before it.
+#[derive(Default)]
+pub(crate) struct Known {
+    pub toolpath: Option<Toolpath>,
+    pub channel: Option<Channel>,
+    pub schedule: Option<Schedule>,
+    pub motion: Option<(AxisMotion, [Lead; 2])>,
 }
 
 /// The planning stages, to `until` or to the end.
-pub(super) fn plan(
-    setup: &Setup,
-    until: Option<Stage>,
-    known: Taken,
-    clock: &mut Clock,
-    observer: &dyn Observer,
-) -> Result<Reached> {
+pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer: &dyn Observer) -> Result<Reached> {
     // Path and channel are those of any machine of the kind; a motion is not.
     if !matches!(until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;
     }
     let mut toolpath = match known.toolpath {
         Some(t) => t,
-        None => clock.time(Stage::Path, || path_as_asked(setup, observer))?,
+        None => timed(observer, Stage::Path, || path_as_asked(setup, observer))?,
     };
     if until == Some(Stage::Path) {
         return Ok(Reached::Path(toolpath));
     }
     let mut channel = match known.channel {
         Some(c) => c,
-        None => channel_as_far_as_it_goes(setup, &mut toolpath, clock, observer)?,
+        None => channel_as_far_as_it_goes(setup, &mut toolpath, observer)?,
     };
     if until == Some(Stage::Channel) {
         return Ok(Reached::Channel(toolpath, channel));
@@ -79,19 +64,20 @@ pub(super) fn plan(
     let options = setup.schedule_options();
     // What a baseline that nobody asked for does wrong is no warning: its figures stand in the summary. Where it is the job's own schedule it is
     // planned again below, and warns.
-    let fixed =
-        clock.time(Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent))?;
+    let fixed = timed(observer, Stage::Schedule, || {
+        schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
+    })?;
     let (mut schedule, mut motion) = match known.schedule {
         Some(s) => (s, known.motion),
-        None => clock.time(Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
+        None => timed(observer, Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
     };
     if !schedule.kind.is_wall() {
-        keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), clock, observer)?;
+        keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), observer)?;
     }
     if until == Some(Stage::Schedule) {
         return Ok(Reached::Schedule(toolpath, channel, schedule));
     }
-    let (motion, leads, fixed_motion) = clock.time(Stage::Feed, || {
+    let (motion, leads, fixed_motion) = timed(observer, Stage::Feed, || {
         let chosen = match &motion {
             Some((_, leads)) => leads.clone(),
             None => leads::choose(setup, &toolpath, &schedule, observer)?,
@@ -127,13 +113,13 @@ fn keep_clear(
     path: &Toolpath,
     channel: &mut Channel,
     (schedule, motion): (&mut Schedule, &mut Option<Moved>),
-    clock: &mut Clock,
     observer: &dyn Observer,
 ) -> Result<()> {
     let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
     let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
     for _ in 0..MOST_PROOFS {
-        let short = clock.time(Stage::Channel, || Ok(verify::short_moves(path, &schedule.theta, &apart, &verify)))?;
+        let short =
+            timed(observer, Stage::Channel, || Ok(verify::short_moves(path, &schedule.theta, &apart, &verify)))?;
         if short.is_empty() {
             return Ok(());
         }
@@ -145,9 +131,10 @@ fn keep_clear(
             let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
             channel::plan_among(&around, tool, path, &options, &Silent)
         };
-        let found = clock.time(Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
+        let found =
+            timed(observer, Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
         let made = found.and_then(|c| {
-            let made = clock.time(Stage::Schedule, || scheduled(setup, path, &c, &Silent))?;
+            let made = timed(observer, Stage::Schedule, || scheduled(setup, path, &c, &Silent))?;
             Ok((c, made))
         });
         match made {
@@ -161,7 +148,7 @@ fn keep_clear(
 }
 
 /// The path of the job; says so where it ends before the height that the job asks for.
-pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
+pub(crate) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<Toolpath> {
     let path = setup.path(observer)?;
     if let Some(end_mm) = setup.job.region.end_mm
         && path.end_reason != EndReason::Region
@@ -180,19 +167,18 @@ pub(super) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<To
 /// The channel. Where the job leaves the end of the region open and the channel closes on the way
 /// down, the helix is laid anew to end above that place, with a warning. A region end that the job
 /// asks for is never given up.
-pub(super) fn channel_as_far_as_it_goes(
+pub(crate) fn channel_as_far_as_it_goes(
     setup: &Setup,
     toolpath: &mut Toolpath,
-    clock: &mut Clock,
     observer: &dyn Observer,
 ) -> Result<Channel> {
     let (blade, options) = (&setup.blade, setup.channel_options());
-    let around = clock.time(Stage::Channel, || setup.surroundings())?;
+    let around = timed(observer, Stage::Channel, || setup.surroundings())?;
     let plan = |path: &Toolpath| channel::plan_among(&around, &setup.job.tool, path, &options, observer);
     let mut cut = None;
     let mut ended_mm = None;
     for _ in 0..MOST_ENDS {
-        let planned = clock.time(Stage::Channel, || plan(toolpath));
+        let planned = timed(observer, Stage::Channel, || plan(toolpath));
         let blocked = match planned {
             Ok(channel) => {
                 if let Some(message) = cut {
@@ -213,12 +199,12 @@ pub(super) fn channel_as_far_as_it_goes(
             .map(|end_mm: f64| end_mm.max(above_mm))
             .filter(|end_mm| *end_mm < setup.job.region.start_mm);
         let Some(end_mm) = end_mm else {
-            return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
+            return by_exact_faces(setup, toolpath, observer).unwrap_or(Err(blocked));
         };
         ended_mm = Some(end_mm);
         shorter.extent.ends.retain(|end| !matches!(end, Boundary::Height(_)));
         shorter.extent.ends.push(Boundary::Height(end_mm));
-        *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
+        *toolpath = timed(observer, Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = EndReason::Blocked(blocked.message);
         cut = Some(format!(
             "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
@@ -226,22 +212,17 @@ pub(super) fn channel_as_far_as_it_goes(
             blocked.advice.unwrap_or_else(|| "another tool".into())
         ));
     }
-    clock.time(Stage::Channel, || plan(toolpath))
+    timed(observer, Stage::Channel, || plan(toolpath))
 }
 
 /// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is kept as room. `None` where there are none, where
 /// they have been asked already, or where the channel closes by them too.
-fn by_exact_faces(
-    setup: &Setup,
-    toolpath: &Toolpath,
-    clock: &mut Clock,
-    observer: &dyn Observer,
-) -> Option<Result<Channel>> {
+fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -> Option<Result<Channel>> {
     let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
     if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
         return None;
     }
-    let planned = clock.time(Stage::Channel, || {
+    let planned = timed(observer, Stage::Channel, || {
         let around = setup.finer_surroundings()?;
         channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
     });

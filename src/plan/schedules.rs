@@ -15,7 +15,7 @@ const STANDING: [f64; 2] = [1.0, 4.0];
 
 /// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis
 /// alone, the optimal ones and the others, with its motion, in which the leads are. Candidates that turn back or leave the channel do not take part.
-pub(super) fn least_time(
+pub(crate) fn least_time(
     setup: &Setup,
     path: &Toolpath,
     channel: &Channel,
@@ -51,7 +51,7 @@ struct Moved {
 }
 
 /// What the rotary axis can follow at the programmed feed.
-pub(super) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
+pub(crate) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
     let (limits, f) = (machine.axes()[machine.turning_axis()].limits, feed_mm_min / 60.0);
     Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f), standing_mm: 0.0 }
 }
@@ -61,7 +61,7 @@ pub(super) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
 ///
 /// # Errors
 /// Those of [`schedule::plan`] for the first.
-pub(super) fn paced(
+pub(crate) fn paced(
     machine: &Machine,
     feed: &FeedOptions,
     path: &Toolpath,
@@ -104,6 +104,6 @@ fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<
 }
 
 /// Never turns back and stays in the channel.
-pub(super) fn machinable(schedule: &Schedule, channel: &Channel) -> bool {
+pub(crate) fn machinable(schedule: &Schedule, channel: &Channel) -> bool {
     schedule.reversals == 0 && schedule.quality.outside_rad <= channel.tolerance_rad
 }

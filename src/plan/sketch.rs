@@ -15,7 +15,7 @@ use crate::schedule::{self, ScheduleOptions};
 const PLACES: usize = 1000;
 
 /// A schedule of this kind at some of the path's locations, with θ at all of them; `None` where it cannot be made.
-pub(super) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel: &Channel) -> Option<Schedule> {
+pub(crate) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel: &Channel) -> Option<Schedule> {
     let kept = places(path);
     let (few, narrow) = (thinned(path, &kept)?, of(channel, &kept)?);
     let options = setup.schedule_options();

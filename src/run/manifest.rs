@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::observe::Warning;
+use crate::observe::{Observer, Warning};
 
 /// Version of the files of a run; raised when a column or key changes its meaning.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -89,24 +90,56 @@ pub fn input_of(path: &Path, bytes: &[u8]) -> Input {
     }
 }
 
-/// Times stages.
-#[derive(Default)]
-pub struct Clock {
-    /// Stages so far.
-    pub records: Vec<StageRecord>,
+/// Times stages, and passes on to another observer what it is told.
+pub struct Clock<'a> {
+    inner: &'a dyn Observer,
+    times: Mutex<Times>,
 }
 
-impl Clock {
-    /// Runs a stage and records it, whether it ends well or not.
-    pub fn time<T>(&mut self, stage: Stage, work: impl FnOnce() -> Result<T>) -> Result<T> {
-        let start = Instant::now();
-        let out = work();
-        self.records.push(StageRecord {
-            stage,
-            seconds: start.elapsed().as_secs_f64(),
-            peak_memory_mib: peak_memory_mib(),
-        });
-        out
+#[derive(Default)]
+struct Times {
+    begun: Vec<Instant>,
+    records: Vec<StageRecord>,
+}
+
+impl<'a> Clock<'a> {
+    /// A clock before the first stage.
+    pub fn new(inner: &'a dyn Observer) -> Self {
+        Clock { inner, times: Mutex::default() }
+    }
+
+    /// The stages that have ended, in order, whether they ended well or not.
+    pub fn records(&self) -> Vec<StageRecord> {
+        self.times().records.clone()
+    }
+
+    fn times(&self) -> MutexGuard<'_, Times> {
+        self.times.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Observer for Clock<'_> {
+    fn progress(&self, stage: Stage, done: usize, total: usize) {
+        self.inner.progress(stage, done, total);
+    }
+    fn begins(&self, stage: Stage) {
+        self.inner.begins(stage);
+        self.times().begun.push(Instant::now());
+    }
+    fn ends(&self, stage: Stage) {
+        let mut times = self.times();
+        if let Some(start) = times.begun.pop() {
+            let (seconds, peak_memory_mib) = (start.elapsed().as_secs_f64(), peak_memory_mib());
+            times.records.push(StageRecord { stage, seconds, peak_memory_mib });
+        }
+        drop(times);
+        self.inner.ends(stage);
+    }
+    fn warn(&self, warning: Warning) {
+        self.inner.warn(warning);
+    }
+    fn cancelled(&self) -> bool {
+        self.inner.cancelled()
     }
 }
 

@@ -3,8 +3,18 @@
 //! A [`RunFolder`] collects every file in a temporary folder inside the target and moves them in at the end, under a journal
 //! (`staging.rs`): an error, an interruption, a full disk or a kill leaves the folder as it was.
 
+pub mod again;
+mod checking;
+pub mod compare;
 mod folder;
+pub mod inputs;
+mod look;
+mod making;
 pub mod manifest;
+pub mod operations;
+mod programs;
+mod repost;
+pub mod reuse;
 mod staging;
 pub mod summary;
 pub mod tables;
@@ -12,10 +22,25 @@ pub mod tables;
 use std::path::Path;
 
 pub use folder::RunFolder;
+pub use inputs::Loaded;
+pub use look::{plots, preview_again};
+pub use making::{Course, Outcome, run, run_on};
+pub use programs::programs_again;
 use staging::Staging;
 pub(crate) use staging::sync;
 
 use crate::error::{Error, Result, Stage};
+
+/// Name and version of this program.
+pub fn program() -> String {
+    format!("bladewright {}", env!("CARGO_PKG_VERSION"))
+}
+
+/// The build: a hash of the sources, the built-in data and the versions of all dependencies. Two programs with the same one compute the same;
+/// what the system's own mathematics library gives for the last digit of a sine is not in it.
+pub fn build() -> &'static str {
+    env!("BLADEWRIGHT_BUILD")
+}
 
 fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
     Error::io(Stage::Output, format!("{what} {}: {e}", path.display()))

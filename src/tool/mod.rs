@@ -9,8 +9,12 @@ pub mod scallop;
 
 use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
-use crate::files;
 use crate::geometry::{Point, Vector};
+
+/// Room that taper and shank keep from a part where nobody asks for another, mm.
+pub const CLEARANCE_MM: f64 = 0.1;
+/// Room that the holder keeps from a part where nobody asks for another, mm.
+pub const HOLDER_CLEARANCE_MM: f64 = 1.0;
 
 /// A cylindrical stage of the holder.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -54,18 +58,8 @@ pub struct Segment {
 }
 
 impl Tool {
-    /// Reads a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job will do.
-    ///
-    /// # Errors
-    /// Kind `InputOutput` where the file cannot be read, else as [`Tool::from_toml`].
-    pub fn load(path: &std::path::Path) -> Result<Self> {
-        let text = files::read_text(path, files::SHORT).map_err(|e| {
-            Error::io(Stage::Job, format!("cannot read the tool file {}: {e}", path.display())).caused_by(e)
-        })?;
-        Self::from_toml(&text, &path.display().to_string())
-    }
-
-    /// Reads the text of a tool file, see [`Tool::load`]; `origin` names it in messages.
+    /// Reads the text of a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job
+    /// will do; `origin` names it in messages.
     ///
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key, or a value out of its range.

@@ -1,6 +1,7 @@
 //! Limits of the checks and how finely they look.
 
 use super::Asked;
+use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM};
 
 /// Limits and sampling of [`super::check`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,8 +42,8 @@ impl Default for VerifyOptions {
             gouge_mm: 0.003,
             scallop_mm: 0.01,
             scallop_ratio: 1.05,
-            clearance_mm: 0.1,
-            holder_clearance_mm: 1.0,
+            clearance_mm: CLEARANCE_MM,
+            holder_clearance_mm: HOLDER_CLEARANCE_MM,
             resolution_mm: 0.0005,
             clearance_resolution_mm: 0.005,
             clearance_tolerance_mm: 0.005,

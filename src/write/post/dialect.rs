@@ -20,15 +20,12 @@
 //!
 //! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`: see [`super::polynomial`].
 
-use std::path::Path;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::template::{Line, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
-use crate::files;
 
 /// What rotary words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -290,17 +287,6 @@ impl Dialect {
     /// As [`Dialect::from_toml`]; the built-in files pass.
     pub fn built_in(control: Control) -> Result<Self> {
         Self::from_toml(control.post_file(), "built-in post file")
-    }
-
-    /// Reads a post file.
-    ///
-    /// # Errors
-    /// Kind `InputOutput` where it cannot be read, else as [`Dialect::from_toml`].
-    pub fn load(path: &Path) -> Result<Self> {
-        let text = files::read_text(path, files::SHORT).map_err(|e| {
-            Error::io(Stage::Post, format!("cannot read the post file {}: {e}", path.display())).caused_by(e)
-        })?;
-        Self::from_toml(&text, &path.display().to_string())
     }
 
     /// Reads the text of a post file; `origin` names it in messages.

@@ -15,18 +15,19 @@
 
 use std::collections::BTreeMap;
 
-use super::Setup;
+use super::inputs::Loaded;
+use super::manifest::Input;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{AxisMotion, Channel, CheckReport, Lead, Plan, Schedule, Toolpath};
+use crate::artifact::{CheckReport, Plan};
 use crate::error::Stage;
 use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob, VerifyJob};
 use crate::observe::{Observer, Warning};
-use crate::run::manifest::Input;
+use crate::plan::planning::Known;
 
 /// Names the part that the checks were about, and the program: what its exact shape follows from.
-pub(super) fn part(setup: &Setup) -> String {
-    let model = ModelJob { file: Default::default(), ..setup.job.model.clone() };
-    let (job, files) = (&setup.job, Files::of(&setup.job, &setup.inputs));
+pub(super) fn part(loaded: &Loaded) -> String {
+    let (job, files) = (&loaded.setup.job, Files::of(&loaded.setup.job, &loaded.inputs));
+    let model = ModelJob { file: Default::default(), ..job.model.clone() };
     let (read, among) = (files.model.join(" "), files.obstacles.join(" "));
     let by = (super::program(), super::build());
     format!("{} {} {read} {model:?} {among} {:?} {:?}", by.0, by.1, job.fixture, job.stock)
@@ -68,10 +69,10 @@ impl<'a> Earlier<'a> {
         same.then_some(Earlier { before, read })
     }
 
-    /// The last stage up to which this run may stand for that of `setup`; `None`: not at all.
-    fn reaches(&self, setup: &Setup) -> Option<Stage> {
-        let (a, b) = (&self.before.job, &setup.job);
-        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &setup.inputs));
+    /// The last stage up to which this run may stand for that of `loaded`; `None`: not at all.
+    fn reaches(&self, loaded: &Loaded) -> Option<Stage> {
+        let (a, b) = (&self.before.job, &loaded.setup.job);
+        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &loaded.inputs));
         let path = mine.model == yours.model
             && same_model(&a.model, &b.model)
             && a.region == b.region
@@ -96,10 +97,10 @@ impl<'a> Earlier<'a> {
         Some(if machine && room(&a.verify) == room(&b.verify) { Stage::Feed } else { Stage::Schedule })
     }
 
-    /// This run came to its end and stands for that of `setup` in all but its programs.
-    pub(super) fn differs_by_post_alone(&self, setup: &Setup) -> bool {
-        let (a, b) = (&self.before.job, &setup.job);
-        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &setup.inputs));
+    /// This run came to its end and stands for that of `loaded` in all but its programs.
+    pub(super) fn differs_by_post_alone(&self, loaded: &Loaded) -> bool {
+        let (a, b) = (&self.before.job, &loaded.setup.job);
+        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &loaded.inputs));
         let bare = |job: &Job| Job {
             model: bare_model(&job.model),
             machine: MachineJob { file: None, ..job.machine.clone() },
@@ -156,8 +157,9 @@ impl<'a> Files<'a> {
 }
 
 /// Two runs read the same files.
-pub(super) fn same_part(a: &Setup, b: &Setup) -> bool {
-    let hashes = |s: &Setup| Files::of(&s.job, &s.inputs).model.iter().map(|h| h.to_string()).collect::<Vec<_>>();
+pub(super) fn same_part(a: &Loaded, b: &Loaded) -> bool {
+    let hashes =
+        |l: &Loaded| Files::of(&l.setup.job, &l.inputs).model.iter().map(|h| h.to_string()).collect::<Vec<_>>();
     hashes(a) == hashes(b)
 }
 
@@ -189,10 +191,7 @@ pub(super) struct Checks {
 /// What was taken over.
 #[derive(Default)]
 pub(super) struct Taken {
-    pub toolpath: Option<Toolpath>,
-    pub channel: Option<Channel>,
-    pub schedule: Option<Schedule>,
-    pub motion: Option<(AxisMotion, [Lead; 2])>,
+    pub results: Known,
     /// To be recalled, if their seal fits.
     pub checks: Option<Checks>,
     pub stages: Vec<Stage>,
@@ -201,17 +200,17 @@ pub(super) struct Taken {
 const STAGES: [Stage; 4] = [Stage::Path, Stage::Channel, Stage::Schedule, Stage::Feed];
 
 /// Takes over as many stages as the best of the earlier runs gives; their warnings are given again.
-pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) -> Taken {
+pub(super) fn take(loaded: &Loaded, earlier: &[Earlier], observer: &dyn Observer) -> Taken {
     let rank = |s: Stage| STAGES.iter().position(|t| *t == s);
     let mut found: Vec<(usize, &Earlier)> =
-        earlier.iter().filter_map(|e| Some((rank(e.reaches(setup)?)?, e))).collect();
+        earlier.iter().filter_map(|e| Some((rank(e.reaches(loaded)?)?, e))).collect();
     found.sort_by_key(|(r, _)| std::cmp::Reverse(*r));
     let Some((rank, run, plan)) = found.iter().find_map(|(r, e)| Some((*r, e, e.plan()?))) else {
         return Taken::default();
     };
     // Walls that were moved in for a schedule are those of no other.
     let own = rank == 1 && !plan.channel.proven_at.is_empty();
-    if own && setup.job.region.end_mm.is_none() {
+    if own && loaded.setup.job.region.end_mm.is_none() {
         return Taken::default();
     }
     let rank = if own { 0 } else { rank };
@@ -219,12 +218,11 @@ pub(super) fn take(setup: &Setup, earlier: &[Earlier], observer: &dyn Observer) 
     for w in run.before.warnings.iter().filter(|w| stages.contains(&w.stage)) {
         observer.warn(w.clone());
     }
-    Taken {
+    let results = Known {
         toolpath: Some(plan.toolpath),
         channel: (rank >= 1).then_some(plan.channel),
         schedule: (rank >= 2).then_some(plan.schedule),
         motion: (rank >= 3).then_some((plan.motion, plan.leads)),
-        checks: if rank >= 3 { run.checks() } else { None },
-        stages,
-    }
+    };
+    Taken { results, checks: if rank >= 3 { run.checks() } else { None }, stages }
 }

@@ -3,14 +3,15 @@
 //! Taken from a run that came to its end, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
 //! manifest) and whose checks fit their seal. Where any of this is not so, the run is made in the ordinary way.
 
-use super::checking::Run;
+use super::checking::{Run, post_all};
 use super::look::{self, Look};
+use super::making::Made;
 use super::reuse::{self, Earlier};
-use super::{Made, accept, post_all};
+use super::summary::Summary;
 use crate::artifact::Plan;
 use crate::error::{Result, Stage};
-use crate::observe::Observer;
-use crate::run::summary::Summary;
+use crate::observe::{Observer, timed};
+use crate::plan::accept;
 use crate::verify::Verdict;
 use crate::verify::seal::{self, Subject};
 use crate::write::preview::report::Payload;
@@ -37,25 +38,26 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
     if run.course.until.is_some() || run.course.preview_bytes.is_some() {
         return Ok(None);
     }
-    let fitting = earlier.iter().filter(|e| e.differs_by_post_alone(run.setup));
+    let fitting = earlier.iter().filter(|e| e.differs_by_post_alone(run.loaded));
     let Some((before, kept)) = fitting.filter_map(|e| Some((e, open(run, e)?))).next() else { return Ok(None) };
     // Those of the model were given when it was read.
     before.warnings().iter().filter(|w| w.stage != Stage::Model).for_each(|w| run.observer.warn(w.clone()));
     for (name, content) in &kept.files {
         run.folder.add(name, content)?;
     }
-    let (setup, folder) = (run.setup, &mut *run.folder);
+    let (setup, folder, observer) = (&run.loaded.setup, &mut *run.folder, run.observer);
     let (mut report, plan, mut forced) = (kept.verdict.report().clone(), kept.verdict.value().clone(), false);
     let mut summary = Summary { programs: Vec::new(), ..kept.summary };
     if let Some(verified) = accept(kept.verdict, run.course.force) {
         forced = verified.forced();
-        let posted = run.clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+        let posted = timed(observer, Stage::Post, || post_all(setup, &verified, folder))?;
         report.checks.extend(posted.checks);
         summary.programs = posted.figures;
     }
-    let look = Look { sections: &[], baseline: None, others: &[], report: &report, forced, budget_bytes: None };
+    let inputs = &run.loaded.inputs[..];
+    let look = Look { sections: &[], inputs, baseline: None, others: &[], report: &report, forced, budget_bytes: None };
     let (shown, payload) = (look::json_of(&summary)?, Some(&kept.payload));
-    run.clock.time(Stage::Preview, || look::page(setup, &plan, &look, &shown, payload, folder, run.observer))?;
+    timed(observer, Stage::Preview, || look::page(setup, &plan, &look, &shown, payload, folder, observer))?;
     run.folder.add_json("summary.json", &summary)?;
     run.folder.add_json("verify.json", &report)?;
     Ok(Some(Made {
@@ -69,12 +71,12 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
 
 /// Everything that is taken over; `None` where something of it is not as that run left it.
 fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
-    let setup = run.setup;
+    let setup = &run.loaded.setup;
     let files: Vec<_> = KEPT.iter().map(|name| Some((*name, earlier.file(name)?))).collect::<Option<_>>()?;
     let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
     let (plan_json, summary) = (text("plan.json")?, earlier.file("summary.json")?);
     let payload = Payload::of_page(std::str::from_utf8(&earlier.file("report.html")?).ok()?)?;
-    let (part, options) = (reuse::part(setup), setup.verify_options());
+    let (part, options) = (reuse::part(run.loaded), setup.verify_options());
     let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
     let plan: Plan = serde_json::from_str(plan_json).ok()?;
     let checks = earlier.checks()?;

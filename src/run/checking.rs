@@ -1,16 +1,18 @@
 //! From a plan to its verdict and files.
 
+use super::inputs::Loaded;
 use super::look::{self, Look};
 use super::reuse::{self, Checks};
-use super::{Baseline, Course, Setup, accept, compare, paths, post_all};
-use crate::artifact::{CheckReport, Plan, Section};
+use super::summary::{self, ProgramFigures, ScheduleFigures, Summary};
+use super::{Course, RunFolder, json_compact, tables};
+use crate::artifact::report::Check;
+use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Result, Stage};
-use crate::observe::{Observer, Recorder};
-use crate::run::manifest::Clock;
-use crate::run::summary::{self, Summary};
-use crate::run::{self, RunFolder, tables};
+use crate::feed;
+use crate::observe::{Recorder, timed};
+use crate::plan::{Baseline, Setup, accept, paths};
 use crate::verify::seal::{self, Subject};
-use crate::verify::{self, Verdict};
+use crate::verify::{self, Verdict, Verified};
 
 /// What checking and writing came to.
 pub(super) struct Checked {
@@ -24,10 +26,9 @@ pub(super) struct Checked {
 
 /// What the stages of a run share.
 pub(super) struct Run<'a, 'b> {
-    pub setup: &'a Setup,
+    pub loaded: &'a Loaded,
     pub course: Course,
     pub folder: &'a mut RunFolder,
-    pub clock: &'a mut Clock,
     pub observer: &'a Recorder<'b>,
 }
 
@@ -40,10 +41,10 @@ impl Run<'_, '_> {
         baseline: &Baseline,
         before: Option<Checks>,
     ) -> Result<Checked> {
-        let (setup, course) = (self.setup, self.course);
+        let (setup, course) = (&self.loaded.setup, self.course);
         self.folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
         self.folder.add("axes.csv", tables::axes(&plan, setup.machine.axes()))?;
-        let plan_json = run::json_compact(&plan)?;
+        let plan_json = json_compact(&plan)?;
         self.folder.add("plan.json", &plan_json)?;
         let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;
         let mut report = verdict.report().clone();
@@ -51,8 +52,9 @@ impl Run<'_, '_> {
         let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
         if setup.job.path.compare {
             let path = &verdict.value().toolpath;
-            summary.other_paths =
-                self.clock.time(Stage::Path, || paths::others(setup, path, &report, self.observer))?;
+            let others = timed(self.observer, Stage::Path, || paths::others(setup, path, &report, self.observer))?;
+            let figures = |(other, limit)| summary::path_figures(&other, limit, &report.limit);
+            summary.other_paths = others.into_iter().map(figures).collect();
         }
         summary.limits_assumed = setup.machine.assumed_limits().into_iter().map(String::from).collect();
         let plan = verdict.value().clone();
@@ -60,22 +62,22 @@ impl Run<'_, '_> {
             let (folder, observer) = (&mut *self.folder, self.observer);
             let mut forced = false;
             if recalled {
-                self.clock.time(Stage::Verify, || {
+                timed(observer, Stage::Verify, || {
                     verify::places(&plan, &setup.blade, &setup.verify_options(), &mut report);
-                    Ok(())
-                })?;
+                });
             }
             if let Some(verified) = accept(verdict, course.force) {
                 forced = verified.forced();
-                let posted = self.clock.time(Stage::Post, || post_all(setup, &verified, folder))?;
+                let posted = timed(self.observer, Stage::Post, || post_all(setup, &verified, folder))?;
                 report.checks.extend(posted.checks);
                 summary.programs = posted.figures;
             }
-            let others = self.clock.time(Stage::Schedule, || Ok(look::others(setup, &plan)))?;
+            let others = timed(observer, Stage::Schedule, || look::others(setup, &plan));
             let (baseline, others, report) = (Some(baseline), &others[..], &report);
-            let look = Look { sections, baseline, others, report, forced, budget_bytes: course.preview_bytes };
+            let (inputs, budget_bytes) = (&self.loaded.inputs[..], course.preview_bytes);
+            let look = Look { sections, inputs, baseline, others, report, forced, budget_bytes };
             let summary = look::json_of(&summary)?;
-            self.clock.time(Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
+            timed(self.observer, Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
         }
         self.folder.add_json("summary.json", &summary)?;
         self.folder.add_json("verify.json", &report)?;
@@ -84,8 +86,9 @@ impl Run<'_, '_> {
 
     /// The verdict with its seal, and whether it was recalled from an earlier run that was about the very same.
     fn check(&mut self, plan: Plan, plan_json: &str, before: Option<Checks>) -> Result<(Verdict<Plan>, String, bool)> {
-        let (setup, options) = (self.setup, self.setup.verify_options());
-        let part = reuse::part(setup);
+        let setup = &self.loaded.setup;
+        let options = setup.verify_options();
+        let part = reuse::part(self.loaded);
         let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
         let plan = match before {
             None => plan,
@@ -94,14 +97,45 @@ impl Run<'_, '_> {
                 Err(plan) => plan,
             },
         };
-        let verdict = self.clock.time(Stage::Verify, || verdict(setup, plan, self.observer))?;
+        let verdict = timed(self.observer, Stage::Verify, || setup.verdict(plan, self.observer))?;
         let seal = seal::seal(plan_json, verdict.report(), &about)?;
         Ok((verdict, seal, false))
     }
 }
 
-/// A plan judged by all checks.
-pub(super) fn verdict(setup: &Setup, plan: Plan, observer: &dyn Observer) -> Result<Verdict<Plan>> {
-    let (blade, tool, options) = (&setup.blade, &setup.job.tool, setup.verify_options());
-    verify::check_among(plan, blade, &setup.obstacles, tool, &setup.machine, &options, observer)
+/// What writing all programs came to.
+#[derive(Default)]
+pub(super) struct Posted {
+    /// Of their reading back.
+    pub checks: Vec<Check>,
+    /// Those that were written.
+    pub figures: Vec<ProgramFigures>,
+}
+
+/// Writes all programs. One that does not come back as the plan is not written.
+pub(super) fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut RunFolder) -> Result<Posted> {
+    let mut posted = Posted::default();
+    for (name, dialect) in setup.dialects()? {
+        let (program, checks) = setup.program(&dialect, verified)?;
+        if checks.iter().all(|c| c.passed) {
+            posted.figures.push(summary::program_figures(&program));
+            folder.add_program(&program.file_name, program.text, &name)?;
+        }
+        posted.checks.extend(checks);
+    }
+    Ok(posted)
+}
+
+/// Figures of the schedule in use and of the fixed-lead baseline.
+pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
+    let a = setup.machine.turning_axis();
+    let constant = |s: &Schedule| {
+        let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
+        Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
+    };
+    let axes = setup.machine.axes();
+    Ok(vec![
+        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
+        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),
+    ])
 }

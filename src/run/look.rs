@@ -4,14 +4,15 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use super::again::Checked;
-use super::{Baseline, Setup, around, compare, leads, programs_again, sketch};
+use super::checking::compare;
+use super::manifest::Input;
+use super::{RunFolder, build, program, programs_again, summary};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::lead;
 use crate::observe::{Observer, Recorder};
-use crate::run::RunFolder;
-use crate::run::summary;
+use crate::plan::{Baseline, Setup, leads, sketch};
 use crate::schedule;
 use crate::section;
 use crate::verify::Verdict;
@@ -24,6 +25,8 @@ pub(super) type Other = (&'static str, Schedule);
 
 /// What is shown beside the plan.
 pub(super) struct Look<'a> {
+    /// Files that the run was made from: the model first.
+    pub inputs: &'a [Input],
     /// Plane sections.
     pub sections: &'a [Section],
     /// The fixed lead; absent where the plots are an earlier run's.
@@ -90,7 +93,7 @@ pub(super) fn page(
     }
     let fixed = look.baseline.map(fixed_lead_of);
     let others: Vec<report::Baseline> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
-    let widths = if setup.job.channel.sweep_b { around::widths(setup, plan, observer)? } else { Vec::new() };
+    let widths = if setup.job.channel.sweep_b { setup.widths(plan, observer)? } else { Vec::new() };
     let input = ReportInput {
         title: &setup.blade.name,
         blade: &setup.blade,
@@ -108,7 +111,7 @@ pub(super) fn page(
         forced: look.forced,
         warnings: &observer.warnings(),
         job_toml: &setup.job.to_toml()?,
-        provenance: &provenance(setup),
+        provenance: &provenance(setup, look.inputs),
     };
     let text = match payload {
         Some(payload) => report::page(&input, payload),
@@ -127,14 +130,14 @@ fn compared(folder: &RunFolder, summary: &Value) -> Option<Value> {
 }
 
 /// Where the run came from: labels and values.
-fn provenance(setup: &Setup) -> Vec<(String, String)> {
+fn provenance(setup: &Setup, inputs: &[Input]) -> Vec<(String, String)> {
     let mut rows = vec![
-        ("Program".to_owned(), super::program()),
-        ("Build".to_owned(), super::build().to_owned()),
+        ("Program".to_owned(), program()),
+        ("Build".to_owned(), build().to_owned()),
         ("Model".to_owned(), setup.post_options().part_file),
-        ("BLAKE3 of the model".to_owned(), setup.inputs[0].blake3.clone()),
+        ("BLAKE3 of the model".to_owned(), setup.part_hash.clone()),
     ];
-    for input in setup.inputs.iter().skip(1) {
+    for input in inputs.iter().skip(1) {
         let name = std::path::Path::new(&input.path).file_name().map(|n| n.to_string_lossy().into_owned());
         rows.push((format!("BLAKE3 of {}", name.unwrap_or_default()), input.blake3.clone()));
     }
@@ -177,7 +180,8 @@ pub fn preview_again(
     folder: &mut RunFolder,
     observer: &dyn Observer,
 ) -> Result<()> {
-    let Checked { setup, verdict, files, wrote_programs } = run;
+    let Checked { loaded, verdict, files, wrote_programs } = run;
+    let setup = &loaded.setup;
     let recorder = Recorder::new(observer);
     let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;
     let plan = verdict.value();
@@ -197,6 +201,7 @@ pub fn preview_again(
     }
     let look = Look {
         sections: &sections,
+        inputs: &loaded.inputs,
         baseline: Some(&baseline),
         others: &others(setup, plan),
         report: &report,

@@ -4,17 +4,19 @@
 //! programs one after another, each from its tool call to the unwound axis; what is new are the moves between, and those are read back and
 //! checked (`program-rapids`).
 
-use super::{Setup, leads, reuse};
+use super::inputs::Loaded;
+use super::reuse;
 use crate::artifact::report::Check;
 use crate::artifact::{Plan, Program};
 use crate::error::{Error, Result, Stage};
+use crate::plan::leads;
 use crate::verify::{self, Verified};
 use crate::write::post::{self, Dialect, Operation, PostOptions};
 
 /// A finished run taken up again, its plan checked.
 pub struct Done {
-    /// Job, blade, machine.
-    pub setup: Setup,
+    /// Job, blade, machine, and the files that these were read from.
+    pub loaded: Loaded,
     /// The plan.
     pub verified: Verified<Plan>,
     /// What messages call it.
@@ -47,11 +49,14 @@ pub fn join(runs: &[Done], dialect: &Dialect, from: From) -> Result<(Program, Ve
         together(one, other)?;
     }
     let turn = |k: usize| if k == 0 { from.turn } else { None };
-    let options: Vec<PostOptions> =
-        left.iter().enumerate().map(|(k, r)| PostOptions { from_turn: turn(k), ..r.setup.post_options() }).collect();
+    let options: Vec<PostOptions> = left
+        .iter()
+        .enumerate()
+        .map(|(k, r)| PostOptions { from_turn: turn(k), ..r.loaded.setup.post_options() })
+        .collect();
     // What goes on within a path comes onto it on a lead of its own.
     let begun = match (left.first(), from.turn) {
-        (Some(r), Some(turn)) => Some(leads::restart(&r.setup, &r.verified, turn)?),
+        (Some(r), Some(turn)) => Some(leads::restart(&r.loaded.setup, &r.verified, turn)?),
         _ => None,
     };
     let operations: Vec<Operation> = left
@@ -60,11 +65,11 @@ pub fn join(runs: &[Done], dialect: &Dialect, from: From) -> Result<(Program, Ve
         .enumerate()
         .map(|(k, (r, options))| Operation {
             plan: begun.as_ref().filter(|_| k == 0).unwrap_or(&r.verified),
-            tool: &r.setup.job.tool,
+            tool: &r.loaded.setup.job.tool,
             options,
         })
         .collect();
-    let (blade, machine) = (&one.setup.blade, &one.setup.machine);
+    let (blade, machine) = (&one.loaded.setup.blade, &one.loaded.setup.machine);
     let program = post::join(dialect, &operations, first, blade, machine)?;
     let plans = operations.iter().map(|o| post::planned(o.plan.value(), o.options)).collect::<Result<Vec<_>>>()?;
     let made: Vec<_> =
@@ -84,13 +89,13 @@ fn together(a: &Done, b: &Done) -> Result<()> {
         Err(Error::usage(Stage::Post, message)
             .advise("plan both from the same model, with the same axis and machine file"))
     };
-    if !reuse::same_part(&a.setup, &b.setup) {
+    if !reuse::same_part(&a.loaded, &b.loaded) {
         return differ("they are of different models");
     }
-    if a.setup.blade.model_from_blade != b.setup.blade.model_from_blade {
+    if a.loaded.setup.blade.model_from_blade != b.loaded.setup.blade.model_from_blade {
         return differ("their blade frames differ");
     }
-    if a.setup.machine != b.setup.machine {
+    if a.loaded.setup.machine != b.loaded.setup.machine {
         return differ("their machines differ");
     }
     Ok(())

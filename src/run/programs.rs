@@ -1,12 +1,12 @@
 //! The programs of a finished run, read back from its folder.
 
-use super::{Setup, leads};
+use super::RunFolder;
 use crate::artifact::program::Control;
 use crate::artifact::report::Check;
 use crate::artifact::{Plan, Program};
 use crate::error::Result;
+use crate::plan::{Setup, leads};
 use crate::read::program::{Guess, guess};
-use crate::run::RunFolder;
 use crate::verify::{self, Verified};
 use crate::write::post::{self, Dialect};
 

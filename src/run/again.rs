@@ -11,21 +11,22 @@
 
 use std::path::Path;
 
-use super::{Setup, reuse};
+use super::inputs::{self, Loaded};
+use super::manifest::{self, Input, Manifest};
+use super::{reuse, settle, tables};
 use crate::artifact::Plan;
 use crate::artifact::report::Check;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job;
 use crate::observe::Observer;
-use crate::run::manifest::{self, Input, Manifest};
-use crate::run::{self, tables};
+use crate::plan::Setup;
 use crate::verify::{self, Verdict};
 
 /// A finished run, its plan not checked yet.
 pub struct Finished {
-    /// Job, blade, machine.
-    pub setup: Setup,
+    /// Job, blade, machine, and the files that these were read from.
+    pub loaded: Loaded,
     /// The plan, with the cutter locations of `cutter_locations.csv`: that is the file other programs read, so that is what must be checked.
     pub plan: Plan,
     /// What was found on the files of the folder.
@@ -38,8 +39,8 @@ pub struct Finished {
 
 /// A finished run with its verdict: of the plan, and of the files that others read.
 pub struct Checked {
-    /// Job, blade, machine.
-    pub setup: Setup,
+    /// Job, blade, machine, and the files that these were read from.
+    pub loaded: Loaded,
     /// The verdict on the plan.
     pub verdict: Verdict<Plan>,
     /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
@@ -52,14 +53,12 @@ impl Finished {
     /// Checks the plan.
     ///
     /// # Errors
-    /// Those of [`verify::check_among`].
+    /// Those of [`Setup::verdict`].
     pub fn check(self, observer: &dyn Observer) -> Result<Checked> {
-        let Finished { setup, plan, checks: files, wrote_programs, stopped } = self;
-        let (tool, options) = (&setup.job.tool, setup.verify_options());
-        let verdict =
-            verify::check_among(plan, &setup.blade, &setup.obstacles, tool, &setup.machine, &options, observer)?;
+        let Finished { loaded, plan, checks: files, wrote_programs, stopped } = self;
+        let verdict = loaded.setup.verdict(plan, observer)?;
         let wrote_programs = wrote_programs || (!stopped && matches!(verdict, Verdict::Passed(_)));
-        Ok(Checked { setup, verdict, files, wrote_programs })
+        Ok(Checked { loaded, verdict, files, wrote_programs })
     }
 }
 
@@ -68,7 +67,7 @@ impl Finished {
 /// # Errors
 /// `InputOutput` where the folder holds no run, or none with a plan; those of the job and of the model.
 pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
-    run::settle(out)?;
+    settle(out)?;
     let file = out.join("job.resolved.toml");
     if !file.is_file() {
         return Err(Error::io(
@@ -87,19 +86,19 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
         )
         .advise("plan again without --until"));
     }
-    let draft = job::resolve(job::load(&file)?, out)?;
+    let draft = job::resolve(inputs::job(&file)?, out)?;
     let text = files::read_text(&plan_file, files::LONG)
         .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", plan_file.display())).caused_by(e))?;
     let plan: Plan = serde_json::from_str(&text)
         .map_err(|e| Error::io(Stage::Output, format!("{} is damaged: {e}", plan_file.display())).caused_by(e))?;
-    let setup = Setup::load(&draft, observer)?;
-    verify::well_formed(&plan, &setup.machine)?;
-    let mut checks = vec![outputs(out, kept.as_ref()), inputs(&setup.inputs, kept.as_ref())];
-    let (plan, tables) = read_tables(out, &setup, plan);
+    let loaded = Loaded::read(&draft, observer)?;
+    verify::well_formed(&plan, &loaded.setup.machine)?;
+    let mut checks = vec![outputs(out, kept.as_ref()), changed(&loaded.inputs, kept.as_ref())];
+    let (plan, tables) = read_tables(out, &loaded.setup, plan);
     checks.extend(tables);
     let wrote_programs = kept.is_none_or(|m| m.status == reuse::GOOD);
     Ok(Finished {
-        setup,
+        loaded,
         plan,
         checks,
         wrote_programs,
@@ -154,7 +153,7 @@ fn outputs(out: &Path, kept: Option<&Manifest>) -> Check {
 }
 
 /// Inputs that changed since.
-fn inputs(now: &[Input], kept: Option<&Manifest>) -> Check {
+fn changed(now: &[Input], kept: Option<&Manifest>) -> Check {
     let quantity = "input files that are not those of the run";
     let before = kept.map(|k| &k.inputs[..]).unwrap_or_default();
     let short = |i: &Input| i.blake3.chars().take(12).collect::<String>();

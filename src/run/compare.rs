@@ -6,18 +6,17 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Setup;
-use super::planning::{channel_as_far_as_it_goes, path_as_asked};
-use super::schedules::{machinable, paced};
+use super::{Loaded, RunFolder};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Axes, Channel, Schedule, Toolpath};
-use crate::error::{Result, Stage};
+use crate::error::Result;
 use crate::feed::{self, AxisPeaks, FeedOptions};
 use crate::job::Draft;
 use crate::machine::{Axis, Machine};
 use crate::observe::{Observer, Recorder, Silent};
-use crate::run::RunFolder;
-use crate::run::manifest::Clock;
+use crate::plan::Setup;
+use crate::plan::planning::{channel_as_far_as_it_goes, path_as_asked};
+use crate::plan::schedules::{machinable, paced};
 use crate::schedule;
 
 mod plot;
@@ -126,11 +125,10 @@ pub fn compare(
 ) -> Result<(Comparison, Vec<PathBuf>)> {
     let recorder = Recorder::new(observer);
     let mut folder = RunFolder::begin(out)?;
-    let mut clock = Clock::default();
-    let setup = clock.time(Stage::Model, || Setup::load(draft, &recorder))?;
+    let setup = Loaded::read(draft, &recorder)?.setup;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
-    let mut toolpath = clock.time(Stage::Path, || path_as_asked(&setup, &recorder))?;
-    let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &mut clock, &recorder)?;
+    let mut toolpath = path_as_asked(&setup, &recorder)?;
+    let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &recorder)?;
     let (made, names) = all(&setup, &toolpath, &channel)?;
     let feed = FeedOptions { limit_jerk, ..setup.feed_options() };
     let schedules = names

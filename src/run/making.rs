@@ -1,0 +1,170 @@
+//! A job in, the files of a run out.
+
+use std::path::{Path, PathBuf};
+
+use super::checking::Run;
+use super::folder::RunFolder;
+use super::inputs::Loaded;
+use super::manifest::{self, Clock, Manifest, SCHEMA_VERSION, StageRecord};
+use super::reuse::{self, Earlier};
+use super::summary::Summary;
+use super::{build, program, repost};
+use crate::artifact::program::Control;
+use crate::artifact::{CheckReport, Plan};
+use crate::error::{Error, Result, Stage};
+use crate::job::{Chosen, Draft};
+use crate::observe::{Observer, Recorder, timed};
+use crate::plan::planning::{self, Reached};
+use crate::section;
+use crate::write::post::Dialect;
+
+/// How far to go and what to do with a plan that fails its checks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Course {
+    /// Stop after this stage.
+    pub until: Option<Stage>,
+    /// Write programs even if the checks fail; their headers say so.
+    pub force: bool,
+    /// Leave times and memory out of `manifest.json`, so that the same job leaves the same bytes.
+    pub timeless: bool,
+    /// Most bytes of preview.glb; `None`: as [`GltfOptions`] has it.
+    ///
+    /// [`GltfOptions`]: crate::write::preview::GltfOptions
+    pub preview_bytes: Option<usize>,
+}
+
+impl Course {
+    pub(super) fn ends_at(self, stage: Stage) -> bool {
+        self.until == Some(stage)
+    }
+}
+
+/// What a run came to.
+pub struct Outcome {
+    /// Files written, in order.
+    pub files: Vec<PathBuf>,
+    /// The tool of the job, and why it is this one.
+    pub tool: Chosen,
+    /// Figures, where the run went far enough.
+    pub summary: Option<Summary>,
+    /// What the checks found, where the run went far enough.
+    pub report: Option<CheckReport>,
+    /// The plan, where the run went far enough.
+    pub plan: Option<Plan>,
+    /// Time and memory of each stage that was worked on.
+    pub stages: Vec<StageRecord>,
+    /// Stages whose results were taken over from earlier runs.
+    pub taken: Vec<Stage>,
+}
+
+/// Plans, checks and writes everything.
+///
+/// # Errors
+/// The first stage's that fails; nothing is written then.
+pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -> Result<Outcome> {
+    run_on(draft, out, course, &[], observer)
+}
+
+/// As [`run`]; stages whose inputs are those of an earlier run are taken over from it. The files are the same, but for the times in
+/// `manifest.json`.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on(
+    draft: &Draft,
+    out: &Path,
+    course: Course,
+    earlier: &[Earlier],
+    observer: &dyn Observer,
+) -> Result<Outcome> {
+    let clock = Clock::new(observer);
+    let recorder = Recorder::new(&clock);
+    let programs = Control::ALL.iter().map(|c| Ok(Dialect::built_in(*c)?.file_name().to_owned()));
+    let mut folder = RunFolder::begin_run(out, programs.collect::<Result<_>>()?)?;
+    let loaded = timed(&recorder, Stage::Model, || Loaded::read(draft, &recorder))?;
+    let setup = &loaded.setup;
+    folder.add_job(&setup.job.to_toml()?)?;
+    let mut run = Run { loaded: &loaded, course, folder: &mut folder, observer: &recorder };
+    let made = match repost::again(&mut run, earlier)? {
+        Some(made) => made,
+        None => make(&mut run, earlier)?,
+    };
+    let status = match (&made.report, course.until) {
+        (Some(r), None) if !r.passed() => reuse::FINDINGS.to_owned(),
+        (_, until) => until.map_or_else(|| reuse::GOOD.to_owned(), |s| format!("until {s}")),
+    };
+    let job = serde_json::to_value(&setup.job)
+        .map_err(|e| Error::io(Stage::Output, format!("the job cannot be written as JSON: {e}")).caused_by(e))?;
+    folder.add_json(
+        manifest::FILE,
+        &Manifest {
+            schema_version: SCHEMA_VERSION,
+            program: program(),
+            build: build().to_owned(),
+            inputs: loaded.inputs.clone(),
+            job,
+            stages: if course.timeless { Vec::new() } else { clock.records() },
+            warnings: recorder.warnings(),
+            seal: made.seal,
+            outputs: folder.hashes().clone(),
+            programs: folder.programs().clone(),
+            status,
+        },
+    )?;
+    let Made { summary, report, plan, taken, .. } = made;
+    Ok(Outcome {
+        files: folder.finish()?,
+        tool: loaded.setup.tool,
+        summary,
+        report,
+        plan,
+        stages: clock.records(),
+        taken,
+    })
+}
+
+/// What the stages after the model came to.
+#[derive(Default)]
+pub(super) struct Made {
+    pub summary: Option<Summary>,
+    pub report: Option<CheckReport>,
+    pub plan: Option<Plan>,
+    pub seal: Option<String>,
+    pub taken: Vec<Stage>,
+}
+
+/// All stages after the model, as far as the course goes.
+fn make(run: &mut Run, earlier: &[Earlier]) -> Result<Made> {
+    let (setup, observer) = (&run.loaded.setup, run.observer);
+    let sections = timed(observer, Stage::Section, || section::plan(&setup.blade, &setup.section_options(), observer))?;
+    run.folder.add_json("sections.json", &sections)?;
+    let mut made = Made::default();
+    if run.course.ends_at(Stage::Section) {
+        return Ok(made);
+    }
+    let known = reuse::take(run.loaded, earlier, observer);
+    made.taken = known.stages;
+    let reached = planning::stages(setup, run.course.until, known.results, observer)?;
+    write_as_far(&reached, run.folder)?;
+    if let Reached::Motion(planned) = reached {
+        let (plan, baseline) = *planned;
+        let checked = run.check_and_write(&sections, plan, &baseline, known.checks)?;
+        made.taken.extend(checked.recalled.then_some(Stage::Verify));
+        (made.summary, made.report, made.plan) = (checked.summary, Some(checked.report), Some(checked.plan));
+        made.seal = Some(checked.seal);
+    }
+    Ok(made)
+}
+
+/// Writes what was planned where planning stopped early; a whole plan is written with its checks.
+fn write_as_far(reached: &Reached, folder: &mut RunFolder) -> Result<()> {
+    let (path, channel, schedule) = match reached {
+        Reached::Path(path) => (path, None, None),
+        Reached::Channel(path, channel) => (path, Some(channel), None),
+        Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
+        Reached::Motion(..) => return Ok(()),
+    };
+    folder.add_json("toolpath.json", path)?;
+    channel.map_or(Ok(()), |c| folder.add_json("channel.json", c))?;
+    schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))
+}
