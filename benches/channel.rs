@@ -13,7 +13,8 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use bladewright::artifact::blade::{Diagnosis, Regions, Unit};
+use bladewright::artifact::blade::{Diagnosis, Unit};
+use bladewright::artifact::region::Regions;
 use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
 use bladewright::artifact::{Blade, Cone, Cones};
 use bladewright::channel::{ChannelOptions, FreeInterval, Surroundings, intervals, plan_among};
@@ -78,14 +79,7 @@ fn blade(mesh: Mesh) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
-        regions: Regions {
-            part_x_mm: x,
-            airfoil_x_mm: x,
-            platform_x_mm: Some(0.0),
-            fillet_x_mm: None,
-            sides: None,
-            reasons: Vec::new(),
-        },
+        regions: Regions::at_heights(x, x, Some(0.0)),
         diagnosis: Diagnosis::default(),
     }
 }

@@ -12,6 +12,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use bladewright::artifact::Blade;
+use bladewright::artifact::region::Extent;
 use bladewright::artifact::toolpath::PathKind;
 use bladewright::geometry::part::Part;
 use bladewright::observe::Silent;
@@ -41,8 +42,8 @@ fn now(start: &Instant) -> f64 {
 /// The helix, with steps such that it has about the number of locations wanted.
 fn helix(out: &mut String, name: &str, blade: &Blade, radius_mm: f64, kind: PathKind) {
     let mut options = PathOptions { kind, ..PathOptions::new(radius_mm, 0.01) };
-    let [a, b] = blade.regions.airfoil_x_mm;
-    options.region_x_mm = [Some(b - 0.2 * (b - a)), Some(a + 0.4 * (b - a))];
+    let [a, b] = blade.regions.airfoil_x_mm();
+    options.extent = Extent::heights(Some(b - 0.2 * (b - a)), Some(a + 0.4 * (b - a)));
     let first = path::plan(blade, &options, &Silent);
     if let Ok(p) = &first {
         options.max_step_mm = (p.locations.last().map_or(1.0, |l| l.s_mm) / LOCATIONS).min(options.max_step_mm);
@@ -143,7 +144,7 @@ fn main() {
                 continue;
             }
         };
-        let [a, b] = blade.regions.airfoil_x_mm;
+        let [a, b] = blade.regions.airfoil_x_mm();
         let spread = || (1..=5).map(|k| a + (b - a) * (0.2 + 0.1 * f64::from(k))).collect();
         let heights = given.clone().unwrap_or_else(spread);
         let mesh = as_mesh(&blade);

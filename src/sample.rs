@@ -6,9 +6,10 @@
 
 use crate::artifact::Axes;
 use crate::artifact::axis_motion::AxisMotion;
-use crate::artifact::blade::{Blade, Diagnosis, Regions, Unit};
+use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
 use crate::artifact::plan::Plan;
+use crate::artifact::region::Regions;
 use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
@@ -77,12 +78,8 @@ pub fn blade() -> Blade {
         model_from_blade: Rigid::translation(1.0, 2.0, 3.0)
             * Rigid::rotation(Vector::new(0.0, -std::f64::consts::FRAC_PI_2, 0.0)),
         regions: Regions {
-            part_x_mm: [0.0, PART_LENGTH],
-            airfoil_x_mm: [0.0, PART_LENGTH],
-            platform_x_mm: None,
-            fillet_x_mm: None,
-            sides: None,
             reasons: vec!["a cylinder".into()],
+            ..Regions::at_heights([0.0, PART_LENGTH], [0.0, PART_LENGTH], None)
         },
         diagnosis: Diagnosis::default(),
     }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-use bladewright::artifact::blade::{Blade, Diagnosis, Regions, Unit};
+use bladewright::artifact::blade::{Blade, Diagnosis, Unit};
+use bladewright::artifact::region::{Extent, Regions};
 use bladewright::artifact::report::{LimitFigures, LimitSource};
 use bladewright::artifact::toolpath::{Direction, PathKind, Toolpath};
 use bladewright::geometry::brep::{Brep, Face, SurfaceKind};
@@ -58,14 +59,7 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
         unit: Unit::Mm,
         part,
         model_from_blade: Rigid::identity(),
-        regions: Regions {
-            part_x_mm: airfoil,
-            airfoil_x_mm: airfoil,
-            platform_x_mm: None,
-            fillet_x_mm: None,
-            sides: None,
-            reasons: vec![],
-        },
+        regions: Regions::at_heights(airfoil, airfoil, None),
         diagnosis: Diagnosis::default(),
     }
 }
@@ -75,7 +69,7 @@ fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
     PathOptions {
         kind,
         chord_mm: 3e-5,
-        region_x_mm: [Some(region[0]), Some(region[1])],
+        extent: Extent::heights(Some(region[0]), Some(region[1])),
         ..PathOptions::new(RADIUS, SCALLOP)
     }
 }

@@ -56,10 +56,8 @@ fn edges_keep_their_names_and_one_height_alone_has_the_same() {
 #[test]
 fn the_mirror_image_has_its_sides_mirrored() {
     let blade = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step"), None);
-    let sides = blade.regions.sides.as_ref().expect("sides").clone();
-    let image = Blade { part: blade.part.mirrored(&Silent).expect("an image"), ..blade.clone() };
-    let mut mirrored = image.clone();
-    mirrored.regions.sides = Some(sides.mirrored());
+    let regions = blade.regions.mirrored();
+    let mirrored = Blade { part: blade.part.mirrored(&Silent).expect("an image"), regions, ..blade.clone() };
     for (one, other) in all_along(&blade).iter().zip(all_along(&mirrored)).step_by(9) {
         let ((ends, side), (image, turned)) = (names(one), names(&other));
         for (a, b) in ends.iter().zip(image) {

@@ -1,5 +1,6 @@
 //! A mesh gives the same path as the NURBS model that it was made of, within the mesh's tolerance.
 
+use bladewright::artifact::region::Extent;
 use bladewright::artifact::{Blade, Toolpath};
 use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
@@ -11,7 +12,8 @@ const DEFLECTION: f64 = 0.01;
 fn planned(file: &str, region: [f64; 2]) -> (Blade, Toolpath) {
     let model = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(file);
     let blade = model::load(&model, &ModelOptions::default(), &Silent).expect("the model loads");
-    let options = PathOptions { region_x_mm: region.map(Some), ..PathOptions::new(8.0, 0.01) };
+    let options =
+        PathOptions { extent: Extent::heights(Some(region[0]), Some(region[1])), ..PathOptions::new(8.0, 0.01) };
     let path = path::plan(&blade, &options, &Silent).expect("a helix");
     (blade, path)
 }

@@ -61,7 +61,7 @@ fn check(survey: &Survey, name: &str, exact: bool) {
     let volume = number(&cell(&second, "volume"));
     near("volume", survey.part.measure().volume_mm3, volume, if exact { 5e-5 } else { 2e-4 } * volume);
     let top = number(&cell(&first, "platform top z"));
-    let r = &found.regions;
+    let r = &found.heights;
     near("platform", r.platform_x_mm.expect("a platform"), top, 0.02);
     near("tip", r.airfoil_x_mm[1], top + number(&cell(&first, "airfoil height")), 0.02);
     let fillet = number(cell(&first, "fillet").trim_start_matches("R "));

@@ -3,6 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use bladewright::artifact::region::Extent;
 use bladewright::artifact::schedule::ScheduleKind;
 use bladewright::artifact::toolpath::PathKind;
 use bladewright::artifact::{Blade, Channel, Plan, Schedule, Toolpath};
@@ -38,8 +39,11 @@ fn tool() -> Tool {
 }
 
 fn toolpath(blade: &Blade) -> Toolpath {
-    let options =
-        PathOptions { kind: PathKind::ConstantHeight, region_x_mm: REGION.map(Some), ..PathOptions::new(R, SCALLOP) };
+    let options = PathOptions {
+        kind: PathKind::ConstantHeight,
+        extent: Extent::heights(Some(REGION[0]), Some(REGION[1])),
+        ..PathOptions::new(R, SCALLOP)
+    };
     path::plan(blade, &options, &Silent).expect("a helix")
 }
 
@@ -62,11 +66,11 @@ fn model_is_the_design() {
     assert_eq!(b.regions.part_x_mm.map(|x| x.round()), [-50.0, 80.0]);
     let axis = b.model_from_blade * nalgebra::Vector3::x();
     assert!((axis - nalgebra::Vector3::z()).norm() < 1e-9, "{axis}");
-    let platform = b.regions.platform_x_mm.expect("a platform");
+    let platform = b.regions.platform_x_mm().expect("a platform");
     assert!(platform.abs() < 0.05, "{platform}");
     // The fillet ends 6 over the platform.
-    assert!((-0.1..6.5).contains(&b.regions.airfoil_x_mm[0]), "{:?}", b.regions.airfoil_x_mm);
-    assert!((b.regions.airfoil_x_mm[1] - 80.0).abs() < 0.05);
+    assert!((-0.1..6.5).contains(&b.regions.airfoil_x_mm()[0]), "{:?}", b.regions.airfoil_x_mm());
+    assert!((b.regions.airfoil_x_mm()[1] - 80.0).abs() < 0.05);
     for (x, y, z) in [(7.0, 25.0, 40.0), (41.0, 3.0, 30.0), (-33.0, -20.0, 55.0), (0.0, -10.5, 70.0)] {
         let q = b.model_from_blade.inverse() * Point::new(x, y, z);
         let (expected, _) = from_profile(&Point::new(x, y, z));

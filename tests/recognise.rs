@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use bladewright::artifact::blade::{Area, Unit};
+use bladewright::artifact::blade::Unit;
+use bladewright::artifact::region::Area;
 use bladewright::job;
 use bladewright::observe::Silent;
 use bladewright::read::model::{self, ModelOptions, Survey};
@@ -231,7 +232,7 @@ fn a_body_of_an_assembly_is_chosen_by_its_number() {
         assert_eq!((axis(&survey).0, survey.bodies.len()), (along, 2));
         let found = survey.found.as_ref().expect("found");
         assert_eq!(found.mesh.triangles.len(), survey.part.mesh.triangles.len(), "the whole part stays");
-        let own = found.regions.part_x_mm;
+        let own = found.heights.part_x_mm;
         assert!((own[1] - own[0] - if body == 1 { 100.0 } else { 60.0 }).abs() < 0.5, "{own:?}");
     }
     let whole = read(None).expect("read");
@@ -312,10 +313,10 @@ fn a_blade_with_a_platform_is_found_alike_in_any_position() {
         let survey = survey(&moved);
         let (found, doubts) = axis(&survey);
         assert!(found.angle(&(by * Vector3::z())).to_degrees() < 0.1 && doubts.is_empty(), "{found} {doubts:?}");
-        let regions = &survey.found.as_ref().expect("found").regions;
-        assert!(regions.platform_x_mm.is_some_and(|x| x.abs() < 0.02), "{:?}", regions.platform_x_mm);
-        assert!(regions.fillet_x_mm.is_some_and(|f| (f[1] - 2.5).abs() < 0.3), "{:?}", regions.fillet_x_mm);
-        assert!((regions.airfoil_x_mm[1] - 40.0).abs() < 0.02, "{:?}", regions.airfoil_x_mm);
+        let heights = &survey.found.as_ref().expect("found").heights;
+        assert!(heights.platform_x_mm.is_some_and(|x| x.abs() < 0.02), "{:?}", heights.platform_x_mm);
+        assert!(heights.fillet_x_mm.is_some_and(|f| (f[1] - 2.5).abs() < 0.3), "{:?}", heights.fillet_x_mm);
+        assert!((heights.airfoil_x_mm[1] - 40.0).abs() < 0.02, "{:?}", heights.airfoil_x_mm);
     }
 }
 
@@ -532,7 +533,7 @@ fn the_fillet_has_its_say_in_the_ball() {
         assert!(told.contains(words), "{words} is not in {told}");
     }
     // Where the region ends above the fillet, it is no matter.
-    let top = blade.regions.fillet_x_mm.expect("a fillet")[1];
+    let top = blade.regions.fillet_x_mm().expect("a fillet")[1];
     let (job, _) = settle(&format!("region.end_mm = {}\nregion.start_mm = {}", top + 0.5, top + 12.0));
     assert!(job.tool.radius_mm > 2.5, "{:?}", job.tool);
 }

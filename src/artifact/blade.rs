@@ -1,8 +1,8 @@
 //! A blade as read: the whole part in the blade frame, and what was recognised on it.
 
+use super::region::Regions;
 use crate::geometry::Rigid;
 use crate::geometry::part::Part;
-use crate::geometry::profile::Sides;
 
 /// Length unit of a model file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -28,41 +28,6 @@ impl Unit {
             Unit::Inch => 25.4,
         }
     }
-}
-
-/// Where along the blade axis what was found, mm in the blade frame (`x` from root to tip).
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Regions {
-    /// The whole part.
-    pub part_x_mm: [f64; 2],
-    /// Sections here are one airfoil loop, clear of platform, shroud and tenon.
-    pub airfoil_x_mm: [f64; 2],
-    /// Top of the platform on the airfoil's side, where there is a platform.
-    pub platform_x_mm: Option<f64>,
-    /// Foot and top of the fillet between airfoil and platform, where there is one.
-    pub fillet_x_mm: Option<[f64; 2]>,
-    /// Leading and trailing edge along the airfoil, and which side is the suction side; `None` where that is not known.
-    pub sides: Option<Sides>,
-    /// How each was found, one sentence each.
-    pub reasons: Vec<String>,
-}
-
-/// What a piece of the part's surface belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Area {
-    /// The airfoil's sides and edges, clear of the fillet.
-    Airfoil,
-    /// Between airfoil and platform.
-    Fillet,
-    /// The platform's side that the airfoil stands on.
-    Platform,
-    /// All below.
-    Root,
-    /// The airfoil's end and what is beyond it.
-    Tip,
-    /// Beside the airfoil, or not recognised.
-    Other,
 }
 
 /// A chain of edges that have one triangle each.

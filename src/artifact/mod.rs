@@ -11,6 +11,7 @@ pub mod motion;
 pub mod obstacle;
 pub mod plan;
 pub mod program;
+pub mod region;
 pub mod report;
 pub mod schedule;
 pub mod section;

@@ -21,6 +21,13 @@ use super::Point;
 use super::bvh::MeshBvh;
 use super::mesh::Mesh;
 
+/// Distance from `q` to the segment `a b` in the plane, mm.
+fn distance_to_segment(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let f = (((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy).max(1e-300)).clamp(0.0, 1.0);
+    (q[0] - a[0] - f * dx).hypot(q[1] - a[1] - f * dy)
+}
+
 /// One chain of segments in the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
@@ -48,6 +55,12 @@ impl Loop {
             (true, Some(&a), Some(&b)) => open + d(a, b),
             _ => open,
         }
+    }
+    /// Distance of (y, z) from the loop, mm; a closed one's last segment included.
+    pub fn distance_mm(&self, q: [f64; 2]) -> f64 {
+        let closing = self.points.last().filter(|_| self.closed).zip(self.points.first());
+        let segments = self.points.windows(2).map(|w| (&w[0], &w[1])).chain(closing);
+        segments.map(|(a, b)| distance_to_segment(q, *a, *b)).fold(f64::INFINITY, f64::min)
     }
     /// Whether (y, z) lies inside the loop (even–odd rule; open chains are closed by their chord).
     pub fn contains(&self, q: [f64; 2]) -> bool {

@@ -230,7 +230,7 @@ struct TypedRegion {
 fn typed_region(keys: &super::typed::RegionKeys, blade: &Blade) -> Result<TypedRegion> {
     let zero = match keys.reference.unwrap_or_default() {
         RegionReference::Blade => 0.0,
-        RegionReference::Platform => blade.regions.platform_x_mm.ok_or_else(|| {
+        RegionReference::Platform => blade.regions.platform_x_mm().ok_or_else(|| {
             Error::usage(Stage::Job, "region.reference is platform, but no platform was found on the part")
                 .advise("give heights in the blade frame: region.reference = \"blade\"")
         })?,
@@ -254,7 +254,7 @@ fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
 }
 
 fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
-    let [a, b] = blade.regions.airfoil_x_mm;
+    let [a, b] = blade.regions.airfoil_x_mm();
     a + (0.3 * (b - a)).max(3.0 * radius_mm).min(40.0).min(0.9 * (b - a))
 }
 

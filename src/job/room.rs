@@ -57,10 +57,10 @@ pub(super) struct Share {
 impl Places {
     /// Places between the region's heights, as far as they are known.
     pub(super) fn new(blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> Places {
-        let [a, b] = blade.regions.airfoil_x_mm;
+        let [a, b] = blade.regions.airfoil_x_mm();
         let top = start_mm.unwrap_or_else(|| near_platform(blade)).clamp(a, b).max(a + 0.02 * (b - a));
         let foot = end_mm.map_or(a, |e| e.clamp(a, top));
-        let fillet = blade.regions.fillet_x_mm.filter(|f| end_mm.is_none_or(|e| e < f[1]));
+        let fillet = blade.regions.fillet_x_mm().filter(|f| end_mm.is_none_or(|e| e < f[1]));
         let wall = [foot.max(fillet.map_or(a, |f| f[1])).min(top), top];
         let chord_at = a + 0.15 * (b - a);
         let outlines: Vec<(f64, [f64; 4])> = (0..HEIGHTS)
@@ -118,7 +118,7 @@ impl Places {
 
 /// The lowest 30 % of the airfoil, at least 10 and at most 40 mm where it is as high.
 fn near_platform(blade: &Blade) -> f64 {
-    let [a, b] = blade.regions.airfoil_x_mm;
+    let [a, b] = blade.regions.airfoil_x_mm();
     a + (0.35 * (b - a)).clamp(10.0, 40.0).min(0.9 * (b - a))
 }
 

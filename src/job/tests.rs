@@ -138,7 +138,8 @@ fn example_jobs_name_models_that_exist() {
 mod with_blade {
     use super::*;
     use crate::artifact::Blade;
-    use crate::artifact::blade::{Diagnosis, Regions, Unit};
+    use crate::artifact::blade::{Diagnosis, Unit};
+    use crate::artifact::region::Regions;
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
     use crate::geometry::{Point, Rigid};
@@ -171,14 +172,7 @@ mod with_blade {
             unit: Unit::Mm,
             part: Part::from_mesh(mesh),
             model_from_blade: Rigid::identity(),
-            regions: Regions {
-                part_x_mm: [0.0, 100.0],
-                airfoil_x_mm: [0.0, 100.0],
-                platform_x_mm: None,
-                fillet_x_mm: None,
-                sides: None,
-                reasons: vec![],
-            },
+            regions: Regions::at_heights([0.0, 100.0], [0.0, 100.0], None),
             diagnosis: Diagnosis::default(),
         }
     }

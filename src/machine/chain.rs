@@ -330,8 +330,9 @@ impl Head {
 
     /// The branch for a cone; `None`: a part of the cone is out of reach.
     fn posture(&self, lean_rad: f64) -> Option<Posture> {
-        let [low, high] = self.cosines(lean_rad).map(|c| self.second_of(c, ROUNDING));
-        let (low, high) = (low?, high?);
+        let [least, greatest] = self.cosines(lean_rad);
+        let low = self.second_of(least, ROUNDING)?;
+        let high = if greatest == least { low } else { self.second_of(greatest, ROUNDING)? };
         let one = |k: usize| {
             let (a, b) = (low[k].min(high[k]), low[k].max(high[k]));
             let (shift, excess) = placed([a, b], self.second.and_then(|s| s.travel));

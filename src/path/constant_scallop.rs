@@ -29,13 +29,14 @@ use std::f64::consts::FRAC_PI_2;
 
 use rayon::prelude::*;
 
+use super::bounds::{Bounds, Stop};
 use super::curve::{self, Curve};
 use super::level::{LevelSet, Touch};
 use super::march::{Laid, March, Node};
-use super::neighbour::{Across, Bounds, Stop};
+use super::neighbour::Across;
 use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
-use super::{chords, helix, place, rings};
+use super::{chords, heights_mm, helix, place, rings};
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result, Stage};
@@ -119,12 +120,7 @@ fn lay(
     let facets = usize::from(level.is_over_facets());
     let touches_mm = |share: f64| (TOUCHES_RAD[facets] * options.radius_mm).min(share * flat_mm).min(how.max_step_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
-    let bounds = Bounds {
-        x_mm: [options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY), f64::INFINITY],
-        max_sin_lean: options.max_lean_rad.sin(),
-        end_faces: &options.end_faces,
-        rim: level.rim,
-    };
+    let bounds = Bounds::of(&options.extent.ends, level.rim, options.max_lean_rad);
     let search = |scallop_mm| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
@@ -136,7 +132,7 @@ fn lay(
         evens_ways,
         is_path: false,
     };
-    let lowest = bounds.x_mm[0].max(blade.regions.airfoil_x_mm[0]);
+    let lowest = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
     let progress = |from: f64, share: f64, way: f64| {
         let done = (way / (start_x - lowest).max(options.radius_mm)).clamp(0.0, 1.0);
         observer.progress(Stage::Path, (from + share * done) as usize, 2000);
@@ -149,7 +145,7 @@ fn lay(
             let room = Bounds {
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
-                end_faces: &[],
+                ends: &[],
                 rim: None,
             };
             let plain = search(options.scallop_mm);
@@ -177,14 +173,14 @@ fn lay(
     let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
     let ring = level_ring.unwrap_or(ring.touches);
     for (k, coarser) in tries.iter().enumerate() {
-        let open = options.region_x_mm[1].is_none();
+        let open = bounds.x_mm[0] == f64::NEG_INFINITY;
         let lay_down = search(coarser * options.scallop_mm);
         down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
         let is_finest = k + 1 == tries.len();
         let mut reason = end_reason(blade, &down, options);
         let depth_mm = |end: &[Touch]| start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
         // A finer search, or ways that are evened out, may find an end from which turns can be laid up. An end that was asked for stays.
-        let may_end_higher = is_finest && evens_ways == (facets == 1) && open && options.end_faces.is_empty();
+        let may_end_higher = is_finest && evens_ways == (facets == 1) && options.extent.ends.is_empty();
         let mut deepest_mm = 0.0;
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
         for left_out in ends {

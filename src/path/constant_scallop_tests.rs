@@ -2,12 +2,14 @@
 //! their closed forms on exact faces, in `tests/closed_forms.rs`: facets a micrometre off would show in a scallop of ten.
 #![allow(clippy::unwrap_used)]
 
+use super::bounds::Bounds;
 use super::level::{LevelSet, Touch};
 use super::march::March;
-use super::neighbour::{Across, Bounds};
+use super::neighbour::Across;
 use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
 use super::*;
+use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::Vector;
 use crate::geometry::allowance::Allowed;
@@ -18,7 +20,7 @@ const R: f64 = 4.0;
 const H: f64 = 0.01;
 
 fn options(start: f64, end: Option<f64>) -> PathOptions {
-    PathOptions { kind: PathKind::ConstantScallop, region_x_mm: [Some(start), end], ..PathOptions::new(R, H) }
+    PathOptions { kind: PathKind::ConstantScallop, extent: Extent::heights(Some(start), end), ..PathOptions::new(R, H) }
 }
 
 /// Heights from 0 to `top` in steps of `step`.
@@ -165,7 +167,8 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
     let mut mesh = blade.part.mesh.clone();
     mesh.face_of = (0..mesh.triangles.len()).map(|t| u32::from(mesh.corners(t).iter().all(|p| p.x < 1e-9))).collect();
     blade.part = crate::geometry::part::Part::from_mesh(mesh);
-    let ended = PathOptions { end_faces: vec![false, true], max_lean_rad: 1.5, ..options(14.0, None) };
+    let extent = Extent { ends: vec![Boundary::Faces(vec![false, true])], ..Extent::heights(Some(14.0), None) };
+    let ended = PathOptions { extent, max_lean_rad: 1.5, ..options(14.0, None) };
     let path = plan(&blade, &ended, &Silent).unwrap();
     assert!(path.end_reason.to_string().contains("comes to face 2"), "{}", path.end_reason);
     // The ball touches wall and cone at once.
@@ -203,7 +206,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
         LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm: R, rim: None, lowest_mm: f64::NEG_INFINITY };
     let how = rings::tracing(&o);
     let ring = rings::first_ring(&blade, &level, &o, 30.0, &how).unwrap().touches;
-    let bounds = Bounds { x_mm: [0.0, 60.0], max_sin_lean: 1.0, end_faces: &[], rim: None };
+    let bounds = Bounds { x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
     let march = March {

@@ -7,10 +7,9 @@
 use super::helix;
 use super::level::Touch;
 use super::options::PathOptions;
-use crate::artifact::blade::{Diagnosis, Regions};
+use crate::artifact::blade::Diagnosis;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::Result;
-use crate::geometry::profile::Sides;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
@@ -24,8 +23,7 @@ pub fn reversed(
     downwards: impl Fn(&Blade, &PathOptions) -> Result<Toolpath>,
 ) -> Result<Toolpath> {
     let diagnosis = Diagnosis { mirrored: !blade.diagnosis.mirrored, ..blade.diagnosis.clone() };
-    let sides = blade.regions.sides.as_ref().map(Sides::mirrored);
-    let regions = Regions { sides, ..blade.regions.clone() };
+    let regions = blade.regions.mirrored();
     let image = Blade { part: blade.part.mirrored(&Silent)?, regions, diagnosis, ..blade.clone() };
     let start_near = options.start_near.map(|[x, y, z]| [x, y, -z]);
     let path = downwards(&image, &PathOptions { start_near, ..options.clone() })?;

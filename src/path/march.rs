@@ -2,9 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::bounds::Stop;
 use super::curve;
 use super::level::Touch;
-use super::neighbour::{Across, Next, Place, Stop};
+use super::neighbour::{Across, Next, Place};
 use super::nodes::{Overrun, arc_lengths, is_ring};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};

@@ -34,6 +34,7 @@
 //! beyond it. With those the scallop is at or under the limit everywhere, not constant along a turn. With constant
 //! scallop turns slant as the end does.
 
+mod bounds;
 mod chords;
 mod constant_height;
 mod constant_scallop;
@@ -60,6 +61,7 @@ mod tests;
 pub use options::PathOptions;
 pub use stepover::flat_stepover_mm;
 
+use crate::artifact::region::{Boundary, Region};
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
@@ -84,11 +86,11 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
-    let rim = Rim::of(blade, options.radius_mm, options.stock_mm);
+    let rim = Rim::of(blade, region(blade, options)?, options);
     let part = Allowed::new(&blade.part, options.stock_mm);
-    let lowest_mm = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
+    let lowest_mm = bounds::lowest_mm(&options.extent.ends);
     let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
-    let start_x = start_height(blade, options);
+    let start_x = start_height(blade, options)?;
     match options.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
@@ -113,10 +115,42 @@ pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<Cutt
 ///
 /// The root region is taken as the lowest 30 % of the airfoil, at least three ball radii and at most 40 mm: what the
 /// wide-line operation of the airfoil cannot reach because of the platform.
-fn start_height(blade: &Blade, options: &PathOptions) -> f64 {
-    let [a, b] = blade.regions.airfoil_x_mm;
-    let height = (0.3 * (b - a)).max(3.0 * options.radius_mm).min(40.0).min(0.9 * (b - a));
-    options.region_x_mm[0].unwrap_or(a + height)
+///
+/// # Errors
+/// Kind `Usage` where the region begins at a curve that is at no height: the first turn is laid at one.
+fn start_height(blade: &Blade, options: &PathOptions) -> Result<f64> {
+    match &options.extent.start {
+        Some(Boundary::Height(x_mm)) => Ok(*x_mm),
+        Some(Boundary::Rim(_) | Boundary::Faces(_)) => {
+            Err(Error::usage(Stage::Path, "the region begins at an edge or at faces: a path begins at a height")
+                .advise("give region.start_mm"))
+        }
+        None => {
+            let [a, b] = heights_mm(blade, options)?;
+            let height = (0.3 * (b - a)).max(3.0 * options.radius_mm).min(40.0).min(0.9 * (b - a));
+            Ok(a + height)
+        }
+    }
+}
+
+/// The region of the blade that the path goes round.
+///
+/// # Errors
+/// Kind `Usage` where the blade has no region of this number.
+fn region<'b>(blade: &'b Blade, options: &PathOptions) -> Result<&'b Region> {
+    let number = options.extent.region;
+    blade.regions.list.get(number).ok_or_else(|| {
+        let count = blade.regions.list.len();
+        Error::usage(
+            Stage::Path,
+            format!("the path is to go round region {number}, but the blade has {count}, from 0 up"),
+        )
+    })
+}
+
+/// Heights of the foot and the top of that region, mm; those of the part where no heights bound it.
+fn heights_mm(blade: &Blade, options: &PathOptions) -> Result<[f64; 2]> {
+    Ok(region(blade, options)?.x_mm().unwrap_or(blade.regions.part_x_mm))
 }
 
 fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
@@ -143,33 +177,7 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
     if !(o.stock_mm >= 0.0 && o.stock_mm.is_finite()) {
         return Err(Error::usage(Stage::Path, format!("path.stock_mm is {}, it must be at least 0", o.stock_mm)));
     }
-    if o.end_faces.contains(&true) && o.kind != PathKind::ConstantScallop {
-        return Err(Error::usage(
-            Stage::Path,
-            "region.end_faces ends turns of constant scallop only: other turns do not run along the edge of a face",
-        )
-        .advise("set path.kind to constant-scallop, or give region.end_mm"));
-    }
-    let [lo, hi] = blade.regions.part_x_mm;
-    for (key, x) in [("region.start_mm", o.region_x_mm[0]), ("region.end_mm", o.region_x_mm[1])] {
-        if let Some(x) = x.filter(|x| !(lo..=hi).contains(x)) {
-            return Err(Error::usage(
-                Stage::Path,
-                format!("{key} is {x} mm, outside the part, which spans {lo:.3} to {hi:.3} mm along the blade axis"),
-            )
-            .advise("choose heights inside the part; `inspect` prints where the airfoil and the platform are"));
-        }
-    }
-    if let [Some(a), Some(b)] = o.region_x_mm
-        && b >= a
-    {
-        return Err(Error::usage(
-            Stage::Path,
-            format!(
-                "region.end_mm ({b} mm) must be below region.start_mm ({a} mm): the helix runs from the airfoil towards the platform"
-            ),
-        ));
-    }
+    validate_extent(blade, o)?;
     if let Some(size) = blade.part.mesh.aabb().map(|b| b.max - b.min).filter(|s| s.max() < 2.0 * o.radius_mm) {
         return Err(Error::infeasible(
             Stage::Path,
@@ -183,13 +191,47 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
         )
         .advise("take a smaller ball, or check the model's unit with --unit"));
     }
-    let [a, b] = blade.regions.airfoil_x_mm;
+    let [a, b] = heights_mm(blade, o)?;
     if b - a < 0.5 * o.radius_mm {
         return Err(Error::infeasible(
             Stage::Path,
             format!("the airfoil is {:.3} mm high, less than half the ball radius of {} mm: the part is smaller than the tool", b - a, o.radius_mm),
         )
         .advise("take a smaller ball, or check the model's unit with --unit"));
+    }
+    Ok(())
+}
+
+/// Whether a path of this kind can begin and end where it is to.
+fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
+    let marks = |end: &Boundary| matches!(end, Boundary::Faces(flags) if flags.contains(&true));
+    if o.extent.ends.iter().any(marks) && o.kind != PathKind::ConstantScallop {
+        return Err(Error::usage(
+            Stage::Path,
+            "region.end_faces ends turns of constant scallop only: other turns do not run along the edge of a face",
+        )
+        .advise("set path.kind to constant-scallop, or give region.end_mm"));
+    }
+    let [lo, hi] = blade.regions.part_x_mm;
+    let height = |b: &Boundary| if let Boundary::Height(x_mm) = b { Some(*x_mm) } else { None };
+    let start = o.extent.start.as_ref().and_then(height).map(|x| ("region.start_mm", x));
+    let ends = o.extent.ends.iter().filter_map(height).map(|x| ("region.end_mm", x));
+    if let Some((key, x)) = start.into_iter().chain(ends.clone()).find(|(_, x)| !(lo..=hi).contains(x)) {
+        return Err(Error::usage(
+            Stage::Path,
+            format!("{key} is {x} mm, outside the part, which spans {lo:.3} to {hi:.3} mm along the blade axis"),
+        )
+        .advise("choose heights inside the part; `inspect` prints where the airfoil and the platform are"));
+    }
+    if let Some((_, a)) = start
+        && let Some((_, b)) = ends.into_iter().find(|(_, b)| *b >= a)
+    {
+        return Err(Error::usage(
+            Stage::Path,
+            format!(
+                "region.end_mm ({b} mm) must be below region.start_mm ({a} mm): the helix runs from the airfoil towards the platform"
+            ),
+        ));
     }
     Ok(())
 }

@@ -6,15 +6,15 @@
 //! is known to be too little and too much. Where the curve turns fast (a fillet hardly larger than the ball) or has
 //! a corner (one smaller than the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
+use super::bounds::{Bounds, Stop};
 use super::level::{LevelSet, Touch};
-use super::rim::Rim;
 use super::stepover::ridge_over_creases;
 use crate::geometry::{Point, Vector};
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
 const STRAIGHT_RAD: f64 = 0.5;
 /// Turn of the normal in a step of a walk, rad.
-const STEP_RAD: f64 = 0.15;
+pub(super) const STEP_RAD: f64 = 0.15;
 /// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces and over facets, where touches lie nearer to one another and
 /// what a way is off by turns the next.
 const GOOD: [f64; 2] = [5e-4, 1e-4];
@@ -45,75 +45,6 @@ const UPRIGHT: f64 = 0.5;
 const EDGE_HALVINGS: usize = 16;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
-
-/// What ends a path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stop {
-    /// The region's lower end, or as far up as a path may go.
-    Height,
-    /// A wall that leans over too much, met at this contact.
-    Lean(Point),
-    /// A sharp edge of the part: farther on the ball would only roll over it, at this contact.
-    Edge(Point),
-    /// A face that ends the region, with the contact on it.
-    Face(Point, u32),
-    /// The rim at which the airfoil ends without a platform, with the contact there.
-    Rim(Point),
-    /// Two walls at once, of which the farther one leans over too much: its contact.
-    Corner(Point),
-}
-
-/// Where a path may go.
-#[derive(Clone, Copy, Debug)]
-pub struct Bounds<'a> {
-    /// Least and greatest height of the ball centre, mm.
-    pub x_mm: [f64; 2],
-    /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge, away from it.
-    pub max_sin_lean: f64,
-    /// One flag for each face or group that may not be touched; what is missing may be.
-    pub end_faces: &'a [bool],
-    /// The rim that may not be touched.
-    pub rim: Option<&'a Rim>,
-}
-
-impl Bounds<'_> {
-    /// No bounds.
-    pub(super) const NONE: Bounds<'static> =
-        Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, end_faces: &[], rim: None };
-
-    /// Whether a touch is on a face that may not be touched.
-    fn is_on_end_face(&self, t: &Touch) -> bool {
-        self.end_faces.get(t.face as usize).copied().unwrap_or(false)
-    }
-
-    /// Whether a touch is within.
-    pub fn hold(&self, t: &Touch) -> bool {
-        (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x)
-            && t.normal.x.abs() <= self.max_sin_lean
-            && !self.is_on_end_face(t)
-            && !self.is_at_rim(t)
-    }
-
-    /// Whether a touch is at the rim that may not be touched.
-    fn is_at_rim(&self, t: &Touch) -> bool {
-        self.rim.is_some_and(|r| r.is_near(&t.contact))
-    }
-
-    /// Why the path stops between two touches, the second of which is out of bounds.
-    fn why(&self, inside: &Touch, outside: &Touch) -> Stop {
-        if self.is_on_end_face(outside) {
-            Stop::Face(outside.contact, outside.face)
-        } else if self.is_at_rim(outside) {
-            Stop::Rim(outside.contact)
-        } else if outside.normal.x.abs() <= self.max_sin_lean {
-            Stop::Height
-        } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {
-            Stop::Corner(outside.contact)
-        } else {
-            Stop::Lean(outside.contact)
-        }
-    }
-}
 
 /// A neighbour.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,11 @@
 
 use rayon::prelude::*;
 
+use super::bounds::Stop;
 use super::curve::{self, Curve};
 use super::level::Touch;
 use super::march::{LEAST_SHARE, March, Node};
-use super::neighbour::{Place, Stop};
+use super::neighbour::Place;
 use super::stepover::ridge_height;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
@@ -486,8 +487,9 @@ pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+    use super::super::bounds::Bounds;
     use super::super::level::LevelSet;
-    use super::super::neighbour::{Across, Bounds};
+    use super::super::neighbour::Across;
     use super::super::stepover::flat_stepover_mm;
     use super::super::tests::turned;
     use super::*;

@@ -1,5 +1,6 @@
 //! Options of the path stage.
 
+use crate::artifact::region::Extent;
 use crate::artifact::toolpath::{Direction, PathKind};
 
 /// What the helix should be.
@@ -23,12 +24,8 @@ pub struct PathOptions {
     pub chord_mm: f64,
     /// Greatest distance between two locations, mm.
     pub max_step_mm: f64,
-    /// Height of the ball centre at the start and at the end of the path along the blade axis (blade frame), mm;
-    /// `None`: found from the part, see [`super::plan`].
-    pub region_x_mm: [Option<f64>; 2],
-    /// One flag for each face or group: the path ends where the ball comes to one that is marked; what is missing is not. With
-    /// [`PathKind::ConstantScallop`] only.
-    pub end_faces: Vec<bool>,
+    /// The region: the contour to go round, and from where to where, see [`super::plan`].
+    pub extent: Extent,
     /// Greatest angle between the surface normal at the contact and the section plane, rad: where a wall leans
     /// more (deep in a fillet, on a platform) turns at constant height make no sense and the helix ends.
     pub max_lean_rad: f64,
@@ -50,8 +47,7 @@ impl PathOptions {
             scallop_mm,
             chord_mm: 0.001,
             max_step_mm: (0.25 * radius_mm).min(1.0),
-            region_x_mm: [None, None],
-            end_faces: Vec::new(),
+            extent: Extent::default(),
             max_lean_rad: 60f64.to_radians(),
             lean_rad: 5f64.to_radians(),
         }

@@ -6,7 +6,9 @@
 
 use std::collections::HashSet;
 
+use super::options::PathOptions;
 use crate::artifact::Blade;
+use crate::artifact::region::{Boundary, Region};
 use crate::geometry::mesh::edge_uses;
 use crate::geometry::{Point, Vector};
 
@@ -35,15 +37,17 @@ pub struct Rim {
 }
 
 impl Rim {
-    /// The rim of a blade, for a ball and the stock that is to stay on the part; `None` where a platform carries the airfoil, or no sharp edge ends it.
-    pub fn of(blade: &Blade, radius_mm: f64, stock_mm: f64) -> Option<Rim> {
-        if blade.regions.platform_x_mm.is_some() {
+    /// The rim of a region, for the ball and the stock that is to stay on the part; `None` where neither the region nor the path is to end at one,
+    /// or no sharp edge is there.
+    pub fn of(blade: &Blade, region: &Region, options: &PathOptions) -> Option<Rim> {
+        let mut ends = region.end.iter().chain(&options.extent.ends);
+        if !ends.any(|end| matches!(end, Boundary::Rim(_))) {
             return None;
         }
-        let [a, b] = blade.regions.airfoil_x_mm;
+        let [a, b] = region.x_mm()?;
         let slant_mm = (a - blade.regions.part_x_mm[0]).max(0.0).min(0.3 * (b - a));
         let (mesh, highest) = (&blade.part.mesh, a + slant_mm + LOWEST * (b - a));
-        let near_mm = NEAR * radius_mm + 2.0 * blade.part.deflection_mm + stock_mm;
+        let near_mm = NEAR * options.radius_mm + 2.0 * blade.part.deflection_mm + options.stock_mm;
         let mut rim = Rim { near_mm, cells: HashSet::new() };
         for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
             let [p, q] = group[0].edge.map(|v| mesh.points[v as usize]);
@@ -96,13 +100,18 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
-    use crate::artifact::blade::{Diagnosis, Regions, Unit};
+    use crate::artifact::blade::{Diagnosis, Unit};
+    use crate::artifact::region::{Extent, Regions};
     use crate::artifact::toolpath::PathKind;
     use crate::geometry::Rigid;
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
     use crate::observe::Silent;
-    use crate::path::{PathOptions, plan};
+    use crate::path::plan;
+
+    fn rim_of(blade: &Blade) -> Option<Rim> {
+        Rim::of(blade, &blade.regions.list[0], &PathOptions::new(2.0, 0.2))
+    }
 
     const LENGTH: f64 = 60.0;
 
@@ -138,14 +147,7 @@ mod tests {
             unit: Unit::Mm,
             part: Part::from_mesh(mesh),
             model_from_blade: Rigid::identity(),
-            regions: Regions {
-                part_x_mm: [-low, LENGTH],
-                airfoil_x_mm: [low, LENGTH],
-                platform_x_mm: None,
-                fillet_x_mm: None,
-                sides: None,
-                reasons: Vec::new(),
-            },
+            regions: Regions::at_heights([-low, LENGTH], [low, LENGTH], None),
             diagnosis: Diagnosis::default(),
         }
     }
@@ -158,7 +160,8 @@ mod tests {
             for kind in [PathKind::ConstantHeight, PathKind::ConstantScallop] {
                 let what = format!("slope {slope}, capped {capped}, {kind:?}");
                 let start = 15.0 * slope + 3.0;
-                let options = PathOptions { region_x_mm: [Some(start), None], kind, ..PathOptions::new(2.0, 0.2) };
+                let options =
+                    PathOptions { extent: Extent::heights(Some(start), None), kind, ..PathOptions::new(2.0, 0.2) };
                 let path = plan(&blade, &options, &Silent).unwrap_or_else(|e| panic!("{what}: {e}"));
                 for l in &path.locations {
                     let contact = l.centre - l.normal * 2.0;
@@ -180,17 +183,17 @@ mod tests {
     #[test]
     fn a_platform_or_a_rounded_foot_has_no_rim() {
         let mut blade = column(0.0, true);
-        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| r.is_near(&Point::new(0.0, 15.0, 0.0))));
-        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&Point::new(0.5, 15.0, 0.0))));
+        assert!(rim_of(&blade).is_some_and(|r| r.is_near(&Point::new(0.0, 15.0, 0.0))));
+        assert!(rim_of(&blade).is_some_and(|r| !r.is_near(&Point::new(0.5, 15.0, 0.0))));
         // A crease of the wall above a level foot is no rim.
         let n = 96;
         blade.part.mesh.points[3 * n..4 * n].iter_mut().for_each(|p| (p.y, p.z) = (1.4 * p.y, 1.4 * p.z));
-        assert!(Rim::of(&blade, 2.0, 0.0).is_some_and(|r| !r.is_near(&blade.part.mesh.points[3 * n])));
-        blade.regions.platform_x_mm = Some(0.0);
-        assert!(Rim::of(&blade, 2.0, 0.0).is_none());
+        assert!(rim_of(&blade).is_some_and(|r| !r.is_near(&blade.part.mesh.points[3 * n])));
+        blade.regions = Regions::at_heights(blade.regions.part_x_mm, blade.regions.airfoil_x_mm(), Some(0.0));
+        assert!(rim_of(&blade).is_none());
         // Where a foot is cut off at 75° from the axis it has a rim; at 50° the cut is a wall.
         let cut_at = |from_axis_deg: f64| column(1.0 / from_axis_deg.to_radians().tan(), true);
-        assert!(Rim::of(&cut_at(75.0), 2.0, 0.0).is_some());
-        assert!(Rim::of(&cut_at(50.0), 2.0, 0.0).is_none());
+        assert!(rim_of(&cut_at(75.0)).is_some());
+        assert!(rim_of(&cut_at(50.0)).is_none());
     }
 }

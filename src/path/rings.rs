@@ -2,11 +2,12 @@
 
 use rayon::prelude::*;
 
+use super::bounds::lowest_mm;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
-use super::{place, seed};
+use super::{heights_mm, place, region, seed};
 use crate::artifact::Blade;
 use crate::artifact::toolpath::EndReason;
 use crate::error::{Error, Result, Stage};
@@ -64,13 +65,13 @@ pub fn lay(
 ) -> Result<Stack> {
     let how = tracing(options);
     let mut rings = if kept.is_empty() { vec![first_ring(blade, level, options, start_x, &how)?] } else { kept };
-    let lowest = options.region_x_mm[1].unwrap_or(f64::NEG_INFINITY);
+    let lowest = lowest_mm(&options.extent.ends);
     let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
     let mut pitch = match rings[..] {
         [.., ref a, ref b] => a.x_mm - b.x_mm,
         _ => flat,
     };
-    let height = (start_x - lowest.max(blade.regions.airfoil_x_mm[0])).max(flat);
+    let height = (start_x - lowest.max(heights_mm(blade, options)?[0])).max(flat);
     let end = loop {
         observer.check(Stage::Path)?;
         let last = &rings[rings.len() - 1];
@@ -145,7 +146,7 @@ pub(super) fn ends_without_platform(blade: &Blade, at: &Point) -> String {
 
 /// The ring at the start height, beginning at its base point.
 pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
-    let (airfoil, others) = seed::airfoil_loop(blade, x_mm)?;
+    let (airfoil, others) = seed::contour(blade, region(blade, options)?, x_mm)?;
     let too_tight = |why: String| {
         Error::infeasible(
             Stage::Path,

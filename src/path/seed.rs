@@ -3,19 +3,19 @@
 use super::level::{LevelSet, Touch};
 use super::ring::Ring;
 use crate::artifact::Blade;
+use crate::artifact::region::Region;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::slice::{Loop, slice};
 
-/// The section loop that is the airfoil: the closed loop round the blade axis, else the nearest to it.
-pub fn airfoil_loop(blade: &Blade, x_mm: f64) -> Result<(Loop, Vec<Loop>)> {
+/// The section loop that goes round a region of the blade, and the others.
+pub fn contour(blade: &Blade, region: &Region, x_mm: f64) -> Result<(Loop, Vec<Loop>)> {
     let mut loops: Vec<Loop> =
         slice(&blade.part.mesh, &blade.part.bvh, x_mm).into_iter().filter(|l| l.closed && l.points.len() > 2).collect();
-    let nearest = (0..loops.len()).min_by(|a, b| distance_to_axis(&loops[*a]).total_cmp(&distance_to_axis(&loops[*b])));
-    match nearest {
+    match region.contour(&blade.part.mesh, &loops) {
         Some(i) => {
-            let airfoil = loops.swap_remove(i);
-            Ok((airfoil, loops))
+            let own = loops.swap_remove(i);
+            Ok((own, loops))
         }
         None => Err(Error::usage(
             Stage::Path,
@@ -26,32 +26,6 @@ pub fn airfoil_loop(blade: &Blade, x_mm: f64) -> Result<(Loop, Vec<Loop>)> {
         )
         .advise("choose [region] heights inside the part")),
     }
-}
-
-/// Distance of a loop from the blade axis, mm; 0 where the axis passes through it.
-fn distance_to_axis(l: &Loop) -> f64 {
-    let n = l.points.len();
-    let mut winding = 0.0;
-    let mut least = f64::INFINITY;
-    for i in 0..n {
-        let (a, b) = (l.points[i], l.points[(i + 1) % n]);
-        least = least.min(distance_to_segment([0.0, 0.0], a, b));
-        winding += super::ring::wrap(b[1].atan2(b[0]) - a[1].atan2(a[0]));
-    }
-    if winding.abs() > 3.0 { 0.0 } else { least }
-}
-
-/// Distance from `q` to the segment `a b` in the plane, mm.
-fn distance_to_segment(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
-    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-    let f = (((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy).max(1e-300)).clamp(0.0, 1.0);
-    (q[0] - a[0] - f * dx).hypot(q[1] - a[1] - f * dy)
-}
-
-/// Distance from `q` to a closed loop in the plane, mm.
-fn distance_to_loop(q: [f64; 2], l: &Loop) -> f64 {
-    let n = l.points.len();
-    (0..n).map(|i| distance_to_segment(q, l.points[i], l.points[(i + 1) % n])).fold(f64::INFINITY, f64::min)
 }
 
 /// A ball in the plane `x_mm` that touches the airfoil, found by stepping outwards from the loop's extreme points.
@@ -65,7 +39,7 @@ pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch>
         if let Some(t) = level.touch_in_plane(&guess, 0.5 * r) {
             let lean = t.normal.x.abs() / t.cos_lean().max(1e-9);
             let allowance = 0.05 * r + level.part.stock_mm + lean * (t.contact.x - x_mm).abs() * 2.0;
-            if distance_to_loop([t.contact.y, t.contact.z], airfoil) <= allowance {
+            if airfoil.distance_mm([t.contact.y, t.contact.z]) <= allowance {
                 return Some(t);
             }
         }
@@ -80,7 +54,7 @@ pub fn touches_another_body(ring: &Ring, airfoil: &Loop, others: &[Loop]) -> Opt
     }
     ring.touches.iter().map(|t| t.contact).find(|p| {
         let q = [p.y, p.z];
-        let own = distance_to_loop(q, airfoil);
-        others.iter().any(|l| distance_to_loop(q, l) < own)
+        let own = airfoil.distance_mm(q);
+        others.iter().any(|l| l.distance_mm(q) < own)
     })
 }

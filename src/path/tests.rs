@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::blade::{Diagnosis, Unit};
+use crate::artifact::region::{Extent, Patch, Region, Regions};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Rigid, Vector};
@@ -64,20 +65,17 @@ pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
-        regions: Regions {
-            part_x_mm: [lowest, 60.0],
-            airfoil_x_mm: [0.0, 60.0],
-            platform_x_mm: Some(0.0),
-            fillet_x_mm: None,
-            sides: None,
-            reasons: vec![],
-        },
+        regions: Regions::at_heights([lowest, 60.0], [0.0, 60.0], Some(0.0)),
         diagnosis: Diagnosis::default(),
     }
 }
 
 fn options() -> PathOptions {
-    PathOptions { kind: PathKind::ConstantHeight, region_x_mm: [Some(20.0), None], ..PathOptions::new(4.0, 0.01) }
+    PathOptions {
+        kind: PathKind::ConstantHeight,
+        extent: Extent::heights(Some(20.0), None),
+        ..PathOptions::new(4.0, 0.01)
+    }
 }
 
 #[test]
@@ -154,8 +152,8 @@ fn bad_options_are_named() {
         (PathOptions { scallop_mm: f64::NAN, ..options() }, "path.scallop_mm"),
         (PathOptions { radius_mm: -1.0, ..options() }, "tool.radius_mm"),
         (PathOptions { chord_mm: 0.0, ..options() }, "path.chord_mm"),
-        (PathOptions { region_x_mm: [Some(500.0), None], ..options() }, "region.start_mm"),
-        (PathOptions { region_x_mm: [Some(5.0), Some(9.0)], ..options() }, "region.end_mm"),
+        (PathOptions { extent: Extent::heights(Some(500.0), None), ..options() }, "region.start_mm"),
+        (PathOptions { extent: Extent::heights(Some(5.0), Some(9.0)), ..options() }, "region.end_mm"),
         (PathOptions { scallop_mm: 3.0, ..options() }, "path.scallop_mm"),
         (PathOptions { radius_mm: 200.0, scallop_mm: 0.01, ..options() }, "smaller than the tool"),
     ] {
@@ -186,4 +184,33 @@ fn concave_entry_is_found_on_a_kidney() {
     assert_eq!(entries.len(), 1);
     assert_eq!(entries[0].0, 4);
     assert!((entries[0].1 - 0.5).abs() < 1e-9);
+}
+
+#[test]
+fn a_path_goes_round_the_contour_of_its_region_and_not_the_nearest_to_the_axis() {
+    let one = bar(300, |_| BAR_RADIUS);
+    let mut mesh = one.part.mesh.clone();
+    let (points, triangles) = (mesh.points.len() as u32, mesh.triangles.len() as u32);
+    let aside = Vector::new(0.0, 200.0, 0.0);
+    mesh.points.extend(one.part.mesh.points.iter().map(|p| p + aside));
+    mesh.triangles.extend(one.part.mesh.triangles.iter().map(|t| t.map(|v| v + points)));
+    let mut two = Blade { part: Part::from_mesh(mesh), ..one.clone() };
+    let mut airfoil = two.regions.list[0].clone();
+    airfoil.patch = Patch::Facets((0..triangles).collect());
+    two.regions.list[0] = airfoil.clone();
+    two.regions.list.push(Region { patch: Patch::Facets((triangles..2 * triangles).collect()), ..airfoil });
+    let round = |region: usize| {
+        let extent = Extent { region, ..Extent::heights(Some(20.0), Some(18.0)) };
+        plan(&two, &PathOptions { extent, ..options() }, &Silent)
+    };
+    let (first, second) = (round(0).unwrap(), round(2).unwrap());
+    assert_eq!(first.locations.len(), second.locations.len());
+    for (a, b) in first.locations.iter().zip(&second.locations) {
+        assert!((a.centre + aside - b.centre).norm() < 1e-5, "{} {}", a.centre, b.centre);
+    }
+    let error = round(3).unwrap_err();
+    assert!(error.message.contains("region 3, but the blade has 3"), "{}", error.message);
+    let extent = Extent { start: Some(Boundary::Rim(0.0)), ..Extent::default() };
+    let error = plan(&two, &PathOptions { extent, ..options() }, &Silent).unwrap_err();
+    assert!(error.message.contains("a path begins at a height"), "{}", error.message);
 }

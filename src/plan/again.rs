@@ -113,7 +113,7 @@ fn text_of(out: &Path, name: &str) -> Option<String> {
 
 /// The plan with what others read of it, and what is not as the plan has it.
 fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
-    let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, &setup.machine.axes())];
+    let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, setup.machine.axes())];
     let names = [("table-cutter-locations", "cutter_locations.csv"), ("table-axes", "axes.csv")];
     let texts = names.map(|(_, file)| text_of(out, file));
     let mut read = plan.clone();

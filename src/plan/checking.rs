@@ -42,7 +42,7 @@ impl Run<'_, '_> {
     ) -> Result<Checked> {
         let (setup, course) = (self.setup, self.course);
         self.folder.add("cutter_locations.csv", tables::cutter_locations(&setup.blade, &plan))?;
-        self.folder.add("axes.csv", tables::axes(&plan, &setup.machine.axes()))?;
+        self.folder.add("axes.csv", tables::axes(&plan, setup.machine.axes()))?;
         let plan_json = run::json_compact(&plan)?;
         self.folder.add("plan.json", &plan_json)?;
         let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;

@@ -154,7 +154,7 @@ pub fn compare(
         sweep,
     };
     folder.add_json("compare.json", &found)?;
-    folder.add("compare.csv", table(&found, &setup.machine.axes()))?;
+    folder.add("compare.csv", table(&found, setup.machine.axes()))?;
     let curves: Vec<(&str, &Schedule)> = names.iter().map(String::as_str).zip(made.iter().map(|m| &m.0)).collect();
     folder.add("compare.svg", plot::svg(&found, &toolpath, &channel, &curves))?;
     Ok((found, folder.finish()?))
@@ -210,7 +210,7 @@ fn figures(
         rate_deg_mm: s.peak_rate.to_degrees(),
         second_deg_mm2: s.peak_acceleration.to_degrees(),
         seconds,
-        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, &setup.machine.axes()),
+        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axes()),
     })
 }
 
@@ -272,7 +272,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         gain_on_fixed: 0.0,
         constant_feed_mm_min: constant,
         constant_feed_time_s: path.locations.last().map_or(0.0, |l| l.s_mm) / (constant / 60.0),
-        peaks: peaks_of(&own, &axes),
+        peaks: peaks_of(&own, axes),
     })
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::artifact::blade::Blade;
 use crate::artifact::program::Control;
+use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
 use crate::artifact::{AxisMotion, CheckReport, Obstacle, Plan, Program, Schedule};
@@ -177,6 +178,8 @@ impl Setup {
     /// Options of the path as the job has them.
     pub fn path_options(&self) -> PathOptions {
         let (p, r) = (&self.job.path, &self.job.region);
+        let faces = self.end_faces.contains(&true).then(|| Boundary::Faces(self.end_faces.clone()));
+        let ends = r.end_mm.map(Boundary::Height).into_iter().chain(faces);
         PathOptions {
             kind: p.kind,
             radius_mm: self.job.tool.radius_mm,
@@ -186,8 +189,7 @@ impl Setup {
             scallop_mm: p.scallop_mm,
             chord_mm: p.chord_mm,
             max_step_mm: p.max_step_mm,
-            region_x_mm: [Some(r.start_mm), r.end_mm],
-            end_faces: self.end_faces.clone(),
+            extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
             max_lean_rad: p.max_lean_deg.to_radians(),
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
@@ -357,7 +359,7 @@ fn model_options(m: &ModelJob) -> ModelOptions {
 /// ball radius below the airfoil.
 fn reach(job: &Job, blade: &Blade) -> Reach {
     let r = &job.region;
-    let end_mm = r.end_mm.unwrap_or(blade.regions.airfoil_x_mm[0] - job.tool.radius_mm);
+    let end_mm = r.end_mm.unwrap_or(blade.regions.airfoil_x_mm()[0] - job.tool.radius_mm);
     let clearance_mm = job.channel.clearance_mm.max(job.channel.holder_clearance_mm);
     Reach::new(&job.tool, [r.start_mm, end_mm], job.machine.b_deg.to_radians(), clearance_mm)
 }
@@ -521,7 +523,7 @@ fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<Schedu
         let peaks = feed::peaks(&plan.toolpath, s, &setup.machine, &setup.feed_options())?;
         Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
     };
-    let axes = &setup.machine.axes();
+    let axes = setup.machine.axes();
     Ok(vec![
         summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule)?, axes),
         summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule)?, axes),

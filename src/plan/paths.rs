@@ -40,11 +40,10 @@ pub(super) fn others(
     let mut figures = Vec::new();
     for kind in kinds {
         let own = setup.path_options();
-        let region_x_mm = [own.region_x_mm[0], Some(end_mm)];
+        let extent = own.extent.clone().down_to(end_mm);
         // Turns of other kinds cannot go down to a platform: the height of the region ends them.
         let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
-        let (scallop_mm, end_faces) = (worst_mm, Vec::new());
-        let options = PathOptions { kind, region_x_mm, scallop_mm, end_faces, max_lean_rad, ..own };
+        let options = PathOptions { kind, extent, scallop_mm: worst_mm, max_lean_rad, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
                 let message = format!("no {} path over the same region to compare with: {}", kind.name(), e.message);

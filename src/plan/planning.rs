@@ -2,6 +2,7 @@
 
 use super::reuse::Taken;
 use super::{Baseline, Setup, leads, schedules};
+use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
@@ -215,7 +216,8 @@ pub(super) fn channel_as_far_as_it_goes(
             return by_exact_faces(setup, toolpath, clock, observer).unwrap_or(Err(blocked));
         };
         ended_mm = Some(end_mm);
-        shorter.region_x_mm[1] = Some(end_mm);
+        shorter.extent.ends.retain(|end| !matches!(end, Boundary::Height(_)));
+        shorter.extent.ends.push(Boundary::Height(end_mm));
         *toolpath = clock.time(Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = EndReason::Blocked(blocked.message);
         cut = Some(format!(

@@ -82,7 +82,7 @@ pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) ->
         observer.warn(Warning { stage: Stage::Section, message });
     }
     let largest = || cut.iter().filter_map(|c| Some((c.x_mm, c.ends.first()?.clone()))).collect::<Vec<_>>();
-    let sides = blade.regions.sides.clone().or_else(|| Sides::along(&largest()));
+    let sides = blade.regions.sides().cloned().or_else(|| Sides::along(&largest()));
     Ok(cut.into_iter().filter_map(|c| c.named(sides.as_ref())).collect())
 }
 
@@ -163,8 +163,8 @@ fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
         if options.count == 0 {
             return Err(Error::usage(Stage::Section, "neither heights nor a number of sections is given"));
         }
-        let top = blade.regions.airfoil_x_mm[1];
-        let from = blade.regions.platform_x_mm.unwrap_or(blade.regions.airfoil_x_mm[0]);
+        let top = blade.regions.airfoil_x_mm()[1];
+        let from = blade.regions.platform_x_mm().unwrap_or(blade.regions.airfoil_x_mm()[0]);
         let step = (top - from) / options.count as f64;
         out = (0..options.count).map(|i| from + (i as f64 + 0.5) * step).collect();
     }

@@ -8,7 +8,8 @@ use proptest::prelude::*;
 
 use super::{SectionOptions, plan};
 use crate::artifact::Blade;
-use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::blade::{Diagnosis, Unit};
+use crate::artifact::region::Regions;
 use crate::artifact::section::{SectionLoop, Side};
 use crate::error::ErrorKind;
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
@@ -228,14 +229,7 @@ fn prism(profile: &[[f64; 2]], x: [f64; 2]) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
-        regions: Regions {
-            part_x_mm: x,
-            airfoil_x_mm: x,
-            platform_x_mm: None,
-            fillet_x_mm: None,
-            sides: None,
-            reasons: Vec::new(),
-        },
+        regions: Regions::at_heights(x, x, None),
         diagnosis: Diagnosis::default(),
     }
 }

@@ -4,8 +4,9 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
-use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::blade::{Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
+use crate::artifact::region::Regions;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
@@ -50,14 +51,7 @@ fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade,
-        regions: Regions {
-            part_x_mm: [-60.0, 60.0],
-            airfoil_x_mm: [-60.0, 60.0],
-            platform_x_mm: None,
-            fillet_x_mm: None,
-            sides: None,
-            reasons: vec![],
-        },
+        regions: Regions::at_heights([-60.0, 60.0], [-60.0, 60.0], None),
         diagnosis: Diagnosis { closed: true, ..Diagnosis::default() },
     }
 }

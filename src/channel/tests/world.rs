@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::artifact::blade::{Diagnosis, Regions, Unit};
+use crate::artifact::blade::{Diagnosis, Unit};
+use crate::artifact::region::Regions;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::artifact::{Blade, Cone, Cones};
 use crate::geometry::mesh::Mesh;
@@ -26,14 +27,7 @@ pub fn blade(mesh: Mesh) -> Blade {
         unit: Unit::Mm,
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
-        regions: Regions {
-            part_x_mm: [-20.0, 60.0],
-            airfoil_x_mm: [0.0, 60.0],
-            platform_x_mm: Some(0.0),
-            fillet_x_mm: None,
-            sides: None,
-            reasons: Vec::new(),
-        },
+        regions: Regions::at_heights([-20.0, 60.0], [0.0, 60.0], Some(0.0)),
         diagnosis: Diagnosis::default(),
     }
 }

@@ -180,7 +180,7 @@ mod tests {
         let at = |half: f64| [middle[0] + half * c, middle[1] + half * s];
         let own =
             Ends { s_mm: [0.0, 42.0], at_mm: [at(20.0), at(-20.0)], radius_mm: radius, bulge_mm2: [150.0, -20.0] };
-        if k % 2 == 0 { own } else { own.exchanged() }
+        if k.is_multiple_of(2) { own } else { own.exchanged() }
     }
 
     /// A blade that twists by more than half a turn and whose first end is the blunter only in the lower part of its height.
@@ -201,7 +201,7 @@ mod tests {
             assert_eq!(sides.leading_edge_mm.len(), HEIGHTS);
             assert_eq!(sides.suction_follows_leading, first_leads);
             for (k, (x_mm, own)) in sections.iter().enumerate() {
-                let known = if k % 2 == 0 { own.at_mm } else { own.exchanged().at_mm };
+                let known = if k.is_multiple_of(2) { own.at_mm } else { own.exchanged().at_mm };
                 let [leading, trailing] = sides.at(*x_mm);
                 let expected = if first_leads { known } else { [known[1], known[0]] };
                 assert!(distance(leading, expected[0]) < 1e-9 && distance(trailing, expected[1]) < 1e-9, "at {x_mm}");
@@ -209,7 +209,7 @@ mod tests {
                 let mut other = own.clone();
                 other.at_mm.iter_mut().for_each(|p| p[0] += 200.0);
                 let names = sides.names(*x_mm, &[other, own.clone()]);
-                let is_first = if k % 2 == 0 { first_leads } else { !first_leads };
+                let is_first = if k.is_multiple_of(2) { first_leads } else { !first_leads };
                 let own = Names { first_leads: is_first, suction_follows_leading: first_leads };
                 assert_eq!(names, [None, Some(own)]);
             }
@@ -221,7 +221,7 @@ mod tests {
         let sides = Sides::along(&twisted(0.8)).unwrap();
         assert_eq!(sides.x_mm(), [0.0, 100.0]);
         let last = ends(HEIGHTS - 1, 1.2 * PI, [0.5, 0.6]);
-        assert!(sides.names(101.0, &[last.clone()])[0].is_some_and(|n| n.first_leads));
+        assert!(sides.names(101.0, std::slice::from_ref(&last))[0].is_some_and(|n| n.first_leads));
         let wider = ends(HEIGHTS - 1, 1.2 * PI + 1.0, [0.5, 0.6]);
         assert_eq!(sides.names(101.0, &[wider]), [None]);
     }

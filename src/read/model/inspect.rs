@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::bodies::{Body, LISTED};
+use super::recognise::areas::of_faces;
 use super::recognise::{self, wheel};
 use super::survey::Survey;
-use crate::artifact::blade::{Area, Diagnosis};
+use crate::artifact::blade::Diagnosis;
+use crate::artifact::region::Area;
 
 /// Openings that are listed.
 const OPENINGS: usize = 5;
@@ -133,7 +135,7 @@ fn found(out: &mut Lines, survey: &Survey) {
         let c = r.matrix().column(k);
         out.line("", &format!("{name} = ({:.6}, {:.6}, {:.6})", c[0] + 0.0, c[1] + 0.0, c[2] + 0.0));
     }
-    out.list("found", found.regions.reasons.iter().cloned());
+    out.list("found", found.heights.reasons.iter().cloned());
     out.list("regions", regions(survey));
 }
 
@@ -141,16 +143,14 @@ fn found(out: &mut Lines, survey: &Survey) {
 fn regions(survey: &Survey) -> Vec<String> {
     let mesh = &survey.part.mesh;
     let mut surface: BTreeMap<Area, f64> = BTreeMap::new();
-    let mut by_face: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
-    for (t, area) in survey.areas().into_iter().enumerate() {
-        let s = mesh.triangle_area_mm2(t);
-        *surface.entry(area).or_default() += s;
-        *by_face.entry(mesh.face(t)).or_default().entry(area).or_default() += s;
+    let areas = survey.areas();
+    for (t, area) in areas.iter().enumerate() {
+        *surface.entry(*area).or_default() += mesh.triangle_area_mm2(t);
     }
-    let most = |areas: &BTreeMap<Area, f64>| areas.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
+    let by_face = of_faces(mesh, &areas);
     let mut out = Vec::new();
     for (area, s) in &surface {
-        let faces: Vec<u32> = by_face.iter().filter(|(_, a)| most(a) == Some(*area)).map(|(f, _)| f + 1).collect();
+        let faces: Vec<u32> = by_face.iter().filter(|(_, own)| *own == area).map(|(f, _)| f + 1).collect();
         let shown: Vec<String> = faces.iter().take(FACES).map(|f| named(survey, *f)).collect();
         let more = if faces.len() > FACES { format!(" and {} more", faces.len() - FACES) } else { String::new() };
         let list = if faces.is_empty() { String::new() } else { format!(", faces {}{more}", shown.join(", ")) };

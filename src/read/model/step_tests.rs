@@ -251,7 +251,7 @@ fn a_bar_loads_in_any_unit() {
         assert!((b.part.mesh.volume_mm3() / (2400.0 * mm.powi(3)) - 1.0).abs() < 1e-9, "{unit}");
         assert!(b.diagnosis.closed && b.part.brep.is_some());
         assert_eq!(b.diagnosis.faces, vec![("plane".to_owned(), 6)]);
-        assert!((b.regions.airfoil_x_mm[1] - 60.0 * mm).abs() < 1e-6, "{:?}", b.regions);
+        assert!((b.regions.airfoil_x_mm()[1] - 60.0 * mm).abs() < 1e-6, "{:?}", b.regions);
     }
 }
 

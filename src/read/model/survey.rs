@@ -13,7 +13,7 @@ use super::heal::HealOptions;
 use super::orient;
 use super::published::{Prepared, Published};
 use super::recognise::areas::areas;
-use super::recognise::sides;
+use super::recognise::pieces::pieces;
 use super::recognise::wheel::{self, Wheel};
 use super::recognise::{self, Recognised};
 use super::rescue;
@@ -21,7 +21,8 @@ use super::sew::listed;
 use super::soup::Soup;
 use super::units::{self, Guess, Source};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
-use crate::artifact::blade::{Area, Blade, Diagnosis, Opening, Unit};
+use crate::artifact::blade::{Blade, Diagnosis, Opening, Unit};
+use crate::artifact::region::Area;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
@@ -71,7 +72,7 @@ impl Survey {
     /// What each triangle of the part belongs to; all [`Area::Other`] where no blade was found.
     pub fn areas(&self) -> Vec<Area> {
         match &self.found {
-            Ok(found) => areas(found, self.part.brep.is_some()),
+            Ok(found) => areas(&found.mesh, found, self.part.brep.is_some()),
             Err(_) => vec![Area::Other; self.part.mesh.triangles.len()],
         }
     }
@@ -89,7 +90,7 @@ impl Survey {
         let part = match self.part.brep {
             // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
             Some(brep) => Part::from_brep(brep.moved(&blade_from_model), self.deflection_mm, observer)?,
-            None => Part::from_mesh(found.mesh),
+            None => Part::from_mesh(std::mem::take(&mut found.mesh)),
         };
         let part = match self.published {
             None => part,
@@ -117,13 +118,13 @@ impl Survey {
                 }
             }
         };
-        found.regions.sides = sides::sides(&part, found.regions.airfoil_x_mm, &found.outline);
+        let regions = pieces(&part, &found);
         Ok(Blade {
             name: self.name,
             unit: self.unit,
             part,
             model_from_blade: found.model_from_blade,
-            regions: found.regions,
+            regions,
             diagnosis: self.diagnosis,
         })
     }
@@ -287,7 +288,7 @@ fn finish(
     if let Ok(found) = &found {
         diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
         diagnosis.axis_against = found.against.clone();
-        let [lo, hi] = found.regions.part_x_mm;
+        let [lo, hi] = found.heights.part_x_mm;
         let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
         let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
         if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
@@ -364,7 +365,7 @@ fn on_whole(found: Result<Recognised>, own: Option<&Body>, mesh: &Mesh, bodies: 
 
 /// What is said of a model of several bodies: on which the airfoil was found.
 fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<String> {
-    let areas = areas(found, is_exact);
+    let areas = areas(&found.mesh, found, is_exact);
     let airfoil_mm2 = |b: &Body| -> f64 {
         let own = b.triangles.iter().map(|t| *t as usize).filter(|t| areas.get(*t) == Some(&Area::Airfoil));
         own.map(|t| found.mesh.triangle_area_mm2(t)).sum()

@@ -57,9 +57,9 @@ fn the_same_blade_from_every_mesh_format() {
         assert!((b.part.mesh.volume_mm3() / mesh.volume_mm3() - 1.0).abs() < 1e-6, "{name}");
         let x = b.model_from_blade * crate::geometry::Vector::x();
         assert!((x - crate::geometry::Vector::z()).norm() < 1e-12, "{name}: {x}");
-        assert!((b.regions.platform_x_mm.unwrap() - PLATFORM).abs() < 0.01, "{name}: {:?}", b.regions);
-        assert!((b.regions.airfoil_x_mm[0] - PLATFORM).abs() < 0.1, "{name}: {:?}", b.regions);
-        assert!((b.regions.airfoil_x_mm[1] - TIP).abs() < 0.01, "{name}: {:?}", b.regions);
+        assert!((b.regions.platform_x_mm().unwrap() - PLATFORM).abs() < 0.01, "{name}: {:?}", b.regions);
+        assert!((b.regions.airfoil_x_mm()[0] - PLATFORM).abs() < 0.1, "{name}: {:?}", b.regions);
+        assert!((b.regions.airfoil_x_mm()[1] - TIP).abs() < 0.01, "{name}: {:?}", b.regions);
         assert!((b.regions.part_x_mm[1] - TIP).abs() < 1e-4 && b.regions.part_x_mm[0].abs() < 1e-4, "{name}");
         // The text names what a person looks for.
         let text = inspect_text(&look(name, &bytes).unwrap());
@@ -101,16 +101,16 @@ fn turned_blades_are_found_turned() {
     let down = mesh.clone().moved(&motion([std::f64::consts::PI, 0.0, 0.0], [3.0, 5.0, 7.0]));
     let b = plain("down.stl", ascii_stl(&down).as_bytes()).unwrap();
     assert!((b.model_from_blade * crate::geometry::Vector::x() + crate::geometry::Vector::z()).norm() < 1e-12);
-    assert!((b.regions.airfoil_x_mm[1] - (TIP - 7.0)).abs() < 0.01, "{:?}", b.regions);
+    assert!((b.regions.airfoil_x_mm()[1] - (TIP - 7.0)).abs() < 0.01, "{:?}", b.regions);
     // Turned anyhow: the direction turns along, the regions keep their lengths.
     for turn in [[0.5, 0.8, -0.3], [1.1, -0.4, 0.7], [-0.9, 0.6, 1.4]] {
         let m = motion(turn, [10.0, -4.0, 2.0]);
         let b = plain("turned.stl", ascii_stl(&mesh.clone().moved(&m)).as_bytes()).unwrap();
         let (x, z) = (b.model_from_blade * crate::geometry::Vector::x(), m * crate::geometry::Vector::z());
         assert!(x.angle(&z).to_degrees() < 2.0, "{turn:?}: {:.3}°", x.angle(&z).to_degrees());
-        let airfoil = b.regions.airfoil_x_mm[1] - b.regions.airfoil_x_mm[0];
+        let airfoil = b.regions.airfoil_x_mm()[1] - b.regions.airfoil_x_mm()[0];
         assert!((airfoil - (TIP - PLATFORM)).abs() < 3.0, "{turn:?}: {:?}", b.regions);
-        assert!(b.regions.platform_x_mm.is_some(), "{turn:?}");
+        assert!(b.regions.platform_x_mm().is_some(), "{turn:?}");
     }
 }
 
@@ -146,16 +146,16 @@ fn regions_that_are_given_are_taken() {
         load_bytes("groups.obj", &bytes, &o)
     };
     let r = with(&|o| o.airfoil_mm = Some([50.0, 100.0])).unwrap().regions;
-    assert_eq!(r.airfoil_x_mm, [50.0, 100.0]);
+    assert_eq!(r.airfoil_x_mm(), [50.0, 100.0]);
     let r = with(&|o| o.platform_mm = Some(41.5)).unwrap().regions;
-    assert_eq!((r.platform_x_mm, r.airfoil_x_mm[0]), (Some(41.5), 41.5));
+    assert_eq!((r.platform_x_mm(), r.airfoil_x_mm()[0]), (Some(41.5), 41.5));
     for faces in [vec!["the_airfoil".to_owned()], vec!["2".into()], vec!["THE_AIRFOIL".into()]] {
         let r = with(&|o| o.airfoil_faces = faces.clone()).unwrap().regions;
-        assert!((r.airfoil_x_mm[0] - PLATFORM).abs() < 0.5 && (r.airfoil_x_mm[1] - TIP).abs() < 0.5, "{r:?}");
+        assert!((r.airfoil_x_mm()[0] - PLATFORM).abs() < 0.5 && (r.airfoil_x_mm()[1] - TIP).abs() < 0.5, "{r:?}");
     }
     // The root as airfoil: its sections are one loop up to the platform.
     let r = with(&|o| o.airfoil_faces = vec!["1".into()]).unwrap().regions;
-    assert!(r.airfoil_x_mm[1] < PLATFORM + 0.5, "{r:?}");
+    assert!(r.airfoil_x_mm()[1] < PLATFORM + 0.5, "{r:?}");
     for change in [
         (&|o: &mut ModelOptions| o.airfoil_faces = vec!["7".into()]) as &dyn Fn(&mut ModelOptions),
         &|o| o.platform_faces = vec!["no such".into()],

@@ -3,9 +3,12 @@
 //! By height along the blade axis, by the side a triangle faces, and, so that things beside the airfoil are told from it, by the
 //! boxes of the airfoil's sections. Faces of a B-rep that belong to one area by nearly all of their surface are taken whole.
 
+use std::collections::BTreeMap;
+
 use super::Recognised;
-use crate::artifact::blade::Area;
+use crate::artifact::region::Area;
 use crate::geometry::Point;
+use crate::geometry::mesh::Mesh;
 
 /// A triangle faces the tip where its normal is within 45° of the axis.
 const FACES_TIP: f64 = 0.7;
@@ -18,9 +21,8 @@ const ARC: f64 = 0.35;
 /// A face belongs to an area as a whole where this share of its surface does.
 const WHOLE: f64 = 0.9;
 
-/// The area of each triangle of the mesh in the blade frame. `whole_faces`: the mesh's faces are faces of a B-rep.
-pub fn areas(found: &Recognised, whole_faces: bool) -> Vec<Area> {
-    let mesh = &found.mesh;
+/// The area of each triangle of a mesh of the part in the blade frame. `whole_faces`: the mesh's faces are faces of a B-rep.
+pub fn areas(mesh: &Mesh, found: &Recognised, whole_faces: bool) -> Vec<Area> {
     let mut out: Vec<Area> = (0..mesh.triangles.len())
         .map(|t| {
             let [a, b, c] = mesh.corners(t);
@@ -28,13 +30,13 @@ pub fn areas(found: &Recognised, whole_faces: bool) -> Vec<Area> {
         })
         .collect();
     if whole_faces {
-        take_whole(found, &mut out);
+        take_whole(mesh, &mut out);
     }
     out
 }
 
 fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
-    let r = &found.regions;
+    let r = &found.heights;
     let [lo, hi] = r.airfoil_x_mm;
     let length = (r.part_x_mm[1] - r.part_x_mm[0]).max(f64::MIN_POSITIVE);
     let tolerance = 1e-3 * length;
@@ -83,17 +85,26 @@ fn within(found: &Recognised, p: &Point) -> bool {
     let margin = |k: usize| WIDER * (b[k + 2] - b[k]) + WIDER * (b[2] - b[0]).max(b[3] - b[1]);
     let q = [p.y, p.z];
     // A fillet is wider than the section that it ends in.
-    let wider = if found.regions.fillet_x_mm.is_some_and(|f| p.x < f[1]) { 6.0 } else { 1.0 };
+    let wider = if found.heights.fillet_x_mm.is_some_and(|f| p.x < f[1]) { 6.0 } else { 1.0 };
     (0..2).all(|k| q[k] > b[k] - wider * margin(k) && q[k] < b[k + 2] + wider * margin(k))
 }
 
-fn take_whole(found: &Recognised, out: &mut [Area]) {
-    let mesh = &found.mesh;
-    let mut surface: std::collections::BTreeMap<u32, std::collections::BTreeMap<Area, f64>> = Default::default();
+/// The area that each face belongs to by most of its surface.
+pub fn of_faces(mesh: &Mesh, areas: &[Area]) -> BTreeMap<u32, Area> {
+    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
+    for (t, area) in areas.iter().enumerate() {
+        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
+    }
+    let most = |by: &BTreeMap<Area, f64>| by.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
+    surface.iter().filter_map(|(face, by)| Some((*face, most(by)?))).collect()
+}
+
+fn take_whole(mesh: &Mesh, out: &mut [Area]) {
+    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = Default::default();
     for (t, area) in out.iter().enumerate() {
         *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
     }
-    let whole: std::collections::BTreeMap<u32, Area> = surface
+    let whole: BTreeMap<u32, Area> = surface
         .iter()
         .filter_map(|(face, by)| {
             let total: f64 = by.values().sum();
@@ -111,9 +122,8 @@ fn take_whole(found: &Recognised, out: &mut [Area]) {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::artifact::blade::Regions;
     use crate::geometry::Rigid;
-    use crate::geometry::mesh::Mesh;
+    use crate::read::model::recognise::Heights;
 
     /// One small triangle at each place, facing along each normal; every triangle is a face of its own.
     fn found(at: &[([f64; 3], [f64; 3])], platform: Option<f64>, fillet: Option<[f64; 2]>) -> Recognised {
@@ -128,25 +138,28 @@ mod tests {
             mesh.triangles.push([base, base + 1, base + 2]);
             mesh.face_of.push(k as u32);
         }
-        let regions = Regions {
+        let heights = Heights {
             part_x_mm: [-50.0, 80.0],
             airfoil_x_mm: [0.0, 80.0],
             platform_x_mm: platform,
             fillet_x_mm: fillet,
-            sides: None,
             reasons: Vec::new(),
         };
         let outline = (0..9).map(|k| (10.0 * f64::from(k), [-20.0, -5.0, 20.0, 5.0])).collect();
         Recognised {
             model_from_blade: Rigid::identity(),
             mesh,
-            regions,
+            heights,
             doubts: Vec::new(),
             against: None,
             unlike: None,
             outline,
             fillet: Vec::new(),
         }
+    }
+
+    fn areas_of(found: &Recognised, whole_faces: bool) -> Vec<Area> {
+        areas(&found.mesh, found, whole_faces)
     }
 
     const UP: [f64; 3] = [1.0, 0.0, 0.0];
@@ -167,12 +180,12 @@ mod tests {
             ([40.0, 60.0, 5.0], OUT, Area::Other),
         ];
         let at: Vec<_> = places.iter().map(|p| (p.0, p.1)).collect();
-        let got = areas(&found(&at, Some(0.0), Some([0.0, 6.0])), false);
+        let got = areas_of(&found(&at, Some(0.0), Some([0.0, 6.0])), false);
         for ((p, n, want), got) in places.iter().zip(&got) {
             assert_eq!(got, want, "at {p:?} facing {n:?}");
         }
         // Without a platform the same faces are root, without a fillet the airfoil goes down to its foot.
-        let got = areas(&found(&at, None, None), false);
+        let got = areas_of(&found(&at, None, None), false);
         assert_eq!([got[1], got[3]], [Area::Airfoil, Area::Root]);
     }
 
@@ -190,7 +203,7 @@ mod tests {
             .map(|k| f64::from(k) * 0.25)
             .map(|y| [at(11.0 + y, 5.0), at(10.0 + y, 6.0)].map(|p| p + crate::geometry::Vector::y() * y))
             .collect();
-        assert_eq!(areas(&f, false), places.map(|p| p.1));
+        assert_eq!(areas_of(&f, false), places.map(|p| p.1));
     }
 
     #[test]
@@ -202,9 +215,9 @@ mod tests {
             f.mesh.face_of = vec![0; airfoil + fillet];
             f
         };
-        assert_eq!(areas(&pieces(19, 1), false)[19], Area::Fillet);
-        assert!(areas(&pieces(19, 1), true).iter().all(|a| *a == Area::Airfoil));
-        let mixed = areas(&pieces(8, 2), true);
+        assert_eq!(areas_of(&pieces(19, 1), false)[19], Area::Fillet);
+        assert!(areas_of(&pieces(19, 1), true).iter().all(|a| *a == Area::Airfoil));
+        let mixed = areas_of(&pieces(8, 2), true);
         assert!(mixed[..8].iter().all(|a| *a == Area::Airfoil) && mixed[8..].iter().all(|a| *a == Area::Fillet));
     }
 }

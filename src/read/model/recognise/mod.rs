@@ -1,7 +1,8 @@
 //! Finds the blade axis and the regions of a part from its mesh.
 //!
 //! In: a mesh in the model frame, mm, closed or two sheets that face each other; perhaps the axis, if the user gave it, or the line
-//! along which a table stacks its sections. Out: the blade frame and the [`Regions`]. Every candidate direction is cut at
+//! along which a table stacks its sections. Out: the blade frame and the [`Heights`] of
+//! the regions; of the part in that frame, the [`crate::artifact::region::Regions`] themselves ([`pieces`]). Every candidate direction is cut at
 //! [`run::HEIGHTS`] heights; the chain of loops that looks most like an airfoil for longest, and that does not itself point
 //! another way, wins ([`search`]). Regions are then sought along the axis ([`mod@regions`]), and each triangle gets its area
 //! ([`mod@areas`]).
@@ -15,6 +16,7 @@ pub mod caps;
 pub mod foot;
 pub mod given;
 pub mod named;
+pub mod pieces;
 pub mod regions;
 pub mod rotor;
 pub mod run;
@@ -26,7 +28,6 @@ pub mod wheel;
 
 use super::ModelOptions;
 use super::faces::Stacking;
-use crate::artifact::blade::Regions;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
@@ -40,14 +41,29 @@ const HARDLY: f64 = 0.35;
 /// … and below this one they carry something besides an airfoil.
 const PARTLY: f64 = 0.55;
 
+/// Where along the blade axis what was found, mm in the blade frame (`x` from root to tip).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heights {
+    /// The whole part.
+    pub part_x_mm: [f64; 2],
+    /// Sections here are one airfoil loop, clear of platform, shroud and tenon.
+    pub airfoil_x_mm: [f64; 2],
+    /// Top of the platform on the airfoil's side, where there is a platform.
+    pub platform_x_mm: Option<f64>,
+    /// Foot and top of the fillet between airfoil and platform, where there is one that heights bound.
+    pub fillet_x_mm: Option<[f64; 2]>,
+    /// How each was found, one sentence each.
+    pub reasons: Vec<String>,
+}
+
 /// What was recognised.
 pub struct Recognised {
     /// Blade frame to model frame.
     pub model_from_blade: Rigid,
     /// The part's mesh in the blade frame.
     pub mesh: Mesh,
-    /// Regions, with reasons (the axis first).
-    pub regions: Regions,
+    /// Heights of the regions, with reasons (the axis first).
+    pub heights: Heights,
     /// What the user should know.
     pub doubts: Vec<String>,
     /// What speaks against the axis that was given.
@@ -124,12 +140,12 @@ pub fn recognise(
     }
     let blade_mesh = mesh.clone().moved(&model_from_blade.inverse());
     let bvh = MeshBvh::new(&blade_mesh);
-    let (mut regions, foot) = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
-    regions.reasons.insert(0, reason);
-    named::apply(&mut regions, &blade_mesh, face_names, options)?;
+    let (mut heights, foot) = regions::find(&blade_mesh, &bvh, &run).ok_or_else(no_blade)?;
+    heights.reasons.insert(0, reason);
+    named::apply(&mut heights, &blade_mesh, face_names, options)?;
     let outline = run.links.iter().map(|l| (l.height_mm, l.shape.bounds)).collect();
     let fillet = foot.map_or_else(Vec::new, |f| f.ends);
-    Ok(Recognised { model_from_blade, mesh: blade_mesh, regions, doubts, against, unlike, outline, fillet })
+    Ok(Recognised { model_from_blade, mesh: blade_mesh, heights, doubts, against, unlike, outline, fillet })
 }
 
 fn no_blade() -> Error {

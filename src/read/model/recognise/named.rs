@@ -1,7 +1,7 @@
 //! What the user says about regions: faces by number or name, heights. It takes the place of what was found.
 
 use super::super::ModelOptions;
-use crate::artifact::blade::Regions;
+use super::Heights;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
@@ -53,16 +53,16 @@ pub fn faces_of(wanted: &[String], part: &Part) -> Result<Vec<bool>> {
 ///
 /// # Errors
 /// `Usage`: heights outside the part, faces that are not there.
-pub fn apply(regions: &mut Regions, mesh: &Mesh, names: &[String], options: &ModelOptions) -> Result<()> {
-    let [lo, hi] = regions.part_x_mm;
+pub fn apply(heights: &mut Heights, mesh: &Mesh, names: &[String], options: &ModelOptions) -> Result<()> {
+    let [lo, hi] = heights.part_x_mm;
     let inside = |x: f64| (lo..=hi).contains(&x);
     if let Some([a, b]) = options.airfoil_mm {
         if !(inside(a) && inside(b) && a < b) {
             return Err(outside(&format!("airfoil heights {a} to {b} mm"), lo, hi));
         }
-        regions.airfoil_x_mm = [a, b];
-        regions.fillet_x_mm = regions.fillet_x_mm.filter(|f| f[0] < b);
-        regions.reasons.push(format!("airfoil: x = {a} to {b} mm, as given"));
+        heights.airfoil_x_mm = [a, b];
+        heights.fillet_x_mm = heights.fillet_x_mm.filter(|f| f[0] < b);
+        heights.reasons.push(format!("airfoil: x = {a} to {b} mm, as given"));
     }
     let platform = match (options.platform_mm, faces(&options.platform_faces, names)?) {
         (Some(x), _) => Some(x),
@@ -73,10 +73,10 @@ pub fn apply(regions: &mut Regions, mesh: &Mesh, names: &[String], options: &Mod
         if !inside(x) {
             return Err(outside(&format!("platform height {x} mm"), lo, hi));
         }
-        regions.platform_x_mm = Some(x);
-        regions.fillet_x_mm = regions.fillet_x_mm.map(|f| [x, f[1]]).filter(|f| f[0] < f[1]);
-        regions.airfoil_x_mm[0] = regions.airfoil_x_mm[0].max(x);
-        regions.reasons.push(format!("platform: top at x = {x:.3} mm, as given"));
+        heights.platform_x_mm = Some(x);
+        heights.fillet_x_mm = heights.fillet_x_mm.map(|f| [x, f[1]]).filter(|f| f[0] < f[1]);
+        heights.airfoil_x_mm[0] = heights.airfoil_x_mm[0].max(x);
+        heights.reasons.push(format!("platform: top at x = {x:.3} mm, as given"));
     }
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! Where along the blade axis what lies: airfoil, platform, whole part. Works in the blade frame.
 
+use super::Heights;
 use super::foot::{Foot, Joint, joint};
 use super::run::{HEIGHTS, LOOSENESS, Link, Run};
 use super::shape::Shape;
 use super::stitch::stitched;
-use crate::artifact::blade::Regions;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice};
@@ -30,7 +30,7 @@ struct End {
 
 /// Finds the regions, and the fillet where it climbs along the foot so that no heights bound it; `run` was found along the blade axis (its
 /// heights are blade x).
-pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Regions, Option<Foot>)> {
+pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Heights, Option<Foot>)> {
     let (first, last) = (run.links.first()?, run.links.last()?);
     let step = (run.part_mm[1] - run.part_mm[0]) / HEIGHTS as f64;
     let root = end(mesh, bvh, first.height_mm, &first.shape, -step, run.part_mm);
@@ -75,7 +75,7 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Regions, Option<Fo
         (fillet_x_mm, climbing) = (heights, foot);
         reasons.push(reason);
     }
-    Some((Regions { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, sides: None, reasons }, climbing))
+    Some((Heights { part_x_mm: run.part_mm, airfoil_x_mm, platform_x_mm, fillet_x_mm, reasons }, climbing))
 }
 
 /// Heights of the fillet, or the fillet itself where it climbs, and what is to be said of it.

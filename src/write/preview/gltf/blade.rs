@@ -11,7 +11,7 @@ use serde_json::json;
 use super::glb::Glb;
 use super::{Detail, Scene, mesh_node, triple};
 use crate::artifact::Blade;
-use crate::artifact::blade::Area;
+use crate::artifact::region::Area;
 use crate::error::Result;
 use crate::geometry::Vector;
 use crate::geometry::brep::SurfaceKind;

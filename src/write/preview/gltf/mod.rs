@@ -37,7 +37,7 @@ use json::Index;
 use json::scene::{Node, UnitQuaternion};
 use serde_json::json;
 
-use crate::artifact::blade::Area;
+use crate::artifact::region::Area;
 use crate::artifact::{Blade, CheckReport, Plan, Section};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
