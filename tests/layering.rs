@@ -34,7 +34,9 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         // The job stands above the stages: its defaults are those of their options.
         "job" | "plan" => PLANNER,
         "run" => RUNNER,
-        "batch" => &["numerics", "geometry", "artifact", "tool", "machine", "read", "make", "job", "run", "files"],
+        "batch" => {
+            &["numerics", "geometry", "artifact", "tool", "machine", "read", "make", "job", "run", "write", "files"]
+        }
         // `sample` is a made-up plan for unit tests only.
         "cli" | "lib" | "main" | "sample" => return None,
         _ => panic!("src/{room} has no place in the layering: give it one in tests/layering.rs"),

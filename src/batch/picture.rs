@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::artifact::Plan;
+use crate::write::draw;
 
 /// Points of a curve.
 const POINTS: usize = 48;
@@ -42,25 +43,8 @@ pub(super) fn of(plan: &Plan) -> Option<Picture> {
 impl Picture {
     /// As inline SVG: the channel as an area, the schedule as a line, stretched to fill the picture.
     pub fn svg(&self) -> String {
-        let (width, height) = (120.0, 46.0);
-        let finite = |f: fn(f64, f64) -> f64, start: f64, k: &[usize]| {
-            self.rows.iter().flat_map(|r| k.iter().map(|i| r[*i])).fold(start, f)
-        };
-        let s = [finite(f64::min, f64::INFINITY, &[0]), finite(f64::max, f64::NEG_INFINITY, &[0])];
-        let t = [finite(f64::min, f64::INFINITY, &[1, 3]), finite(f64::max, f64::NEG_INFINITY, &[2, 3])];
-        let at = |r: &[f64; 4], k: usize| {
-            let x = (r[0] - s[0]) / (s[1] - s[0]).max(1e-9) * (width - 2.0) + 1.0;
-            let y = height - 1.0 - (r[k] - t[0]) / (t[1] - t[0]).max(1e-9) * (height - 2.0);
-            format!("{x:.1},{y:.1}")
-        };
-        let line = |k: usize| self.rows.iter().map(|r| at(r, k)).collect::<Vec<_>>();
-        let (low, mut high, own) = (line(1), line(2), line(3).join(" "));
-        high.reverse();
-        let area = [low, high].concat().join(" ");
-        format!(
-            "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"channel and schedule of turn {}\">\
-             <polygon class=\"channel\" points=\"{area}\"/><polyline class=\"schedule\" points=\"{own}\"/></svg>",
-            self.turn
-        )
+        let line = |k: usize| self.rows.iter().map(|r| [r[0], r[k]]).collect::<Vec<_>>();
+        let label = format!("channel and schedule of turn {}", self.turn);
+        draw::small(&label, (&line(1), &line(2)), &line(3))
     }
 }

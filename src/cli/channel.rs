@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::run::{self, Loaded, RunFolder};
-use crate::write::preview::plot;
+use crate::write::draw;
 
 /// Angles B that advice looks at: from, to, step, degrees.
 const ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 2.5];
@@ -41,9 +41,9 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     if let Some(sweep) = args.sweep_b {
         let angles = setup.angles_b(sweep.0);
         let widths = channel::sweep_b(&around, tool, &toolpath, &options, &angles, toolpath.locations.len(), observer)?;
-        folder.add("sweep_b.csv", plot::widths_csv(&widths))?;
+        folder.add("sweep_b.csv", draw::widths_csv(&widths))?;
         folder.add_json("sweep_b.json", &widths)?;
-        folder.add("sweep_b.svg", plot::widths_svg(&widths))?;
+        folder.add("sweep_b.svg", draw::widths_svg(&widths))?;
         print_widths(&widths);
     }
     let closed = intervals.iter().filter(|l| l.is_empty()).count();

@@ -92,7 +92,7 @@ pub(super) fn page(
         ["compare.json", "compare.csv", "compare.svg"].iter().for_each(|name| folder.keep(name));
     }
     let fixed = look.baseline.map(fixed_lead_of);
-    let others: Vec<report::Baseline> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
+    let others: Vec<draw::OtherSchedule> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
     let widths = if setup.job.channel.sweep_b { setup.widths(plan, observer)? } else { Vec::new() };
     let input = ReportInput {
         title: &setup.blade.name,
@@ -144,12 +144,12 @@ fn provenance(setup: &Setup, inputs: &[Input]) -> Vec<(String, String)> {
     rows
 }
 
-fn fixed_lead_of(baseline: &Baseline) -> report::Baseline<'_> {
-    report::Baseline { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) }
+fn fixed_lead_of(baseline: &Baseline) -> draw::OtherSchedule<'_> {
+    draw::OtherSchedule { name: "fixed lead", schedule: &baseline.schedule, motion: Some(&baseline.motion) }
 }
 
-fn shown((name, schedule): &Other) -> report::Baseline<'_> {
-    report::Baseline { name, schedule, motion: None }
+fn shown((name, schedule): &Other) -> draw::OtherSchedule<'_> {
+    draw::OtherSchedule { name, schedule, motion: None }
 }
 
 /// All kinds of schedules but the fixed lead and the one in use, the costly ones as sketches; one that cannot be made here is left out.
@@ -234,7 +234,7 @@ pub fn plots(
     let sections = section::plan(&setup.blade, &setup.section_options(), observer)?;
     let baseline = fixed_lead(setup, plan, observer)?;
     let made = others(setup, plan);
-    let shown: Vec<report::Baseline> =
+    let shown: Vec<draw::OtherSchedule> =
         std::iter::once(fixed_lead_of(&baseline)).chain(made.iter().map(shown)).collect();
     let input =
         PlotInput { plan, machine: &setup.machine, others: &shown, checks: verdict.report(), sections: &sections };

@@ -2,29 +2,33 @@
 
 use std::fmt::Write;
 
+use crate::write::draw::colour;
 use crate::write::draw::scale::Scale;
-use crate::write::preview::colour;
 
 /// Size of a panel and its margins left, below, right, above, px.
 const PANEL: [f64; 2] = [860.0, 320.0];
 const MARGIN: [f64; 4] = [78.0, 46.0, 18.0, 34.0];
 /// Width of the whole picture, px.
-pub(super) const WIDTH: f64 = PANEL[0];
+pub(crate) const WIDTH: f64 = PANEL[0];
 
 /// Colours told apart with any colour vision (Okabe and Ito 2008, darkened for white paper).
-pub(super) const BLUE: &str = "#0072b2";
-pub(super) const ORANGE: &str = "#d55e00";
-pub(super) const GREEN: &str = "#008a62";
-pub(super) const PURPLE: &str = "#7a5195";
-pub(super) const PINK: &str = "#a8568a";
-pub(super) const BLACK: &str = "#111111";
+pub(crate) const BLUE: &str = "#0072b2";
+pub(crate) const ORANGE: &str = "#d55e00";
+pub(crate) const GREEN: &str = "#008a62";
+pub(crate) const PURPLE: &str = "#7a5195";
+pub(crate) const PINK: &str = "#a8568a";
+pub(crate) const BLACK: &str = "#111111";
+
+/// Colours and dashes of schedules that are compared, in their order.
+pub(crate) const LOOKS: [(&str, &str); 6] =
+    [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5"), (BLACK, ""), (PURPLE, "7 4"), (ORANGE, "2 5")];
 
 /// Points in order.
-pub(super) type Line = Vec<[f64; 2]>;
+pub(crate) type Line = Vec<[f64; 2]>;
 
 /// One curve.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Curve {
+pub(crate) struct Curve {
     pub name: String,
     pub points: Line,
     pub colour: &'static str,
@@ -35,9 +39,34 @@ pub(super) struct Curve {
     pub marks: bool,
 }
 
+impl Curve {
+    /// A line through points; it breaks where a value is not a number.
+    pub(crate) fn line(name: &str, points: Line, colour: &'static str, dash: &'static str, width: f64) -> Self {
+        Self { name: name.into(), points, colour, dash, width, marks: false }
+    }
+
+    fn draw(&self, out: &mut String, x: &Scale, y: &Scale) {
+        if self.marks {
+            for p in self.points.iter().filter(|p| p[0].is_finite() && p[1].is_finite()) {
+                let (x, y) = (x.at(p[0]), y.at(p[1]));
+                let _ = writeln!(out, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"4\" fill=\"{}\"/>", self.colour);
+            }
+            return;
+        }
+        let _ = writeln!(
+            out,
+            "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\" stroke-linejoin=\"round\"/>",
+            path_of(&mut self.points.iter(), x, y),
+            self.colour,
+            self.width,
+            if self.dash.is_empty() { "none" } else { self.dash }
+        );
+    }
+}
+
 /// Coloured dots: place and share of the scale.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Dots {
+pub(crate) struct Dots {
     pub at: Vec<([f64; 2], f64)>,
     /// Name and unit of the scale, its least and greatest value.
     pub scale: (String, [f64; 2]),
@@ -45,7 +74,7 @@ pub(super) struct Dots {
 
 /// One panel.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Chart {
+pub(crate) struct Chart {
     pub title: String,
     pub x: String,
     pub y: String,
@@ -59,25 +88,83 @@ pub(super) struct Chart {
     pub lines: Vec<(f64, String)>,
     /// Same scale on both axes.
     pub equal: bool,
+    /// Ranges of x that are shaded because there is nothing to show in them.
+    pub closed: Vec<[f64; 2]>,
+    /// Places and names of the marks along x, where round numbers do not serve.
+    pub ticks: Vec<(f64, String)>,
+    /// Least value of y, where it is not that of what is drawn.
+    pub floor: Option<f64>,
 }
 
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Charts one under the other as an SVG file.
-pub(super) fn svg(charts: &[Chart]) -> String {
+pub(crate) fn svg(charts: &[Chart]) -> String {
     let height = PANEL[1] * charts.len() as f64;
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
-         font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"12\" fill=\"{BLACK}\">\n\
-         <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
+    let of_file = format!(
+        "xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" color=\"{BLACK}\" \
+         font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\""
     );
+    let ground = format!("<rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n");
+    element(charts, &of_file, &ground)
+}
+
+/// The same as an element of a page, in the page's colour of letters and on its ground.
+pub(crate) fn inline(charts: &[Chart]) -> String {
+    element(charts, "role=\"img\" font-family=\"sans-serif\"", "")
+}
+
+fn element(charts: &[Chart], attributes: &str, ground: &str) -> String {
+    let height = PANEL[1] * charts.len() as f64;
+    let mut out =
+        format!("<svg {attributes} viewBox=\"0 0 {WIDTH} {height}\" font-size=\"12\" fill=\"currentColor\">\n{ground}");
     for (k, chart) in charts.iter().enumerate() {
         chart.draw(&mut out, k);
     }
     out.push_str("</svg>\n");
     out
+}
+
+/// A band and a line through it without axes, as a small element of a page. The page's style gives
+/// `channel` and `schedule` their colours.
+pub fn small(label: &str, band: (&[[f64; 2]], &[[f64; 2]]), line: &[[f64; 2]]) -> String {
+    let (width, height) = (120.0, 46.0);
+    let all = || band.0.iter().chain(band.1).chain(line);
+    let x = Scale { from: range(all().map(|p| p[0])), to: [1.0, width - 1.0] };
+    let y = Scale { from: range(all().map(|p| p[1])), to: [height - 1.0, 1.0] };
+    let points = |list: &mut dyn Iterator<Item = &[f64; 2]>| {
+        list.map(|p| format!("{:.1},{:.1}", x.at(p[0]), y.at(p[1]))).collect::<Vec<_>>().join(" ")
+    };
+    format!(
+        "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\">\
+         <polygon class=\"channel\" points=\"{}\"/><polyline class=\"schedule\" points=\"{}\"/></svg>",
+        escape(label),
+        points(&mut band.0.iter().chain(band.1.iter().rev())),
+        points(&mut line.iter())
+    )
+}
+
+/// Least and greatest of the finite values; 0 to 1 where there are none.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let [lo, hi] =
+        values.filter(|v| v.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)]);
+    if lo <= hi { [lo, hi] } else { [0.0, 1.0] }
+}
+
+/// Path data of a line; it breaks where a value is not a number.
+fn path_of(points: &mut dyn Iterator<Item = &[f64; 2]>, x: &Scale, y: &Scale) -> String {
+    let (mut data, mut pen) = (String::new(), 'M');
+    for p in points {
+        if p[0].is_finite() && p[1].is_finite() {
+            let _ = write!(data, "{pen}{:.2} {:.2}", x.at(p[0]), y.at(p[1]));
+            pen = 'L';
+        } else {
+            pen = 'M';
+        }
+    }
+    data
 }
 
 impl Chart {
@@ -88,11 +175,8 @@ impl Chart {
         let dots = self.dots.iter().flat_map(|d| &d.at).map(|(p, _)| p[axis]);
         let bars = self.bars.iter().flat_map(|b| if axis == 0 { [b[0], b[0] + b[1]] } else { [0.0, b[2]] });
         let lines = self.lines.iter().filter(|_| axis == 0).map(|l| l.0);
-        let all = curves.chain(dots).chain(bars).chain(lines).filter(|v| v.is_finite());
-        let [lo, hi] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)]);
-        if !(lo <= hi) {
-            return [0.0, 1.0];
-        }
+        let closed = self.closed.iter().flatten().filter(|_| axis == 0).copied();
+        let [lo, hi] = range(curves.chain(dots).chain(bars).chain(lines).chain(closed));
         let more = if hi > lo { pad * (hi - lo) } else { (0.05 * hi.abs()).max(0.5) };
         [lo - more, hi + more]
     }
@@ -109,11 +193,23 @@ impl Chart {
                 s.from = [mid - half, mid + half];
             }
         }
+        if let Some(floor) = self.floor {
+            y.from = [floor, y.from[1].max(floor + 0.01 * floor.abs().max(1.0))];
+        }
         let _ = writeln!(out, "<g><title>{}</title>", escape(&self.title));
         self.axes(out, &x, &y);
         self.content(out, &x, &y);
         self.legend(out, top);
         out.push_str("</g>\n");
+    }
+
+    /// Places and names of the marks along x.
+    fn marks_along(&self, x: &Scale) -> Vec<(f64, String)> {
+        if !self.ticks.is_empty() {
+            return self.ticks.clone();
+        }
+        let (values, digits) = x.ticks(10.0);
+        values.into_iter().map(|v| (v, format!("{v:.digits$}").replace('-', "−"))).collect()
     }
 
     fn axes(&self, out: &mut String, x: &Scale, y: &Scale) {
@@ -122,7 +218,7 @@ impl Chart {
             let at = y.at(v);
             let _ = writeln!(
                 out,
-                "<path d=\"M{:.1} {at:.1}H{:.1}\" stroke=\"#dddddd\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                "<path d=\"M{:.1} {at:.1}H{:.1}\" stroke=\"currentColor\" opacity=\"0.15\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
                 x.to[0],
                 x.to[1],
                 x.to[0] - 6.0,
@@ -130,16 +226,15 @@ impl Chart {
                 format!("{v:.digits$}").replace('-', "−")
             );
         }
-        let (values, digits) = x.ticks(10.0);
-        for v in values {
+        for (v, name) in self.marks_along(x) {
             let _ = writeln!(
                 out,
-                "<path d=\"M{0:.1} {1:.1}V{2:.1}\" stroke=\"#dddddd\"/><text x=\"{0:.1}\" y=\"{3:.1}\" text-anchor=\"middle\">{4}</text>",
+                "<path d=\"M{0:.1} {1:.1}V{2:.1}\" stroke=\"currentColor\" opacity=\"0.15\"/><text x=\"{0:.1}\" y=\"{3:.1}\" text-anchor=\"middle\">{4}</text>",
                 x.at(v),
                 y.to[0],
                 y.to[1],
                 y.to[0] + 16.0,
-                format!("{v:.digits$}").replace('-', "−")
+                escape(&name)
             );
         }
         let _ = writeln!(
@@ -155,34 +250,7 @@ impl Chart {
     }
 
     fn content(&self, out: &mut String, x: &Scale, y: &Scale) {
-        let to = |p: &[f64; 2]| format!("{:.2} {:.2}", x.at(p[0]), y.at(p[1]));
-        let line = |points: &mut dyn Iterator<Item = &[f64; 2]>| {
-            let mut d = String::new();
-            let mut pen = 'M';
-            for p in points {
-                if p[0].is_finite() && p[1].is_finite() {
-                    let _ = write!(d, "{pen}{}", to(p));
-                    pen = 'L';
-                } else {
-                    pen = 'M';
-                }
-            }
-            d
-        };
-        if let Some((low, high)) = &self.band {
-            let edge = line(&mut low.iter().chain(high.iter().rev()).filter(|p| p[1].is_finite()));
-            let _ = writeln!(out, "<path d=\"{edge}Z\" fill=\"{BLUE}\" opacity=\"0.12\"/>");
-        }
-        for [left, wide, high] in &self.bars {
-            let _ = writeln!(
-                out,
-                "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"{BLUE}\" opacity=\"0.45\"/>",
-                x.at(*left),
-                y.at(*high),
-                (x.at(left + wide) - x.at(*left)).max(0.3),
-                (y.at(0.0) - y.at(*high)).max(0.0)
-            );
-        }
+        self.areas(out, x, y);
         for (p, share) in self.dots.iter().flat_map(|d| &d.at) {
             let _ = writeln!(
                 out,
@@ -193,31 +261,12 @@ impl Chart {
             );
         }
         for c in &self.curves {
-            if c.marks {
-                for p in c.points.iter().filter(|p| p[0].is_finite() && p[1].is_finite()) {
-                    let _ = writeln!(
-                        out,
-                        "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"4\" fill=\"{}\"/>",
-                        x.at(p[0]),
-                        y.at(p[1]),
-                        c.colour
-                    );
-                }
-                continue;
-            }
-            let _ = writeln!(
-                out,
-                "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\" stroke-linejoin=\"round\"/>",
-                line(&mut c.points.iter()),
-                c.colour,
-                c.width,
-                if c.dash.is_empty() { "none" } else { c.dash }
-            );
+            c.draw(out, x, y);
         }
         for (v, name) in &self.lines {
             let _ = writeln!(
                 out,
-                "<path d=\"M{0:.1} {1:.1}V{2:.1}\" stroke=\"{BLACK}\" stroke-dasharray=\"6 4\"/><text x=\"{3:.1}\" y=\"{4:.1}\" \
+                "<path d=\"M{0:.1} {1:.1}V{2:.1}\" stroke=\"currentColor\" stroke-dasharray=\"6 4\"/><text x=\"{3:.1}\" y=\"{4:.1}\" \
                  text-anchor=\"end\">{5}</text>",
                 x.at(*v),
                 y.to[0],
@@ -225,6 +274,34 @@ impl Chart {
                 x.at(*v) - 5.0,
                 y.to[1] + 14.0,
                 escape(name)
+            );
+        }
+    }
+
+    /// What is filled: closed ranges, the band, bars.
+    fn areas(&self, out: &mut String, x: &Scale, y: &Scale) {
+        for [from, to] in &self.closed {
+            let (left, right) = (x.at(*from).max(x.to[0]), x.at(*to).min(x.to[1]));
+            let _ = writeln!(
+                out,
+                "<rect x=\"{left:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{ORANGE}\" opacity=\"0.15\"/>",
+                y.to[1],
+                right - left,
+                y.to[0] - y.to[1]
+            );
+        }
+        if let Some((low, high)) = &self.band {
+            let edge = path_of(&mut low.iter().chain(high.iter().rev()).filter(|p| p[1].is_finite()), x, y);
+            let _ = writeln!(out, "<path d=\"{edge}Z\" fill=\"{BLUE}\" opacity=\"0.12\"/>");
+        }
+        for [left, wide, high] in &self.bars {
+            let _ = writeln!(
+                out,
+                "<rect x=\"{:.2}\" y=\"{:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"{BLUE}\" opacity=\"0.45\"/>",
+                x.at(*left),
+                y.at(*high),
+                (x.at(left + wide) - x.at(*left)).max(0.3),
+                (y.at(0.0) - y.at(*high)).max(0.0)
             );
         }
     }

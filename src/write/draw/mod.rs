@@ -1,11 +1,15 @@
-//! The report's plots as SVG and PNG files, for papers and slides.
+//! The one chart engine, and the plots that are made with it: SVG and PNG files for papers and
+//! slides, drawings inside pages, small pictures of families.
 //!
 //! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as PNG ([`png()`]), whose letters are those of DejaVu
 //! Sans (Bitstream Vera licence: free to use and to embed) from the crate `dejavu`; so a picture is the same on any machine. Nothing is thinned but the
 //! scallop map.
 
-mod chart;
-pub(in crate::write) mod scale;
+pub(crate) mod chart;
+pub mod colour;
+pub(in crate::write) mod histogram;
+mod scale;
+mod widths;
 
 use std::sync::Arc;
 
@@ -13,13 +17,26 @@ use chart::{BLACK, BLUE, Chart, Curve, Dots, GREEN, ORANGE, PINK, PURPLE};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
-use crate::artifact::{AxisMotion, CheckReport, Plan, Section};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::machine::{Axis, Machine};
-use crate::write::preview::report::{Baseline, scallop_histogram};
+
+pub use chart::small;
+pub use widths::{widths_csv, widths_inline, widths_svg};
 
 /// Most dots of the scallop map.
 const DOTS: usize = 8000;
+
+/// Another schedule for the same path, to compare with.
+#[derive(Clone, Copy, Debug)]
+pub struct OtherSchedule<'a> {
+    /// What it is, e.g. `fixed lead`.
+    pub name: &'a str,
+    /// Its angles, one per cutter location of the plan.
+    pub schedule: &'a Schedule,
+    /// Its axis motion, if it was computed.
+    pub motion: Option<&'a AxisMotion>,
+}
 
 /// What plots are made from.
 pub struct PlotInput<'a> {
@@ -28,7 +45,7 @@ pub struct PlotInput<'a> {
     /// The machine, for its limits.
     pub machine: &'a Machine,
     /// Other schedules for the same path.
-    pub others: &'a [Baseline<'a>],
+    pub others: &'a [OtherSchedule<'a>],
     /// What the checks found.
     pub checks: &'a CheckReport,
     /// Plane sections.
@@ -59,10 +76,6 @@ pub fn plots(input: &PlotInput, turn: usize) -> Result<Vec<(String, String)>> {
     Ok(out)
 }
 
-fn curve(name: &str, points: Vec<[f64; 2]>, colour: &'static str, dash: &'static str, width: f64) -> Curve {
-    Curve { name: name.into(), points, colour, dash, width, marks: false }
-}
-
 /// The S–θ plane of a turn, less the straight line from its start to its end.
 fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Chart {
     let plan = input.plan;
@@ -76,20 +89,20 @@ fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Char
     let r = &plan.channel.rows;
     let (low, high) = (line(&|i| r[i].theta_min), line(&|i| r[i].theta_max));
     let mut curves = vec![
-        curve("true channel", low.clone(), BLUE, "", 1.5),
-        curve("true channel", high.clone(), BLUE, "", 1.5),
-        curve("monotone hull", line(&|i| r[i].hull_min), GREEN, "7 4", 1.5),
-        curve("monotone hull", line(&|i| r[i].hull_max), GREEN, "7 4", 1.5),
-        curve("tangent channel", line(&|i| r[i].tangent_min), PURPLE, "2 3", 1.5),
-        curve("tangent channel", line(&|i| r[i].tangent_max), PURPLE, "2 3", 1.5),
+        Curve::line("true channel", low.clone(), BLUE, "", 1.5),
+        Curve::line("true channel", high.clone(), BLUE, "", 1.5),
+        Curve::line("monotone hull", line(&|i| r[i].hull_min), GREEN, "7 4", 1.5),
+        Curve::line("monotone hull", line(&|i| r[i].hull_max), GREEN, "7 4", 1.5),
+        Curve::line("tangent channel", line(&|i| r[i].tangent_min), PURPLE, "2 3", 1.5),
+        Curve::line("tangent channel", line(&|i| r[i].tangent_max), PURPLE, "2 3", 1.5),
     ];
     let looks = [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5"), (PINK, "13 4"), (ORANGE, "2 5")];
     for (o, (colour, dash)) in input.others.iter().zip(looks.into_iter().cycle()) {
         let of = |i: usize| o.schedule.theta.get(i).copied().unwrap_or(f64::NAN);
-        curves.push(curve(o.name, line(&of), colour, dash, 1.5));
+        curves.push(Curve::line(o.name, line(&of), colour, dash, 1.5));
     }
     let kind = format!("{:?}", plan.schedule.kind).to_lowercase();
-    curves.push(curve(&kind, line(&|i| theta[i]), BLACK, "", 2.4));
+    curves.push(Curve::line(&kind, line(&|i| theta[i]), BLACK, "", 2.4));
     let from = plan.toolpath.locations[start].s_mm;
     let inside = plan.schedule.key_points.iter().filter(|k| (-1e-9..=s(end) + 1e-9).contains(&(k[0] - from)));
     let keys = inside.map(|k| [k[0] - from, (k[1] - theta[start] - slope * (k[0] - from)).to_degrees()]).collect();
@@ -117,11 +130,11 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
     };
     let mut curves = Vec::new();
     for o in input.others {
-        curves.extend(o.motion.map(|m| curve(o.name, line(m), ORANGE, "13 4", 1.5)));
+        curves.extend(o.motion.map(|m| Curve::line(o.name, line(m), ORANGE, "13 4", 1.5)));
     }
     let own = line(&input.plan.motion);
     let ends = [own.first(), own.last()].map(|p| p.map_or(0.0, |p| p[0]));
-    curves.push(curve("this plan", own, BLUE, "", 2.0));
+    curves.push(Curve::line("this plan", own, BLUE, "", 2.0));
     let l = own_axis.limits;
     if let Some(limit) = [None, Some(l.velocity), Some(l.acceleration), Some(l.jerk)][kind] {
         // A limit far above all values would press them flat.
@@ -129,7 +142,7 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
         for sign in [1.0, -1.0] {
             if most > 0.3 * limit * scale {
                 let level = sign * limit * scale;
-                curves.push(curve("limit", vec![[ends[0], level], [ends[1], level]], BLACK, "2 3", 1.2));
+                curves.push(Curve::line("limit", vec![[ends[0], level], [ends[1], level]], BLACK, "2 3", 1.2));
             }
         }
     }
@@ -145,7 +158,7 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
 }
 
 fn histogram(input: &PlotInput) -> Option<Chart> {
-    let h = scallop_histogram(input.checks)?;
+    let h = histogram::histogram(input.checks)?;
     let shares = |counts: &[usize]| {
         let all = counts.iter().sum::<usize>().max(1) as f64;
         counts.iter().map(|n| 100.0 * *n as f64 / all).collect::<Vec<_>>()
@@ -158,7 +171,7 @@ fn histogram(input: &PlotInput) -> Option<Chart> {
         title: "How often which scallop occurs".into(),
         x: "height, µm".into(),
         y: "share, %".into(),
-        curves: vec![surface, curve("ridges", steps, ORANGE, "", 2.0)],
+        curves: vec![surface, Curve::line("ridges", steps, ORANGE, "", 2.0)],
         bars,
         lines: vec![(1000.0 * input.plan.toolpath.scallop_mm, "asked for".into())],
         ..Chart::default()
@@ -187,7 +200,8 @@ fn map(input: &PlotInput) -> Option<Chart> {
 /// Outlines, and the airfoil's curvature.
 fn section(s: &Section) -> Vec<Chart> {
     let closed = |points: &[[f64; 2]]| points.iter().chain(points.first()).copied().collect::<Vec<_>>();
-    let mut outline: Vec<Curve> = s.loops.iter().map(|l| curve("", closed(&l.points_mm), BLUE, "", 1.8)).collect();
+    let mut outline: Vec<Curve> =
+        s.loops.iter().map(|l| Curve::line("", closed(&l.points_mm), BLUE, "", 1.8)).collect();
     for (name, into, colour) in [("into concave", true, ORANGE), ("into convex", false, PURPLE)] {
         let all = s.loops.iter().flat_map(|l| &l.altered_points).filter(|a| a.into_concave == into);
         let points = all.map(|a| a.point_mm).collect();
@@ -202,7 +216,7 @@ fn section(s: &Section) -> Vec<Chart> {
             title: "Curvature".into(),
             x: "arc length round the airfoil, mm".into(),
             y: "curvature, 1/mm".into(),
-            curves: vec![curve("curvature", points, BLUE, "", 1.8)],
+            curves: vec![Curve::line("curvature", points, BLUE, "", 1.8)],
             ..Chart::default()
         });
     }
@@ -250,7 +264,7 @@ mod tests {
         let l = &plan.toolpath.locations;
         checks.scallop =
             (0..360).map(|k| Place { point: l[k].contact, row: k, height_mm: 0.001 + 2e-5 * k as f64 }).collect();
-        let others = [Baseline { name: "a < b", schedule: &plan.schedule, motion: Some(&plan.motion) }];
+        let others = [OtherSchedule { name: "a < b", schedule: &plan.schedule, motion: Some(&plan.motion) }];
         plots(
             &PlotInput { plan: &plan, machine: &machine, others: &others, checks: &checks, sections: &sections },
             turn,

@@ -1,7 +1,7 @@
 //! Scales of the plots that are drawn as SVG.
 
 /// Straight scale from values to pixels.
-pub(in crate::write) struct Scale {
+pub(super) struct Scale {
     /// Values at both ends.
     pub from: [f64; 2],
     /// Pixels at both ends.
@@ -11,7 +11,10 @@ pub(in crate::write) struct Scale {
 impl Scale {
     /// Where a value stands, px.
     pub fn at(&self, v: f64) -> f64 {
-        self.to[0] + (v - self.from[0]) / (self.from[1] - self.from[0]) * (self.to[1] - self.to[0])
+        let span = self.from[1] - self.from[0];
+        // All values alike stand in the middle.
+        let share = if span == 0.0 { 0.5 } else { (v - self.from[0]) / span };
+        self.to[0] + share * (self.to[1] - self.to[0])
     }
 
     /// About `count` round values, and the digits after the point that they need.

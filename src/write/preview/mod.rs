@@ -3,12 +3,10 @@
 //! **In**: the artifacts of a run. **Out**: bytes of a `.glb` file and text of a self-contained `.html` file.
 //! Both are thinned for the eye and say so; neither is meant to be measured from.
 
-pub mod colour;
 pub mod gltf;
-pub mod plot;
 pub mod report;
 mod thin;
 pub mod values;
 
 pub use gltf::{GltfOptions, Scene, deviation, gltf, regions};
-pub use report::{Baseline, ReportInput};
+pub use report::ReportInput;

@@ -11,7 +11,7 @@ use super::{empty_node, extras, mesh_node, triple};
 use crate::artifact::deviation::DeviationMap;
 use crate::error::Result;
 use crate::geometry::Rigid;
-use crate::write::preview::colour;
+use crate::write::draw::colour;
 
 /// Pixels of the scale; one more at its end for places where the ball does not come.
 const PIXELS: usize = 255;

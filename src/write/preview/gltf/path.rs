@@ -14,7 +14,7 @@ use super::glb::Glb;
 use super::{Detail, Scene, mesh_node, triple};
 use crate::artifact::Plan;
 use crate::error::{Error, Result, Stage};
-use crate::write::preview::colour;
+use crate::write::draw::colour;
 use crate::write::preview::values::{self, Values};
 
 /// So many ball radii of the straight way along the tool axis are drawn.

@@ -3,7 +3,7 @@
 use super::{ReportInput, escape, number};
 use crate::artifact::Plan;
 use crate::artifact::channel::{Binding, ChannelRow};
-use crate::write::preview::plot;
+use crate::write::draw;
 
 /// What a limit from tangents is off by, over all locations.
 #[derive(Debug, Default, PartialEq)]
@@ -119,8 +119,7 @@ fn tangents(plan: &Plan) -> String {
 }
 
 fn against_b(input: &ReportInput) -> String {
-    // Within HTML the name space goes without saying, and the page names nothing outside.
-    let svg = plot::widths_svg(input.widths).replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
+    let svg = draw::widths_inline(input.widths);
     if svg.is_empty() {
         return String::new();
     }

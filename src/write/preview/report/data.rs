@@ -8,7 +8,7 @@ use super::pack::Pack;
 use super::{ReportInput, scallop, scene};
 use crate::artifact::{Axes, AxisMotion, Plan, Section};
 use crate::machine::{Axis, Machine};
-use crate::write::preview::colour;
+use crate::write::draw::colour;
 
 /// Points of all S–θ curves together, about.
 const CURVE_POINTS: usize = 24_000;

@@ -25,26 +25,15 @@ mod tables;
 mod tests;
 
 pub use payload::Payload;
-pub use scallop::{Histogram, histogram as scallop_histogram};
 use serde_json::Value;
 
 use crate::artifact::channel::Width;
-use crate::artifact::{AxisMotion, Blade, CheckReport, Plan, Schedule, Section};
+use crate::artifact::{Blade, CheckReport, Plan, Section};
 use crate::error::Result;
 use crate::machine::Machine;
 use crate::observe::Warning;
 use crate::tool::Tool;
-
-/// Another schedule for the same path, to compare with.
-#[derive(Clone, Copy, Debug)]
-pub struct Baseline<'a> {
-    /// What it is, e.g. `fixed lead`.
-    pub name: &'a str,
-    /// Its angles, one per cutter location of the plan.
-    pub schedule: &'a Schedule,
-    /// Its axis motion, if it was computed.
-    pub motion: Option<&'a AxisMotion>,
-}
+use crate::write::draw::OtherSchedule;
 
 /// The JSON of one of the run's files.
 #[derive(Clone, Copy, Debug)]
@@ -69,9 +58,9 @@ pub struct ReportInput<'a> {
     /// The plan, if the run came that far.
     pub plan: Option<&'a Plan>,
     /// What to compare it with.
-    pub baseline: Option<Baseline<'a>>,
+    pub baseline: Option<OtherSchedule<'a>>,
     /// Schedules for the same path to show beside it in the S–θ plot, the baseline among them.
-    pub others: &'a [Baseline<'a>],
+    pub others: &'a [OtherSchedule<'a>],
     /// `summary.json`.
     pub summary: File<'a>,
     /// `verify.json`.

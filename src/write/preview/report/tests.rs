@@ -40,7 +40,7 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         binds: "taper".into(),
     };
     let widths = [width(0.0, None), width(5.0, Some(33.25)), width(10.0, Some(30.0))];
-    let fixed = Baseline { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) };
+    let fixed = OtherSchedule { name: "fixed lead", schedule: &other.schedule, motion: Some(&other.motion) };
     run(ReportInput {
         title: "Cylinder </script><b> & co",
         blade: &blade,
