@@ -1,13 +1,15 @@
 //! The channel against the number of triangles, and against general collision queries.
 //!
-//! Part: a twisted blade with an elliptic section on a platform. Path: 100,000 cutter locations on 60 turns of a helix. Tool:
-//! ball, taper, shank and two holder stages. Three figures for the channel: all free intervals at every location to 0.01°; the
-//! whole channel, with every move between locations proven; each with the index of the part. Peers find the two ends of the
-//! interval that we name by steps of 5° and bisection to 0.01°: with parry3d-f64's generic intersection test of the mesh with
-//! convex shapes, and with an exact test of frusta against triangles with a good bound over parry3d-f64's tree. They are run on
-//! a few locations and scaled.
+//! Part: a twisted blade with an elliptic section on a platform. Path: 100,000 cutter locations on
+//! 60 turns of a helix. Tool: ball, taper, shank and two holder stages. Three figures for the
+//! channel: all free intervals at every location to 0.01°; the whole channel, with every move
+//! between locations proven; each with the index of the part. Peers find the two ends of the
+//! interval that we name by steps of 5° and bisection to 0.01°: with parry3d-f64's generic
+//! intersection test of the mesh with convex shapes, and with an exact test of frusta against
+//! triangles with a good bound over parry3d-f64's tree. They are run on a few locations and scaled.
 //!
-//! `cargo bench --bench channel -- quick`: fewer triangles and locations; `-- 200000`: that many triangles alone, no peers.
+//! `cargo bench --bench channel -- quick`: fewer triangles and locations; `-- 200000`: that many
+//! triangles alone, no peers.
 #![allow(missing_docs, clippy::print_stdout, clippy::unwrap_used)]
 
 use std::f64::consts::TAU;
@@ -121,8 +123,9 @@ fn helix(count: usize) -> Toolpath {
     }
 }
 
-/// Cones whose axes are the blade axis and whose references are turned anyhow from place to place, written about an axis that is turned by a
-/// hundred-thousandth of a degree, so that no short cut is taken; or that wobble about the blade axis, once in 90 locations.
+/// Cones whose axes are the blade axis and whose references are turned anyhow from place to place,
+/// written about an axis that is turned by a hundred-thousandth of a degree, so that no short cut
+/// is taken; or that wobble about the blade axis, once in 90 locations.
 fn turned(count: usize, wobbling: bool) -> Cones {
     let one = |k: usize| {
         let (lean, at) = (5f64.to_radians(), TAU * (k % 90) as f64 / 90.0);
@@ -254,7 +257,8 @@ fn frustum_hits(blade: &Blade, segments: &[Segment], b_rad: f64, centre: &Point,
     hit
 }
 
-/// Runs a peer at some locations; seconds of work for each, and how far its ends are from ours at most, degrees.
+/// Runs a peer at some locations; seconds of work for each, and how far its ends are from ours at
+/// most, degrees.
 fn peer(path: &Toolpath, ours: &[Vec<FreeInterval>], count: usize, hits: Hits) -> (f64, f64) {
     let mut off: f64 = 0.0;
     let start = worked_s();
@@ -268,10 +272,12 @@ fn peer(path: &Toolpath, ours: &[Vec<FreeInterval>], count: usize, hits: Hits) -
     ((worked_s() - start) / count as f64, off.to_degrees())
 }
 
-/// Seconds that all threads have worked so far, where the system tells (Linux): on a busy machine they say more than the clock.
+/// Seconds that all threads have worked so far, where the system tells (Linux): on a busy machine
+/// they say more than the clock.
 fn worked_s() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // User and system time are the 14th and 15th field, in hundredths; the second may hold blanks and ends with a bracket.
+    // User and system time are the 14th and 15th field, in hundredths; the second may hold blanks
+    // and ends with a bracket.
     let fields: Vec<f64> =
         stat.rsplit(')').next().unwrap_or("").split_whitespace().map(|f| f.parse().unwrap_or(0.0)).collect();
     fields.iter().skip(11).take(2).sum::<f64>() / 100.0

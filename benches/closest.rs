@@ -1,7 +1,8 @@
 //! Closest points a second, on one thread, beside parry's query to the triangles of the same part.
 //!
-//! `cargo bench --bench closest [-- model.step ...]`; without models those of the folder `models`; MODEL@m is one in metres whatever it
-//! says. The points are spread evenly over the part's box, enlarged by a fifth; and once more beside the part, within a hundredth of its size.
+//! `cargo bench --bench closest [-- model.step ...]`; without models those of the folder `models`;
+//! MODEL@m is one in metres whatever it says. The points are spread evenly over the part's box,
+//! enlarged by a fifth; and once more beside the part, within a hundredth of its size.
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -48,7 +49,8 @@ fn beside(part: &Part, b: &Aabb) -> Vec<Point> {
         .collect()
 }
 
-/// Time that this thread has spent computing, where the system tells, else wall time, s: other programs must not count.
+/// Time that this thread has spent computing, where the system tells, else wall time, s: other
+/// programs must not count.
 fn now(start: &Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let ns = told.as_deref().and_then(|t| t.split_whitespace().next()).and_then(|w| w.parse::<f64>().ok());

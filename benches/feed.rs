@@ -2,13 +2,16 @@
 //!
 //! `cargo bench --bench feed [-- --locations=5000 --model=models/steam_root.step --rough]`.
 //!
-//! First a helix about an ellipse with the rotary axis following the normal, so that it rushes at the edges: its axis positions are written
-//! to a file, with the limits in its first line, and the variable `BLADEWRIGHT_PEERS` may hold commands, one on each line, that plan
-//! the fastest motion through the same positions; each is run by the shell with the file's name in `FEED_SAMPLES`, and what it prints is
-//! printed beside ours (`tests/motion/peers.py`: toppra and copp). Then the table of seconds.
+//! First a helix about an ellipse with the rotary axis following the normal, so that it rushes at
+//! the edges: its axis positions are written to a file, with the limits in its first line, and the
+//! variable `BLADEWRIGHT_PEERS` may hold commands, one on each line, that plan the fastest motion
+//! through the same positions; each is run by the shell with the file's name in `FEED_SAMPLES`, and
+//! what it prints is printed beside ours (`tests/motion/peers.py`: toppra and copp). Then the table
+//! of seconds.
 //!
-//! With `--rough` instead: helices about a cylinder with noise on ball centres and angles, as meshes and probes give them; seconds of wall time,
-//! peak memory of the process so far, the motion, and the share by which none is proved to be faster.
+//! With `--rough` instead: helices about a cylinder with noise on ball centres and angles, as
+//! meshes and probes give them; seconds of wall time, peak memory of the process so far, the
+//! motion, and the share by which none is proved to be faster.
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::io::Write as _;

@@ -1,12 +1,16 @@
-//! Cutter locations a second, and closed loops of ball centres at given heights ("levels") beside other programs.
+//! Cutter locations a second, and closed loops of ball centres at given heights ("levels") beside
+//! other programs.
 //!
-//! `cargo bench --bench path [-- model.step ... --heights=13,33,53 --radius=3]`; without models the project's `compressor_twist`. Each model
-//! with exact faces is measured twice: as it is, and as a mesh of at least 200,000 triangles made from it. Printed are
-//! the helix of about 100,000 locations (wall time on all threads, peak memory of the process so far), and the levels (computing time of one
-//! thread, median of several runs, with the greatest error of the loops: of its points, and of its chords).
+//! `cargo bench --bench path [-- model.step ... --heights=13,33,53 --radius=3]`; without models the
+//! project's `compressor_twist`. Each model with exact faces is measured twice: as it is, and as a
+//! mesh of at least 200,000 triangles made from it. Printed are the helix of about 100,000
+//! locations (wall time on all threads, peak memory of the process so far), and the levels
+//! (computing time of one thread, median of several runs, with the greatest error of the loops: of
+//! its points, and of its chords).
 //!
-//! The variable `BLADEWRIGHT_PEERS` may hold commands, one on each line, that measure other programs on the same model; each is run
-//! by the shell before ours and what it prints is printed here.
+//! The variable `BLADEWRIGHT_PEERS` may hold commands, one on each line, that measure other
+//! programs on the same model; each is run by the shell before ours and what it prints is printed
+//! here.
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -32,7 +36,8 @@ fn peak_mb() -> f64 {
     line.and_then(|l| l.split_whitespace().nth(1)?.parse::<f64>().ok()).unwrap_or(f64::NAN) / 1024.0
 }
 
-/// Time that this thread has spent computing, where the system tells, else wall time, s: other programs must not count.
+/// Time that this thread has spent computing, where the system tells, else wall time, s: other
+/// programs must not count.
 fn now(start: &Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let ns = told.as_deref().and_then(|t| t.split_whitespace().next()).and_then(|w| w.parse::<f64>().ok());
@@ -63,7 +68,8 @@ fn helix(out: &mut String, name: &str, blade: &Blade, radius_mm: f64, kind: Path
     }
 }
 
-/// Distance of the points of a loop, and of places on its chords, from the surface of ball centres, mm.
+/// Distance of the points of a loop, and of places on its chords, from the surface of ball centres,
+/// mm.
 fn errors(blade: &Blade, radius_mm: f64, centres: &[bladewright::geometry::Point]) -> [f64; 2] {
     let off = |q| blade.part.closest(&q, 10.0 * radius_mm).map_or(f64::NAN, |c| (c.distance_mm - radius_mm).abs());
     let n = centres.len();

@@ -1,7 +1,9 @@
 //! Axis positions of poses, for comparing kinematics with other programs.
 //!
-//! Reads lines `x y z theta b` (ball centre in the blade frame in mm, angles in degrees) from standard input and prints the positions of all axes, X, Y, Z and the rotary
-//! ones, that nearest to the workpiece first, of the demo machine or the one given, mm and degrees: `cargo run --release --example axis_positions GAUGE_LENGTH_MM [MACHINE.toml] < poses`.
+//! Reads lines `x y z theta b` (ball centre in the blade frame in mm, angles in degrees) from
+//! standard input and prints the positions of all axes, X, Y, Z and the rotary ones, that nearest
+//! to the workpiece first, of the demo machine or the one given, mm and degrees:
+//! `cargo run --release --example axis_positions GAUGE_LENGTH_MM [MACHINE.toml] < poses`.
 #![allow(clippy::print_stdout)]
 
 use std::io::BufRead;

@@ -1,4 +1,5 @@
-//! A family from Rust: `cargo run --release --example batch -- FAMILY.toml OUT`. What `bladewright batch` does, in ten lines.
+//! A family from Rust: `cargo run --release --example batch -- FAMILY.toml OUT`. What
+//! `bladewright batch` does, in ten lines.
 
 #![allow(clippy::print_stdout)]
 

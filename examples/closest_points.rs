@@ -1,7 +1,8 @@
 //! The closest point of a model to each point of a list, in the model's own frame.
 //!
-//! `cargo run --release --example closest_points -- blade.step < points.txt`: one point a line, `x y z` in mm; answers with a line
-//! each: `distance x y z nx ny nz face u v inside`, the foot, the outward normal and whether the point is inside.
+//! `cargo run --release --example closest_points -- blade.step < points.txt`: one point a line,
+//! `x y z` in mm; answers with a line each: `distance x y z nx ny nz face u v inside`, the foot,
+//! the outward normal and whether the point is inside.
 use std::io::{BufRead, Write};
 use std::path::PathBuf;
 

@@ -1,9 +1,13 @@
-//! Mutated model files and NC programs against every reader, on stable Rust: `cargo run --release --example fuzz_readers -- LENGTH [FORMATS] [FOLDER]`.
+//! Mutated model files and NC programs against every reader, on stable Rust:
+//! `cargo run --release --example fuzz_readers -- LENGTH [FORMATS] [FOLDER]`.
 //!
-//! Seeds: the models of the repository, small ones in every format, and all files of FOLDER; published tables of points under a header that
-//! says what their columns mean; short programs of every family of controls, which are read and moved through the demo machine. FORMATS are some of [`FORMATS`] with commas
-//! between, `models`, `programs` or `all`. LENGTH is for each format: seconds (`600`) or executions (`1000000x`). A panic, more than [`SLOW_S`] for one file, or more than [`MOST_MB`] of memory ends the run; the file that did it is
-//! left in `out/fuzz`. The same seconds do not give the same files: the seed of each run is printed.
+//! Seeds: the models of the repository, small ones in every format, and all files of FOLDER;
+//! published tables of points under a header that says what their columns mean; short programs of
+//! every family of controls, which are read and moved through the demo machine. FORMATS are some of
+//! [`FORMATS`] with commas between, `models`, `programs` or `all`. LENGTH is for each format:
+//! seconds (`600`) or executions (`1000000x`). A panic, more than [`SLOW_S`] for one file, or more
+//! than [`MOST_MB`] of memory ends the run; the file that did it is left in `out/fuzz`. The same
+//! seconds do not give the same files: the seed of each run is printed.
 
 #![allow(clippy::print_stdout)]
 
@@ -33,8 +37,8 @@ const MOST_MB: u64 = 2048;
 /// Larger seeds are left out: a mutation of one is read too seldom.
 const LARGEST: usize = 1_500_000;
 
-/// Formats by their readers: five of them are the kinds of section tables (columns under a header, a header that names its file), the last five
-/// programs.
+/// Formats by their readers: five of them are the kinds of section tables (columns under a header,
+/// a header that names its file), the last five programs.
 const FORMATS: [&str; 18] = [
     "step",
     "igs",
@@ -55,7 +59,8 @@ const FORMATS: [&str; 18] = [
     nc::NAMES[3],
     nc::NAMES[4],
 ];
-/// What the columns of published tables mean, by their names; files that share a name's beginning are one table.
+/// What the columns of published tables mean, by their names; files that share a name's beginning
+/// are one table.
 const HEADERS: [(&str, &str); 3] = [
     ("rotor37geometry", "unit = \"cm\"\ncolumns = [\"skip\", \"z\", \"r\", \"theta1\", \"theta2\"]\n"),
     ("HECCcoordinates", "unit = \"inch\"\ncolumns = [\"x\", \"r*theta\", \"r\"]\n"),
@@ -176,7 +181,8 @@ fn run(format: &str, seeds: &[(String, Vec<u8>)], length: Length, shop: &nc::Sho
     runs
 }
 
-/// A seed by its share of all: the shorter the more often, so that no long one takes most of the time.
+/// A seed by its share of all: the shorter the more often, so that no long one takes most of the
+/// time.
 fn chosen(shares: &[f64], random: &mut Random) -> usize {
     const STEPS: usize = 1 << 32;
     let mut left = shares.iter().sum::<f64>() * random.below(STEPS) as f64 / STEPS as f64;
@@ -222,7 +228,8 @@ fn watch() {
 /// Processor time of the process, ms: a busy machine does not make a file slow.
 fn busy_ms() -> u64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // After the name in brackets; user and system time are the 14th and 15th field, in hundredths of a second.
+    // After the name in brackets; user and system time are the 14th and 15th field, in hundredths
+    // of a second.
     let fields: Vec<&str> = stat.rsplit(')').next().unwrap_or_default().split_whitespace().collect();
     let ticks = |k: usize| fields.get(k).and_then(|f| f.parse::<u64>().ok()).unwrap_or(0);
     10 * (ticks(11) + ticks(12))

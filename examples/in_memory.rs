@@ -1,4 +1,5 @@
-//! From a part in memory to program text without a file: `cargo run --release --example in_memory`. With progress, and a way to stop.
+//! From a part in memory to program text without a file: `cargo run --release --example in_memory`.
+//! With progress, and a way to stop.
 
 #![allow(clippy::print_stdout)]
 
@@ -27,7 +28,8 @@ start_mm = 30
 end_mm = 20
 ";
 
-/// Where a program with a window of its own would show progress, and set `stop` when its user has had enough.
+/// Where a program with a window of its own would show progress, and set `stop` when its user has
+/// had enough.
 #[derive(Default)]
 pub struct Window {
     /// How often progress was shown.

@@ -1,9 +1,12 @@
-//! What loading a STEP, IGES, STL or OBJ model takes: `cargo run --release --example load_time -- MODEL ROUNDS [m]`, the last for one that is in metres
-//! whatever it says.
+//! What loading a STEP, IGES, STL or OBJ model takes:
+//! `cargo run --release --example load_time -- MODEL ROUNDS [m]`, the last for one that is in
+//! metres whatever it says.
 //!
-//! Prints processor seconds a round, whatever the number of threads: `read queries whole`. `read`: to exact faces with their trimming
-//! curves, sewn; of a mesh to triangles that share their corners. `queries`: that, mesh, index of the exact faces, one closest point; of
-//! a mesh its healing and the tree over it. `whole`: that and all that a plan needs besides (which way faces look, blade axis, regions).
+//! Prints processor seconds a round, whatever the number of threads: `read queries whole`. `read`:
+//! to exact faces with their trimming curves, sewn; of a mesh to triangles that share their
+//! corners. `queries`: that, mesh, index of the exact faces, one closest point; of a mesh its
+//! healing and the tree over it. `whole`: that and all that a plan needs besides (which way faces
+//! look, blade axis, regions).
 use std::io::Write;
 use std::path::Path;
 
@@ -17,7 +20,8 @@ use bladewright::read::model::heal::HealOptions;
 use bladewright::read::model::soup::Soup;
 use bladewright::read::model::{self, ModelOptions, iges, obj, sew, step, stl};
 
-/// The loops of the index follow the edges as closely as in loading, mm: with coarse chords its pieces beside edges become many.
+/// The loops of the index follow the edges as closely as in loading, mm: with coarse chords its
+/// pieces beside edges become many.
 const DEFLECTION_MM: f64 = 0.01;
 /// Sewing distances, mm, as in loading.
 const SEW_MM: [f64; 2] = [0.005, 0.02];

@@ -1,19 +1,20 @@
-//! Damage to model files: a seeded, structure-aware mutation. Used by `examples/fuzz_readers.rs`, by the short form in the test
-//! suite, and by the mutator of the targets of this folder.
+//! Damage to model files: a seeded, structure-aware mutation. Used by `examples/fuzz_readers.rs`,
+//! by the short form in the test suite, and by the mutator of the targets of this folder.
 
 use std::sync::Once;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 static OWN_PANICS: AtomicU64 = AtomicU64::new(0);
 
-/// From now on panics of the library's own code are counted, also where a reader makes a sentence of them, as it has to where a parser of others
-/// panics.
+/// From now on panics of the library's own code are counted, also where a reader makes a sentence
+/// of them, as it has to where a parser of others panics.
 pub fn count_own_panics() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let before = std::panic::take_hook();
         std::panic::set_hook(Box::new(move |panic| {
-            // Paths of the package that is tested are relative, those of its dependencies are not: their panics are expected, and silent.
+            // Paths of the package that is tested are relative, those of its dependencies are not:
+            // their panics are expected, and silent.
             let place = panic.location().map_or("", |place| place.file());
             OWN_PANICS.fetch_add(u64::from(place.starts_with("src/")), Ordering::SeqCst);
             if !place.contains("/registry/") {

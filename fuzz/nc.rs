@@ -1,5 +1,7 @@
-//! NC programs of every grammar, to be damaged: short ones that are written as bladewright's posts and as others write them, and mutations that know words and
-//! keep the block numbers of Klartext. Used by `examples/fuzz_readers.rs`, by the short form in the test suite, and by the targets of this folder.
+//! NC programs of every grammar, to be damaged: short ones that are written as bladewright's posts
+//! and as others write them, and mutations that know words and keep the block numbers of Klartext.
+//! Used by `examples/fuzz_readers.rs`, by the short form in the test suite, and by the targets of
+//! this folder.
 
 use bladewright::artifact::program::{Grammar, Language, Programmed};
 use bladewright::error::Result;
@@ -9,7 +11,8 @@ use bladewright::tool::{HolderStage, Tool};
 
 use super::mutate::{Random, mutated};
 
-/// A grammar or family of controls: its name, a program of each kind that bladewright writes, one of others.
+/// A grammar or family of controls: its name, a program of each kind that bladewright writes, one
+/// of others.
 type Family = (&'static str, &'static [&'static str], &'static str);
 
 const FAMILIES: [Family; 5] = [
@@ -48,7 +51,8 @@ const FAMILIES: [Family; 5] = [
     ),
 ];
 
-/// Lines of a program that are kept at its beginning and at its end, comments not counted: short ones are read more often.
+/// Lines of a program that are kept at its beginning and at its end, comments not counted: short
+/// ones are read more often.
 const KEPT: [usize; 2] = [26, 14];
 
 /// Words that a program may have, of all grammars.
@@ -162,7 +166,8 @@ fn numbered(bytes: &[u8]) -> Vec<u8> {
     lines.flat_map(|(i, l)| [i.to_string().into_bytes(), code(l), vec![b'\n']].concat()).collect()
 }
 
-/// A damaged program: numbers, lines and bytes as in model files, and words that decide what a control does. Klartext mostly keeps its block numbers.
+/// A damaged program: numbers, lines and bytes as in model files, and words that decide what a
+/// control does. Klartext mostly keeps its block numbers.
 pub fn damaged(name: &str, bytes: &[u8], random: &mut Random) -> Vec<u8> {
     let mut out = bytes.to_vec();
     for _ in 0..random.below(3) {

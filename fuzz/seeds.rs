@@ -1,10 +1,12 @@
-//! Small models in every format, to be damaged: a block with a slender prism on it as mesh and as faces, a twisted blade as tables of
-//! sections. Used by `examples/fuzz_readers.rs` and by the short form in the test suite.
+//! Small models in every format, to be damaged: a block with a slender prism on it as mesh and as
+//! faces, a twisted blade as tables of sections. Used by `examples/fuzz_readers.rs` and by the
+//! short form in the test suite.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-/// All seeds, named so that each is read as what it is. The header among them names `table.dat`, whose text is [`table`]'s.
+/// All seeds, named so that each is read as what it is. The header among them names `table.dat`,
+/// whose text is [`table`]'s.
 pub fn all() -> Vec<(&'static str, Vec<u8>)> {
     vec![
         ("ascii.stl", ascii_stl()),
@@ -26,7 +28,8 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
 
 /// Corners of both boxes: the low one wide, the high one slender.
 const BOXES: [([f64; 2], [f64; 2]); 2] = [([20.0, 10.0], [0.0, 10.0]), ([12.0, 1.5], [10.0, 60.0])];
-/// Sides of a box, counter-clockwise seen from outside; the bits of a corner's number choose among its ends.
+/// Sides of a box, counter-clockwise seen from outside; the bits of a corner's number choose among
+/// its ends.
 const SIDES: [[usize; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
 
 /// Corners of all sides of both boxes.
@@ -124,7 +127,8 @@ fn gltf(binary: bool) -> Vec<u8> {
     [head, text.into_bytes(), word(buffer.len()).to_vec(), b"BIN\0".to_vec(), buffer].concat()
 }
 
-/// Both boxes as B-spline faces with loops of lines and splines, each face by itself in one open shell.
+/// Both boxes as B-spline faces with loops of lines and splines, each face by itself in one open
+/// shell.
 fn step() -> Vec<u8> {
     let mut out = String::from(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a.step','',(''),(''),'','','');\n\
@@ -176,7 +180,8 @@ fn step() -> Vec<u8> {
     out.into_bytes()
 }
 
-/// Both boxes as trimmed NURBS faces (144, 142, 128) with loops of lines (102, 110), each face by itself.
+/// Both boxes as trimmed NURBS faces (144, 142, 128) with loops of lines (102, 110), each face by
+/// itself.
 fn iges() -> Vec<u8> {
     let list = |p: &[[f64; 3]]| p.concat().iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(",");
     let mut entities: Vec<(u32, String)> = Vec::new();
@@ -229,7 +234,8 @@ fn header(file: &str) -> Vec<u8> {
     HEADER.replacen('\n', &format!("\nfiles = \"{file}\"\n"), 1).into_bytes()
 }
 
-/// Sections of a leaning blade, cm: distance from the shaft, and along the shaft with the arc on either side.
+/// Sections of a leaning blade, cm: distance from the shaft, and along the shaft with the arc on
+/// either side.
 fn sections() -> Vec<(f64, Vec<[f64; 3]>)> {
     let one = |section: u32| {
         let row = |j: u32| {

@@ -1,7 +1,8 @@
-//! What the targets share: bytes as a file of one format, read, healed and surveyed, with a mutator that knows numbers and lines.
+//! What the targets share: bytes as a file of one format, read, healed and surveyed, with a mutator
+//! that knows numbers and lines.
 
-/// A target: any bytes as a file of this name are a survey or an error. Half of the mutations are libFuzzer's own, half those of
-/// `mutate.rs`, which damage numbers, lines and counts.
+/// A target: any bytes as a file of this name are a survey or an error. Half of the mutations are
+/// libFuzzer's own, half those of `mutate.rs`, which damage numbers, lines and counts.
 #[allow(unused_macros)]
 macro_rules! reader {
     ($name:literal) => {

@@ -1,4 +1,5 @@
-//! Files that users name, read with bounds: a pipe or a device would be waited for or read for ever, and a file without end would fill the memory.
+//! Files that users name, read with bounds: a pipe or a device would be waited for or read for
+//! ever, and a file without end would fill the memory.
 
 use std::fs::{File, Metadata};
 use std::io::{Error, ErrorKind, Read, Result, Take};
@@ -12,8 +13,9 @@ pub const LONG: u64 = 4 << 30;
 /// All bytes of a regular file, links followed, of at most `limit` bytes.
 ///
 /// # Errors
-/// Those of the system; kind `InvalidInput`: it is a folder, a pipe or a device; kind `FileTooLarge`: it is longer than the limit, or became longer
-/// while it was read. Each is one clause that goes on after "cannot be read: ".
+/// Those of the system; kind `InvalidInput`: it is a folder, a pipe or a device; kind
+/// `FileTooLarge`: it is longer than the limit, or became longer while it was read. Each is one
+/// clause that goes on after "cannot be read: ".
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>> {
     let mut file = open(path, limit)?;
     let mut bytes = Vec::with_capacity(usize::try_from(file.get_ref().metadata()?.len()).unwrap_or(0));

@@ -1,7 +1,8 @@
-//! A small made-up plan for the unit tests of the writers: a closed cylinder about the blade axis, milled by a helix.
+//! A small made-up plan for the unit tests of the writers: a closed cylinder about the blade axis,
+//! milled by a helix.
 //!
-//! Everything has a closed form: the ball centre runs on a cylinder of radius `PART_RADIUS + R`, the tool axis leads
-//! the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
+//! Everything has a closed form: the ball centre runs on a cylinder of radius `PART_RADIUS + R`,
+//! the tool axis leads the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
 use crate::artifact::Axes;
@@ -141,8 +142,9 @@ pub fn with_leads(mut plan: Plan) -> Plan {
     plan
 }
 
-/// The plan with θ on a curve that swings to and fro: cubics in S that are twice differentiable where they meet, of other lengths than the ways
-/// between locations. The angles at the locations are the curve's; the axes follow.
+/// The plan with θ on a curve that swings to and fro: cubics in S that are twice differentiable
+/// where they meet, of other lengths than the ways between locations. The angles at the locations
+/// are the curve's; the axes follow.
 pub fn with_curve(mut plan: Plan, swing_rad: f64, per_piece: f64) -> Plan {
     let (s, theta): (Vec<f64>, Vec<f64>) =
         plan.toolpath.locations.iter().map(|l| l.s_mm).zip(plan.schedule.theta.iter().copied()).unzip();

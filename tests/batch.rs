@@ -1,4 +1,5 @@
-//! Families as a user meets them: the same bytes however they came about, failures that harm no other, exit codes.
+//! Families as a user meets them: the same bytes however they came about, failures that harm no
+//! other, exit codes.
 
 mod families;
 
@@ -141,7 +142,8 @@ fn only_what_changed_is_computed_and_stages_are_taken_over() {
         ends(&["batch", "family.toml", "-o", "out"], d, 0);
     }
     assert!(before == tree(&d.join("out")));
-    // An edit that leaves a file as long as it was is noticed, and what was edited is taken over into nothing.
+    // An edit that leaves a file as long as it was is noticed, and what was edited is taken over
+    // into nothing.
     let member = d.join("out/members/fillet_radius_mm-6_feed_mm_min-1000");
     for (file, taken) in [("program.mpf", &all[..]), ("plan.json", &[]), ("manifest.json", &[])] {
         let mut bytes = std::fs::read(member.join(file)).expect("readable");
@@ -220,7 +222,8 @@ fn exit_codes_of_bad_input() {
     assert_eq!(text.lines().count(), 5, "{text}");
 }
 
-/// A disk that fills up in the middle: a clear error, what is done is kept, and with room the rest is done.
+/// A disk that fills up in the middle: a clear error, what is done is kept, and with room the rest
+/// is done.
 #[test]
 #[ignore = "needs a disk of its own: a system that lets users make name spaces (unshare -rm)"]
 #[cfg(target_os = "linux")]

@@ -1,6 +1,8 @@
-//! Slow suite: families killed at random moments and started again leave the bytes of an undisturbed run.
+//! Slow suite: families killed at random moments and started again leave the bytes of an
+//! undisturbed run.
 //!
-//! `just kill`, or `BLADEWRIGHT_RUNS=100 cargo nextest run --release --run-ignored only --no-capture --test batch_kill`.
+//! `just kill`, or
+//! `BLADEWRIGHT_RUNS=100 cargo nextest run --release --run-ignored only --no-capture --test batch_kill`.
 
 mod families;
 
@@ -48,7 +50,8 @@ fn killed_at_random_moments() {
     let (mut kills, mut midway) = (0, 0);
     for run in 0..runs {
         let out = d.join("out");
-        // Every third run is two processes on one folder of which one is killed; the others one process, killed up to three times.
+        // Every third run is two processes on one folder of which one is killed; the others one
+        // process, killed up to three times.
         if run % 3 == 2 {
             let (mut a, mut b) = (start(d, &out, "1/2"), start(d, &out, "2/2"));
             std::thread::sleep(Duration::from_millis(random.below(full_ms)));

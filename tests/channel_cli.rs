@@ -109,7 +109,8 @@ fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
     }
 }
 
-/// A blade of compressor_twist on a mesh so coarse that its deflection, kept as room, closes the channel.
+/// A blade of compressor_twist on a mesh so coarse that its deflection, kept as room, closes the
+/// channel.
 fn coarse(verb: &str, d: &Path, settings: &[&str]) {
     let model = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step").display().to_string();
     let region =

@@ -1,4 +1,5 @@
-//! The command as a user meets it: bad input, exit codes, nothing left behind, the same bytes on any number of threads.
+//! The command as a user meets it: bad input, exit codes, nothing left behind, the same bytes on
+//! any number of threads.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,7 +12,8 @@ fn bladewright(args: &[&str], dir: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_bladewright")).args(args).current_dir(dir).output().expect("the command starts")
 }
 
-/// Runs and checks: exit code, every word in the message, one sentence for the error, nothing left behind.
+/// Runs and checks: exit code, every word in the message, one sentence for the error, nothing left
+/// behind.
 fn fails(args: &[&str], dir: &Path, code: i32, words: &[&str]) {
     let before = listing(dir);
     let out = bladewright(args, dir);
@@ -138,14 +140,15 @@ fn shell(script: &str, dir: &Path) -> Output {
         .expect("sh starts")
 }
 
-/// What a full disk says: that it is full, with exit code 4, and nothing half-written left. Here as a limit on the size of files, which any
-/// user may set.
+/// What a full disk says: that it is full, with exit code 4, and nothing half-written left. Here as
+/// a limit on the size of files, which any user may set.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_leaves_nothing_behind() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();
-    // 8 blocks of 512 bytes hold job.resolved.toml, not sections.json; without the trap the signal would end the program.
+    // 8 blocks of 512 bytes hold job.resolved.toml, not sections.json; without the trap the signal
+    // would end the program.
     let limited = |out: &str| shell(&format!("trap '' XFSZ; ulimit -f 8; exec {SECTIONS} -o {out}"), d);
     std::fs::create_dir(d.join("old")).expect("writable");
     write(&d.join("old"), "sections.json", b"from before");
@@ -336,7 +339,8 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     }
 }
 
-/// Two runs of a part as operations of one program: written, read back, judged by themselves; what cannot be is named.
+/// Two runs of a part as operations of one program: written, read back, judged by themselves; what
+/// cannot be is named.
 fn runs_are_joined(d: &Path, model: &str) {
     let two = ["post", "1", "1", "--control", "siemens", "-o", "joined"];
     let out = bladewright(&two, d);
@@ -490,8 +494,8 @@ fn stages_can_be_stopped_after() {
     }
 }
 
-/// With the tool square to the blade axis the cone comes down on the platform before the ball does: the helix ends above, and
-/// says so; an end that was asked for is refused instead.
+/// With the tool square to the blade axis the cone comes down on the platform before the ball does:
+/// the helix ends above, and says so; an end that was asked for is refused instead.
 #[test]
 fn the_helix_ends_where_the_tool_has_no_room() {
     let dir = tempfile::tempdir().expect("temporary folder");

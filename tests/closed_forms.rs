@@ -1,4 +1,5 @@
-//! Paths on surfaces of revolution, whose scallop and limit have closed forms, and what must not depend on how a part lies.
+//! Paths on surfaces of revolution, whose scallop and limit have closed forms, and what must not
+//! depend on how a part lies.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -42,7 +43,8 @@ fn straight(x0: f64, r0: f64, x1: f64, r1: f64) -> NurbsSurface {
     revolved(&[(x0, r0, 1.0), (x1, r1, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
 }
 
-/// A circular profile about `(0, middle)` of radius `bend` (negative: its far side is the part's, a waist), over `±half` radians.
+/// A circular profile about `(0, middle)` of radius `bend` (negative: its far side is the part's, a
+/// waist), over `±half` radians.
 fn arched(middle: f64, bend: f64, half: f64) -> NurbsSurface {
     let (s, c) = half.sin_cos();
     let (b, w) = (bend, half.cos());
@@ -64,7 +66,8 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
     }
 }
 
-/// Chords so short that they do not lower the ridges: on these round forms each sags by up to the tolerance all along.
+/// Chords so short that they do not lower the ridges: on these round forms each sags by up to the
+/// tolerance all along.
 fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
     PathOptions {
         kind,
@@ -74,7 +77,8 @@ fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
     }
 }
 
-/// A closed form: the part, where its path runs, and the signed curvature across it (positive: convex).
+/// A closed form: the part, where its path runs, and the signed curvature across it (positive:
+/// convex).
 struct Form {
     name: &'static str,
     blade: Blade,
@@ -141,8 +145,8 @@ fn forms() -> Vec<Form> {
     ]
 }
 
-/// Distance of two contacts that leave `h` on a circle of this curvature: the two-ball formula as it is usually written, solved by
-/// halving.
+/// Distance of two contacts that leave `h` on a circle of this curvature: the two-ball formula as
+/// it is usually written, solved by halving.
 fn textbook_width(h: f64, bend: f64) -> f64 {
     if bend == 0.0 {
         return 2.0 * (2.0 * RADIUS * h - h * h).sqrt();
@@ -161,7 +165,8 @@ fn textbook_width(h: f64, bend: f64) -> f64 {
     2.0 * r * lo
 }
 
-/// Area of the strip of the inner turns: on each meridian from midway between the first two turns to midway between the last two.
+/// Area of the strip of the inner turns: on each meridian from midway between the first two turns
+/// to midway between the last two.
 fn strip_area(form: &Form, path: &Toolpath) -> f64 {
     let base = |turn: usize| path.turns.get(turn).map_or(path.locations.len() - 1, |t| t.first);
     let at = |turn: usize| path.locations[base(turn)].contact.x;
@@ -214,12 +219,14 @@ fn turns_of_constant_scallop_are_constant_and_as_short_as_the_closed_form() {
             assert!(f.ridge_p95_mm - f.ridge_p05_mm < 0.005 * f.ridge_p50_mm, "{name}: {f:?}");
             if *kind == PathKind::ConstantScallop {
                 assert!((f.ridge_p50_mm / SCALLOP - 1.0).abs() < 0.005, "{name}: {f:?}");
-                // The last turns close onto the end, where there is room for a part of a turn: half of one on average.
+                // The last turns close onto the end, where there is room for a part of a turn: half
+                // of one on average.
                 let closing = 0.6 / (path.turns.len() - 2) as f64;
                 assert!(f.ratio > 0.99 && f.ratio < 1.002 + closing, "{name}: {f:?}");
                 continue;
             }
-            // Judged by the scallop that it leaves: how near to the limit it aims is another matter.
+            // Judged by the scallop that it leaves: how near to the limit it aims is another
+            // matter.
             let width = textbook_width(f.ridge_p50_mm, form.bend);
             let least = f.area_mm2 / width;
             assert!((f.path_length_mm / least - 1.0).abs() < 0.01, "{name}: {} {least}", f.path_length_mm);
@@ -289,7 +296,8 @@ fn departure(form: &Form, a: &Point, b: &Point) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Greatest distance of the straight moves from the surface of ball centres, and the error of the whole length, mm.
+/// Greatest distance of the straight moves from the surface of ball centres, and the error of the
+/// whole length, mm.
 fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
     let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, [14.0, 6.0]) };
     let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
@@ -309,7 +317,8 @@ fn halving_the_chord_tolerance_halves_the_errors_or_better() {
     for ((worst, _), chord) in found.iter().zip(chords) {
         assert!(*worst <= chord + 1e-6, "{worst} at a chord tolerance of {chord}");
     }
-    // Moves are halved, so an error falls by four or not at all: over four halvings by sixteen, less one step.
+    // Moves are halved, so an error falls by four or not at all: over four halvings by sixteen,
+    // less one step.
     let (first, last) = (found[0], found[4]);
     assert!(last.0 <= first.0 / 8.0 && last.1 <= first.1 / 8.0 + 2e-3, "{found:?}");
 }
@@ -377,7 +386,8 @@ fn stock_stays_on_the_part() {
         );
     }
     let f = verify::limit(&form.blade, &path, SCALLOP, SAMPLES).expect("figures");
-    // The scallop is that over the stock, and the turns are as far apart as on a part that is thicker by it.
+    // The scallop is that over the stock, and the turns are as far apart as on a part that is
+    // thicker by it.
     assert!(f.ridge_p50_mm < SCALLOP && f.ridge_p50_mm > 0.9 * SCALLOP, "{f:?}");
     let closed = f.area_mm2 / textbook_width(SCALLOP, 0.0);
     assert!((f.limit_length_mm / closed - 1.0).abs() < 1e-3);
@@ -390,7 +400,8 @@ fn iso_parametric_turns_share_the_way_evenly() {
     let waist = forms().remove(3);
     let path = path::plan(&waist.blade, &options(PathKind::IsoParametric, waist.region), &Silent).expect("a path");
     assert!(path.planned_scallop_mm <= SCALLOP, "{}", path.planned_scallop_mm);
-    // On a surface of revolution the way is that along the profile of ball centres, about (0, 30) with radius 17.
+    // On a surface of revolution the way is that along the profile of ball centres, about (0, 30)
+    // with radius 17.
     let angle = |p: &Point| p.x.atan2(30.0 - p.y.hypot(p.z));
     let n = path.turns.len();
     let starts: Vec<f64> = path.turns.iter().map(|t| angle(&path.locations[t.first].centre)).collect();

@@ -1,5 +1,6 @@
-//! Real blades from the folder that `BLADEWRIGHT_BLADES` names. They are not part of the repository (their licences do not
-//! allow it); where the variable is not set, each test fails and says so. Slow: `cargo nextest run --release --run-ignored only corpus`.
+//! Real blades from the folder that `BLADEWRIGHT_BLADES` names. They are not part of the repository
+//! (their licences do not allow it); where the variable is not set, each test fails and says so.
+//! Slow: `cargo nextest run --release --run-ignored only corpus`.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -66,7 +67,8 @@ fn corpus_scanned_turbine_blade() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_turbocharger_sector() {
-    // The blade stands radially, and the back plate of the hub sector is in the way of the tool at once.
+    // The blade stands radially, and the back plate of the hub sector is in the way of the tool at
+    // once.
     let options = set(&["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"]);
     ends("turbocharger_turbine_sector.stl", &options, 3, "the channel closes at turn 0");
 }
@@ -74,12 +76,14 @@ fn corpus_turbocharger_sector() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_turns_round_the_turbocharger_sector_by_small_balls() {
-    // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the one before, nor lie on it.
+    // Coarse facets, sharp edges and a narrow fillet lie across every turn: none may fold over the
+    // one before, nor lie on it.
     let folder = blades();
     let model = folder.join("turbocharger_turbine_sector.stl");
     let corner = "in the corner the ball meets a wall that leans over more than 60°";
-    // Settings, why the path ends, more turns than, the least twentieth of the ridges over the scallop: over sharp edges larger balls cut down the ridges of other
-    // moves, which count as low ones then.
+    // Settings, why the path ends, more turns than, the least twentieth of the ridges over the
+    // scallop: over sharp edges larger balls cut down the ridges of other moves, which count as low
+    // ones then.
     let regions: [(&[&str], &str, usize, f64); 5] = [
         (&["tool.radius_mm=0.3", "region.start_mm=26.3", "region.end_mm=21"], "the end of the region", 30, 0.96),
         (&["tool.radius_mm=0.25", "region.start_mm=25", "region.end_mm=20.5"], "the end of the region", 30, 0.97),
@@ -132,7 +136,8 @@ fn toolpath(model: &Path, options: &[&str]) -> Toolpath {
     serde_json::from_value(path.unwrap_or(file)).expect("a toolpath")
 }
 
-/// The cutter locations of a plan in model frame; whole, checks included, unless the options end it before.
+/// The cutter locations of a plan in model frame; whole, checks included, unless the options end it
+/// before.
 fn located(model: &Path, options: &[&str]) -> Vec<CutterLocation> {
     let to_model = read(model, None).model_from_blade;
     let moved = |l: CutterLocation| CutterLocation {
@@ -177,7 +182,8 @@ fn told(what: &str, x: impl Iterator<Item = f64>) -> f64 {
     share(1.0)
 }
 
-/// The same part as STEP solid and as loose faces of IGES: the same path, however differently it is sampled.
+/// The same part as STEP solid and as loose faces of IGES: the same path, however differently it is
+/// sampled.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_step_and_iges_give_the_same_locations() {
@@ -189,11 +195,13 @@ fn corpus_step_and_iges_give_the_same_locations() {
     assert!(worst < 0.001, "{worst} mm apart");
 }
 
-/// The airfoil as STEP and as the table of its sections. The STEP interpolates control points of a spline that was fitted to each
-/// section by itself, so its lines along the span slip from section to section, and between them it sways. How far is measured without
-/// our reading of the table: the table's points are moved onto the STEP's faces, where they are columns that do not slip, and
-/// lofted again; what lies between those sections and the STEP is the STEP's own. That, and how far the table's points are from the
-/// STEP, is the difference of the published forms; elsewhere the cutter locations must agree.
+/// The airfoil as STEP and as the table of its sections. The STEP interpolates control points of a
+/// spline that was fitted to each section by itself, so its lines along the span slip from section
+/// to section, and between them it sways. How far is measured without our reading of the table: the
+/// table's points are moved onto the STEP's faces, where they are columns that do not slip, and
+/// lofted again; what lies between those sections and the STEP is the STEP's own. That, and how far
+/// the table's points are from the STEP, is the difference of the published forms; elsewhere the
+/// cutter locations must agree.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_case7288_table_and_step_give_the_same_locations() {
@@ -226,8 +234,8 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     let again = model::load(&path, &coarse, &Silent).expect("the table is read");
     let sway = sides_apart(&again, &faces, |p| p);
     told("the STEP between its own sections", sway.iter().map(|p| p.1));
-    // By how much the published forms may differ about a place: at the sections (those on either side are within 3 mm) and, besides,
-    // between them.
+    // By how much the published forms may differ about a place: at the sections (those on either
+    // side are within 3 mm) and, besides, between them.
     let differ = |c: &Point| {
         let near = |known: &[(Point, f64)], radius: f64| {
             let nearest =
@@ -254,18 +262,22 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     assert!(over < 0.005, "{over} mm more than the forms");
 }
 
-/// Thin blades, with edges that every turn goes round: no turn lies on the next, and none is left out.
+/// Thin blades, with edges that every turn goes round: no turn lies on the next, and none is left
+/// out.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_thin_blades_are_cut_once() {
     let folder = blades();
-    // Where turns fold over one another near the end, a schedule fits only what lies above: half of the area.
+    // Where turns fold over one another near the end, a schedule fits only what lies above: half of
+    // the area.
     let fan = "fan_sections/fan_DERIVED_loft.step";
-    // The end of the fan's turns runs round a corner of it, a fifth of the way round the blade: with few turns between they grow fast. With 0.06 the seam comes to the
-    // end before the rest does. From the propeller's own end, down to where the ball rolls over the corners of its root, no turns can be laid up with the two coarser
-    // scallops: they are from a little higher.
+    // The end of the fan's turns runs round a corner of it, a fifth of the way round the blade:
+    // with few turns between they grow fast. With 0.06 the seam comes to the end before the rest
+    // does. From the propeller's own end, down to where the ball rolls over the corners of its
+    // root, no turns can be laid up with the two coarser scallops: they are from a little higher.
     let propeller = "dtmb_p4119/p4119_DERIVED_loft_mm.step";
-    // One plan of each goes on to its checks, which tell whether the schedule fits all of the turns; the feed takes most of its time.
+    // One plan of each goes on to its checks, which tell whether the schedule fits all of the
+    // turns; the feed takes most of its time.
     let plans = [
         (propeller, 0.01, 8500.0, false),
         (propeller, 0.03, 9500.0, true),
@@ -290,7 +302,8 @@ fn corpus_thin_blades_are_cut_once() {
     }
 }
 
-/// Loose, mixed-up IGES faces with slivers: above the fillet with a large ball, the fillet with one that fits into it.
+/// Loose, mixed-up IGES faces with slivers: above the fillet with a large ball, the fillet with one
+/// that fits into it.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_above_its_fillet() {
@@ -352,9 +365,10 @@ fn read(path: &Path, unit: Option<Unit>) -> Blade {
     model::load(path, &options, &Silent).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// Places on the sides of a lofted table (vertices of its tessellation, which lie on the faces) in its model frame, with their
-/// distances, mm, from the exact faces of another model of the blade; where that ends sooner, at a flat or ruled cap, nothing is
-/// compared. `turn` brings the table's model frame into the other's.
+/// Places on the sides of a lofted table (vertices of its tessellation, which lie on the faces) in
+/// its model frame, with their distances, mm, from the exact faces of another model of the blade;
+/// where that ends sooner, at a flat or ruled cap, nothing is compared. `turn` brings the table's
+/// model frame into the other's.
 fn sides_apart(table: &Blade, other: &Blade, turn: impl Fn(Point) -> Point) -> Vec<(Point, f64)> {
     let faces = &table.part.brep.as_ref().expect("lofted faces").faces;
     let others = &other.part.brep.as_ref().expect("exact faces").faces;
@@ -375,7 +389,8 @@ fn sides_apart(table: &Blade, other: &Blade, turn: impl Fn(Point) -> Point) -> V
     sides.filter_map(|(p, _)| one(p)).collect()
 }
 
-/// The table read and lofted, against a loft or CAD model of the same blade that others made: greatest and mean distance, mm.
+/// The table read and lofted, against a loft or CAD model of the same blade that others made:
+/// greatest and mean distance, mm.
 fn agrees(table: &Path, unit: Option<Unit>, step: &str, turn: impl Fn(Point) -> Point, limits: [f64; 2]) {
     let folder = blades();
     let places = sides_apart(&read(table, unit), &read(&folder.join(step), None), turn);
@@ -404,7 +419,8 @@ fn header(text: &str) -> (tempfile::TempDir, PathBuf) {
     (dir, path)
 }
 
-/// Cylindrical coordinates turn about x in the lofts that were derived from these tables, the other way round.
+/// Cylindrical coordinates turn about x in the lofts that were derived from these tables, the other
+/// way round.
 fn about_x(p: Point) -> Point {
     Point::new(p.z, p.y, p.x)
 }
@@ -463,7 +479,8 @@ fn corpus_table_p4119() {
 fn corpus_table_case7288() {
     let folder = blades();
     let table = folder.join("tblade3_case7288/blade3d.Case7-28-8.dat");
-    // How far the published forms themselves are apart: the table's points from the published faces.
+    // How far the published forms themselves are apart: the table's points from the published
+    // faces.
     let step = read(&folder.join("tblade3_case7288/case7288_rotor_blade.step"), None);
     let text = std::fs::read_to_string(&table).expect("the table");
     let row =

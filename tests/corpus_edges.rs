@@ -1,5 +1,6 @@
-//! Leading and trailing edge and the two sides keep their names along the whole airfoil: on our own twisted blade, and on the real blades
-//! of the folder that `BLADEWRIGHT_BLADES` names (see `corpus.rs`).
+//! Leading and trailing edge and the two sides keep their names along the whole airfoil: on our own
+//! twisted blade, and on the real blades of the folder that `BLADEWRIGHT_BLADES` names (see
+//! `corpus.rs`).
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,8 @@ fn names(section: &Section) -> ([[f64; 2]; 2], Side) {
     ([at(l.leading_edge_s_mm), at(l.trailing_edge_s_mm)], l.side_after_leading_edge)
 }
 
-/// Heights below which an edge of the next section lies where the other edge was, or the side is another.
+/// Heights below which an edge of the next section lies where the other edge was, or the side is
+/// another.
 fn jumps(sections: &[Section]) -> Vec<f64> {
     let away = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let jumps = sections.windows(2).filter(|w| {
@@ -43,7 +45,8 @@ fn all_along(blade: &Blade) -> Vec<Section> {
 
 #[test]
 fn edges_keep_their_names_and_one_height_alone_has_the_same() {
-    // Its edges are nearly alike about the middle of its height, where each section alone finds another the blunter.
+    // Its edges are nearly alike about the middle of its height, where each section alone finds
+    // another the blunter.
     let blade = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step"), None);
     let all = all_along(&blade);
     assert_eq!((all.len(), jumps(&all)), (HEIGHTS, vec![]));

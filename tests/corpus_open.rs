@@ -1,4 +1,5 @@
-//! Openings, healing and doubts on real blades from the folder that `BLADEWRIGHT_BLADES` names (see `tests/corpus.rs`).
+//! Openings, healing and doubts on real blades from the folder that `BLADEWRIGHT_BLADES` names (see
+//! `tests/corpus.rs`).
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -35,7 +36,8 @@ fn corpus_open_ends_matter_only_in_reach() {
     assert!(text(&far).contains("out of the tool's reach"), "{}", text(&far));
 }
 
-/// A mesh with degenerate triangles, edges of four triangles and pieces: all that was changed is listed.
+/// A mesh with degenerate triangles, edges of four triangles and pieces: all that was changed is
+/// listed.
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_what_was_healed_is_listed() {

@@ -1,6 +1,7 @@
-//! A table of what `inspect` and `plan` make of every file in the folder that `BLADEWRIGHT_BLADES` names, beside what is known of
-//! the file. Fails where a file makes the program panic, takes more than [`SECONDS`] or more than [`MEGABYTES`], and where something
-//! is recognised wrongly without a word that it is not certain. `just corpus-table` prints it.
+//! A table of what `inspect` and `plan` make of every file in the folder that `BLADEWRIGHT_BLADES`
+//! names, beside what is known of the file. Fails where a file makes the program panic, takes more
+//! than [`SECONDS`] or more than [`MEGABYTES`], and where something is recognised wrongly without a
+//! word that it is not certain. `just corpus-table` prints it.
 
 #![allow(clippy::print_stdout)]
 
@@ -235,7 +236,8 @@ fn every_blade_inspected_and_planned() {
             if panicked && run.stopped.is_none() {
                 failed.push(format!("{verb} {name} panicked:\n{}", run.stderr));
             }
-            // Planning with every default may take long on a large blade; looking at a file may not.
+            // Planning with every default may take long on a large blade; looking at a file may
+            // not.
             if verb == "inspect"
                 && let Some(limit) = run.stopped
             {

@@ -1,5 +1,5 @@
-//! Faults planted one by one into the text of a program, through the command: `verify PROGRAM` must find, place and name each, and nothing in the
-//! program as it is.
+//! Faults planted one by one into the text of a program, through the command: `verify PROGRAM` must
+//! find, place and name each, and nothing in the program as it is.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -22,7 +22,8 @@ impl Shop {
     fn new() -> Self {
         let dir = tempfile::tempdir().expect("temporary folder");
         let model = root().join("models/prism.step").display().to_string();
-        // An own dialect needs no recompile: three digits, other words for the tool call, its own file name.
+        // An own dialect needs no recompile: three digits, other words for the tool call, its own
+        // file name.
         let own = std::fs::read_to_string(root().join("models/posts/linuxcnc.toml")).expect("a post file");
         let own = own.replace("name = \"LinuxCNC", "name = \"My mill").replace("program.ngc", "mine.tap");
         std::fs::write(dir.path().join("mine.toml"), own.replace("length_decimals = 5", "length_decimals = 4"))
@@ -91,7 +92,8 @@ fn every_planted_fault_is_found_placed_and_named() {
     let k = cutting[cutting.len() / 2];
     let (line, at) = (format!("line {}", k + 1), point(lines[k]).expect("a point"));
 
-    // A gouge of 5 µm: the tip shifted towards the blade axis, square to it; how deep that is the command must tell.
+    // A gouge of 5 µm: the tip shifted towards the blade axis, square to it; how deep that is the
+    // command must tell.
     let across = (at[1].hypot(at[2])).max(1e-9);
     let deeper = |mm: f64| [at[0], at[1] * (1.0 - mm / across), at[2] * (1.0 - mm / across)];
     let said = shop.finding("gouge.mpf", &replaced(&siemens, k, &[with_point(lines[k], deeper(0.008))]), &[], "gouge");
@@ -141,7 +143,8 @@ fn every_planted_fault_is_found_placed_and_named() {
     assert!(said.contains(&format!("line {}", k + 2)) || said.contains(&format!("line {}", k + 3)), "{said}");
 }
 
-/// Faults that only the plan tells of, by `verify RUN`: a feed, a coefficient, a travel in the approach; and an own dialect.
+/// Faults that only the plan tells of, by `verify RUN`: a feed, a coefficient, a travel in the
+/// approach; and an own dialect.
 #[test]
 fn programs_of_a_run_are_compared_with_its_plan() {
     let shop = Shop::new();

@@ -1,4 +1,5 @@
-//! A folder of results holds one run, whole: whatever was in it before, and whatever happens on the way.
+//! A folder of results holds one run, whole: whatever was in it before, and whatever happens on the
+//! way.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -56,7 +57,8 @@ fn contents(dir: &Path) -> BTreeMap<String, Vec<u8>> {
     all.map(|n| (n.clone(), std::fs::read(dir.join(n)).expect("readable"))).collect()
 }
 
-/// The files that the manifest names are those that are there, with the content that it tells; but for the manifest and what is `foreign`.
+/// The files that the manifest names are those that are there, with the content that it tells; but
+/// for the manifest and what is `foreign`.
 fn manifest_is_true(dir: &Path, foreign: &[&str]) -> serde_json::Value {
     let files = contents(dir);
     let manifest: serde_json::Value = serde_json::from_slice(&files["manifest.json"]).expect("JSON");

@@ -1,5 +1,6 @@
-//! A short, seeded form of the fuzzing of `examples/fuzz_readers.rs`: damaged models in every format give a survey or an error, damaged programs of
-//! every grammar moves or an error, never a panic, and memory stays within bounds.
+//! A short, seeded form of the fuzzing of `examples/fuzz_readers.rs`: damaged models in every
+//! format give a survey or an error, damaged programs of every grammar moves or an error, never a
+//! panic, and memory stays within bounds.
 
 #[path = "../fuzz/mutate.rs"]
 mod mutate;
@@ -19,7 +20,8 @@ const RUNS: usize = 60;
 /// Most memory of the whole test, MB.
 const MOST_MB: u64 = 1500;
 
-/// Mutations of one seed: none panics, some can still be read and some not, so the damage is neither too weak nor too strong.
+/// Mutations of one seed: none panics, some can still be read and some not, so the damage is
+/// neither too weak nor too strong.
 fn survives(path: &Path, bytes: &[u8]) {
     let name = path.display();
     let options = ModelOptions { deflection_mm: 0.5, ..ModelOptions::default() };

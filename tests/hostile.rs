@@ -1,5 +1,6 @@
-//! Files that are not what they seem: names that would steer the terminal, pipes and devices in place of files, tables that reach out of their folder,
-//! coordinates without bound; and signals while nothing moves.
+//! Files that are not what they seem: names that would steer the terminal, pipes and devices in
+//! place of files, tables that reach out of their folder, coordinates without bound; and signals
+//! while nothing moves.
 #![cfg(target_os = "linux")]
 
 use std::io::Write;
@@ -188,7 +189,8 @@ fn meshes_without_bound_are_refused() {
     assert!(code == Some(0) && !text.contains("NaN") && !text.contains("inf "), "{text}");
 }
 
-/// The first request to end is heard although nothing moves: who reads what it prints has gone to sleep.
+/// The first request to end is heard although nothing moves: who reads what it prints has gone to
+/// sleep.
 #[test]
 fn the_first_signal_ends_it() {
     for signal in ["-TERM", "-INT"] {

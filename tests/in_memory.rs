@@ -1,4 +1,5 @@
-//! The library plans in memory: the example's program is the command's, with progress, and it stops when it is asked to.
+//! The library plans in memory: the example's program is the command's, with progress, and it stops
+//! when it is asked to.
 
 #[path = "../examples/in_memory.rs"]
 mod in_memory;

@@ -1,7 +1,8 @@
 //! The one way of dependence: a path in code that is against it fails here and is named.
 //!
-//! numerics ← geometry ← artifact ← {tool, machine} ← read, stages ← write ← plan ← run ← batch ← cli. Stages never import one
-//! another; `verify` sees no planner, but the readers of programs; writers see `verify` because only checked plans are written.
+//! numerics ← geometry ← artifact ← {tool, machine} ← read, stages ← write ← plan ← run ← batch ←
+//! cli. Stages never import one another; `verify` sees no planner, but the readers of programs;
+//! writers see `verify` because only checked plans are written.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -73,7 +74,8 @@ fn sources(dir: &Path, out: &mut Vec<PathBuf>) {
 /// A word or a sign of code, with its line.
 type Token = (usize, String);
 
-/// The words and signs of code. Comments are left out, and so are texts in quotes unless they are paths: attributes name functions in quotes.
+/// The words and signs of code. Comments are left out, and so are texts in quotes unless they are
+/// paths: attributes name functions in quotes.
 fn tokens(text: &str) -> Vec<Token> {
     let c: Vec<char> = text.chars().collect();
     let at = |k: usize| c.get(k).copied().unwrap_or(' ');
@@ -151,7 +153,8 @@ struct Named {
     in_tests: bool,
 }
 
-/// All paths of a file: those of imports, one for each name in braces; those of more than one name; and names of attributes.
+/// All paths of a file: those of imports, one for each name in braces; those of more than one name;
+/// and names of attributes.
 fn paths(tokens: &[Token]) -> Vec<Named> {
     let word = |k: usize| tokens.get(k).map_or("", |t| &t.1);
     let is_name = |k: usize| word(k).starts_with(|c: char| c.is_alphabetic() || c == '_');
@@ -278,7 +281,8 @@ fn place(path: &Named, module: &[String], known: &HashMap<String, Place>) -> Pla
     }
 }
 
-/// Line and name of everything that a file of a module names and must not. What a file has for its own unit tests may name any crate.
+/// Line and name of everything that a file of a module names and must not. What a file has for its
+/// own unit tests may name any crate.
 fn against(module: &[&str], is_test: bool, text: &str) -> Vec<(usize, String)> {
     // `sample` exists in unit tests only: the compiler keeps it out of the product.
     const EVERYWHERE: [&str; 6] = ["error", "observe", "Error", "ErrorKind", "Stage", "sample"];
@@ -292,7 +296,8 @@ fn against(module: &[&str], is_test: bool, text: &str) -> Vec<(usize, String)> {
     for path in paths(&tokens) {
         let place = place(&path, &inside, &known);
         let named = path.alias.clone().or_else(|| path.names.iter().rfind(|n| *n != "self").cloned());
-        // A path of one name that is no import, and a name that is imported as itself, lead nowhere new.
+        // A path of one name that is no import, and a name that is imported as itself, lead nowhere
+        // new.
         known.extend(
             named
                 .filter(|n| path.names.len() > 1 || path.alias.is_some() || n != &path.names[0])
@@ -425,7 +430,8 @@ fn each_rule_fails_on_its_fault() {
     }
 }
 
-/// A crate in a room that has no business with it, in each form that the language has for naming it.
+/// A crate in a room that has no business with it, in each form that the language has for naming
+/// it.
 #[test]
 fn a_crate_that_is_planted_is_found() {
     for text in [

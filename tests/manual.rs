@@ -1,5 +1,5 @@
-//! README and manual run as printed: the commands in every `sh` fence of a chapter are one session of a shell, in a folder that
-//! holds what a clean checkout holds.
+//! README and manual run as printed: the commands in every `sh` fence of a chapter are one session
+//! of a shell, in a folder that holds what a clean checkout holds.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -37,7 +37,8 @@ fn fences(chapter: &Path) -> Vec<(String, usize, Vec<String>)> {
     found
 }
 
-/// What cargo does is done already where a test runs: what it builds is the program that is tested, and what it tests is this.
+/// What cargo does is done already where a test runs: what it builds is the program that is tested,
+/// and what it tests is this.
 fn as_here(line: &str) -> Option<String> {
     if let Some(arguments) = line.strip_prefix("cargo run --release -- ") {
         return Some(format!("bladewright {arguments}"));

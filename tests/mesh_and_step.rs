@@ -38,7 +38,8 @@ fn steam_root() {
         let near = step.part.closest(&centre, f64::INFINITY).expect("a closest point");
         worst = worst.max((near.distance_mm - 8.0).abs());
     }
-    // Facets lie off the faces by their deflection at most; so do balls that rest on them, along the normal.
+    // Facets lie off the faces by their deflection at most; so do balls that rest on them, along
+    // the normal.
     assert!(worst <= DEFLECTION + 1e-3, "{worst}");
     // Same first turn, from the same base point.
     let (a, b) = (&exact.turns[0], &mesh.turns[0]);

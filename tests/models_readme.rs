@@ -1,5 +1,5 @@
-//! `models/README.md` and the models agree: its two tables are read, and every figure in them that a part itself shows is compared
-//! with what is found in the STEP file and in the OBJ file.
+//! `models/README.md` and the models agree: its two tables are read, and every figure in them that
+//! a part itself shows is compared with what is found in the STEP file and in the OBJ file.
 
 use std::path::{Path, PathBuf};
 

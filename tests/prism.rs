@@ -1,5 +1,5 @@
-//! Every stage on models/prism.step against its closed form: a stadium (60 × 20, straight sides of 40) standing on a platform
-//! with a fillet of R 6, cut with a ball of R 4 above the fillet.
+//! Every stage on models/prism.step against its closed form: a stadium (60 × 20, straight sides of 40)
+//! standing on a platform with a fillet of R 6, cut with a ball of R 4 above the fillet.
 
 use std::f64::consts::{PI, TAU};
 
@@ -47,7 +47,8 @@ fn toolpath(blade: &Blade) -> Toolpath {
     path::plan(blade, &options, &Silent).expect("a helix")
 }
 
-/// Distance to the prism's profile and the direction away from it, in the plane of the model's X and Y.
+/// Distance to the prism's profile and the direction away from it, in the plane of the model's X
+/// and Y.
 fn from_profile(p: &Point) -> (f64, [f64; 2]) {
     let (dx, dy) = (p.x - p.x.clamp(-HALF_SIDE, HALF_SIDE), p.y);
     let r = dx.hypot(dy);
@@ -112,14 +113,16 @@ fn cutter_locations_are_on_the_offset_at_the_pitch_of_the_scallop() {
         assert!((normal.x - away[0]).abs() < 1e-5 && (normal.y - away[1]).abs() < 1e-5 && normal.z.abs() < 1e-5);
         assert!(((b.model_from_blade * l.contact) - (centre - normal * R)).norm() < 1e-5);
     }
-    // Straight rulings along the axis: two balls a pitch p apart leave R − √(R² − p²/4), whatever the profile.
+    // Straight rulings along the axis: two balls a pitch p apart leave R − √(R² − p²/4), whatever
+    // the profile.
     let x_of = |k: usize| path.locations[path.turns[k].first].centre.x;
     let pitches: Vec<f64> = (1..turns).map(|k| x_of(k - 1) - x_of(k)).collect();
     let widest = pitches.iter().fold(0.0, |a: f64, b| a.max(*b));
     let ridge = R - (R * R - 0.25 * widest * widest).sqrt();
     assert!((path.planned_scallop_mm - ridge).abs() < 0.02 * ridge, "{} {ridge}", path.planned_scallop_mm);
     assert!(ridge <= SCALLOP && ridge > 0.9 * SCALLOP, "{ridge}");
-    // All turns but the last, which ends the region, have the same pitch; each is a helix on the offset.
+    // All turns but the last, which ends the region, have the same pitch; each is a helix on the
+    // offset.
     for (k, pitch) in pitches.iter().enumerate().take(turns - 2) {
         assert!((pitch - widest).abs() < 0.03 * widest, "{pitches:?}");
         let length = perimeter(R).hypot(*pitch);
@@ -128,8 +131,8 @@ fn cutter_locations_are_on_the_offset_at_the_pitch_of_the_scallop() {
     assert!((path.region_x_mm[0] - REGION[0]).abs() < 1e-6 && (path.region_x_mm[1] - REGION[1]).abs() < 1e-6);
 }
 
-/// The mesh gives the same path within its tolerance: both helices begin at the same height and base point, keep the same
-/// pitch, and are R from the profile.
+/// The mesh gives the same path within its tolerance: both helices begin at the same height and
+/// base point, keep the same pitch, and are R from the profile.
 #[test]
 fn mesh_gives_the_path_of_the_step() {
     let (exact, mesh) = (blade("prism.step"), blade("prism.obj"));
@@ -137,12 +140,14 @@ fn mesh_gives_the_path_of_the_step() {
     assert!((a.turns.len() as i64 - b.turns.len() as i64).abs() <= 1, "{} {}", a.turns.len(), b.turns.len());
     for l in &b.locations {
         let (distance, _) = from_profile(&(mesh.model_from_blade * l.centre));
-        // Vertices on the profile, facets inside by at most the deflection of the model's file, 0.01 mm.
+        // Vertices on the profile, facets inside by at most the deflection of the model's file,
+        // 0.01 mm.
         assert!((R - 0.0101..=R + 2e-6).contains(&distance), "{distance}");
     }
 }
 
-/// What a wall leaves: the cone's rim clears it by R (1 − cos(τ + φ)), φ being the axis' elevation over the wall.
+/// What a wall leaves: the cone's rim clears it by R (1 − cos(τ + φ)), φ being the axis' elevation
+/// over the wall.
 #[test]
 fn channel_beside_a_straight_side() {
     let b = blade("prism.step");
@@ -160,7 +165,8 @@ fn channel_beside_a_straight_side() {
     let mut seen = 0;
     for (l, row) in path.locations.iter().zip(&channel.rows) {
         let centre = b.model_from_blade * l.centre;
-        // Between places where the angles are worked out, walls are taken from both neighbours: stay off the ends.
+        // Between places where the angles are worked out, walls are taken from both neighbours:
+        // stay off the ends.
         if centre.x.abs() > HALF_SIDE - 3.0 {
             continue;
         }
@@ -179,8 +185,8 @@ fn planned(kind: ScheduleKind, path: &Toolpath, channel: &Channel) -> Schedule {
     schedule::plan(kind, path, channel, &ScheduleOptions::default(), &Silent).expect("a schedule")
 }
 
-/// A straight line fits into the channel of a stadium; the fixed lead turns at 1/(r + R) round the ends and not at all on
-/// the sides.
+/// A straight line fits into the channel of a stadium; the fixed lead turns at 1/(r + R) round the
+/// ends and not at all on the sides.
 #[test]
 fn schedule_feed_and_checks() {
     let b = blade("prism.step");
@@ -198,15 +204,17 @@ fn schedule_feed_and_checks() {
     let rows = path.locations.windows(2).zip(fixed.theta.windows(2));
     let quotient = rows.map(|(l, t)| ((t[1] - t[0]) / (l[1].s_mm - l[0].s_mm)).abs()).fold(0.0, f64::max);
     assert!((quotient - steepest).abs() < 0.02 * steepest, "{quotient} {steepest}");
-    // The rate jumps where a side meets an end; the smooth curve through the same angles swings over there.
+    // The rate jumps where a side meets an end; the smooth curve through the same angles swings
+    // over there.
     assert!((steepest..1.1 * steepest).contains(&fixed.peak_rate), "{} {steepest}", fixed.peak_rate);
     assert!(used.peak_rate < 0.75 * fixed.peak_rate);
 
     let feed_options = FeedOptions::new(FEED_MM_MIN, tool.length_mm());
     let motion = feed::plan(&path, &used, &machine, &feed_options, &Silent).expect("a motion");
     let full = FEED_MM_MIN / 60.0;
-    // From rest and to rest again; no limit binds in between. A is the slowest axis to come up: with limits a and j of acceleration and jerk
-    // it takes v/a + a/j to the speed v, half of which is lost at either end.
+    // From rest and to rest again; no limit binds in between. A is the slowest axis to come up:
+    // with limits a and j of acceleration and jerk it takes v/a + a/j to the speed v, half of which
+    // is lost at either end.
     let limits = machine.axes()[machine.turning_axis()].limits;
     let speed = turned / length * full;
     let lost = speed / limits.acceleration + limits.acceleration / limits.jerk;

@@ -1,5 +1,6 @@
-//! Axis and regions of made-up blades in any position: the same blade turned gives the same axis, what the geometry leaves open is
-//! said to be open, and what is no single blade is refused. What the user says takes the place of what is found.
+//! Axis and regions of made-up blades in any position: the same blade turned gives the same axis,
+//! what the geometry leaves open is said to be open, and what is no single blade is refused. What
+//! the user says takes the place of what is found.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -14,7 +15,8 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 type Mesh = (Vec<Point3<f64>>, Vec<[usize; 3]>);
 
-/// An airfoil: span along z from `foot`, chord, twist over the span, and how far the tip leans along y, in degrees.
+/// An airfoil: span along z from `foot`, chord, twist over the span, and how far the tip leans
+/// along y, in degrees.
 #[derive(Clone, Copy)]
 struct Airfoil {
     foot: f64,
@@ -158,7 +160,8 @@ fn a_blade_that_leans_by_half_a_right_angle_is_told_to_be_uncertain() {
     assert!(doubts.iter().any(|d| d.contains("not certain")), "{doubts:?}");
 }
 
-/// Pressure and suction side alone, with gaps along both edges and no ends: sections are joined over the gaps.
+/// Pressure and suction side alone, with gaps along both edges and no ends: sections are joined
+/// over the gaps.
 #[test]
 fn two_sheets_that_do_not_meet_are_one_airfoil() {
     let (points, triangles) = Airfoil { twist_deg: 15.0, ..PLAIN }.mesh();
@@ -214,7 +217,8 @@ fn a_wheel_is_said_to_be_no_single_blade() {
     }
 }
 
-/// Two blades of different size in one file: each can be chosen, the whole part stays, and a body that is not there is an error that lists them.
+/// Two blades of different size in one file: each can be chosen, the whole part stays, and a body
+/// that is not there is an error that lists them.
 #[test]
 fn a_body_of_an_assembly_is_chosen_by_its_number() {
     let (mut points, mut triangles) = PLAIN.mesh();
@@ -278,7 +282,8 @@ fn an_axis_that_contradicts_the_part_is_told() {
     assert!(refusal.contains("the axis is the likely cause"), "{error}");
 }
 
-/// Where only one side of the airfoil is named, the message names the other, and following it finds the airfoil.
+/// Where only one side of the airfoil is named, the message names the other, and following it finds
+/// the airfoil.
 #[test]
 fn a_side_that_was_not_named_is_named() {
     for options in [&["--axis", "z", "--faces", "airfoil=2"][..], &["--faces", "airfoil=2"]] {
@@ -291,7 +296,8 @@ fn a_side_that_was_not_named_is_named() {
     assert!(text.contains("airfoil: x ="), "{text}");
 }
 
-/// A blade with root, platform and fillet: the same axis to a tenth of a degree, and the same heights, in any position.
+/// A blade with root, platform and fillet: the same axis to a tenth of a degree, and the same
+/// heights, in any position.
 #[test]
 fn a_blade_with_a_platform_is_found_alike_in_any_position() {
     let text = std::fs::read_to_string(model("turbine_camber.obj")).expect("model");
@@ -374,12 +380,14 @@ fn what_the_user_says_wrongly_is_an_error_that_names_it() {
     ] {
         let out = inspect("prism.obj", &options);
         let text = format!("{}{}", String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
-        // Regions that make no sense are told with the report; what cannot be parsed ends the command.
+        // Regions that make no sense are told with the report; what cannot be parsed ends the
+        // command.
         assert!(text.contains(word), "{options:?}: `{word}` is not in\n{text}");
     }
 }
 
-/// The prism's areas, by its closed forms: airfoil above the fillet, quarter-round fillet, platform outside it, tip.
+/// The prism's areas, by its closed forms: airfoil above the fillet, quarter-round fillet, platform
+/// outside it, tip.
 #[test]
 fn colours_of_the_regions_are_on_the_right_triangles() {
     let dir = tempfile::tempdir().expect("temporary folder");
@@ -395,7 +403,8 @@ fn colours_of_the_regions_are_on_the_right_triangles() {
         let reader = primitive.reader(|_| Some(&blob));
         let points: Vec<[f32; 3]> = reader.read_positions().expect("positions").collect();
         for p in &points {
-            // In metres, y up or z up: heights and distances from the axis are told by the closed forms below alone.
+            // In metres, y up or z up: heights and distances from the axis are told by the closed
+            // forms below alone.
             assert!(p.iter().all(|x| x.is_finite()));
         }
         seen.push((name, colour.map(|c| (c * 1000.0).round() as i32), points));
@@ -423,7 +432,8 @@ fn colours_of_the_regions_are_on_the_right_triangles() {
     }
 }
 
-/// A blade as its corners: `at(share of the span, place once round)` gives points; both ends are closed.
+/// A blade as its corners: `at(share of the span, place once round)` gives points; both ends are
+/// closed.
 fn lofted(at: impl Fn(f64, [f64; 2]) -> Point3<f64>) -> Mesh {
     let section = Airfoil { foot: 0.0, span: 1.0, chord: 1.0, lean_deg: 0.0, twist_deg: 0.0, ..PLAIN };
     let (mut points, triangles) = section.mesh();
@@ -435,7 +445,8 @@ fn lofted(at: impl Fn(f64, [f64; 2]) -> Point3<f64>) -> Mesh {
     (points, triangles)
 }
 
-/// Unit vector from the middle of the first section to that of the last, by area of the ends' triangles.
+/// Unit vector from the middle of the first section to that of the last, by area of the ends'
+/// triangles.
 fn end_to_end((points, triangles): &Mesh) -> Vector3<f64> {
     let (walls, each) = (4 * SIDE * (HEIGHTS - 1), (triangles.len() - 4 * SIDE * (HEIGHTS - 1)) / 2);
     let middle = |ts: &[[usize; 3]]| {
@@ -450,7 +461,8 @@ fn end_to_end((points, triangles): &Mesh) -> Vector3<f64> {
     (middle(&triangles[walls + each..]) - middle(&triangles[walls..walls + each])).normalize()
 }
 
-/// In three positions: along the line from end to end, either sense, and said to be uncertain for this reason.
+/// In three positions: along the line from end to end, either sense, and said to be uncertain for
+/// this reason.
 fn runs_from_end_to_end(mesh: &Mesh, because: &str) {
     for seed in 0..3 {
         let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
@@ -461,8 +473,8 @@ fn runs_from_end_to_end(mesh: &Mesh, because: &str) {
     }
 }
 
-/// A fan blade: its sections lie on cylinders round z through the origin and slide round them from root to tip, so that the way from end
-/// to end is far from a radius, to which the ends are square.
+/// A fan blade: its sections lie on cylinders round z through the origin and slide round them from
+/// root to tip, so that the way from end to end is far from a radius, to which the ends are square.
 #[test]
 fn a_swept_fan_blade_runs_from_end_to_end_and_is_said_to_lean() {
     let mesh = lofted(|share, [x, y]| {
@@ -474,7 +486,8 @@ fn a_swept_fan_blade_runs_from_end_to_end_and_is_said_to_lean() {
     runs_from_end_to_end(&mesh, "the blade leans");
 }
 
-/// A blade of a centrifugal impeller: from hub to shroud is outwards where the air comes in and along the shaft where it leaves.
+/// A blade of a centrifugal impeller: from hub to shroud is outwards where the air comes in and
+/// along the shaft where it leaves.
 #[test]
 fn a_blade_that_turns_from_axial_to_radial_runs_from_hub_to_shroud() {
     let mesh = lofted(|share, [x, y]| {
@@ -489,8 +502,9 @@ fn a_blade_that_turns_from_axial_to_radial_runs_from_hub_to_shroud() {
     runs_from_end_to_end(&mesh, "reach neither of its ends");
 }
 
-/// A Kaplan blade: two sheets that do not meet, wider than long, between two spheres about the origin, with twist. Directions aslant look
-/// like an airfoil nearly as much, but it stands off its shaft along one coordinate axis alone.
+/// A Kaplan blade: two sheets that do not meet, wider than long, between two spheres about the
+/// origin, with twist. Directions aslant look like an airfoil nearly as much, but it stands off its
+/// shaft along one coordinate axis alone.
 #[test]
 fn a_wide_blade_between_spheres_stands_off_its_shaft() {
     let (points, triangles) = lofted(|share, [x, y]| {
@@ -510,7 +524,8 @@ fn a_wide_blade_between_spheres_stands_off_its_shaft() {
     assert!(found == Vector3::x() && doubts.is_empty(), "{found} {doubts:?}");
 }
 
-/// The ball is smaller than the fillet; one that is too large is told, with what it leaves and what would fit.
+/// The ball is smaller than the fillet; one that is too large is told, with what it leaves and what
+/// would fit.
 #[test]
 fn the_fillet_has_its_say_in_the_ball() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.obj");

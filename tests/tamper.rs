@@ -1,5 +1,6 @@
-//! Files of a finished run changed one by one: `verify RUN` must find each, name the file and the place, and leave a run that nobody touched alone. The plan is made once;
-//! each tampering works on a copy of its folder.
+//! Files of a finished run changed one by one: `verify RUN` must find each, name the file and the
+//! place, and leave a run that nobody touched alone. The plan is made once; each tampering works on
+//! a copy of its folder.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -126,7 +127,8 @@ fn each(list: &mut Value, by: impl Fn(&mut Value)) {
     list.as_array_mut().expect("a list").iter_mut().for_each(by);
 }
 
-/// A run as it was left is good, also after every other verb has written into its folder; and what these wrote is judged too.
+/// A run as it was left is good, also after every other verb has written into its folder; and what
+/// these wrote is judged too.
 #[test]
 fn a_run_that_nobody_touched_is_good() {
     let shop = Shop::new();
@@ -230,7 +232,8 @@ fn a_plan_that_was_changed_is_found() {
         &[("job", &["lead-in is no arc", "feed.lead_radius_mm is 4"]), ("plan-motion", &["velocity of axis"])],
     );
 
-    // One row's wall, half a radian into the part, with all that follows from it, in the table and in the manifest too: only the part tells.
+    // One row's wall, half a radian into the part, with all that follows from it, in the table and
+    // in the manifest too: only the part tells.
     let run = shop.copy("wall");
     let (mut row, mut theta_deg) = (0, 0.0);
     change_plan(&run, |plan| {

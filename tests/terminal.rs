@@ -1,4 +1,5 @@
-//! How the command speaks on a terminal, and elsewhere. The terminal is a pseudo terminal of `script` (util-linux).
+//! How the command speaks on a terminal, and elsewhere. The terminal is a pseudo terminal of
+//! `script` (util-linux).
 #![cfg(target_os = "linux")]
 
 use std::path::Path;

@@ -1,11 +1,15 @@
-//! The channel is tight: a tool that stands on its walls touches nothing, and one that stands a fifth of a degree outside them touches
-//! the face that the channel names with the part of the tool that it names.
+//! The channel is tight: a tool that stands on its walls touches nothing, and one that stands a
+//! fifth of a degree outside them touches the face that the channel names with the part of the tool
+//! that it names.
 //!
-//! Clearances are 0 and ends are those of the exact faces, so that a wall is where the tool first touches. Schedules of the kinds `lower-wall` and `upper-wall` run
-//! along the channel; what the tool touches is asked of `verify`, which shares no code with the channel, on a mesh much finer than the one
-//! that the channel was planned on. Walls that the contact angle or an axis gives touch nothing when they are passed, and are only looked
-//! at from inside; so are those that the part gives only on the way to the next place. Minutes of work, and so not among the daily tests: `just walls`. The folder
-//! that `BLADEWRIGHT_BLADES` names adds real blades: the tests `real_walls_…`.
+//! Clearances are 0 and ends are those of the exact faces, so that a wall is where the tool first
+//! touches. Schedules of the kinds `lower-wall` and `upper-wall` run along the channel; what the
+//! tool touches is asked of `verify`, which shares no code with the channel, on a mesh much finer
+//! than the one that the channel was planned on. Walls that the contact angle or an axis gives
+//! touch nothing when they are passed, and are only looked at from inside; so are those that the
+//! part gives only on the way to the next place. Minutes of work, and so not among the daily tests:
+//! `just walls`. The folder that `BLADEWRIGHT_BLADES` names adds real blades: the tests
+//! `real_walls_…`.
 
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -28,11 +32,12 @@ use bladewright::verify;
 const BEYOND_DEG: f64 = 0.2;
 /// Places on the path of a blade, about.
 const PLACES: usize = 300;
-/// What lies off the faces in the mesh that is asked, for each mm of the ball's radius: a tenth of the way of a point at that distance over the
-/// angle that the tool is turned by.
+/// What lies off the faces in the mesh that is asked, for each mm of the ball's radius: a tenth of
+/// the way of a point at that distance over the angle that the tool is turned by.
 const FINE: f64 = 3.5e-4;
 
-/// The part once more, as a mesh alone: the exact faces to within what is asked, or the mesh that it is.
+/// The part once more, as a mesh alone: the exact faces to within what is asked, or the mesh that
+/// it is.
 fn finely(part: &Part, off_mm: f64) -> (Part, f64) {
     let Some(brep) = &part.brep else { return (Part::from_mesh(part.mesh.clone()), 0.0) };
     let t = tessellate(brep, &Options::with_deflection(off_mm), &Silent).expect("faces that were tessellated before");
@@ -85,7 +90,8 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
     let (fine, off_mm) = finely(&setup.blade.part, FINE * tool.radius_mm);
     let faces = by_face(&fine.mesh);
     let resolution_mm = 0.1 * FINE * tool.radius_mm;
-    // Faces that lie off their common edges are joined there by the mesh, whatever is asked: no more can be told than by how much.
+    // Faces that lie off their common edges are joined there by the mesh, whatever is asked: no
+    // more can be told than by how much.
     let untold_mm = if off_mm > 2.0 * FINE * tool.radius_mm { off_mm } else { 0.0 };
     let segments = tool.segments();
     for kind in [ScheduleKind::LowerWall, ScheduleKind::UpperWall] {

@@ -2,11 +2,12 @@
 
 use super::Axes;
 
-/// One row per cutter location, with a column for each axis of the machine (`Machine::axes`). Linear
-/// axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
+/// One row per cutter location, with a column for each axis of the machine (`Machine::axes`).
+/// Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisMotion {
-    /// Time at each cutter location, s, from the start of the whole motion: the first location's is later than 0 where a lead comes before it.
+    /// Time at each cutter location, s, from the start of the whole motion: the first location's is
+    /// later than 0 where a lead comes before it.
     pub t_s: Vec<f64>,
     /// Axis positions.
     pub position: Vec<Axes>,
@@ -14,7 +15,8 @@ pub struct AxisMotion {
     pub velocity: Vec<Axes>,
     /// Axis accelerations.
     pub acceleration: Vec<Axes>,
-    /// Axis jerks just after each location (difference quotients of the accelerations where jerk was not limited).
+    /// Axis jerks just after each location (difference quotients of the accelerations where jerk
+    /// was not limited).
     pub jerk: Vec<Axes>,
     /// Feed of the ball centre towards each location, mm/s.
     pub feed: Vec<f64>,

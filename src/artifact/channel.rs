@@ -28,7 +28,8 @@ pub enum Binding {
     AxisLimit,
     /// The permitted range of contact angle on the ball.
     ContactAngle,
-    /// Nothing does: the whole circle is free, the interval was cut open opposite to the surface normal.
+    /// Nothing does: the whole circle is free, the interval was cut open opposite to the surface
+    /// normal.
     Free,
 }
 
@@ -64,20 +65,22 @@ pub struct Channel {
     pub narrowest_row: usize,
     /// How many separate chains could be followed round the whole path.
     pub chains: usize,
-    /// Locations whose moves to the next the walls are proven for, since the tool came too near there with a schedule in walls that hold at locations.
+    /// Locations whose moves to the next the walls are proven for, since the tool came too near
+    /// there with a schedule in walls that hold at locations.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub proven_at: Vec<usize>,
 }
 
-/// How wide the channel is at one B, over places on the path (the moves between them are not looked at).
+/// How wide the channel is at one B, over places on the path (the moves between them are not looked
+/// at).
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Width {
     /// B, degrees.
     pub b_deg: f64,
     /// Width of the channel at its narrowest place, degrees; none: closed.
     pub narrowest_deg: Option<f64>,
-    /// Width between the monotone hulls where they are nearest, degrees; negative: a schedule would have to turn back;
-    /// none: closed.
+    /// Width between the monotone hulls where they are nearest, degrees; negative: a schedule would
+    /// have to turn back; none: closed.
     pub monotone_deg: Option<f64>,
     /// Turn of the narrowest place, or of where it closes.
     pub turn: u32,

@@ -4,10 +4,12 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use crate::geometry::Vector;
 
-/// A cone of tool axes: `a(θ) = sin B c + cos B (cos θ e + sin θ c × e)`, unit vectors from tip to spindle.
+/// A cone of tool axes: `a(θ) = sin B c + cos B (cos θ e + sin θ c × e)`, unit vectors from tip to
+/// spindle.
 ///
-/// The root of a blade has the same cone everywhere: `c` is the blade axis, `B` the lean of the head. The
-/// axes of a reference plane (Chen, Xu and Tang 2015) are the cone with `c` the plane's normal and `B = 0`.
+/// The root of a blade has the same cone everywhere: `c` is the blade axis, `B` the lean of the
+/// head. The axes of a reference plane (Chen, Xu and Tang 2015) are the cone with `c` the plane's
+/// normal and `B = 0`.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Cone {
     /// Axis `c` of the cone, unit, blade frame. θ turns about it by the right-hand rule.
@@ -24,8 +26,8 @@ impl Cone {
         Cone { axis: Vector::x(), reference: Vector::y(), lean_rad }
     }
 
-    /// The cone about an axis, with the reference made square to it; `None` where one is no direction or both
-    /// are parallel.
+    /// The cone about an axis, with the reference made square to it; `None` where one is no
+    /// direction or both are parallel.
     pub fn new(axis: Vector, reference: Vector, lean_rad: f64) -> Option<Self> {
         let axis = axis.try_normalize(1e-12)?;
         let reference = (reference - axis * axis.dot(&reference)).try_normalize(1e-9)?;
@@ -63,14 +65,15 @@ impl Cone {
         self.axis * v.x + self.reference * v.y + self.axis.cross(&self.reference) * v.z
     }
 
-    /// The angle θ of a vector about the axis, within half a turn, rad; `None` where less than `least` of it
-    /// is square to the axis.
+    /// The angle θ of a vector about the axis, within half a turn, rad; `None` where less than
+    /// `least` of it is square to the axis.
     pub fn theta_of(&self, v: &Vector, least: f64) -> Option<f64> {
         let v = self.seen(v);
         (v.y.hypot(v.z) >= least).then(|| v.z.atan2(v.y))
     }
 
-    /// The rotation vector, rad, blade frame, that carries `c` and `e` onto those of the other cone.
+    /// The rotation vector, rad, blade frame, that carries `c` and `e` onto those of the other
+    /// cone.
     pub fn rotation_to(&self, other: &Cone) -> Vector {
         if self.axis == other.axis && self.reference == other.reference {
             return Vector::zeros();
@@ -79,8 +82,8 @@ impl Cone {
         UnitQuaternion::from_rotation_matrix(&to).scaled_axis()
     }
 
-    /// The cone at a share of the way to another: its frame turns evenly by the shortest rotation, its lean
-    /// changes evenly.
+    /// The cone at a share of the way to another: its frame turns evenly by the shortest rotation,
+    /// its lean changes evenly.
     pub fn between(&self, other: &Cone, share: f64) -> Cone {
         let lean_rad = self.lean_rad + (other.lean_rad - self.lean_rad) * share;
         let turn = UnitQuaternion::from_scaled_axis(self.rotation_to(other) * share);
@@ -90,9 +93,9 @@ impl Cone {
         Cone { axis: turn * self.axis, reference: turn * self.reference, lean_rad }
     }
 
-    /// The same axes with the reference carried along from another cone: by the least rotation that brings the
-    /// other's axis onto this one's. Where both axes point against one another this one is written about its
-    /// other direction.
+    /// The same axes with the reference carried along from another cone: by the least rotation that
+    /// brings the other's axis onto this one's. Where both axes point against one another this one
+    /// is written about its other direction.
     fn carried_from(&self, last: &Cone) -> Cone {
         let (axis, lean_rad) =
             if self.axis.dot(&last.axis) < 0.0 { (-self.axis, -self.lean_rad) } else { (self.axis, self.lean_rad) };
@@ -124,9 +127,9 @@ impl Cones {
         Cones::Same(Cone::about_blade(lean_rad))
     }
 
-    /// One cone for each location. The first keeps its reference; all others get theirs by carrying it along
-    /// (rotation-minimising frames), so that θ means the same from location to location, whatever references
-    /// they came with.
+    /// One cone for each location. The first keeps its reference; all others get theirs by carrying
+    /// it along (rotation-minimising frames), so that θ means the same from location to location,
+    /// whatever references they came with.
     pub fn along(cones: Vec<Cone>) -> Self {
         let mut out: Vec<Cone> = Vec::with_capacity(cones.len());
         for cone in cones {
@@ -191,7 +194,8 @@ impl Cones {
         }
     }
 
-    /// With so many locations more before the first and behind the last, each with the cone of that end.
+    /// With so many locations more before the first and behind the last, each with the cone of that
+    /// end.
     #[must_use]
     pub fn extended(&self, [before, behind]: [usize; 2]) -> Self {
         match self {
@@ -228,7 +232,8 @@ mod tests {
             .prop_filter_map("no frame", |(c, e, lean)| (c.norm() > 0.1).then(|| Cone::new(c, e, lean)).flatten())
     }
 
-    /// A general frame that happens to be the blade's gives the same axes to the last bit as the short cut.
+    /// A general frame that happens to be the blade's gives the same axes to the last bit as the
+    /// short cut.
     #[test]
     fn about_the_blade_the_general_formula_is_the_same() {
         for k in 0..50 {

@@ -3,8 +3,9 @@
 use super::AxisMotion;
 use crate::geometry::Point;
 
-/// The way of the tool before the first location, or after the last: an arc in air, tangential to the path where they meet. Rows are in
-/// order of time and do not contain the location itself. No rows: the tool comes or leaves straight along its axis.
+/// The way of the tool before the first location, or after the last: an arc in air, tangential to
+/// the path where they meet. Rows are in order of time and do not contain the location itself. No
+/// rows: the tool comes or leaves straight along its axis.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Lead {
     /// Radius of the arc of ball centres, mm; 0 where there is none.

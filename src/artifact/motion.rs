@@ -37,8 +37,8 @@ impl Stand {
         Stand { centre: self.centre + self.axis() * by_mm, ..*self }
     }
 
-    /// At a share of the straight move to another stand: the ball centre goes straight, θ turns evenly, the cone
-    /// changes evenly.
+    /// At a share of the straight move to another stand: the ball centre goes straight, θ turns
+    /// evenly, the cone changes evenly.
     pub fn towards(&self, to: &Stand, share: f64) -> Stand {
         let cone = if self.cone == to.cone { self.cone } else { self.cone.between(&to.cone, share) };
         Stand {
@@ -58,8 +58,8 @@ struct Turning<'a> {
 }
 
 impl Turning<'_> {
-    /// θ of the schedule's curve at a share of the way, rad, where the curve goes through the angles of both
-    /// locations.
+    /// θ of the schedule's curve at a share of the way, rad, where the curve goes through the
+    /// angles of both locations.
     fn at(&self, share: f64) -> Option<f64> {
         let [s, s1] = self.s_mm;
         self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten()
@@ -77,8 +77,8 @@ impl Turning<'_> {
 
 /// The motion of the tool over lead-in, path and lead-out, row by row.
 ///
-/// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight moves
-/// ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
+/// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
+/// moves ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
 /// ([`Motion::curved`]).
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
@@ -115,8 +115,8 @@ impl<'a> Motion<'a> {
         Some(Stand { theta, ..straight })
     }
 
-    /// The first joint of two pieces of the schedule's curve strictly between two shares of the way from a row
-    /// to the next.
+    /// The first joint of two pieces of the schedule's curve strictly between two shares of the way
+    /// from a row to the next.
     pub fn joint_between(&self, row: usize, from: f64, to: f64) -> Option<f64> {
         self.turning(row)?.joint_between(from, to)
     }

@@ -53,8 +53,8 @@ impl Lead {
 }
 
 impl Plan {
-    /// Everything that is moved at the feed of the plan, in order of time: the lead-in, all locations, the lead-out. Ends with the shortest list
-    /// of each where their lengths differ.
+    /// Everything that is moved at the feed of the plan, in order of time: the lead-in, all
+    /// locations, the lead-out. Ends with the shortest list of each where their lengths differ.
     pub fn rows(&self) -> impl Iterator<Item = Row> + '_ {
         let [before, after] = &self.leads;
         let last = self.toolpath.locations.len().saturating_sub(1);
@@ -80,8 +80,9 @@ impl Plan {
         before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
     }
 
-    /// What is left of the plan from the beginning of a turn on: the same locations, angles and motion, none before. Times and lengths stay
-    /// as they are in the whole. `None` where there is no such turn.
+    /// What is left of the plan from the beginning of a turn on: the same locations, angles and
+    /// motion, none before. Times and lengths stay as they are in the whole. `None` where there is
+    /// no such turn.
     #[must_use]
     pub fn from_turn(&self, turn: usize) -> Option<Plan> {
         let row = self.toolpath.turns.get(turn)?.first;

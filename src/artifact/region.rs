@@ -1,6 +1,8 @@
-//! Regions: pieces of the part's surface, the curves at which they begin and end, and the names of their sides.
+//! Regions: pieces of the part's surface, the curves at which they begin and end, and the names of
+//! their sides.
 //!
-//! A part has a list of regions. Today it holds one airfoil, perhaps with a fillet and a platform; nothing here counts on that.
+//! A part has a list of regions. Today it holds one airfoil, perhaps with a fillet and a platform;
+//! nothing here counts on that.
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::profile::Sides;
@@ -83,7 +85,8 @@ pub struct Region {
     pub start: Option<Boundary>,
     /// Where it ends, on the side of the root; `None` where no curve is known.
     pub end: Option<Boundary>,
-    /// Leading and trailing edge along it, and which side is the suction side; `None` where it has none, or they are not known.
+    /// Leading and trailing edge along it, and which side is the suction side; `None` where it has
+    /// none, or they are not known.
     pub sides: Option<Sides>,
 }
 
@@ -98,8 +101,8 @@ impl Region {
         Some([self.end.as_ref()?.x_mm()?, self.start.as_ref()?.x_mm()?])
     }
 
-    /// Which of the loops of a plane section goes round it: the one with the greatest length on its surface; where none lies on it, the one
-    /// round the blade axis or the nearest to that.
+    /// Which of the loops of a plane section goes round it: the one with the greatest length on its
+    /// surface; where none lies on it, the one round the blade axis or the nearest to that.
     pub fn contour(&self, mesh: &Mesh, loops: &[Loop]) -> Option<usize> {
         let on_mm = |l: &Loop| {
             let n = l.points.len();
@@ -136,7 +139,8 @@ pub struct Regions {
 }
 
 impl Regions {
-    /// An airfoil between two heights and, where there is one, a platform with its top at the third; mm. The surface is not known.
+    /// An airfoil between two heights and, where there is one, a platform with its top at the
+    /// third; mm. The surface is not known.
     pub fn at_heights(part_x_mm: [f64; 2], airfoil_x_mm: [f64; 2], platform_x_mm: Option<f64>) -> Regions {
         let [foot, top] = airfoil_x_mm;
         let end = if platform_x_mm.is_some() { Boundary::Height(foot) } else { Boundary::Rim(foot) };
@@ -150,8 +154,8 @@ impl Regions {
         self.list.iter().find(|r| r.area == area)
     }
 
-    /// Heights between which sections of the first airfoil are one loop, clear of platform, shroud and tenon; mm. The whole part's
-    /// where there is no airfoil.
+    /// Heights between which sections of the first airfoil are one loop, clear of platform, shroud
+    /// and tenon; mm. The whole part's where there is no airfoil.
     pub fn airfoil_x_mm(&self) -> [f64; 2] {
         self.first(Area::Airfoil).and_then(Region::x_mm).unwrap_or(self.part_x_mm)
     }
@@ -161,7 +165,8 @@ impl Regions {
         self.first(Area::Platform)?.start.as_ref()?.x_mm()
     }
 
-    /// Foot and top of the fillet between airfoil and platform, mm, where there is one that heights bound.
+    /// Foot and top of the fillet between airfoil and platform, mm, where there is one that heights
+    /// bound.
     pub fn fillet_x_mm(&self) -> Option<[f64; 2]> {
         self.first(Area::Fillet)?.x_mm()
     }
@@ -185,12 +190,14 @@ pub struct Extent {
     pub region: usize,
     /// Where it begins; `None`: found from the region.
     pub start: Option<Boundary>,
-    /// Where it ends, whichever it comes to first, besides the region's own rim. None: where the part ends it.
+    /// Where it ends, whichever it comes to first, besides the region's own rim. None: where the
+    /// part ends it.
     pub ends: Vec<Boundary>,
 }
 
 impl Extent {
-    /// Round the first region between two heights of the ball's centre along the blade axis, blade frame, mm; `None`: found from the part.
+    /// Round the first region between two heights of the ball's centre along the blade axis, blade
+    /// frame, mm; `None`: found from the part.
     pub fn heights(start_mm: Option<f64>, end_mm: Option<f64>) -> Extent {
         let boundary = |x: Option<f64>| x.map(Boundary::Height);
         Extent { region: 0, start: boundary(start_mm), ends: boundary(end_mm).into_iter().collect() }

@@ -29,7 +29,8 @@ pub struct Check {
 }
 
 impl Check {
-    /// A check without a place, passed where the worst value is at most its limit. What is not finite is worse than everything.
+    /// A check without a place, passed where the worst value is at most its limit. What is not
+    /// finite is worse than everything.
     pub fn at_most(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Self {
         let worst = if worst.is_finite() { worst } else { f64::MAX };
         Check {
@@ -66,7 +67,8 @@ pub enum LimitSource {
     Ridges,
 }
 
-/// The inner turns of a path (all but the first and the last) beside the least length that their area needs.
+/// The inner turns of a path (all but the first and the last) beside the least length that their
+/// area needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct LimitFigures {
     /// Area that the inner turns machine, mm².
@@ -81,7 +83,8 @@ pub struct LimitFigures {
     pub source: LimitSource,
     /// The same ratio from the measured ridges: a second opinion.
     pub ratio_by_ridges: f64,
-    /// Ridges between the inner turns, each counting by the area that it stands on, mm: 5th percentile.
+    /// Ridges between the inner turns, each counting by the area that it stands on, mm: 5th
+    /// percentile.
     pub ridge_p05_mm: f64,
     /// Median, mm.
     pub ridge_p50_mm: f64,
@@ -132,7 +135,8 @@ pub struct CheckReport {
     pub scallop_p05_mm: f64,
     /// Number of surface points in the machined band that the scallop was measured at.
     pub scallop_samples: usize,
-    /// Heights of the ridges between neighbouring turns, each counting by the area that it stands on, mm: greatest.
+    /// Heights of the ridges between neighbouring turns, each counting by the area that it stands
+    /// on, mm: greatest.
     pub ridge_max_mm: f64,
     /// 99th percentile, mm.
     pub ridge_p99_mm: f64,
@@ -142,7 +146,8 @@ pub struct CheckReport {
     pub ridge_p05_mm: f64,
     /// Length of the inner turns beside the limit, and the ridges between them.
     pub limit: LimitFigures,
-    /// Samples of the machined band that no ball of this radius can reach: inner corners that stay uncut.
+    /// Samples of the machined band that no ball of this radius can reach: inner corners that stay
+    /// uncut.
     pub uncut_samples: usize,
     /// Area beside the path that no ball of this radius can reach, mm².
     pub uncut_area_mm2: f64,
@@ -154,7 +159,8 @@ pub struct CheckReport {
     /// Area that each place stands for, mm².
     #[serde(skip)]
     pub uncut_cell_mm2: f64,
-    /// Scallop at the samples of the machined band, the lowest first, for the report; found anew by each check.
+    /// Scallop at the samples of the machined band, the lowest first, for the report; found anew by
+    /// each check.
     #[serde(skip)]
     pub scallop: Vec<Place>,
     /// Ridges between neighbouring turns, likewise.

@@ -48,20 +48,22 @@ pub struct SectionLoop {
     pub chord_mm: f64,
     /// Greatest thickness, mm.
     pub thickness_mm: f64,
-    /// Greatest distance of the smoothing fit that curvature is taken from to the section, mm; 0 where all curvature is that
-    /// of the exact faces.
+    /// Greatest distance of the smoothing fit that curvature is taken from to the section, mm; 0
+    /// where all curvature is that of the exact faces.
     pub fit_error_mm: f64,
-    /// Greatest distance of a point from the part, mm: a bound for each point, not for what lies between; not more than
-    /// rounding where the part is a mesh.
+    /// Greatest distance of a point from the part, mm: a bound for each point, not for what lies
+    /// between; not more than rounding where the part is a mesh.
     pub off_part_mm: f64,
 }
 
 /// One closed loop of a section as curves in its plane.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SectionCurves {
-    /// Cubic B-splines (straight ones of lower degree), C² inside, each beginning where the one before it ends; blade frame, mm.
+    /// Cubic B-splines (straight ones of lower degree), C² inside, each beginning where the one
+    /// before it ends; blade frame, mm.
     pub pieces: Vec<NurbsCurve>,
-    /// Greatest distance of the curves from the section, mm, as measured between the interpolated points, and a quarter more.
+    /// Greatest distance of the curves from the section, mm, as measured between the interpolated
+    /// points, and a quarter more.
     pub off_mm: f64,
 }
 

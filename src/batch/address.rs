@@ -1,8 +1,9 @@
 //! What a member is computed from, as one hash; and what it is likely to cost.
 //!
-//! The address is the BLAKE3 hash of the program's version and build, the job as typed (machine and post files by their content), and the model's name and
-//! content (that of its data files too), or the generator's design. Where a file lies does not matter. What stands in the address
-//! decides every byte of the result, so the same address is never computed twice.
+//! The address is the BLAKE3 hash of the program's version and build, the job as typed (machine and
+//! post files by their content), and the model's name and content (that of its data files too), or
+//! the generator's design. Where a file lies does not matter. What stands in the address decides
+//! every byte of the result, so the same address is never computed twice.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,8 @@ use crate::run;
 /// Raised when results of the same inputs are kept in another way.
 const LAYOUT: &str = "bladewright-family 2";
 
-/// Size and hash of a file; `None`: it cannot be read, which is the member's trouble when its turn comes.
+/// Size and hash of a file; `None`: it cannot be read, which is the member's trouble when its turn
+/// comes.
 type Content = Option<(u64, String)>;
 
 /// Contents of files, each read once.
@@ -42,7 +44,8 @@ impl Contents {
 pub(super) struct Address {
     /// Everything that its result follows from.
     pub key: String,
-    /// The part of that which path and channel follow from: members that share it share those stages.
+    /// The part of that which path and channel follow from: members that share it share those
+    /// stages.
     pub group: String,
 }
 
@@ -98,15 +101,17 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
     Ok(Address { key: key.finalize().to_hex().to_string(), group: group.finalize().to_hex().to_string() })
 }
 
-/// Likely effort of a member: time in an arbitrary unit and peak memory. Both follow from inputs alone, so all shards agree.
+/// Likely effort of a member: time in an arbitrary unit and peak memory. Both follow from inputs
+/// alone, so all shards agree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Estimate {
     pub cost: f64,
     pub memory_mib: u64,
 }
 
-/// Estimates a member. A model's size stands for its faces; a made blade's accuracy, for its own. Turns grow with the root of the inverse
-/// scallop and locations with the inverse step, and both with the region.
+/// Estimates a member. A model's size stands for its faces; a made blade's accuracy, for its own.
+/// Turns grow with the root of the inverse scallop and locations with the inverse step, and both
+/// with the region.
 pub(super) fn estimate(member: &Member, contents: &Contents) -> Estimate {
     let mib = match &member.source {
         Source::Model(path) => contents.of(path).map_or(0.0, |(bytes, _)| bytes as f64 / f64::from(1 << 20)),
@@ -122,8 +127,8 @@ pub(super) fn estimate(member: &Member, contents: &Contents) -> Estimate {
     }
 }
 
-/// Memory that a member takes in any case, MiB; for each MiB of its model; and for the locations of an ordinary path. Measured on the models of
-/// the project and on published blades, rounded up.
+/// Memory that a member takes in any case, MiB; for each MiB of its model; and for the locations of
+/// an ordinary path. Measured on the models of the project and on published blades, rounded up.
 const BASE_MIB: f64 = 60.0;
 /// See [`BASE_MIB`].
 const MIB_PER_MIB: f64 = 60.0;

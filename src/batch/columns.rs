@@ -23,7 +23,8 @@ pub(super) struct Column {
     pub cells: Vec<Cell>,
 }
 
-/// Columns of a family: what each member is, how it ended, its parameters, all figures of its summary.
+/// Columns of a family: what each member is, how it ended, its parameters, all figures of its
+/// summary.
 pub(super) fn columns(records: &[Record]) -> Vec<Column> {
     let text = |s: &str| if s.is_empty() { Cell::Empty } else { Cell::Text(s.to_owned()) };
     let some = |s: &Option<String>| s.as_deref().map_or(Cell::Empty, text);
@@ -79,12 +80,13 @@ fn cell(value: &Value) -> Cell {
     }
 }
 
-/// Names of nested values are joined by dots. Entries of a list are called by their `axis`, a schedule that was not used by its `kind`,
-/// the others by their number.
+/// Names of nested values are joined by dots. Entries of a list are called by their `axis`, a
+/// schedule that was not used by its `kind`, the others by their number.
 fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, Cell>) {
     let below = |part: &str| if path.is_empty() { part.to_owned() } else { format!("{path}.{part}") };
     match value {
-        // The member's own name stands in front, and what calls an entry need not stand in it again.
+        // The member's own name stands in front, and what calls an entry need not stand in it
+        // again.
         Value::Object(map) => {
             let told = |key: &str| key == "axis" || (key == "name" && path.is_empty());
             map.iter().filter(|(key, _)| !told(key)).for_each(|(key, v)| flatten(&below(key), v, flat));

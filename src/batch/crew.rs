@@ -1,9 +1,11 @@
-//! Who works on what: members side by side, each with threads and memory of its own, never more of either than there are.
+//! Who works on what: members side by side, each with threads and memory of its own, never more of
+//! either than there are.
 //!
-//! Every member runs in a thread pool of its own, so threads are never oversubscribed, however deep the parallel loops inside are
-//! nested, and a member never waits inside another's loop. As long as members are left for all threads, each gets one thread, which
-//! loses nothing to synchronisation; the last ones get several. Costly members come first. A member that needs more memory than is free waits
-//! while smaller ones go on; one that needs more than there is runs alone.
+//! Every member runs in a thread pool of its own, so threads are never oversubscribed, however deep
+//! the parallel loops inside are nested, and a member never waits inside another's loop. As long as
+//! members are left for all threads, each gets one thread, which loses nothing to synchronisation;
+//! the last ones get several. Costly members come first. A member that needs more memory than is
+//! free waits while smaller ones go on; one that needs more than there is runs alone.
 
 use std::collections::BTreeSet;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};

@@ -1,4 +1,5 @@
-//! The family file as typed: unknown keys refused, one template job, members by models, by a table, by a design, by ranges.
+//! The family file as typed: unknown keys refused, one template job, members by models, by a table,
+//! by a design, by ranges.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! From the family file to its members: every one with a name, a model or a design, and a typed job of its own.
+//! From the family file to its members: every one with a name, a model or a design, and a typed job
+//! of its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -28,7 +29,8 @@ pub struct Member {
     pub name: String,
     /// Its blade.
     pub source: Source,
-    /// Name of a made blade: the member's, without what varies the job alone, since members that differ by that have one blade.
+    /// Name of a made blade: the member's, without what varies the job alone, since members that
+    /// differ by that have one blade.
     pub blade: String,
     /// Its job as typed; paths in it are absolute, `model.file` is left out.
     pub job: JobFile,
@@ -53,8 +55,9 @@ impl Family {
     /// Reads a family file and works out its members.
     ///
     /// # Errors
-    /// `InputOutput` where a file cannot be read; `Usage` in one sentence for everything else that is wrong: patterns that match nothing,
-    /// names that come twice, unknown parameters, a file that leads back to itself, missing columns.
+    /// `InputOutput` where a file cannot be read; `Usage` in one sentence for everything else that
+    /// is wrong: patterns that match nothing, names that come twice, unknown parameters, a file
+    /// that leads back to itself, missing columns.
     pub fn load(path: &Path) -> Result<Family> {
         let typed = file::load(path)?;
         let base = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -282,7 +285,8 @@ pub(super) fn set(member: &mut Member, key: &str, value: &toml::Value) -> Result
     Ok(())
 }
 
-/// Names become folders: refused where two are the same (in whatever case), or cannot be a folder's name.
+/// Names become folders: refused where two are the same (in whatever case), or cannot be a folder's
+/// name.
 fn distinct(all: &[Member]) -> Result<()> {
     let mut seen = BTreeSet::new();
     for m in all {

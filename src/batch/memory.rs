@@ -3,7 +3,8 @@
 /// Taken where the system does not tell, MiB.
 const UNKNOWN_MIB: u64 = 4096;
 
-/// 80 % of what is available now, within the limit of the control group that this process is in, MiB.
+/// 80 % of what is available now, within the limit of the control group that this process is in,
+/// MiB.
 pub(super) fn to_share() -> u64 {
     let text = |path: &str| std::fs::read_to_string(path).ok();
     let available = text("/proc/meminfo").and_then(|t| kib_of(&t, "MemAvailable:")).map(|kib| kib >> 10);

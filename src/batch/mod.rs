@@ -1,23 +1,26 @@
 //! Families of blades: many jobs from one file, on all cores, resumable, in shards.
 //!
-//! In: a [`Family`] (a family file worked out into members) and a place for results. Out: a folder for every member with the
-//! files of a run, and tables, a Parquet file and a page over all of them.
+//! In: a [`Family`] (a family file worked out into members) and a place for results. Out: a folder
+//! for every member with the files of a run, and tables, a Parquet file and a page over all of
+//! them.
 //!
 //! ```text
 //! family file -> FamilyFile -> Family -> addresses -> what is left to do -> members, side by side -> records -> tables, page
 //! ```
 //!
 //! Guaranteed:
-//! * **The same family leaves the same bytes**, on any number of threads, in any number of shards, however often it was
-//!   killed and started again, whichever stages were taken over from earlier runs. `log/` alone, with times, memory and locks, is different every time.
+//! * **The same family leaves the same bytes**, on any number of threads, in any number of shards,
+//!   however often it was killed and started again, whichever stages were taken over from earlier
+//!   runs. `log/` alone, with times, memory and locks, is different every time.
 //! * **Nothing is half-written**: a member's folder appears in one step, whole ([`store`](self)).
-//! * **Nothing is computed twice**: a member is known by the hash of what it is computed from (`address.rs`); stages whose inputs
-//!   have not changed are taken over ([`crate::run::reuse`]).
-//! * **A member that fails harms no other**: its stage and reason stand in the tables. What stops everything is only what would stop
-//!   every member: a full disk, an unwritable folder, Ctrl-C.
+//! * **Nothing is computed twice**: a member is known by the hash of what it is computed from
+//!   (`address.rs`); stages whose inputs have not changed are taken over ([`crate::run::reuse`]).
+//! * **A member that fails harms no other**: its stage and reason stand in the tables. What stops
+//!   everything is only what would stop every member: a full disk, an unwritable folder, Ctrl-C.
 //!
-//! Limits: memory is shared out by an estimate from the model's size and the scallop, not measured. Programs built from the same sources are
-//! taken for the same, whatever machine they were built for.
+//! Limits: memory is shared out by an estimate from the model's size and the scallop, not measured.
+//! Programs built from the same sources are taken for the same, whatever machine they were built
+//! for.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -107,7 +110,8 @@ pub struct Done {
     pub computed: usize,
     /// The user asked to stop.
     pub cancelled: bool,
-    /// Tables and page, relative to the place of results; none where only a part of the family was worked on.
+    /// Tables and page, relative to the place of results; none where only a part of the family was
+    /// worked on.
     pub files: Vec<String>,
 }
 
@@ -128,8 +132,8 @@ impl Done {
 /// Works on a family, or on a part of it, and writes tables and page where it is the whole.
 ///
 /// # Errors
-/// Those that are no member's: results that cannot be written, an output folder that holds the models, another process at work on the same part. What
-/// is done is kept.
+/// Those that are no member's: results that cannot be written, an output folder that holds the
+/// models, another process at work on the same part. What is done is kept.
 pub fn run(family: &Family, out: &str, options: &Options, watch: &dyn Watch) -> Result<Done> {
     let plan = Plan::new(family, options.shard)?;
     let store = place::open(out, family, &options.shard.label())?;
@@ -261,7 +265,8 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The record where it is of these inputs. What tells members apart, and where a model lies, may have been put in other words.
+    /// The record where it is of these inputs. What tells members apart, and where a model lies,
+    /// may have been put in other words.
     fn current(&self, k: usize, record: Option<&Record>) -> Record {
         let member = &self.family.members[k];
         let model = worker::model_name(&member.source);

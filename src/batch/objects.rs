@@ -35,7 +35,8 @@ fn refused(what: &str, key: &str, e: object_store::Error) -> Error {
 }
 
 impl Objects {
-    /// `s3://BUCKET/PREFIX`; endpoint, region and keys from the environment, by the names that all S3 tools use.
+    /// `s3://BUCKET/PREFIX`; endpoint, region and keys from the environment, by the names that all
+    /// S3 tools use.
     pub(super) fn s3(url: &str) -> Result<Self> {
         let wrong = |m: String| Error::usage(Stage::Batch, m).advise("as in s3://bucket/families/one");
         let rest = url.strip_prefix("s3://").unwrap_or(url).trim_end_matches('/');

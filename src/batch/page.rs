@@ -1,4 +1,5 @@
-//! `family.html`: one self-contained page over all members: a table that sorts, small pictures, plots across the family.
+//! `family.html`: one self-contained page over all members: a table that sorts, small pictures,
+//! plots across the family.
 
 use serde_json::{Value, json};
 

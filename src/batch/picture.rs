@@ -1,4 +1,5 @@
-//! A small picture of a member: the S–θ channel of the turn where it is narrowest, with the schedule through it.
+//! A small picture of a member: the S–θ channel of the turn where it is narrowest, with the
+//! schedule through it.
 
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +42,8 @@ pub(super) fn of(plan: &Plan) -> Option<Picture> {
 }
 
 impl Picture {
-    /// As inline SVG: the channel as an area, the schedule as a line, stretched to fill the picture.
+    /// As inline SVG: the channel as an area, the schedule as a line, stretched to fill the
+    /// picture.
     pub fn svg(&self) -> String {
         let line = |k: usize| self.rows.iter().map(|r| [r[0], r[k]]).collect::<Vec<_>>();
         let label = format!("channel and schedule of turn {}", self.turn);

@@ -9,7 +9,8 @@ use crate::error::Result;
 /// Opens the place of results for one part of the family.
 ///
 /// # Errors
-/// `InputOutput` where it cannot be written or is another process', `Usage` where the program was built without what it needs.
+/// `InputOutput` where it cannot be written or is another process', `Usage` where the program was
+/// built without what it needs.
 pub(super) fn open(out: &str, family: &Family, part: &str) -> Result<Box<dyn Store>> {
     if out.starts_with("s3://") {
         return objects(out);

@@ -37,7 +37,8 @@ impl Status {
     }
 }
 
-/// A finished member. Holds no times of computing, no dates, nothing of the machine that computed it.
+/// A finished member. Holds no times of computing, no dates, nothing of the machine that computed
+/// it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Its name.
@@ -88,8 +89,8 @@ impl Record {
         }
     }
 
-    /// A file's content as it was when the member was finished; `None` where it has been changed since. What was entered in the manifest for files
-    /// that came later is left out.
+    /// A file's content as it was when the member was finished; `None` where it has been changed
+    /// since. What was entered in the manifest for files that came later is left out.
     pub(super) fn as_written(&self, file: &str, content: Vec<u8>) -> Option<Vec<u8>> {
         let hash = self.files.get(file)?;
         let fits = |content: &[u8]| blake3::hash(content).to_hex().as_str() == hash;

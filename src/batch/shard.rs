@@ -35,8 +35,9 @@ impl Shard {
         if self.is_all() { "all".into() } else { format!("shard-{}-of-{}", self.index, self.count) }
     }
 
-    /// Numbers of the members of this part. The costliest first, each goes to the part with least cost so far (the first of
-    /// several): every process comes to the same division, and no part costs more than 4/3 of the best division plus one member.
+    /// Numbers of the members of this part. The costliest first, each goes to the part with least
+    /// cost so far (the first of several): every process comes to the same division, and no part
+    /// costs more than 4/3 of the best division plus one member.
     pub(super) fn pick(self, costs: &[f64]) -> Vec<usize> {
         let mut order: Vec<usize> = (0..costs.len()).collect();
         order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]).then(a.cmp(b)));

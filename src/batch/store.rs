@@ -31,7 +31,8 @@ pub(super) trait Store: Sync {
     fn write(&self, path: &str, content: &[u8]) -> Result<()>;
     /// An empty folder on this machine in which a member may be made.
     fn workshop(&self, name: &str) -> Result<PathBuf>;
-    /// Takes the finished folder of a member in, in place of what was there. `old`: the record of that.
+    /// Takes the finished folder of a member in, in place of what was there. `old`: the record of
+    /// that.
     fn take_in(&self, record: &Record, old: Option<&Record>) -> Result<()>;
     /// Takes the member's workshop away.
     fn sweep(&self, name: &str) -> Result<()>;
@@ -53,7 +54,8 @@ pub(super) fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
         .caused_by(e)
 }
 
-/// A killed process lets go of its lock when the system has taken it apart, which its successor may be too early for.
+/// A killed process lets go of its lock when the system has taken it apart, which its successor may
+/// be too early for.
 const LET_GO: Duration = Duration::from_secs(2);
 
 /// Results in a folder.
@@ -76,7 +78,8 @@ impl Folder {
             match lock.try_lock() {
                 Ok(()) => break,
                 Err(TryLockError::WouldBlock) if Instant::now() < last_try => std::thread::sleep(LET_GO / 40),
-                // Not the user's command that is wrong but the moment: a Job whose pods count bad usage as an outcome must try this again.
+                // Not the user's command that is wrong but the moment: a Job whose pods count bad
+                // usage as an outcome must try this again.
                 Err(TryLockError::WouldBlock) => {
                     return Err(Error::io(
                         Stage::Batch,
@@ -84,7 +87,8 @@ impl Folder {
                     )
                     .advise("wait for it, or give each process a shard of its own"));
                 }
-                // A file system without locks: two processes on one shard are then the user's to avoid.
+                // A file system without locks: two processes on one shard are then the user's to
+                // avoid.
                 Err(TryLockError::Error(_)) => break,
             }
         }

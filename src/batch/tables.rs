@@ -27,7 +27,8 @@ pub(super) fn csv(columns: &[Column]) -> Result<Vec<u8>> {
     out.into_inner().map_err(|e| trouble(e.to_string()))
 }
 
-/// The columns as Parquet, one row group, plain encoding, no compression: integers, doubles, booleans and UTF-8, all optional.
+/// The columns as Parquet, one row group, plain encoding, no compression: integers, doubles,
+/// booleans and UTF-8, all optional.
 ///
 /// # Errors
 /// Kind `InputOutput` where the file cannot be made.

@@ -38,7 +38,8 @@ pub struct Effort {
     pub stages: Vec<StageRecord>,
 }
 
-/// `log/times.csv`: what computing each member took when it was last computed. A stage that was worked on twice counts once, with both times.
+/// `log/times.csv`: what computing each member took when it was last computed. A stage that was
+/// worked on twice counts once, with both times.
 pub(super) fn times(records: &[Record], store: &dyn Store) -> Result<Vec<u8>> {
     const STAGES: [Stage; 9] = [
         Stage::Model,

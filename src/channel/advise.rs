@@ -1,8 +1,9 @@
 //! What would open a channel, or open it wider: another B, a longer tool, a slimmer holder.
 //!
-//! All of it looks at some turns of the path ([`super::stretches`]), not at all and not at the moves between locations: a plan with the values
-//! found is what proves them. Stick-out and holder are found by bisection: a longer shank in place of holder, or a slimmer
-//! holder, never takes room away.
+//! All of it looks at some turns of the path ([`super::stretches`]), not at all and not at the
+//! moves between locations: a plan with the values found is what proves them. Stick-out and holder
+//! are found by bisection: a longer shank in place of holder, or a slimmer holder, never takes room
+//! away.
 
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -35,13 +36,15 @@ pub struct Advice {
     pub b_ranges_deg: Vec<[f64; 2]>,
     /// The B among those looked at with the widest monotone channel.
     pub best_b_deg: Option<f64>,
-    /// Least stick-out that has a channel at the job's B, mm, to 0.5 mm; none: no stick-out up to six times the tool's own does.
+    /// Least stick-out that has a channel at the job's B, mm, to 0.5 mm; none: no stick-out up to
+    /// six times the tool's own does.
     pub least_stickout_mm: Option<f64>,
-    /// Radii of the holder's stages, mm, thinner by the same factor, with which the tool has a channel at the job's B and stick-out,
-    /// as thick as possible; none: not even one as thin as the shank, or the tool has no holder.
+    /// Radii of the holder's stages, mm, thinner by the same factor, with which the tool has a
+    /// channel at the job's B and stick-out, as thick as possible; none: not even one as thin as
+    /// the shank, or the tool has no holder.
     pub holder_radii_mm: Option<Vec<f64>>,
-    /// Greatest shank radius, mm, no less than the ball's, that has a channel with the rest of the tool as it is; none: not even a cutter as
-    /// thin as its ball.
+    /// Greatest shank radius, mm, no less than the ball's, that has a channel with the rest of the
+    /// tool as it is; none: not even a cutter as thin as its ball.
     pub shank_radius_mm: Option<f64>,
     /// Where no B opens it: which B leads farthest.
     pub farthest: Option<Farthest>,
@@ -195,7 +198,8 @@ impl<'a> Look<'a> {
     }
 }
 
-/// The channel's width at each of the angles `b_deg`, in their order, over about `places` locations in whole turns.
+/// The channel's width at each of the angles `b_deg`, in their order, over about `places` locations
+/// in whole turns.
 ///
 /// # Errors
 /// Those of [`super::plan`], but a closed channel is none.
@@ -247,7 +251,8 @@ pub fn advise(
     })
 }
 
-/// Least value in `lo ..= hi` for which `open` holds, to `step`, where it holds at `hi`; `open` never stops to hold.
+/// Least value in `lo ..= hi` for which `open` holds, to `step`, where it holds at `hi`; `open`
+/// never stops to hold.
 fn bisect(lo: f64, hi: f64, step: f64, open: impl Fn(f64) -> Result<bool>) -> Result<Option<f64>> {
     if !open(hi)? {
         return Ok(None);

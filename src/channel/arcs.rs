@@ -79,7 +79,8 @@ impl ArcSet {
         }
     }
 
-    /// The arc `lo..=hi` lies in the set widened by half the gap. The circle's cut at ±π needs no margin.
+    /// The arc `lo..=hi` lies in the set widened by half the gap. The circle's cut at ±π needs no
+    /// margin.
     pub fn covers(&self, lo: f64, hi: f64) -> bool {
         let half = 0.5 * self.gap;
         self.arcs.iter().any(|a| lo >= a.lo - half && hi <= a.hi + half)
@@ -90,8 +91,8 @@ impl ArcSet {
         self.arcs.iter().map(|a| (hi.min(a.hi) - lo.max(a.lo)).max(0.0)).sum()
     }
 
-    /// Hands the parts of the arc `lo..=hi` that the set, widened by half the gap, does not cover to `visit`, one by one as
-    /// (from, to); stops and returns false as soon as `visit` does.
+    /// Hands the parts of the arc `lo..=hi` that the set, widened by half the gap, does not cover
+    /// to `visit`, one by one as (from, to); stops and returns false as soon as `visit` does.
     pub fn all_uncovered(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64, f64) -> bool) -> bool {
         let half = 0.5 * self.gap;
         let mut at = lo;
@@ -111,15 +112,17 @@ impl ArcSet {
         at >= hi || visit(at, hi)
     }
 
-    /// As [`Self::all_uncovered`], but hands over only those ends of the parts at which the set or the circle's cut begins: an
-    /// interval that reaches into a part from outside the arc's own ends holds one of them.
+    /// As [`Self::all_uncovered`], but hands over only those ends of the parts at which the set or
+    /// the circle's cut begins: an interval that reaches into a part from outside the arc's own
+    /// ends holds one of them.
     pub fn all_borders(&self, lo: f64, hi: f64, mut visit: impl FnMut(f64) -> bool) -> bool {
         let border = |at: f64, own: f64| at != own || at.abs() >= PI;
         self.all_uncovered(lo, hi, |from, to| (!border(from, lo) || visit(from)) && (!border(to, hi) || visit(to)))
     }
 
-    /// What the set, widened by half the gap, leaves of the circle: intervals within -π..3π, each at least `least` long,
-    /// centred in -π..=π. Where the set is empty, the whole circle cut at ±π.
+    /// What the set, widened by half the gap, leaves of the circle: intervals within -π..3π, each
+    /// at least `least` long, centred in -π..=π. Where the set is empty, the whole circle cut at
+    /// ±π.
     pub fn free(&self, least: f64) -> Vec<Arc> {
         let half = 0.5 * self.gap;
         let (Some(first), Some(last)) = (self.arcs.first(), self.arcs.last()) else {
@@ -151,8 +154,8 @@ impl ArcSet {
     }
 }
 
-/// Arcs of θ within -π..=π on which `off + m cos(θ − psi)` lies in `range`; `m >= 0`, `psi` within -π..=π. `by` says what
-/// the range's lower and upper end come from.
+/// Arcs of θ within -π..=π on which `off + m cos(θ − psi)` lies in `range`; `m >= 0`, `psi` within -π..=π.
+/// `by` says what the range's lower and upper end come from.
 pub(super) fn push_arcs(off: f64, m: f64, psi: f64, range: (f64, f64), by: (Witness, Witness), out: &mut Vec<Arc>) {
     let (below, above) = (range.0 <= off - m, range.1 >= off + m);
     if range.1 < off - m || range.0 > off + m {

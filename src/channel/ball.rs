@@ -1,7 +1,8 @@
-//! The ball among fixtures: it must keep clear of them too, and the tool must not be inside one from the start.
+//! The ball among fixtures: it must keep clear of them too, and the tool must not be inside one
+//! from the start.
 //!
-//! From the part the ball is kept by the path. A fixture is closed: where the first ball centre is outside and no move brings
-//! the ball to its surface, ball and tool stay outside.
+//! From the part the ball is kept by the path. A fixture is closed: where the first ball centre is
+//! outside and no move brings the ball to its surface, ball and tool stay outside.
 
 use rayon::prelude::*;
 
@@ -14,8 +15,9 @@ use crate::geometry::mesh::Mesh;
 /// Checks all moves against all fixtures; the stock may be cut.
 ///
 /// # Errors
-/// Kind `Infeasible` at the first location whose ball comes too near, or inside; the distance asked for is the ball's radius, the
-/// clearance of taper and shank, and half of the longer move beside the location.
+/// Kind `Infeasible` at the first location whose ball comes too near, or inside; the distance asked
+/// for is the ball's radius, the clearance of taper and shank, and half of the longer move beside
+/// the location.
 pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> Result<()> {
     let Some(first) = path.locations.first() else { return Ok(()) };
     for o in obstacles.iter().filter(|o| !o.cut_by_the_tool) {

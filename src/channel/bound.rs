@@ -1,5 +1,5 @@
-//! Lower bounds of the room between the tool, turned through whole intervals of θ, and nodes of a tree, in the frame of the
-//! place's cone, seen from the ball centre.
+//! Lower bounds of the room between the tool, turned through whole intervals of θ, and nodes of a
+//! tree, in the frame of the place's cone, seen from the ball centre.
 
 use std::f64::consts::{PI, TAU};
 
@@ -90,7 +90,8 @@ impl Sweep {
         before || after || (at_lo.y < -radius && at_hi.y < -radius)
     }
 
-    /// As [`Self::is_beside`] for the convex hull of some points, as `seen` has them; never said of an interval over half a turn.
+    /// As [`Self::is_beside`] for the convex hull of some points, as `seen` has them; never said of
+    /// an interval over half a turn.
     pub fn have_beside(&self, points: &[Point], seen: impl Fn(&Point) -> Vector) -> bool {
         let (mut before, mut after, mut behind) = (true, true, true);
         for point in points {
@@ -125,7 +126,8 @@ fn least_of(profile: &Profile, z: f64, r: f64) -> f64 {
 pub(super) struct Flat {
     /// Over a whole node, mm.
     pub least: f64,
-    /// At the middle of the node's box, mm. With the slope it bounds what is left of the margin wherever node and tool move.
+    /// At the middle of the node's box, mm. With the slope it bounds what is left of the margin
+    /// wherever node and tool move.
     pub middle: f64,
     pub slope: Vector,
 }
@@ -156,9 +158,10 @@ impl Facet {
     }
 }
 
-/// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes of the convex distance: that at the
-/// middle, or where it leaves little of the room there one between it and that at the corner where it is lowest. Near the place where tool
-/// and part touch the margin is curved so much that the one at the middle would do only for much smaller boxes.
+/// Bounds of the margin over a box with half sides `half` within `radius` of `v`, by tangent planes
+/// of the convex distance: that at the middle, or where it leaves little of the room there one
+/// between it and that at the corner where it is lowest. Near the place where tool and part touch
+/// the margin is curved so much that the one at the middle would do only for much smaller boxes.
 pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
     let (z, r) = height_and_radius(axis, v);
     let mut out = Facet::none();
@@ -207,7 +210,8 @@ pub(super) fn height_and_radius(axis: &Vector, v: &Vector) -> (f64, f64) {
     (z, (v.norm_squared() - z * z).max(0.0).sqrt())
 }
 
-/// The plane for the box from margin and derivatives at the box's middle, of height `z` and radius `r`.
+/// The plane for the box from margin and derivatives at the box's middle, of height `z` and radius
+/// `r`.
 fn plane(
     f: &Frustum,
     axis: &Vector,
@@ -229,12 +233,14 @@ fn plane(
     Flat { least, middle: m, slope }
 }
 
-/// Share of the room at a box's middle that one plane must leave, or two are tried: more room lasts for more places.
+/// Share of the room at a box's middle that one plane must leave, or two are tried: more room lasts
+/// for more places.
 const SHARE_OF_ROOM: f64 = 0.5;
 /// Shares of the second plane that are tried.
 const SHARES: [f64; 4] = [0.5, 0.75, 0.25, 1.0];
 
-/// The best of some mixtures of the tangent plane at the box's middle, of value `m` there, and that at the box's lowest corner by it.
+/// The best of some mixtures of the tangent plane at the box's middle, of value `m` there, and that
+/// at the box's lowest corner by it.
 fn by_two(
     f: &Frustum,
     axis: &Vector,
@@ -274,9 +280,9 @@ pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius:
     facet(profile, axis, v, radius, half).flat.least
 }
 
-/// As [`least_margin`], with the tool turned to each point's own azimuth. There the margin depends on the point's `x` and
-/// distance `ρ` from the turning axis alone and is convex in both; over the node `ρ` exceeds its tangent plane at the centre by at
-/// most `radius² / 2(ρ − radius)`.
+/// As [`least_margin`], with the tool turned to each point's own azimuth. There the margin depends
+/// on the point's `x` and distance `ρ` from the turning axis alone and is convex in both; over the
+/// node `ρ` exceeds its tangent plane at the centre by at most `radius² / 2(ρ − radius)`.
 pub(super) fn least_at_own_azimuth(
     profile: &Profile,
     b: (f64, f64),
@@ -311,7 +317,8 @@ pub(super) fn least_at_own_azimuth(
     least
 }
 
-/// Points within `radius` of `v` are inside the inflated tool for one arc about their own azimuth, if at all.
+/// Points within `radius` of `v` are inside the inflated tool for one arc about their own azimuth,
+/// if at all.
 pub(super) fn one_arc(profile: &Profile, v: &Vector, radius: f64) -> bool {
     profile.widens && v.norm() + radius <= profile.length
 }
@@ -374,7 +381,8 @@ fn room_beside(
     Some(Room { mm, across: rho + mm, reach: reach + mm, facets: facets.filter(|_| sweeps.len() == 1) })
 }
 
-/// Room from margins at angles so near to one another that none between them is less than half of one of theirs.
+/// Room from margins at angles so near to one another that none between them is less than half of
+/// one of theirs.
 fn walked(
     profile: &Profile,
     sweeps: &[Sweep],
@@ -422,7 +430,8 @@ pub(super) enum Between<'a> {
     Nothing,
 }
 
-/// As [`room`] for a triangle within `radius` of its point `v`, but for the margins at the ends of the intervals.
+/// As [`room`] for a triangle within `radius` of its point `v`, but for the margins at the ends of
+/// the intervals.
 pub(super) fn between_ends<'a>(
     profile: &'a Profile,
     sweeps: &[Sweep],
@@ -470,7 +479,8 @@ pub(super) fn by_steps(
 mod tests {
     use super::*;
 
-    /// What is said to be beside an interval has no azimuth in it; points well away from it all round are, also behind a narrow one.
+    /// What is said to be beside an interval has no azimuth in it; points well away from it all
+    /// round are, also behind a narrow one.
     #[test]
     fn beside_is_beside() {
         for (lo, width) in [(0.3, 1e-3), (-2.0, 0.5), (5.0, 3.0), (1.0, 5.0)] {

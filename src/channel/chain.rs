@@ -1,12 +1,13 @@
 //! From the free intervals of each location to one channel: a layered graph.
 //!
-//! A node is a free interval, unwrapped about the unwrapped azimuth of the surface normal; an edge joins intervals of
-//! neighbouring locations that overlap. Chosen is, among the chains with the greatest least overlap, the one with the
-//! greatest sum of overlaps.
+//! A node is a free interval, unwrapped about the unwrapped azimuth of the surface normal; an edge
+//! joins intervals of neighbouring locations that overlap. Chosen is, among the chains with the
+//! greatest least overlap, the one with the greatest sum of overlaps.
 
 use super::forbidden::Free;
 
-/// Where no chain goes on: the location, and the intervals of the location before it from which none is reached.
+/// Where no chain goes on: the location, and the intervals of the location before it from which
+/// none is reached.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Closed {
     /// First location that no chain reaches.
@@ -56,7 +57,8 @@ fn greatest_least_overlap(layers: &[Vec<Free>], least: f64) -> Result<f64, Close
     Ok(best.into_iter().fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// The chain with the greatest sum of overlaps among those that overlap by at least `least` everywhere.
+/// The chain with the greatest sum of overlaps among those that overlap by at least `least`
+/// everywhere.
 fn longest(layers: &[Vec<Free>], least: f64) -> Vec<usize> {
     let mut sum: Vec<f64> = layers.first().map(|l| l.iter().map(|f| f.hi - f.lo).collect()).unwrap_or_default();
     if let Some(first) = layers.first() {

@@ -1,8 +1,9 @@
 //! Whether a triangle keeps clear of a frustum at one angle.
 //!
-//! The margin (distance less clearance) is convex over the triangle's plane. A point of the plane where it is least has a closed form, from
-//! the frustum's support along the plane's normal. If the triangle holds that point, it is the least; if not, the least is on an edge:
-//! along each edge the derivative's root is closed in on by false position. Tangent planes bound what is left.
+//! The margin (distance less clearance) is convex over the triangle's plane. A point of the plane
+//! where it is least has a closed form, from the frustum's support along the plane's normal. If the
+//! triangle holds that point, it is the least; if not, the least is on an edge: along each edge the
+//! derivative's root is closed in on by false position. Tangent planes bound what is left.
 
 use crate::geometry::Vector;
 
@@ -154,8 +155,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
 
-        /// Never clear where a point of a dense grid is not, never taken at a point that is clear; not left open unless the
-        /// triangle is nearer than a tenth of its size.
+        /// Never clear where a point of a dense grid is not, never taken at a point that is clear;
+        /// not left open unless the triangle is nearer than a tenth of its size.
         #[test]
         fn agrees_with_a_grid(
             at in prop::array::uniform3(-9.0..9.0f64),

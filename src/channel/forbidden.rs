@@ -1,18 +1,21 @@
 //! The forbidden angles at one place, or over one move.
 //!
-//! In the frame of the place's cone, with `v = p − Q = (vx, ρ cos ψ, ρ sin ψ)` for a point `p` of a body, its height over the ball centre is
-//! `z = vx sin B + ρ cos B cos(θ − ψ)`. The profile (see [`super::profile`]) forbids an interval of heights that depends
-//! on `|v|` alone, hence one or two arcs of θ about ψ: a closed form, no search over θ.
+//! In the frame of the place's cone, with `v = p − Q = (vx, ρ cos ψ, ρ sin ψ)` for a point `p` of a
+//! body, its height over the ball centre is `z = vx sin B + ρ cos B cos(θ − ψ)`. The profile (see
+//! [`super::profile`]) forbids an interval of heights that depends on `|v|` alone, hence one or two
+//! arcs of θ about ψ: a closed form, no search over θ.
 //!
-//! Branch and bound: points that were looked at give arcs that are certainly forbidden (`known`). A node of the tree, or
-//! a piece of a triangle, is a ball of radius `e` about its centre; the profile inflated by `e` gives arcs that contain
-//! those of all its points. If they lie in `known` widened by half the tolerance, the node cannot move an end by more
-//! than that and is never opened. A flat piece that touches the tool nearly along its own plane would need endless
-//! halving; there the distance from the tool, a convex function, is bounded by its tangent plane instead. The result is
-//! `known` widened by that much: never too small.
+//! Branch and bound: points that were looked at give arcs that are certainly forbidden (`known`). A
+//! node of the tree, or a piece of a triangle, is a ball of radius `e` about its centre; the
+//! profile inflated by `e` gives arcs that contain those of all its points. If they lie in `known`
+//! widened by half the tolerance, the node cannot move an end by more than that and is never
+//! opened. A flat piece that touches the tool nearly along its own plane would need endless
+//! halving; there the distance from the tool, a convex function, is bounded by its tangent plane
+//! instead. The result is `known` widened by that much: never too small.
 //!
-//! A move (see [`super::region`]) is searched likewise, in a frame that turns along: an angle is forbidden if it is at some time of
-//! the move; pieces are halved in space or in time, whichever counts for more.
+//! A move (see [`super::region`]) is searched likewise, in a frame that turns along: an angle is
+//! forbidden if it is at some time of the move; pieces are halved in space or in time, whichever
+//! counts for more.
 
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
@@ -34,7 +37,8 @@ use super::tree::{Below, SphereTree, around_triangle, halves};
 const WALK: usize = 48;
 /// Points of a piece that may become known before it is halved.
 const ROUNDS: usize = 12;
-/// Ends of what is free over a move are good to this many tolerances: they only say how far walls must be moved in.
+/// Ends of what is free over a move are good to this many tolerances: they only say how far walls
+/// must be moved in.
 pub(super) const MOVE_TOLERANCES: f64 = 5.0;
 
 /// Something that the tool must keep clear of.
@@ -60,7 +64,8 @@ pub(super) type Free = Arc;
 /// A node of a body's tree.
 pub(super) type Start = (u16, u32);
 
-/// Where the tool is: ball centre, cone, and the angle of the frame that looks, in the middle of a motion.
+/// Where the tool is: ball centre, cone, and the angle of the frame that looks, in the middle of a
+/// motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     pub centre: Point,
@@ -71,7 +76,8 @@ pub(super) struct View {
     pub motion: EvenMove,
 }
 
-/// Workspace for one place after another. Triangles that bound the channel at one are looked at first at the next.
+/// Workspace for one place after another. Triangles that bound the channel at one are looked at
+/// first at the next.
 pub(super) struct Search<'a> {
     scene: &'a Scene<'a>,
     /// (sin B, cos B).
@@ -93,7 +99,8 @@ pub(super) struct Search<'a> {
     log: Option<Vec<Logged>>,
 }
 
-/// An arc that became known, and the point that forbids it; no point: the contact angle, or a piece as a whole.
+/// An arc that became known, and the point that forbids it; no point: the contact angle, or a piece
+/// as a whole.
 #[derive(Clone, Debug)]
 pub(super) struct Logged {
     pub arc: Arc,
@@ -124,7 +131,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Turns to a place; known is what the contact angle forbids. From now on what becomes known is logged.
+    /// Turns to a place; known is what the contact angle forbids. From now on what becomes known is
+    /// logged.
     pub fn begin(&mut self, view: &View, normal: &Vector) {
         self.look(view);
         self.known.reset(self.tolerance());
@@ -167,7 +175,8 @@ impl<'a> Search<'a> {
         &self.sight
     }
 
-    /// The free intervals at a place, rising, relative to the view's frame; looked at is what hangs below `starts`, or all bodies.
+    /// The free intervals at a place, rising, relative to the view's frame; looked at is what hangs
+    /// below `starts`, or all bodies.
     pub fn free(&mut self, view: &View, normal: &Vector, starts: Option<&[Start]>) -> Vec<Free> {
         self.look(view);
         self.known.reset(self.tolerance());
@@ -179,8 +188,8 @@ impl<'a> Search<'a> {
         free
     }
 
-    /// The intervals that are free of the bodies during a whole move, relative to the view's frame; `taken` is known to be
-    /// forbidden, what hangs below `starts`, or all bodies, is looked at.
+    /// The intervals that are free of the bodies during a whole move, relative to the view's frame;
+    /// `taken` is known to be forbidden, what hangs below `starts`, or all bodies, is looked at.
     pub fn free_moving(&mut self, view: &View, taken: &[Arc], starts: Option<&[Start]>) -> Vec<Free> {
         self.look(view);
         self.known.reset(self.tolerance());
@@ -244,7 +253,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Angle between axis and normal outside its range: `a·n = nx sin B + m cos B cos(θ − azimuth of n)`.
+    /// Angle between axis and normal outside its range:
+    /// `a·n = nx sin B + m cos B cos(θ − azimuth of n)`.
     fn forbid_contact(&mut self, normal: &Vector) {
         self.point = None;
         let (min, max) = (self.scene.options.contact_angle_min_rad, self.scene.options.contact_angle_max_rad);
@@ -323,13 +333,15 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// How much of `self.arcs` is not known yet, rad; `None` where an end can move by no more than the tolerance.
+    /// How much of `self.arcs` is not known yet, rad; `None` where an end can move by no more than
+    /// the tolerance.
     fn excess(&self) -> Option<f64> {
         let unknown = self.arcs.iter().filter(|a| !self.known.covers(a.lo, a.hi));
         unknown.map(|a| a.hi - a.lo - self.known.overlap(a.lo, a.hi)).reduce(f64::max)
     }
 
-    /// Puts a node off until those that may move an end farther have been looked at, unless it is clear.
+    /// Puts a node off until those that may move an end farther have been looked at, unless it is
+    /// clear.
     fn offer_node(&mut self, body: u16, index: u32) {
         let region = self.region_of(body, index);
         self.arcs_of(body, &region.centre, region.reach, 0);
@@ -338,10 +350,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at the middle of a piece of a triangle and puts the rest off likewise, unless it is clear. Smallest pieces are taken as they are,
-    /// inflated by their size `e`: an arc of half-width `w` about a point at the distance `ρ` grows to about `√(w² + 2e/ρ)`, so by less than
-    /// half the tolerance `τ`, however small it is, where `e ≤ τ²ρ/8`. Over a move `τρ/8` is enough: ends there only say how far walls must be
-    /// moved in.
+    /// Looks at the middle of a piece of a triangle and puts the rest off likewise, unless it is
+    /// clear. Smallest pieces are taken as they are, inflated by their size `e`: an arc of
+    /// half-width `w` about a point at the distance `ρ` grows to about `√(w² + 2e/ρ)`, so by less
+    /// than half the tolerance `τ`, however small it is, where `e ≤ τ²ρ/8`. Over a move `τρ/8` is
+    /// enough: ends there only say how far walls must be moved in.
     fn offer_piece(&mut self, piece: Piece) {
         let Piece { body, leaf, corners, .. } = piece;
         let (centre, radius) = around_triangle(&corners.map(Point::from));
@@ -379,12 +392,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// No point of the region forbids anything in `self.arcs` that is not known, shown by the distance from the tool: by its
-    /// tangent planes it is bounded from below over the whole region.
+    /// No point of the region forbids anything in `self.arcs` that is not known, shown by the
+    /// distance from the tool: by its tangent planes it is bounded from below over the whole
+    /// region.
     ///
-    /// Where each point forbids one arc about its own azimuth (see [`Region::azimuths`]), either no point forbids anything,
-    /// or all azimuths must be known; then an arc that holds anything new also holds an angle where the known ends, and to
-    /// look there is enough.
+    /// Where each point forbids one arc about its own azimuth (see [`Region::azimuths`]), either no
+    /// point forbids anything, or all azimuths must be known; then an arc that holds anything new
+    /// also holds an angle where the known ends, and to look there is enough.
     fn clear(&self, body: u16, region: &Region) -> bool {
         let profile = self.profile(body);
         let Some(azimuths) = region.azimuths(profile) else {
@@ -398,7 +412,8 @@ impl<'a> Search<'a> {
             || region.out_of_reach(profile, self.b)
     }
 
-    /// As [`Self::clear`] for a piece of a triangle, by cutting planes; points found not to be clear become known.
+    /// As [`Self::clear`] for a piece of a triangle, by cutting planes; points found not to be
+    /// clear become known.
     fn settle(&mut self, body: u16, region: &Region, corners: &[Vector; 3], leaf: u32) -> bool {
         let profile = self.profile(body);
         for _ in 0..ROUNDS {
@@ -437,8 +452,8 @@ impl<'a> Search<'a> {
         Vector::new(self.b.0, self.b.1 * cos, self.b.1 * sin)
     }
 
-    /// The region keeps clear from the angle `start` to `end`; the margin falls no faster with the angle than `reach`, the
-    /// region's distance from the turning axis.
+    /// The region keeps clear from the angle `start` to `end`; the margin falls no faster with the
+    /// angle than `reach`, the region's distance from the turning axis.
     fn walk(&self, profile: &Profile, region: &Region, start: f64, end: f64, reach: f64) -> bool {
         let sense = if end > start { 1.0 } else { -1.0 };
         let mut at = start;

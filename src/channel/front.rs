@@ -1,13 +1,17 @@
-//! The nodes at which the search stopped, and how long each of them stays clear while tool and ball centre move on.
+//! The nodes at which the search stopped, and how long each of them stays clear while tool and ball
+//! centre move on.
 //!
-//! Two certificates each. **Room**: all of it, less the way of the ball centre, less what the intervals grow outwards times the
-//! distance from the turning axis, less what the cone turns by times the distance from the ball centre. **Facets**: the tangent planes of the nearest part's distance at both ends of the interval,
-//! fixed to the tool. The distance from a part is convex in the tool's frame, so they bound it wherever the node goes there; how far a node
-//! reaches along a plane is followed side by side of its box as the tool turns. The other parts keep their room. Where planes hold, the room is what they
-//! leave; where they do not any more, new ones of the same parts are tried before the node is given up.
+//! Two certificates each. **Room**: all of it, less the way of the ball centre, less what the
+//! intervals grow outwards times the distance from the turning axis, less what the cone turns by
+//! times the distance from the ball centre. **Facets**: the tangent planes of the nearest part's
+//! distance at both ends of the interval, fixed to the tool. The distance from a part is convex in
+//! the tool's frame, so they bound it wherever the node goes there; how far a node reaches along a
+//! plane is followed side by side of its box as the tool turns. The other parts keep their room.
+//! Where planes hold, the room is what they leave; where they do not any more, new ones of the same
+//! parts are tried before the node is given up.
 //!
-//! A node with room for some steps is passed over until that is used up. Near the places where the tool touches there is none for a single step:
-//! there the planes are looked at at every place.
+//! A node with room for some steps is passed over until that is used up. Near the places where the
+//! tool touches there is none for a single step: there the planes are looked at at every place.
 
 use crate::artifact::Cone;
 use crate::geometry::{Point, Vector};
@@ -41,7 +45,8 @@ pub(super) struct Used {
 }
 
 impl Used {
-    /// What a point within `across` of the cone's axis and `reach` of the ball centre may have come nearer by, mm.
+    /// What a point within `across` of the cone's axis and `reach` of the ball centre may have come
+    /// nearer by, mm.
     fn at_most(&self, across: f64, reach: f64) -> f64 {
         self.way + self.growth * across + (self.turn + self.tip) * reach
     }
@@ -104,9 +109,10 @@ impl<'a> Now<'a> {
     }
 }
 
-/// A bound of the margin at one end, in the tool's frame, and how the node's extent along it changes as the tool turns. At some angle from where the
-/// plane was laid the lowest place of the node is under its centre by what is in `offset` already, the `tilt` of its longer side and its other
-/// sides' `turn`, and half the angle's square times its radius.
+/// A bound of the margin at one end, in the tool's frame, and how the node's extent along it
+/// changes as the tool turns. At some angle from where the plane was laid the lowest place of the
+/// node is under its centre by what is in `offset` already, the `tilt` of its longer side and its
+/// other sides' `turn`, and half the angle's square times its radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     pub slope: Vector,
@@ -127,7 +133,8 @@ impl Plane {
         let slope = &flat.slope;
         let theta = if k == 0 { sweep.lo } else { sweep.hi };
         let at_ball = slope.dot(&node.v);
-        // Taken off again where the room is asked for: what the cone turns by after now is to count.
+        // Taken off again where the room is asked for: what the cone turns by after now is to
+        // count.
         let moved = now.used.turn * node.radius + now.used.tip * node.reach;
         let mut plane = Plane {
             slope: sweep.tool_slope(k, slope),

@@ -110,7 +110,8 @@ impl Lanes {
         self.blocks.truncate(last.div_ceil(LANES));
     }
 
-    /// Room of all nodes about the one interval, mm, in `rooms`; zero or less where the planes show none.
+    /// Room of all nodes about the one interval, mm, in `rooms`; zero or less where the planes show
+    /// none.
     pub fn rooms(&self, now: &Now, sweep: &Sweep, rooms: &mut Vec<f64>) {
         rooms.clear();
         if sweep.hi - sweep.lo >= TAU {
@@ -157,7 +158,8 @@ impl LimitLanes {
 }
 
 impl PlaneLanes {
-    /// What a plane leaves at the angle `theta` of the tool, in whose frame the node's centre is `seen`, mm.
+    /// What a plane leaves at the angle `theta` of the tool, in whose frame the node's centre is
+    /// `seen`, mm.
     fn room(&self, seen: &[f64x4; 3], theta: f64, radius: f64x4) -> f64x4 {
         let angle = theta - self.theta;
         let over = self.offset + (self.slope[0] * seen[0] + self.slope[1] * seen[1] + self.slope[2] * seen[2]);
@@ -241,8 +243,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
 
-        /// Wherever ball and interval have gone since the planes were laid, no point of the node comes nearer to the tool at either end than
-        /// the room says.
+        /// Wherever ball and interval have gone since the planes were laid, no point of the node
+        /// comes nearer to the tool at either end than the room says.
         #[test]
         fn no_point_is_nearer_than_the_room(
             c in prop::array::uniform9(-1.0..1.0f64),

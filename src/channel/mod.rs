@@ -1,35 +1,43 @@
-//! The S–θ channel: at each cutter location the angles that the whole tool may take, followed round the whole path.
+//! The S–θ channel: at each cutter location the angles that the whole tool may take, followed round
+//! the whole path.
 //!
-//! **In**: a [`Blade`] (its mesh and that mesh's deflection), a [`Tool`], a [`Toolpath`] whose balls do not gouge.
-//! **Out**: a [`Channel`], one row per cutter location: an interval of θ, unwrapped over the path (it grows by 2π a turn,
-//! since the path runs counter-clockwise), what binds its ends, its monotone hulls, and the paper's limits from tangents.
+//! **In**: a [`Blade`] (its mesh and that mesh's deflection), a [`Tool`], a [`Toolpath`] whose
+//! balls do not gouge. **Out**: a [`Channel`], one row per cutter location: an interval of θ,
+//! unwrapped over the path (it grows by 2π a turn, since the path runs counter-clockwise), what
+//! binds its ends, its monotone hulls, and the paper's limits from tangents.
 //!
-//! **Method.** At each location the tool axis is one of a cone ([`crate::artifact::Cone`]), in whose frame it is
-//! `a(θ) = (sin B, cos B cos θ, cos B sin θ)`: everything below is said in that frame. A point of a body (the part, a fixture, the stock)
-//! forbids one or two arcs of θ in closed form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of
-//! spheres and boxes over the triangles and branch and bound give the union of arcs (`forbidden`, and `clear` for triangles that the
-//! tool nearly touches along their plane). What is left are free intervals; the permitted range of the contact angle
-//! `acos(a·n)` and the rotary axis' limits narrow them. What cannot bind is carried from place to place (`track`). Free
-//! intervals that overlap from place to place are joined to chains, and the chain whose least overlap is greatest is taken
-//! (`chain`). Between places, if `prove_moves` asks for it, the same search runs over the whole move (`region`, `moves`): walls
-//! are moved inwards until the
-//! straight lines between them hold. Hulls: `hull_min` is the running greatest of the
-//! lower limits, `hull_max` the running least of the upper limits from the end: a schedule that never turns back exists
-//! exactly where `hull_min <= hull_max`, and then everywhere between them one can go on.
+//! **Method.** At each location the tool axis is one of a cone ([`crate::artifact::Cone`]), in
+//! whose frame it is `a(θ) = (sin B, cos B cos θ, cos B sin θ)`: everything below is said in that
+//! frame. A point of a body (the part, a fixture, the stock) forbids one or two arcs of θ in closed
+//! form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of spheres and
+//! boxes over the triangles and branch and bound give the union of arcs (`forbidden`, and `clear`
+//! for triangles that the tool nearly touches along their plane). What is left are free intervals;
+//! the permitted range of the contact angle `acos(a·n)` and the rotary axis' limits narrow them.
+//! What cannot bind is carried from place to place (`track`). Free intervals that overlap from
+//! place to place are joined to chains, and the chain whose least overlap is greatest is taken
+//! (`chain`). Between places, if `prove_moves` asks for it, the same search runs over the whole
+//! move (`region`, `moves`): walls are moved inwards until the straight lines between them hold.
+//! Hulls: `hull_min` is the running greatest of the lower limits, `hull_max` the running least of
+//! the upper limits from the end: a schedule that never turns back exists exactly where
+//! `hull_min <= hull_max`, and then everywhere between them one can go on.
 //!
-//! **Guaranteed**: at every cutter location and every θ of its interval no point of a body's mesh is nearer to taper, shank or
-//! holder than the clearance plus the mesh's deflection; with `prove_moves` also at every time of the straight moves between
-//! locations, for every θ between the walls, which are then straight from location to location. Without it walls are taken as
-//! straight between places. Ends are at most `tolerance_rad` inside those of the exact mesh with its deflection as room, also where the
-//! tool touches the part along a whole line at once; walls that were moved in for the moves lie farther inside. With `exact_ends` they are
-//! at most `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long (`tighten`), which stay as safe, and but for
-//! [`plan`] with `prove_moves`, where what the index of the part lies off it is kept as room.
+//! **Guaranteed**: at every cutter location and every θ of its interval no point of a body's mesh
+//! is nearer to taper, shank or holder than the clearance plus the mesh's deflection; with
+//! `prove_moves` also at every time of the straight moves between locations, for every θ between
+//! the walls, which are then straight from location to location. Without it walls are taken as
+//! straight between places. Ends are at most `tolerance_rad` inside those of the exact mesh with
+//! its deflection as room, also where the tool touches the part along a whole line at once; walls
+//! that were moved in for the moves lie farther inside. With `exact_ends` they are at most
+//! `tolerance_rad` inside those of the exact faces, but for those whose proof takes too long
+//! (`tighten`), which stay as safe, and but for [`plan`] with `prove_moves`, where what the index
+//! of the part lies off it is kept as room.
 //!
-//! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is: `ball`), machine parts other than the holder, linear axes' limits.
-//! The contact angle is held at the places, not between.
+//! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is:
+//! `ball`), machine parts other than the holder, linear axes' limits. The contact angle is held at
+//! the places, not between.
 //!
-//! **Fails** with kind `Infeasible` where no chain leads round the path, or where the hulls cross; the message names the
-//! turn, S, the point, the part of the tool and the face of the part.
+//! **Fails** with kind `Infeasible` where no chain leads round the path, or where the hulls cross;
+//! the message names the turn, S, the point, the part of the tool and the face of the part.
 
 mod advise;
 mod arcs;
@@ -70,7 +78,8 @@ use profile::Profile;
 use samples::Sample;
 use tree::SphereTree;
 
-/// Everything that is in the tool's way, indexed once for a tool's radius: channels for several tools, angles or paths follow.
+/// Everything that is in the tool's way, indexed once for a tool's radius: channels for several
+/// tools, angles or paths follow.
 pub struct Surroundings<'a> {
     blade: &'a Blade,
     obstacles: &'a [Obstacle],
@@ -82,15 +91,15 @@ pub struct Surroundings<'a> {
 /// Greatest lean of a tool axis: at 90° it is along the axis of its cone, and θ places nothing.
 const MOST_LEAN_DEG: f64 = 85.0;
 
-/// Where the part has exact faces, its tree is finer than its mesh by so much that an end bound at a lever of the ball's radius is off by
-/// this, rad.
+/// Where the part has exact faces, its tree is finer than its mesh by so much that an end bound at
+/// a lever of the ball's radius is off by this, rad.
 const FINE_RAD: f64 = 5e-5;
 /// Triangles of that finer tree, about.
 const FINE_MOST: usize = 250_000;
 
 impl<'a> Surroundings<'a> {
-    /// Indexes the part and the obstacles; `radius_mm` is the ball's radius, which only decides how finely large triangles
-    /// are cut.
+    /// Indexes the part and the obstacles; `radius_mm` is the ball's radius, which only decides how
+    /// finely large triangles are cut.
     ///
     /// # Errors
     /// Kind `Usage`: a mesh is empty or not finite.
@@ -110,8 +119,9 @@ impl<'a> Surroundings<'a> {
         Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
     }
 
-    /// The same with a finer index of the part, where that has exact faces: for [`ChannelOptions::exact_ends`], which is then
-    /// much faster, and with which moves can be proven but for what the index lies off the faces.
+    /// The same with a finer index of the part, where that has exact faces: for
+    /// [`ChannelOptions::exact_ends`], which is then much faster, and with which moves can be
+    /// proven but for what the index lies off the faces.
     #[must_use]
     pub fn finer(mut self, radius_mm: f64) -> Self {
         let fine = self.blade.part.fine(FINE_RAD * radius_mm, FINE_MOST);
@@ -123,7 +133,8 @@ impl<'a> Surroundings<'a> {
         self
     }
 
-    /// Share of the tolerance that the search may use up: half of it is left for what the tree lies off exact faces.
+    /// Share of the tolerance that the search may use up: half of it is left for what the tree lies
+    /// off exact faces.
     fn share(&self, options: &ChannelOptions) -> f64 {
         if options.exact_ends && self.part_off_mm > 0.0 { 0.5 } else { 1.0 }
     }
@@ -133,7 +144,8 @@ impl<'a> Surroundings<'a> {
         ChannelOptions { tolerance_rad: options.tolerance_rad * self.share(options), ..options.clone() }
     }
 
-    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that is asked for.
+    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that
+    /// is asked for.
     fn layers(
         &self,
         tool: &Tool,
@@ -171,7 +183,8 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-/// A free interval at a cutter location, rad, unwrapped about the surface normal's azimuth, and what ends it.
+/// A free interval at a cutter location, rad, unwrapped about the surface normal's azimuth, and
+/// what ends it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct FreeInterval {
     /// Least θ.
@@ -184,7 +197,8 @@ pub struct FreeInterval {
     pub binds_max: Binding,
 }
 
-/// All free intervals at every cutter location, to `tolerance_rad`: before one chain is chosen and moves are looked at.
+/// All free intervals at every cutter location, to `tolerance_rad`: before one chain is chosen and
+/// moves are looked at.
 ///
 /// # Errors
 /// As [`plan`], but a location without a free angle is no error: its list is empty.
@@ -213,8 +227,8 @@ pub fn intervals(
 /// The channel of a tool path among the part alone.
 ///
 /// # Errors
-/// Kind `Usage` for impossible options or tool, `Infeasible` where there is no channel or no monotone schedule in it,
-/// `Cancelled`.
+/// Kind `Usage` for impossible options or tool, `Infeasible` where there is no channel or no
+/// monotone schedule in it, `Cancelled`.
 pub fn plan(
     blade: &Blade,
     tool: &Tool,
@@ -241,7 +255,8 @@ pub fn plan_among(
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
     let samples = samples::along(path, options.max_step_mm);
-    // What moves are proven against, the index, gives the ends then: one that lay farther out would only be moved in again, and its neighbours with it.
+    // What moves are proven against, the index, gives the ends then: one that lay farther out would
+    // only be moved in again, and its neighbours with it.
     let layers = if options.prove_moves {
         layers(&scene, &samples, observer)?
     } else {
@@ -284,7 +299,8 @@ pub fn plan_among(
     })
 }
 
-/// Free intervals of all places within the rotary axis' limits, of the index with what it lies off the part as room.
+/// Free intervals of all places within the rotary axis' limits, of the index with what it lies off
+/// the part as room.
 fn layers(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
     within_axis(scene.options, &mut layers);

@@ -1,10 +1,12 @@
 //! Between the places: the walls hold for the whole motion, or are moved inwards until they do.
 //!
-//! Between two places the ball centre moves straight and the tool may turn along any line of the (time, θ) plane between a
-//! lower and an upper wall that are straight from place to place. In a frame that turns along the lower wall that wall is one
-//! angle, and the search over the move ([`super::forbidden::Search::free_moving`]) gives an interval that is free during the
-//! whole move: how far its lower end lies above the wall is how far the wall must be moved in. Likewise for the upper wall. The two
-//! intervals together cover all that is between the moved walls; where they do not, one frame serves both.
+//! Between two places the ball centre moves straight and the tool may turn along any line of the
+//! (time, θ) plane between a lower and an upper wall that are straight from place to place. In a
+//! frame that turns along the lower wall that wall is one angle, and the search over the move
+//! ([`super::forbidden::Search::free_moving`]) gives an interval that is free during the whole
+//! move: how far its lower end lies above the wall is how far the wall must be moved in. Likewise
+//! for the upper wall. The two intervals together cover all that is between the moved walls; where
+//! they do not, one frame serves both.
 
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -22,7 +24,8 @@ use super::sight::Sight;
 /// Parts in which a move is looked at, at most.
 const MOST_PARTS: f64 = 1000.0;
 
-/// How far the walls of a move must be moved inwards at both its ends, rad, and what makes that necessary.
+/// How far the walls of a move must be moved inwards at both its ends, rad, and what makes that
+/// necessary.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lift {
     pub lo: f64,
@@ -31,7 +34,8 @@ pub(super) struct Lift {
     pub hi_by: Witness,
 }
 
-/// The lifts of the moves that are wanted, by the place where they end, none of the others; the inner error is a move during which the channel closes.
+/// The lifts of the moves that are wanted, by the place where they end, none of the others; the
+/// inner error is a move during which the channel closes.
 pub(super) fn lifts(
     scene: &Scene,
     samples: &[Sample],
@@ -86,8 +90,8 @@ struct Move<'a> {
     azimuth: f64,
 }
 
-/// The part from one share of the way to another of the move from a place to the next, in a frame that turns by ± `turn` about the
-/// cone's axis on the whole of it.
+/// The part from one share of the way to another of the move from a place to the next, in a frame
+/// that turns by ± `turn` about the cone's axis on the whole of it.
 pub(super) fn even_move(from: &Sample, to: &Sample, turn: f64, [start, end]: [f64; 2]) -> View {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
     let cone = from.cone.between(&to.cone, middle);
@@ -135,7 +139,8 @@ fn lift(
 }
 
 impl Move<'_> {
-    /// The free interval of the whole move that has most in common with those of both ends, in a frame that turns by ± `turn`.
+    /// The free interval of the whole move that has most in common with those of both ends, in a
+    /// frame that turns by ± `turn`.
     fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
         let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
         let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
@@ -166,7 +171,8 @@ impl Move<'_> {
         best
     }
 
-    /// In how many parts the move is looked at: a lean that changes is taken as that in the middle of a part.
+    /// In how many parts the move is looked at: a lean that changes is taken as that in the middle
+    /// of a part.
     fn parts(&self, tolerance: f64) -> usize {
         let lean = (self.to.0.cone.lean_rad - self.from.0.cone.lean_rad).abs();
         (lean / (0.2 * tolerance)).ceil().clamp(1.0, MOST_PARTS) as usize
@@ -177,7 +183,8 @@ impl Move<'_> {
         Free { lo: f.lo - self.azimuth - turn, hi: f.hi - self.azimuth - turn, ..*f }
     }
 
-    /// How far the walls lie outside: the lower one of the first interval, the upper one of the second, each with its frame.
+    /// How far the walls lie outside: the lower one of the first interval, the upper one of the
+    /// second, each with its frame.
     fn lift(&self, (low, low_turn): (Free, f64), (high, high_turn): (Free, f64)) -> Lift {
         let ends = [(-1.0, self.from.1), (1.0, self.to.1)];
         let lo = ends.map(|(t, f)| low.lo - self.seen(f, low_turn * t).lo);

@@ -3,7 +3,8 @@
 use crate::error::{Error, Result, Stage};
 use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM};
 
-/// Least and greatest angle between tool axis and surface normal where nobody asks for others, degrees.
+/// Least and greatest angle between tool axis and surface normal where nobody asks for others,
+/// degrees.
 pub const CONTACT_ANGLE_DEG: [f64; 2] = [0.0, 90.0];
 /// Tolerance of the channel's ends where nobody asks for another, degrees.
 pub const TOLERANCE_DEG: f64 = 0.01;
@@ -15,26 +16,32 @@ pub struct ChannelOptions {
     pub clearance_mm: f64,
     /// Room that the holder keeps from the part, mm.
     pub holder_clearance_mm: f64,
-    /// Least angle between tool axis and surface normal, rad. Near the tip of the ball the cutting speed vanishes; a
-    /// pivot B of a few degrees keeps walls parallel to the blade axis away from the tip already, so that 0 is a fair
-    /// default (a limit above it cuts the channel in two wherever the normal comes near the axis).
+    /// Least angle between tool axis and surface normal, rad. Near the tip of the ball the cutting
+    /// speed vanishes; a pivot B of a few degrees keeps walls parallel to the blade axis away from
+    /// the tip already, so that 0 is a fair default (a limit above it cuts the channel in two
+    /// wherever the normal comes near the axis).
     pub contact_angle_min_rad: f64,
-    /// Greatest angle between tool axis and surface normal, rad. Over 90° the ball would cut with its upper half.
+    /// Greatest angle between tool axis and surface normal, rad. Over 90° the ball would cut with
+    /// its upper half.
     pub contact_angle_max_rad: f64,
     /// Limits of θ from those of the rotary axis, rad, unwrapped; `None`: it turns without end.
     pub theta_limits_rad: Option<[f64; 2]>,
     /// Tolerance of the channel's ends, rad; always on the safe side.
     pub tolerance_rad: f64,
-    /// Prove that the walls hold at every time of the moves between places, and move them inwards where they do not. Takes
-    /// milliseconds a move; otherwise walls are taken as straight between places.
+    /// Prove that the walls hold at every time of the moves between places, and move them inwards
+    /// where they do not. Takes milliseconds a move; otherwise walls are taken as straight between
+    /// places.
     pub prove_moves: bool,
     /// Locations, in order, whose moves to the next are proven even without `prove_moves`.
     pub prove_at: Vec<usize>,
-    /// Move the ends that the part binds out to where exact faces bind them, instead of keeping the deflection of their mesh as room;
-    /// nothing changes where the part is a mesh. With `prove_moves` what the index of the part lies off it is kept as room instead, some ten-thousandths of the
-    /// ball's radius where it is the finer one. Takes about a fifth of a millisecond of processor time a location.
+    /// Move the ends that the part binds out to where exact faces bind them, instead of keeping the
+    /// deflection of their mesh as room; nothing changes where the part is a mesh. With
+    /// `prove_moves` what the index of the part lies off it is kept as room instead, some
+    /// ten-thousandths of the ball's radius where it is the finer one. Takes about a fifth of a
+    /// millisecond of processor time a location.
     pub exact_ends: bool,
-    /// Greatest distance between ball centres that are looked at, mm: longer moves get locations between their ends.
+    /// Greatest distance between ball centres that are looked at, mm: longer moves get locations
+    /// between their ends.
     pub max_step_mm: f64,
 }
 

@@ -1,4 +1,5 @@
-//! What the search has still to open: nodes and pieces, the one that may move an end farthest first.
+//! What the search has still to open: nodes and pieces, the one that may move an end farthest
+//! first.
 
 use std::cmp::Ordering;
 

@@ -1,12 +1,15 @@
-//! The tool's profile, inflated: which heights over the ball centre a point at a given distance from it may not have.
+//! The tool's profile, inflated: which heights over the ball centre a point at a given distance
+//! from it may not have.
 //!
-//! A frustum of the profile together with its clearance `c` is the set of points no farther than `c` from the frustum
-//! (its Minkowski sum with a ball: sides moved out by `c`, rims rounded with radius `c`). A point at distance `d` from
-//! the ball centre moves on a circle of radius `d` in the profile's half plane (height `z`, radius `r`) as the tool turns
-//! about the centre; it is inside the inflated frustum exactly for one interval of `z`, found here in closed form. Since
-//! inflating by `c + e` is the same as inflating by `c` and then by `e`, the interval for a ball of radius `e` about
-//! the point contains those of all points of that ball: this is the bound that the search for the channel rests on.
-//! The distance from a frustum is also convex, so that its tangent plane bounds it from below over a whole triangle.
+//! A frustum of the profile together with its clearance `c` is the set of points no farther than
+//! `c` from the frustum (its Minkowski sum with a ball: sides moved out by `c`, rims rounded with
+//! radius `c`). A point at distance `d` from the ball centre moves on a circle of radius `d` in the
+//! profile's half plane (height `z`, radius `r`) as the tool turns about the centre; it is inside
+//! the inflated frustum exactly for one interval of `z`, found here in closed form. Since inflating
+//! by `c + e` is the same as inflating by `c` and then by `e`, the interval for a ball of radius
+//! `e` about the point contains those of all points of that ball: this is the bound that the search
+//! for the channel rests on. The distance from a frustum is also convex, so that its tangent plane
+//! bounds it from below over a whole triangle.
 
 use crate::artifact::ToolPart;
 use crate::geometry::Vector;
@@ -30,7 +33,8 @@ pub(super) struct Frustum {
 }
 
 impl Frustum {
-    /// From height to height over the ball centre, with the radii there and the clearance that it keeps, at least 0; mm.
+    /// From height to height over the ball centre, with the radii there and the clearance that it
+    /// keeps, at least 0; mm.
     pub fn new([z0, z1]: [f64; 2], [r0, r1]: [f64; 2], clearance: f64) -> Self {
         let c1 = (r1 - r0) / (z1 - z0);
         let slant = (z1 - z0).hypot(r1 - r0);
@@ -48,7 +52,8 @@ impl Frustum {
         }
     }
 
-    /// Margin of the plane `normal · p = offset`, its slope, and a point of the plane that has it; of several, one near `by`.
+    /// Margin of the plane `normal · p = offset`, its slope, and a point of the plane that has it;
+    /// of several, one near `by`.
     pub fn off_plane(&self, axis: &Vector, normal: &Vector, offset: f64, by: &Vector) -> (f64, Vector, Vector) {
         let up = normal.dot(axis);
         let out = normal - axis * up;
@@ -77,15 +82,16 @@ impl Frustum {
         }
     }
 
-    /// The least of `normal · p` over the frustum with its clearance; `normal` of unit length or zero.
+    /// The least of `normal · p` over the frustum with its clearance; `normal` of unit length or
+    /// zero.
     pub fn lowest(&self, axis: &Vector, normal: &Vector) -> f64 {
         let up = normal.dot(axis);
         let off = (normal - axis * up).norm();
         (up * self.z0 - off * self.r0).min(up * self.z1 - off * self.r1) - self.clearance
     }
 
-    /// Heights that are inside, for points at distance `d` from the ball centre, the frustum inflated by its clearance
-    /// and `extra`; `None` where there are none.
+    /// Heights that are inside, for points at distance `d` from the ball centre, the frustum
+    /// inflated by its clearance and `extra`; `None` where there are none.
     pub fn inside(&self, d: f64, extra: f64) -> Option<(f64, f64)> {
         let c = self.clearance + extra;
         let (bottom, top) = (self.z0 - c, self.z1 + c);
@@ -104,8 +110,9 @@ impl Frustum {
         (low <= high).then_some((low, high))
     }
 
-    /// Distance of the point at height `z` and radius `r` from the frustum, less its clearance, and its derivatives by
-    /// `z` and `r` (0 inside). It is a convex function of the point in space, since the frustum is convex.
+    /// Distance of the point at height `z` and radius `r` from the frustum, less its clearance, and
+    /// its derivatives by `z` and `r` (0 inside). It is a convex function of the point in space,
+    /// since the frustum is convex.
     pub fn margin(&self, z: f64, r: f64) -> (f64, f64, f64) {
         let (ez, er) = (z - self.z0, r - self.r0);
         let (along, off) = (ez * self.cos + er * self.sin, er * self.cos - ez * self.sin);
@@ -125,14 +132,14 @@ impl Frustum {
         (d - self.clearance, gz, gr)
     }
 
-    /// No point at the height `z` has a lesser margin: how far above it the frustum begins, less its clearance. For most points most of the tool is far
-    /// above, and need not be looked at.
+    /// No point at the height `z` has a lesser margin: how far above it the frustum begins, less
+    /// its clearance. For most points most of the tool is far above, and need not be looked at.
     pub fn above(&self, z: f64) -> f64 {
         self.z0 - z - self.clearance
     }
 
-    /// The circle's lowest point inside: on the front face, the lower rim, the side or the upper rim, in this order as
-    /// the distance grows.
+    /// The circle's lowest point inside: on the front face, the lower rim, the side or the upper
+    /// rim, in this order as the distance grows.
     fn low(&self, d: f64, d2: f64, c: f64, bottom: f64) -> f64 {
         let square = |z: f64, r: f64| z * z + r * r;
         if d2 <= square(bottom, self.r0) {
@@ -149,8 +156,8 @@ impl Frustum {
     }
 }
 
-/// Height where a circle of squared radius `d2` about the ball centre meets the circle of radius `c` about the rim
-/// `(z, r)`: the upper (`side` 1) or lower (-1) of the two points.
+/// Height where a circle of squared radius `d2` about the ball centre meets the circle of radius
+/// `c` about the rim `(z, r)`: the upper (`side` 1) or lower (-1) of the two points.
 fn rim(d2: f64, z: f64, r: f64, c: f64, side: f64) -> f64 {
     let d0 = z.hypot(r).max(1e-300);
     let along = (d2 + d0 * d0 - c * c) / (2.0 * d0);
@@ -167,10 +174,12 @@ pub(super) struct Profile {
     pub length: f64,
     /// No point of the tool with its clearances is farther from the ball centre, mm.
     pub farthest: f64,
-    /// Nowhere does the profile, clearances included, become narrower upwards, and nowhere does its outline come nearer to
-    /// the ball centre: a point that leaves the tool as the tool turns away from it does not come into it again.
+    /// Nowhere does the profile, clearances included, become narrower upwards, and nowhere does its
+    /// outline come nearer to the ball centre: a point that leaves the tool as the tool turns away
+    /// from it does not come into it again.
     pub widens: bool,
-    /// A tool around this one that widens and is longer than all that this one reaches; none where there is no such simple one.
+    /// A tool around this one that widens and is longer than all that this one reaches; none where
+    /// there is no such simple one.
     pub tall: Option<Box<Profile>>,
 }
 
@@ -192,7 +201,8 @@ fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
         let drawn_out = if k + 1 == frusta.len() { 8.0 * farthest } else { 0.0 };
         let (z1, r1) = (f.z1 + drawn_out, f.r1 + drawn_out * f.c1.max(0.0));
         let r0 = f.r0.max(radius);
-        // Of a cone that begins thinner than what is below it the cylinder at its upper end is enough.
+        // Of a cone that begins thinner than what is below it the cylinder at its upper end is
+        // enough.
         let (r0, r1) = if r0 > f.r0 { (r0.max(r1), r0.max(r1)) } else { (r0, r1.max(r0)) };
         clearance = clearance.max(f.clearance);
         radius = r1;
@@ -205,8 +215,8 @@ fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
 }
 
 impl Profile {
-    /// `room_mm`: what taper and shank, and what the holder must keep; enlarged by `deflection_mm`, what the body's mesh may
-    /// lie off the body.
+    /// `room_mm`: what taper and shank, and what the holder must keep; enlarged by `deflection_mm`,
+    /// what the body's mesh may lie off the body.
     pub fn new(tool: &Tool, room_mm: [f64; 2], deflection_mm: f64) -> Self {
         let segments = tool.segments();
         let frusta: Vec<Frustum> = segments
@@ -240,8 +250,8 @@ impl Profile {
         self.only(|k| self.parts[k].is_holder())
     }
 
-    /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights lie in `within`:
-    /// disjoint intervals with the frusta that their ends belong to, in `out`.
+    /// Heights inside the whole tool inflated by `extra`, for points at distance `d` whose heights
+    /// lie in `within`: disjoint intervals with the frusta that their ends belong to, in `out`.
     pub fn inside(&self, d: f64, extra: f64, within: (f64, f64), out: &mut Vec<HeightRange>) {
         out.clear();
         for (k, f) in self.frusta.iter().enumerate() {
@@ -250,8 +260,9 @@ impl Profile {
                 continue;
             }
             let new = HeightRange { low, high, low_by: k as u16, high_by: k as u16 };
-            // Frusta follow one another upwards: only the last interval can meet the new one, but for holder stages
-            // that are wider than what precedes them, whose intervals may begin lower.
+            // Frusta follow one another upwards: only the last interval can meet the new one, but
+            // for holder stages that are wider than what precedes them, whose intervals may begin
+            // lower.
             match out.last_mut() {
                 Some(last) if new.low <= last.high && new.high >= last.low => {
                     if new.low < last.low {

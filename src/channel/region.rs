@@ -1,23 +1,26 @@
-//! Pieces of a body as the tool sees them during a move, and how far a function with a known slope may fall over them.
+//! Pieces of a body as the tool sees them during a move, and how far a function with a known slope
+//! may fall over them.
 //!
-//! A move takes the ball centre along a straight line from `−h` to `h` about its middle, while the tool turns evenly by `±β` about
-//! the axis `x̂` of its cone and the cone evenly by `±ω`, a rotation vector: at time `t` all is turned by `exp(tω) exp(tβx̂)`.
-//! Seen from the ball centre in a frame that turns along, a point that is at `v` in the middle of the move is at
+//! A move takes the ball centre along a straight line from `−h` to `h` about its middle, while the
+//! tool turns evenly by `±β` about the axis `x̂` of its cone and the cone evenly by `±ω`, a
+//! rotation vector: at time `t` all is turned by `exp(tω) exp(tβx̂)`. Seen from the ball centre in
+//! a frame that turns along, a point that is at `v` in the middle of the move is at
 //!
 //! ```text
 //! v(t) = exp(−tβx̂) exp(−tω)(v − t h) = v + t w(v) + r,   w(v) = −h − (β x̂ + ω) × v,   −1 ≤ t ≤ 1
 //! |r| ≤ b²(ρ + |h|)/2 + b|h|,   b = |β| + |ω|
 //! ```
 //!
-//! with `ρ` the distance from the cone's axis where that stays (`ω = 0`), else from the ball centre.
-//! The distance from a frustum of the tool is convex, so its tangent plane at one point bounds it from below everywhere. Along
-//! the motion of a point that plane is `a t + k t²` but for terms of third order, with
-//! `r = t²(β² x̂×(x̂×v)/2 + ω×(ω×v)/2 + β x̂×(ω×v) + (β x̂ + ω) × h) + …`, and
-//! linear in `v`: its least value over a box or triangle and the whole move has a closed form for each corner. A place (no
-//! move) is the move with `h = 0`, `β = 0`, `ω = 0`.
+//! with `ρ` the distance from the cone's axis where that stays (`ω = 0`), else from the ball
+//! centre. The distance from a frustum of the tool is convex, so its tangent plane at one point
+//! bounds it from below everywhere. Along the motion of a point that plane is `a t + k t²` but for
+//! terms of third order, with
+//! `r = t²(β² x̂×(x̂×v)/2 + ω×(ω×v)/2 + β x̂×(ω×v) + (β x̂ + ω) × h) + …`, and linear in `v`: its
+//! least value over a box or triangle and the whole move has a closed form for each corner. A place
+//! (no move) is the move with `h = 0`, `β = 0`, `ω = 0`.
 //!
-//! A lean that changes on the way turns the tool differently at every angle about the cone: it is kept as room, `sway` times the
-//! distance from the ball centre.
+//! A lean that changes on the way turns the tool differently at every angle about the cone: it is
+//! kept as room, `sway` times the distance from the ball centre.
 
 use nalgebra::UnitQuaternion;
 
@@ -26,7 +29,8 @@ use crate::geometry::Vector;
 use super::clear;
 use super::profile::Profile;
 
-/// A move of the ball centre with an even turn of the tool, about its middle, in the frame of the middle.
+/// A move of the ball centre with an even turn of the tool, about its middle, in the frame of the
+/// middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct EvenMove {
     /// Half of the straight move, mm.
@@ -80,7 +84,8 @@ impl EvenMove {
         self.half_frame == Vector::zeros() && self.sway == 0.0
     }
 
-    /// Distance within which all points within `radius` of `v` are from what the tool turns about, mm.
+    /// Distance within which all points within `radius` of `v` are from what the tool turns about,
+    /// mm.
     fn distance(&self, v: &Vector, radius: f64) -> f64 {
         if self.cone_stays() { v.y.hypot(v.z) + radius } else { v.norm() + radius }
     }
@@ -96,7 +101,8 @@ impl EvenMove {
         if self.cone_stays() { about_x } else { about_x + self.half_frame.cross(v) }
     }
 
-    /// What the first order leaves out, for points within `distance`, mm; without what the lean takes.
+    /// What the first order leaves out, for points within `distance`, mm; without what the lean
+    /// takes.
     fn bend(&self, distance: f64) -> f64 {
         let (b, h) = (self.turn(), self.half_move.norm());
         0.5 * b * b * (distance + h) + b * h
@@ -113,8 +119,8 @@ impl EvenMove {
         about_x + self.half_frame.cross(&turned) * 0.5 + both + self.turning(&self.half_move)
     }
 
-    /// What the second order leaves out, for points within `distance`, and what it differs by over points within `radius`, mm; without
-    /// what the lean takes.
+    /// What the second order leaves out, for points within `distance`, and what it differs by over
+    /// points within `radius`, mm; without what the lean takes.
     fn rest(&self, distance: f64, radius: f64) -> f64 {
         let (b, h) = (self.turn(), self.half_move.norm());
         b.powi(3) * (distance + h) / 6.0 + 0.5 * b * b * (h + radius)
@@ -138,7 +144,8 @@ pub(super) enum Shape {
     Triangle([Vector; 3]),
 }
 
-/// Points of a body seen from the ball centre, in the middle of a move: all within `radius` of `centre`, and within a shape.
+/// Points of a body seen from the ball centre, in the middle of a move: all within `radius` of
+/// `centre`, and within a shape.
 pub(super) struct Region {
     pub centre: Vector,
     pub radius: f64,
@@ -171,8 +178,9 @@ impl Region {
         Region { centre, radius, shape, motion, reach, fixed, rest, moving }
     }
 
-    /// How far a function with this slope (no steeper than 1), or one above it, may fall from its value at the centre, over
-    /// all points and the whole move: along each point's motion it is `a t + k t²` to second order.
+    /// How far a function with this slope (no steeper than 1), or one above it, may fall from its
+    /// value at the centre, over all points and the whole move: along each point's motion it is
+    /// `a t + k t²` to second order.
     pub fn fall(&self, slope: &Vector) -> f64 {
         let still = |c: &Vector| slope.dot(&(self.centre - c));
         if !self.moving {
@@ -197,7 +205,8 @@ impl Region {
         fall + self.rest
     }
 
-    /// A lower bound of the margin over all points and the whole move with the tool's axis along `axis`, mm.
+    /// A lower bound of the margin over all points and the whole move with the tool's axis along
+    /// `axis`, mm.
     pub fn least_margin(&self, profile: &Profile, axis: &Vector) -> f64 {
         let mut least = f64::INFINITY;
         for f in &profile.frusta {
@@ -209,9 +218,10 @@ impl Region {
         least
     }
 
-    /// No point is inside the tool even when the tool turns to the point's own azimuth. There the margin depends on the
-    /// point's `x` and distance `ρ` from the turning axis alone and is convex in both. Over the region `ρ` exceeds its
-    /// tangent plane at the centre by at most `reach² / 2(ρ − reach)`. Needs `reach` less than the centre's `ρ`.
+    /// No point is inside the tool even when the tool turns to the point's own azimuth. There the
+    /// margin depends on the point's `x` and distance `ρ` from the turning axis alone and is convex
+    /// in both. Over the region `ρ` exceeds its tangent plane at the centre by at most
+    /// `reach² / 2(ρ − reach)`. Needs `reach` less than the centre's `ρ`.
     pub fn out_of_reach(&self, profile: &Profile, (sin_b, cos_b): (f64, f64)) -> bool {
         let across = self.centre.y.hypot(self.centre.z);
         let away = Vector::new(0.0, self.centre.y, self.centre.z) / across;
@@ -223,9 +233,9 @@ impl Region {
         })
     }
 
-    /// The azimuths ψ of all points during the whole move, as one or two ranges within -π..=π, where each of its points is
-    /// inside the tool for one arc about its own azimuth if at all: the profile only widens upwards and reaches beyond the
-    /// region.
+    /// The azimuths ψ of all points during the whole move, as one or two ranges within -π..=π,
+    /// where each of its points is inside the tool for one arc about its own azimuth if at all: the
+    /// profile only widens upwards and reaches beyond the region.
     pub fn azimuths(&self, profile: &Profile) -> Option<[(f64, f64); 2]> {
         use std::f64::consts::PI;
         let across = self.centre.y.hypot(self.centre.z);
@@ -258,8 +268,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
-        /// Over points of a triangle or box and times of a move, a linear function falls no farther than is said, and no
-        /// point leaves the reach; parts of a move are parts of it.
+        /// Over points of a triangle or box and times of a move, a linear function falls no farther
+        /// than is said, and no point leaves the reach; parts of a move are parts of it.
         #[test]
         fn a_move_keeps_within_its_bounds(
             centre in vector(20.0), a in vector(2.0), b in vector(2.0), c in vector(2.0),

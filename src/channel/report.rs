@@ -130,8 +130,8 @@ impl Reporter<'_> {
         })
     }
 
-    /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the turns above do without the
-    /// location. `None` where fewer than two whole turns are left.
+    /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the
+    /// turns above do without the location. `None` where fewer than two whole turns are left.
     fn above(&self, row: usize) -> Option<f64> {
         let turn = self.path.locations.get(row)?.turn as usize;
         if self.path.region_x_mm[1] > self.path.region_x_mm[0] {
@@ -193,7 +193,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// What takes the whole circle at a sample: the limits without which there would be free angles.
+    /// What takes the whole circle at a sample: the limits without which there would be free
+    /// angles.
     fn everything_taken(&self, sample: &Sample) -> (String, Vec<Binding>) {
         let mut said = Vec::new();
         let mut ends = Vec::new();
@@ -221,8 +222,8 @@ impl Reporter<'_> {
         (said.join("; "), ends)
     }
 
-    /// What ends the free intervals at a sample if the tool had only the parts that `keep` lets through; empty:
-    /// nothing is free.
+    /// What ends the free intervals at a sample if the tool had only the parts that `keep` lets
+    /// through; empty: nothing is free.
     fn free_with(
         &self,
         sample: &Sample,

@@ -1,5 +1,5 @@
-//! The places at which the channel is computed: all cutter locations, and places between them where moves are long or the
-//! surface turns fast.
+//! The places at which the channel is computed: all cutter locations, and places between them where
+//! moves are long or the surface turns fast.
 
 use crate::artifact::{Cone, Toolpath};
 use crate::geometry::{Point, Vector};
@@ -69,7 +69,8 @@ pub(super) fn azimuths(path: &Toolpath) -> Vec<f64> {
     path.locations.iter().enumerate().map(unwrap).collect()
 }
 
-/// The angle θ of `normal` nearest to `last`; `last` itself where the normal is parallel to the cone's axis.
+/// The angle θ of `normal` nearest to `last`; `last` itself where the normal is parallel to the
+/// cone's axis.
 fn unwrapped(last: f64, normal: &Vector, cone: &Cone) -> f64 {
     use std::f64::consts::TAU;
     cone.theta_of(normal, PARALLEL).map_or(last, |a| a + TAU * ((last - a) / TAU).round())

@@ -1,8 +1,9 @@
 //! Parts of a path that stand for all of it: whole turns, at full density.
 //!
-//! Places far apart would not do: the free angles turn by half a circle within a millimetre at an edge of the blade, so intervals of
-//! places next to one another would not overlap, and what is carried from place to place would be lost. Neighbouring turns are
-//! alike. A schedule that never turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
+//! Places far apart would not do: the free angles turn by half a circle within a millimetre at an
+//! edge of the blade, so intervals of places next to one another would not overlap, and what is
+//! carried from place to place would be lost. Neighbouring turns are alike. A schedule that never
+//! turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
 //! turn and a quarter of the next.
 
 use crate::artifact::toolpath::EndReason;
@@ -32,8 +33,8 @@ impl Stretch {
     }
 }
 
-/// Stretches with about `places` locations in all, the first and the last turn among them; the whole path in one where it has no more than
-/// that. `samples` are those of the path.
+/// Stretches with about `places` locations in all, the first and the last turn among them; the
+/// whole path in one where it has no more than that. `samples` are those of the path.
 pub(super) fn stretches(path: &Toolpath, samples: &[Sample], places: usize) -> Vec<Stretch> {
     let count = path.locations.len();
     let turns = path.turns.len();

@@ -1,8 +1,10 @@
-//! The paper's limits: tangents of the path of ball centres, seen along the axis of each location's cone.
+//! The paper's limits: tangents of the path of ball centres, seen along the axis of each location's
+//! cone.
 //!
-//! On convex stretches the tool axis may lie between the backward and the forward tangent; on a concave stretch the
-//! backward limit is that of the inflection where it begins and the forward limit that of the one where it ends (there the
-//! walls of the pocket stand highest). Each limit is then turned inwards by the tool's taper half angle.
+//! On convex stretches the tool axis may lie between the backward and the forward tangent; on a
+//! concave stretch the backward limit is that of the inflection where it begins and the forward
+//! limit that of the one where it ends (there the walls of the pocket stand highest). Each limit is
+//! then turned inwards by the tool's taper half angle.
 
 use std::f64::consts::PI;
 
@@ -11,10 +13,12 @@ use crate::artifact::Toolpath;
 /// Turning that a stretch needs before it counts as concave, rad: less is noise.
 const NOISE_RAD: f64 = 2e-3;
 
-/// Limits (least, greatest) at each location, rad; `near` gives for each location the azimuth about which to unwrap.
+/// Limits (least, greatest) at each location, rad; `near` gives for each location the azimuth about
+/// which to unwrap.
 pub(super) fn limits(path: &Toolpath, taper_rad: f64, near: &[f64]) -> Vec<(f64, f64)> {
     let forward = headings(path, near);
-    // Backward tangent at i: against the heading of the step that leads to i; its azimuth is heading − π.
+    // Backward tangent at i: against the heading of the step that leads to i; its azimuth is
+    // heading − π.
     let mut out: Vec<(f64, f64)> = (0..near.len())
         .map(|i| {
             let before = forward[i.saturating_sub(1)];
@@ -33,8 +37,8 @@ pub(super) fn limits(path: &Toolpath, taper_rad: f64, near: &[f64]) -> Vec<(f64,
     out
 }
 
-/// Unwrapped heading of the step from each location to the next (of the last step for the last location), chosen near
-/// the azimuth of the normal plus a right angle.
+/// Unwrapped heading of the step from each location to the next (of the last step for the last
+/// location), chosen near the azimuth of the normal plus a right angle.
 fn headings(path: &Toolpath, near: &[f64]) -> Vec<f64> {
     let l = &path.locations;
     let mut out: Vec<f64> = Vec::with_capacity(l.len());
@@ -53,8 +57,9 @@ fn headings(path: &Toolpath, near: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Stretches (first and last location) over which the heading falls: between the last inflection before and the first
-/// after each place where it falls by more than noise below its greatest value so far.
+/// Stretches (first and last location) over which the heading falls: between the last inflection
+/// before and the first after each place where it falls by more than noise below its greatest value
+/// so far.
 fn concave_stretches(heading: &[f64]) -> Vec<(usize, usize)> {
     let mut out = Vec::new();
     let Some(&start) = heading.first() else { return out };

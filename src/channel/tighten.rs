@@ -1,25 +1,31 @@
 //! Ends of free intervals from the exact faces.
 //!
-//! The search ([`super::track`]) keeps the mesh's deflection `δ` as room: what it says is free is free, but an end may be timid, by
-//! `δ/s` where the tool touches at a lever `s`, and by `√(2δ/R)` where shaft and ball touch side by side. Here each end that the part
-//! binds is moved outwards to where an exact point of the part forbids it, less the tolerance, and all faces are shown to be clear
-//! there.
+//! The search ([`super::track`]) keeps the mesh's deflection `δ` as room: what it says is free is
+//! free, but an end may be timid, by `δ/s` where the tool touches at a lever `s`, and by `√(2δ/R)`
+//! where shaft and ball touch side by side. Here each end that the part binds is moved outwards to
+//! where an exact point of the part forbids it, less the tolerance, and all faces are shown to be
+//! clear there.
 //!
-//! A point that the tool can reach at all is inside it for one arc of θ about its own azimuth ([`super::track`]). So what is clear at
-//! the end `θ₁`, with its azimuth not between `θ₁` and the end `θ₀` that was safe already, forbids nothing in between. The faces are
-//! looked at piece by piece ([`pieces`](crate::geometry::exact::pieces)), with the tool at `θ₁`: a piece is clear if
+//! A point that the tool can reach at all is inside it for one arc of θ about its own azimuth
+//! ([`super::track`]). So what is clear at the end `θ₁`, with its azimuth not between `θ₁` and the
+//! end `θ₀` that was safe already, forbids nothing in between. The faces are looked at piece by
+//! piece ([`pieces`](crate::geometry::exact::pieces)), with the tool at `θ₁`: a piece is clear if
 //!
-//! - a tangent plane of the convex distance from each part of the tool is positive on all points in whose hull the piece lies: at the
-//!   piece's middle, or where the tool comes nearest to the two triangles of its corners, or
-//! - a plane across the normal of the contact, of the touch that stops the end, or of the piece, has the part of the tool on its one
-//!   side and the hull on its other.
+//! - a tangent plane of the convex distance from each part of the tool is positive on all points in
+//!   whose hull the piece lies: at the piece's middle, or where the tool comes nearest to the two
+//!   triangles of its corners, or
+//! - a plane across the normal of the contact, of the touch that stops the end, or of the piece,
+//!   has the part of the tool on its one side and the hull on its other.
 //!
-//! The second decides beside the contact, where part and tool both hug one plane: at a tolerance `τ` the room there is `R τ²/2`,
-//! some 10⁻⁷ mm, and only a few pieces small enough for that are needed. The middle of a piece that is not clear forbids arcs in
-//! closed form; where they reach beyond `θ₁` it moves inwards. At the end some point of the part forbids `θ₁` moved out by the tolerance.
+//! The second decides beside the contact, where part and tool both hug one plane: at a tolerance
+//! `τ` the room there is `R τ²/2`, some 10⁻⁷ mm, and only a few pieces small enough for that are
+//! needed. The middle of a piece that is not clear forbids arcs in closed form; where they reach
+//! beyond `θ₁` it moves inwards. At the end some point of the part forbids `θ₁` moved out by the
+//! tolerance.
 //!
-//! **Limits**: only for tools that widen upwards ([`Profile::widens`]); no end moves by more than [`FARTHEST`]; an end whose proof
-//! takes more than [`MOST_CUTS`] halvings is tried half way and else stays where it was (at most 12 of 63,000 on `steam_root`).
+//! **Limits**: only for tools that widen upwards ([`Profile::widens`]); no end moves by more than
+//! [`FARTHEST`]; an end whose proof takes more than [`MOST_CUTS`] halvings is tried half way and
+//! else stays where it was (at most 12 of 63,000 on `steam_root`).
 
 use rayon::prelude::*;
 
@@ -53,7 +59,8 @@ const NONE_MM: f64 = 1e-11;
 const SHARE: f64 = 0.9;
 /// Points of the places before that are looked at first.
 const SEEDS: usize = 4;
-/// Places that one thread works on in a row; fixed, so that the result does not depend on the number of threads.
+/// Places that one thread works on in a row; fixed, so that the result does not depend on the
+/// number of threads.
 const BATCH: usize = 128;
 
 /// The exact part and the tool with its clearances alone.
@@ -127,7 +134,8 @@ impl Exact<'_> {
                 if !contact.iter().chain(&before).chain(&touch).all(|p| look.takes(p)) {
                     continue;
                 }
-                // A point of the part that forbids what is farther out: the end is as true as it need be.
+                // A point of the part that forbids what is farther out: the end is as true as it
+                // need be.
                 let is_true = look.taken.is_some() && look.end <= (1.0 - SHARE) * self.tolerance;
                 if is_true || !self.prove(walker, &mut look) {
                     continue;
@@ -153,7 +161,8 @@ impl Exact<'_> {
         join(layer);
     }
 
-    /// The point of the part nearest to where the tool at an end comes nearest to the triangle that binds it.
+    /// The point of the part nearest to where the tool at an end comes nearest to the triangle that
+    /// binds it.
     fn touch(&self, body: &Body, sample: &Sample, at: f64, by: Witness) -> Option<Point> {
         let Witness::Tool { segment, leaf, .. } = by else { return None };
         let f = self.profile.frusta.get(usize::from(segment))?;
@@ -258,8 +267,8 @@ struct Look<'a> {
     sweep: Sweep,
     /// How often it moved inwards.
     moves: u32,
-    /// Directions in which the tool is likely to lie beyond the part: the contact's normal, and the normal where the tool touches the point
-    /// that forbids what is beyond.
+    /// Directions in which the tool is likely to lie beyond the part: the contact's normal, and the
+    /// normal where the tool touches the point that forbids what is beyond.
     normals: [Vector; 2],
     /// How low each part of the tool reaches along them, mm.
     lowest: Vec<[f64; 2]>,
@@ -310,9 +319,10 @@ impl<'a> Look<'a> {
         self.lowest.extend(frusta.iter().map(|f| self.normals.map(|n| f.lowest(&self.axis, &n))));
     }
 
-    /// Lower bound of the margin within `radius` of `v` from a tool whose points have one arc each, at the end; `None`: all of it
-    /// is clear from the end to the start. `least` bounds it at one axis, with how low the tool reaches along the normals. What has no
-    /// place (numbers out of all bounds) is never clear.
+    /// Lower bound of the margin within `radius` of `v` from a tool whose points have one arc each,
+    /// at the end; `None`: all of it is clear from the end to the start. `least` bounds it at one
+    /// axis, with how low the tool reaches along the normals. What has no place (numbers out of all
+    /// bounds) is never clear.
     fn room(
         &self,
         v: &Vector,
@@ -322,7 +332,8 @@ impl<'a> Look<'a> {
     ) -> Option<f64> {
         let profile = &self.exact.profile;
         let far = v.norm() + radius;
-        // Every bound below is made from `v` and what lies within the radius: where these are finite, none of them is NaN.
+        // Every bound below is made from `v` and what lies within the radius: where these are
+        // finite, none of them is NaN.
         if !far.is_finite() {
             return Some(f64::NEG_INFINITY);
         }
@@ -428,8 +439,9 @@ fn off_box(
     lowest.map_or(least, |lowest| normals.iter().zip(lowest).map(below).fold(least, f64::max))
 }
 
-/// Lower bound of a frustum's margin over a piece by planes between them, mm: across the normals, the piece's own normal, and tangent
-/// to the margin at the piece's middle or at the nearest point of its corners' triangles.
+/// Lower bound of a frustum's margin over a piece by planes between them, mm: across the normals,
+/// the piece's own normal, and tangent to the margin at the piece's middle or at the nearest point
+/// of its corners' triangles.
 fn off_hull(
     f: &Frustum,
     axis: &Vector,

@@ -1,19 +1,23 @@
 //! The free angles of one place after another along a path.
 //!
-//! **What a node's certificate is.** For a part whose profile only widens upwards, a point that is no farther off than the tool is long
-//! is inside the tool, inflated by any amount, for one arc of θ about its own azimuth ψ. So its margin (distance less
-//! clearance) grows with `|θ − ψ|`, and what the whole interval `lo ..= hi` leaves of room for a point with ψ outside it is the
-//! lesser of its margins at `lo` and at `hi`; for any point, it is at least the margin at θ = ψ. Both are bounded from below over a
-//! node by tangent planes. Where neither holds (a profile that narrows, a part longer than the tool) the interval is walked.
+//! **What a node's certificate is.** For a part whose profile only widens upwards, a point that is
+//! no farther off than the tool is long is inside the tool, inflated by any amount, for one arc of
+//! θ about its own azimuth ψ. So its margin (distance less clearance) grows with `|θ − ψ|`, and
+//! what the whole interval `lo ..= hi` leaves of room for a point with ψ outside it is the lesser
+//! of its margins at `lo` and at `hi`; for any point, it is at least the margin at θ = ψ. Both are
+//! bounded from below over a node by tangent planes. Where neither holds (a profile that narrows, a
+//! part longer than the tool) the interval is walked.
 //!
-//! That room is a distance from what the tool sweeps over all free intervals. It falls by no more than the ball
-//! centre moves, plus the point's distance from the turning axis times what the intervals grow outwards, plus its distance from the
-//! ball centre times what the cone turns by from place to place. So a node
-//! is not looked at again before that is used up: the nodes at which the search stopped, the *front*, are carried along the path.
+//! That room is a distance from what the tool sweeps over all free intervals. It falls by no more
+//! than the ball centre moves, plus the point's distance from the turning axis times what the
+//! intervals grow outwards, plus its distance from the ball centre times what the cone turns by
+//! from place to place. So a node is not looked at again before that is used up: the nodes at which
+//! the search stopped, the *front*, are carried along the path.
 //!
-//! **What is known to be taken** starts at each place from a few points of the place before that cover all of it. Where
-//! they do not any more, a point inside the tool is looked for in the gap; a gap without one is a new free interval, and then
-//! all is looked at anew. Points found in leaves that are not clear move the ends inwards, each by its closed form.
+//! **What is known to be taken** starts at each place from a few points of the place before that
+//! cover all of it. Where they do not any more, a point inside the tool is looked for in the gap; a
+//! gap without one is a new free interval, and then all is looked at anew. Points found in leaves
+//! that are not clear move the ends inwards, each by its closed form.
 
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -43,13 +47,15 @@ const GROWTH: f64 = 0.02;
 const LEAP: f64 = 0.3;
 /// Points that cover what is taken should overlap by this, rad.
 const OVERLAP: f64 = 0.02;
-/// Steps from the ends of what seems free at which points inside the tool are looked for, greatest and least, rad.
+/// Steps from the ends of what seems free at which points inside the tool are looked for, greatest
+/// and least, rad.
 const CLOSE_IN: [f64; 2] = [0.5, 1e-3];
 /// Places after which the front is made anew, coarser again.
 const PLACES: usize = 64;
 
-/// Places that one thread works on in a row: at least, at most, and in how many rows a path is cut between these. Nothing depends on the
-/// number of threads. Each row begins with a look at everything.
+/// Places that one thread works on in a row: at least, at most, and in how many rows a path is cut
+/// between these. Nothing depends on the number of threads. Each row begins with a look at
+/// everything.
 const BATCH: [usize; 2] = [128, 512];
 const BATCHES: usize = 256;
 
@@ -171,8 +177,8 @@ impl<'a> Tracker<'a> {
         self.now.sweeps.extend(free.iter().map(|f| Sweep::new(f.lo + azimuth, f.hi + azimuth, b)));
     }
 
-    /// Looks for taken angles in what seems free and was not free at the place before. True: there is a gap without any, all must
-    /// be looked at anew.
+    /// Looks for taken angles in what seems free and was not free at the place before. True: there
+    /// is a gap without any, all must be looked at anew.
     fn fill_gaps(&mut self) -> bool {
         for _ in 0..PROBES {
             let mut grown = 0.0f64;
@@ -194,8 +200,8 @@ impl<'a> Tracker<'a> {
         true
     }
 
-    /// Brings the ends of what seems free near to where they will be. With ends too far out, nodes would be opened too far and hold too little
-    /// room.
+    /// Brings the ends of what seems free near to where they will be. With ends too far out, nodes
+    /// would be opened too far and hold too little room.
     fn close_in(&mut self) {
         let mut step = CLOSE_IN[0];
         for _ in 0..PROBES {
@@ -215,7 +221,8 @@ impl<'a> Tracker<'a> {
         }
     }
 
-    /// By how much the interval reaches out of those of the place before, and the middle of what does.
+    /// By how much the interval reaches out of those of the place before, and the middle of what
+    /// does.
     fn growth_of(&self, lo: f64, hi: f64) -> (f64, f64) {
         let mut best = (f64::INFINITY, 0.5 * (lo + hi));
         for [from, to] in &self.before {
@@ -293,8 +300,8 @@ impl<'a> Tracker<'a> {
         }
     }
 
-    /// Makes known what a leaf forbids beyond what is; the room that is left, where there is any. Where nothing can be shown for
-    /// the whole leaf it is halved.
+    /// Makes known what a leaf forbids beyond what is; the room that is left, where there is any.
+    /// Where nothing can be shown for the whole leaf it is halved.
     fn settle(&mut self, body: u16, leaf: u32, box_at: Option<&Vector>) -> Option<Room> {
         let scene = self.scene;
         let on = &scene.bodies[usize::from(body)];
@@ -407,7 +414,8 @@ enum Look {
     Open,
 }
 
-/// Looks at a triangle at the ends of all intervals; it lies within `radius` of its point `middle`, and the box of its node about `box_at`.
+/// Looks at a triangle at the ends of all intervals; it lies within `radius` of its point `middle`,
+/// and the box of its node about `box_at`.
 fn look(
     profile: &Profile,
     sweeps: &[Sweep],

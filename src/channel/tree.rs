@@ -4,7 +4,8 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
 
-/// A node: the sphere and the box around all its triangles, about the same centre; its first child follows it in the list.
+/// A node: the sphere and the box around all its triangles, about the same centre; its first child
+/// follows it in the list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub centre: Point,
@@ -40,9 +41,9 @@ const MOST_PIECES: usize = 200_000;
 const COARSER: f64 = 1.4;
 
 impl SphereTree {
-    /// Halves the pieces at the median along the longest side of their centres' box; deterministic. Triangles are cut until
-    /// their sides are no longer than `side_mm`: one that reaches far round the tool is hard to bound, and would be cut
-    /// anew for every location.
+    /// Halves the pieces at the median along the longest side of their centres' box; deterministic.
+    /// Triangles are cut until their sides are no longer than `side_mm`: one that reaches far round
+    /// the tool is hard to bound, and would be cut anew for every location.
     pub fn new(mesh: &Mesh, side_mm: f64) -> Self {
         let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).collect();
         let parents: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
@@ -107,8 +108,9 @@ impl SphereTree {
     }
 }
 
-/// The triangles cut until no side is longer than `side_mm`, and of which triangle each piece is; `None` where they would be too many.
-/// They are counted, since needles, of next to no area, make as many as their length asks for.
+/// The triangles cut until no side is longer than `side_mm`, and of which triangle each piece is;
+/// `None` where they would be too many. They are counted, since needles, of next to no area, make
+/// as many as their length asks for.
 fn cut(whole: &[[Point; 3]], of: &[u32], side_mm: f64) -> Option<(Vec<[Point; 3]>, Vec<u32>)> {
     let count = whole.len();
     let (mut pieces, mut parents, mut open) = (Vec::with_capacity(count), Vec::with_capacity(count), Vec::new());
@@ -141,8 +143,8 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Makes the node of `order`'s triangles, and all below it, in `nodes`, twice as many less one, of which the first is the tree's node
-    /// `here`. Recursion is as deep as log2 of their number.
+    /// Makes the node of `order`'s triangles, and all below it, in `nodes`, twice as many less one,
+    /// of which the first is the tree's node `here`. Recursion is as deep as log2 of their number.
     fn build(&self, order: &mut [u32], nodes: &mut [Node], here: u32) {
         let (centre, half) = self.around(order);
         let corners = order.iter().flat_map(|&t| &self.pieces[t as usize]);
@@ -175,8 +177,9 @@ impl Builder<'_> {
         }
     }
 
-    /// A box around the triangles: its centre and half sides, the first along their mean normal, the second as near to the blade
-    /// axis as possible. Patches of a wall are flat along their normal.
+    /// A box around the triangles: its centre and half sides, the first along their mean normal,
+    /// the second as near to the blade axis as possible. Patches of a wall are flat along their
+    /// normal.
     fn around(&self, order: &[u32]) -> (Point, [Vector; 3]) {
         let corners = || order.iter().flat_map(|&t| &self.pieces[t as usize]);
         let Some(first) = corners().next() else { return (Point::origin(), [Vector::zeros(); 3]) };
@@ -254,7 +257,8 @@ pub(super) fn halves(corners: &[Point; 3]) -> [[Point; 3]; 2] {
 mod tests {
     use super::*;
 
-    /// A metre of needles a hundredth thick: cut by their length alone they would make millions of pieces.
+    /// A metre of needles a hundredth thick: cut by their length alone they would make millions of
+    /// pieces.
     #[test]
     fn needles_make_no_more_pieces_than_other_triangles() {
         let (n, length) = (3000, 1000.0);

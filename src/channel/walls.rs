@@ -6,7 +6,8 @@ use super::arcs::Witness;
 use super::forbidden::{Free, Scene};
 use super::samples::Sample;
 
-/// Where no monotone schedule exists: the row with the greatest lower limit and a later one whose upper limit is less.
+/// Where no monotone schedule exists: the row with the greatest lower limit and a later one whose
+/// upper limit is less.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Crossing {
     pub low_row: usize,
@@ -32,8 +33,8 @@ pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
     }
 }
 
-/// One row per location; places between two locations narrow both rows, as far as the straight wall between them would be
-/// outside there.
+/// One row per location; places between two locations narrow both rows, as far as the straight wall
+/// between them would be outside there.
 pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &Scene) -> Vec<ChannelRow> {
     let at_locations = samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0);
     let mut rows: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();

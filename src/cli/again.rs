@@ -17,7 +17,8 @@ use crate::verify;
 use crate::write::post::{self, Dialect, PostOptions};
 use crate::write::{draw, preview};
 
-/// `verify`: all checks again, from the files, programs included; writes verify.json, and the deviation map where it is asked for.
+/// `verify`: all checks again, from the files, programs included; writes verify.json, and the
+/// deviation map where it is asked for.
 pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| run.check(&terminal));
@@ -106,7 +107,8 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
 }
 
-/// A finished run with its checks made again, and whether they passed; a turn to go on with must be one of its own.
+/// A finished run with its checks made again, and whether they passed; a turn to go on with must be
+/// one of its own.
 fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Result<(Done, bool)> {
     let terminal = Terminal::new(quiet);
     let checked = read(run, &terminal).and_then(|run| {

@@ -25,7 +25,8 @@ pub struct Args {
     /// No progress, only warnings and results.
     #[arg(long, short, global = true)]
     pub quiet: bool,
-    /// One JSON object a line on standard output: progress, warnings, what would be printed, the end with its exit code.
+    /// One JSON object a line on standard output: progress, warnings, what would be printed, the
+    /// end with its exit code.
     #[arg(long, global = true)]
     pub json: bool,
     /// What to do.
@@ -56,7 +57,8 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright compare blade.step -o out/c\n  bladewright compare job.toml -o out/c --no-jerk"
     )]
     Compare(Compare),
-    /// The S–θ channel alone: all free angles at every cutter location, what binds them, and its width against B.
+    /// The S–θ channel alone: all free angles at every cutter location, what binds them, and its
+    /// width against B.
     Channel(Channel),
     /// What would open the channel, or open it wider: B, stick-out, holder.
     Advise(Advise),
@@ -70,7 +72,8 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify both.mpf --part blade.step --tool out/airfoil/job.resolved.toml --tool out/fillet/job.resolved.toml\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
     )]
     Verify(Verify),
-    /// Write the NC program of a finished run for a control, or of several runs as operations of one program.
+    /// Write the NC program of a finished run for a control, or of several runs as operations of
+    /// one program.
     #[command(
         after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12\n  bladewright post out/airfoil out/fillet --control siemens -o out/program\n  bladewright post out/airfoil out/fillet --control siemens -o out/program --from-operation 2 --from-turn 3"
     )]
@@ -102,13 +105,16 @@ pub struct Reading {
     /// Blade axis from root to tip, in the model's frame.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_axis)]
     pub axis: Option<Axis>,
-    /// The body to plan, by its number as inspect prints it, where the model has several; the tool keeps clear of all of them.
+    /// The body to plan, by its number as inspect prints it, where the model has several; the tool
+    /// keeps clear of all of them.
     #[arg(long, value_name = "N")]
     pub body: Option<u32>,
-    /// Where a region lies, mm along the blade axis: airfoil=LO,HI or platform=TOP; may be given more than once.
+    /// Where a region lies, mm along the blade axis: airfoil=LO,HI or platform=TOP; may be given
+    /// more than once.
     #[arg(long, value_name = "NAME=HEIGHTS", value_parser = parse_region)]
     pub region: Vec<Region>,
-    /// Faces of a region, by number or name: airfoil=3,4 or platform=top; may be given more than once.
+    /// Faces of a region, by number or name: airfoil=3,4 or platform=top; may be given more than
+    /// once.
     #[arg(long, value_name = "NAME=FACES", value_parser = parse_faces)]
     pub faces: Vec<Faces>,
 }
@@ -245,7 +251,8 @@ pub struct Plan {
     /// Write programs even if the checks failed; their headers say so.
     #[arg(long)]
     pub force: bool,
-    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned to keep it.
+    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned
+    /// to keep it.
     #[arg(long, value_name = "SIZE", value_parser = parse_bytes)]
     pub preview_budget: Option<Bytes>,
 }
@@ -397,7 +404,8 @@ pub struct Man {
 pub struct Preview {
     /// The folder of a finished run.
     pub out: PathBuf,
-    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned to keep it.
+    /// Most bytes of preview.glb, as in 10MB; default 10MB. Triangles, points and keys are thinned
+    /// to keep it.
     #[arg(long, value_name = "SIZE", value_parser = parse_bytes)]
     pub preview_budget: Option<Bytes>,
 }
@@ -450,8 +458,9 @@ pub struct Verify {
     /// The part that the program is for: a model.
     #[arg(long, value_name = "MODEL", requires = "tool")]
     pub part: Option<PathBuf>,
-    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder; job.resolved.toml of a run will do. Given more than once: the tools
-    /// that the program calls (M6, TOOL CALL, LOADTL), in that order.
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder;
+    /// job.resolved.toml of a run will do. Given more than once: the tools that the program calls
+    /// (M6, TOOL CALL, LOADTL), in that order.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub tool: Vec<PathBuf>,
     /// The machine (TOML); default: the built-in demo machine.
@@ -466,13 +475,16 @@ pub struct Verify {
     /// A post file (TOML) that says how the program is written.
     #[arg(long, value_name = "FILE", requires = "part", conflicts_with = "control")]
     pub post_file: Option<PathBuf>,
-    /// What X Y Z are: the tool tip, the ball centre, or positions of the machine's axes; default: as the control has it.
+    /// What X Y Z are: the tool tip, the ball centre, or positions of the machine's axes; default:
+    /// as the control has it.
     #[arg(long, value_parser = words::parser::<Programmed>(), requires = "part")]
     pub programmed: Option<Programmed>,
-    /// Zero of the program, mm: in the blade frame under tool-centre-point control, else what is added to X Y Z of the axes.
+    /// Zero of the program, mm: in the blade frame under tool-centre-point control, else what is
+    /// added to X Y Z of the axes.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_point, requires = "part")]
     pub origin: Option<Axis>,
-    /// The program's coordinates are those of the CAD model, not of the blade frame (x along the blade axis).
+    /// The program's coordinates are those of the CAD model, not of the blade frame (x along the
+    /// blade axis).
     #[arg(long, requires = "part", conflicts_with = "origin")]
     pub cad: bool,
     /// Greatest scallop, mm; without it the scallop is measured, not judged.
@@ -487,7 +499,8 @@ pub struct Verify {
     /// Write all findings as JSON.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub report: Option<PathBuf>,
-    /// Write the deviation map, what is left over the part: FILE.glb in colours, FILE.csv as a table.
+    /// Write the deviation map, what is left over the part: FILE.glb in colours, FILE.csv as a
+    /// table.
     #[arg(long, value_name = "FILE", value_parser = parse_map)]
     pub map: Option<PathBuf>,
     /// Tolerance of the map, mm.
@@ -511,7 +524,8 @@ fn parse_point(text: &str) -> Result<Axis, String> {
 /// `post`.
 #[derive(Debug, clap::Args)]
 pub struct Post {
-    /// The folder of a finished run; several of the same part on the same machine are the operations of one program, in this order.
+    /// The folder of a finished run; several of the same part on the same machine are the
+    /// operations of one program, in this order.
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
     /// Folder for the program; default: that of the run, where there is one.
@@ -523,7 +537,8 @@ pub struct Post {
     /// An own post file (TOML) to write with; models/posts has the built-in ones to begin with.
     #[arg(long, value_name = "FILE", conflicts_with = "control")]
     pub post_file: Option<PathBuf>,
-    /// Begin with this turn, from 1, to go on after a break: approach and retract as for the whole. Programs mark where turns begin.
+    /// Begin with this turn, from 1, to go on after a break: approach and retract as for the whole.
+    /// Programs mark where turns begin.
     #[arg(long, value_name = "N")]
     pub from_turn: Option<usize>,
     /// Begin with this operation, from 1, to go on after a break; `--from-turn` counts its turns.

@@ -70,7 +70,8 @@ fn print(done: &Done, out: &str) {
     }
 }
 
-/// One display for all members: a bar over the family, and one for each member at work. Elsewhere than on a terminal a line for each member.
+/// One display for all members: a bar over the family, and one for each member at work. Elsewhere
+/// than on a terminal a line for each member.
 struct Screen {
     bars: MultiProgress,
     whole: ProgressBar,
@@ -171,7 +172,8 @@ impl Observer for MemberBar<'_> {
         self.bar.set_position(done as u64);
     }
 
-    // Warnings of thousands of members would hide each other: they are counted, and stand in each member's manifest.json and report.
+    // Warnings of thousands of members would hide each other: they are counted, and stand in each
+    // member's manifest.json and report.
     fn warn(&self, _warning: Warning) {
         *self.screen.warnings.lock().unwrap_or_else(PoisonError::into_inner).entry(self.name.clone()).or_default() += 1;
     }

@@ -1,4 +1,5 @@
-//! The command line: typed arguments in [`args`], one function per verb, exit codes from [`crate::error::ErrorKind`].
+//! The command line: typed arguments in [`args`], one function per verb, exit codes from
+//! [`crate::error::ErrorKind`].
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod again;

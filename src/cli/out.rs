@@ -1,5 +1,5 @@
-//! All that the command prints: what cannot be written is an error at the end, not a panic on the way, and what comes out of files cannot steer
-//! the terminal.
+//! All that the command prints: what cannot be written is an error at the end, not a panic on the
+//! way, and what comes out of files cannot steer the terminal.
 
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
@@ -56,7 +56,8 @@ pub fn write(text: Arguments<'_>) {
     }
 }
 
-/// Names and quotes of files may hold what a terminal takes for an order: it is shown as `\u{1b}` instead. Line ends too.
+/// Names and quotes of files may hold what a terminal takes for an order: it is shown as `\u{1b}`
+/// instead. Line ends too.
 pub fn visible(text: &str) -> String {
     escaped(text, |_| false)
 }
@@ -72,7 +73,8 @@ fn escaped(text: &str, but_for: impl Fn(char) -> bool) -> String {
     out
 }
 
-/// JSON text in which the characters that JSON itself lets through are escaped as it escapes the others.
+/// JSON text in which the characters that JSON itself lets through are escaped as it escapes the
+/// others.
 fn escaped_json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -84,7 +86,8 @@ fn escaped_json(text: &str) -> String {
     out
 }
 
-/// Control characters but the tabulator, line separators, and marks that turn the direction of writing round.
+/// Control characters but the tabulator, line separators, and marks that turn the direction of
+/// writing round.
 fn steers(c: char) -> bool {
     const MARKS: [char; 12] = [
         '\u{61c}', '\u{200e}', '\u{200f}', '\u{202a}', '\u{202b}', '\u{202c}', '\u{202d}', '\u{202e}', '\u{2066}',

@@ -1,5 +1,5 @@
-//! How the command speaks while it works: one progress bar a stage with rate and time left on a terminal, JSON lines with `--json`, nothing
-//! but warnings elsewhere.
+//! How the command speaks while it works: one progress bar a stage with rate and time left on a
+//! terminal, JSON lines with `--json`, nothing but warnings elsewhere.
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -28,7 +28,8 @@ pub struct Terminal {
 impl Terminal {
     /// A terminal observer; `quiet` shows no progress (warnings are still printed).
     pub fn new(quiet: bool) -> Self {
-        // Before anything is written: a reader of standard output that has gone to sleep must not keep the signals from being heard.
+        // Before anything is written: a reader of standard output that has gone to sleep must not
+        // keep the signals from being heard.
         let stop = super::signals::stop_flag(super::signals::ONE_RUN);
         let bar = ProgressBar::new(1);
         let json = out::event(&serde_json::json!({ "event": "start", "program": crate::run::program() }));

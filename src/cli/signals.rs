@@ -1,5 +1,6 @@
-//! Ctrl-C, and what `kill`, `timeout` and a cluster's scheduler send: the first asks the stages to stop, so that nothing half-written is
-//! left; where they do not hear it in time, the program ends all the same. A second one does not wait for them.
+//! Ctrl-C, and what `kill`, `timeout` and a cluster's scheduler send: the first asks the stages to
+//! stop, so that nothing half-written is left; where they do not hear it in time, the program ends
+//! all the same. A second one does not wait for them.
 
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, OnceLock};
@@ -10,9 +11,11 @@ use signal_hook::flag;
 
 use crate::error::ErrorKind;
 
-/// How long a run has to stop by itself. The files of a run come in together or not at all, so what this cuts off is nowhere half-done.
+/// How long a run has to stop by itself. The files of a run come in together or not at all, so what
+/// this cuts off is nowhere half-done.
 pub(super) const ONE_RUN: Duration = Duration::from_secs(2);
-/// How long a family has: its members stop, then its tables are written. A cluster kills after 30 s.
+/// How long a family has: its members stop, then its tables are written. A cluster kills after 30
+/// s.
 pub(super) const FAMILY: Duration = Duration::from_secs(20);
 
 /// A flag that the signals set, one for the whole process. A hang-up is not among them: a user who
@@ -21,11 +24,13 @@ pub(super) fn stop_flag(patience: Duration) -> Arc<AtomicBool> {
     static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
     Arc::clone(STOP.get_or_init(|| {
         let stop = Arc::new(AtomicBool::new(false));
-        // First: a signal that comes in between ends the program then, where the flag would not have heard it.
+        // First: a signal that comes in between ends the program then, where the flag would not
+        // have heard it.
         #[cfg(unix)]
         end_after(patience);
         for signal in [SIGINT, SIGTERM] {
-            // Refused only where the system has no such signal; the run then cannot be asked to stop, and goes on.
+            // Refused only where the system has no such signal; the run then cannot be asked to
+            // stop, and goes on.
             let _ = flag::register_conditional_shutdown(signal, exit_code(), Arc::clone(&stop));
             let _ = flag::register(signal, Arc::clone(&stop));
         }
@@ -37,7 +42,8 @@ fn exit_code() -> i32 {
     i32::from(ErrorKind::Cancelled.exit_code())
 }
 
-/// Ends the program some time after the first signal: a stage may be at something that cannot be stopped, or a reader of what it prints asleep.
+/// Ends the program some time after the first signal: a stage may be at something that cannot be
+/// stopped, or a reader of what it prints asleep.
 #[cfg(unix)]
 fn end_after(patience: Duration) {
     use std::io::Read;

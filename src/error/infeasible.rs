@@ -1,4 +1,5 @@
-//! Why there is no plan, as data: what the sentence of an error of kind `Infeasible` says, for programs.
+//! Why there is no plan, as data: what the sentence of an error of kind `Infeasible` says, for
+//! programs.
 
 /// A place on the tool path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -74,7 +75,8 @@ pub enum Infeasible {
         /// As above.
         region_may_end_mm: Option<f64>,
     },
-    /// A schedule would have to turn back: the lower wall at a place is above the upper wall at a later one.
+    /// A schedule would have to turn back: the lower wall at a place is above the upper wall at a
+    /// later one.
     WallsCross {
         /// Place of the lower wall.
         lower_at: At,
@@ -133,7 +135,8 @@ pub enum Infeasible {
 }
 
 impl Infeasible {
-    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade frame).
+    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade
+    /// frame).
     pub fn region_may_end_mm(&self) -> Option<f64> {
         match self {
             Infeasible::NoFreeAngle { region_may_end_mm, .. }

@@ -1,4 +1,5 @@
-//! One error for all stages: what went wrong, where, which limit, what to do; and the exit code that follows.
+//! One error for all stages: what went wrong, where, which limit, what to do; and the exit code
+//! that follows.
 
 mod infeasible;
 
@@ -75,8 +76,8 @@ impl ErrorKind {
     }
 }
 
-/// An error of any stage. `message` is one clear sentence: what, where (line, face, turn), which limit;
-/// `advice` says what to do about it.
+/// An error of any stage. `message` is one clear sentence: what, where (line, face, turn), which
+/// limit; `advice` says what to do about it.
 #[derive(Debug, thiserror::Error)]
 #[error("{stage}: {message}{}", advice.as_ref().map(|a| format!(" ({a})")).unwrap_or_default())]
 pub struct Error {
@@ -128,7 +129,8 @@ impl Error {
         self.infeasible = Some(Box::new(what));
         self
     }
-    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade frame).
+    /// A plan may exist if the region ended at this height along the blade axis already, mm (blade
+    /// frame).
     pub fn region_may_end_mm(&self) -> Option<f64> {
         self.infeasible.as_ref()?.region_may_end_mm()
     }

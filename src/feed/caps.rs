@@ -1,4 +1,5 @@
-//! Greatest speed of the ball centre by what does not depend on the machine: feed, contact, chord of the tool tip.
+//! Greatest speed of the ball centre by what does not depend on the machine: feed, contact, chord
+//! of the tool tip.
 
 use super::FeedOptions;
 use crate::artifact::{Schedule, Toolpath};
@@ -7,8 +8,8 @@ use crate::geometry::{Point, Vector};
 /// Slopes are taken over at least this many ball radii: contacts on facets jump.
 const SPAN: f64 = 0.05;
 
-/// No feed takes less along the path, whatever the schedule and the machine, s: every length at the greatest speed that the
-/// programmed feed and the contact allow.
+/// No feed takes less along the path, whatever the schedule and the machine, s: every length at the
+/// greatest speed that the programmed feed and the contact allow.
 pub fn least_time(path: &Toolpath, options: &FeedOptions) -> f64 {
     let no_chord = FeedOptions { chord_mm: f64::INFINITY, ..*options };
     let still = vec![0.0; path.locations.len()];
@@ -54,9 +55,10 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     at.windows(2).map(|w| w[0].min(w[1])).collect()
 }
 
-/// A straight line under `v²/q'²` over an interval, at most `most`, by its ends: where ṡ² is below it, the axis' velocity is within `v`.
-/// `q1`: Bernstein coefficients of q'. The product of q'² and the line has coefficients below v²; what they exceed it by is taken from
-/// the line, which is little where q' changes little.
+/// A straight line under `v²/q'²` over an interval, at most `most`, by its ends: where ṡ² is below
+/// it, the axis' velocity is within `v`. `q1`: Bernstein coefficients of q'. The product of q'² and
+/// the line has coefficients below v²; what they exceed it by is taken from the line, which is
+/// little where q' changes little.
 pub(super) fn of_velocity(q1: [f64; 3], v: f64, most: f64) -> [f64; 2] {
     let greatest = q1.iter().fold(0.0f64, |m, q| m.max(q.abs()));
     if greatest * greatest * most <= v * v {

@@ -1,28 +1,32 @@
-//! Near time-optimal speed under velocity, acceleration and jerk of all axes at once (equations on the stage's page).
+//! Near time-optimal speed under velocity, acceleration and jerk of all axes at once (equations on
+//! the stage's page).
 //!
-//! Over every cell `w = u'` is constant, so `u` is linear and `x` quadratic in `s`, and acceleration is continuous. In a
-//! cell the axes' accelerations and the brackets of their jerks
+//! Over every cell `w = u'` is constant, so `u` is linear and `x` quadratic in `s`, and
+//! acceleration is continuous. In a cell the axes' accelerations and the brackets of their jerks
 //!
 //! ```text
 //! a = q' u + q'' x        j = √x (q' w + 3 q'' u + q''' x)
 //! ```
 //!
-//! are cubic and quadratic; their Bernstein coefficients, linear in `(x, u, w)` at the cell's start, bound them over the whole of
-//! it. Limits of jerk, `|bracket| ≤ J / √x`, are not convex: `1/√x` is convex in `x`, so its tangent lies below it, and with
-//! the tangent in its place the limit is convex and a little too strict. The tangent is taken anew at every iterate
-//! of the interior-point method ([`crate::numerics::stages`]), so at the end nothing is lost by it (sequential convexification as
-//! in "TOPP3", with the sequence folded into the iterations); its bend counts in the second derivative of the Lagrangian, without which
-//! rough paths would take hundreds of iterations. The time `∫ ds/√x` is convex.
+//! are cubic and quadratic; their Bernstein coefficients, linear in `(x, u, w)` at the cell's
+//! start, bound them over the whole of it. Limits of jerk, `|bracket| ≤ J / √x`, are not convex:
+//! `1/√x` is convex in `x`, so its tangent lies below it, and with the tangent in its place the
+//! limit is convex and a little too strict. The tangent is taken anew at every iterate of the
+//! interior-point method ([`crate::numerics::stages`]), so at the end nothing is lost by it
+//! (sequential convexification as in "TOPP3", with the sequence folded into the iterations); its
+//! bend counts in the second derivative of the Lagrangian, without which rough paths would take
+//! hundreds of iterations. The time `∫ ds/√x` is convex.
 //!
-//! The iterates do not leave the limits: they begin with a profile within them (`start` module; one always exists, since ever
-//! slower every limit is kept), and what keeps the tangents keeps the limits. The path is searched in stretches (`search` module); one
-//! whose search has left the limits keeps the profile that it began with. So there is always an answer.
+//! The iterates do not leave the limits: they begin with a profile within them (`start` module; one
+//! always exists, since ever slower every limit is kept), and what keeps the tangents keeps the
+//! limits. The path is searched in stretches (`search` module); one whose search has left the
+//! limits keeps the profile that it began with. So there is always an answer.
 //!
-//! How far it is from the fastest is proved by multipliers (`bound` module), on rough paths those of a convex problem that allows more
-//! (`relaxed` module).
+//! How far it is from the fastest is proved by multipliers (`bound` module), on rough paths those
+//! of a convex problem that allows more (`relaxed` module).
 //!
-//! From and to rest jerk along the path is constant over the outermost cells, `x = 3/2 h u` at their inner ends, with the solver's choice of
-//! `u` there.
+//! From and to rest jerk along the path is constant over the outermost cells, `x = 3/2 h u` at
+//! their inner ends, with the solver's choice of `u` there.
 
 use rayon::prelude::*;
 
@@ -55,15 +59,16 @@ pub(super) struct Smooth {
     pub u: Vec<f64>,
     /// Time from the start, s.
     pub t: Vec<f64>,
-    /// du/ds after each point of the grid but the last; of the first and last cell, where jerk along the path is constant
-    /// instead: that jerk.
+    /// du/ds after each point of the grid but the last; of the first and last cell, where jerk
+    /// along the path is constant instead: that jerk.
     pub w: Vec<f64>,
-    /// No profile on this grid that keeps the limits takes less time by more than this share; proved.
+    /// No profile on this grid that keeps the limits takes less time by more than this share;
+    /// proved.
     pub gap: f64,
 }
 
-/// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` where derivatives of the curve are too great for
-/// numbers, or when the user has asked to stop.
+/// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` where
+/// derivatives of the curve are too great for numbers, or when the user has asked to stop.
 pub(super) fn fastest(
     curve: &CubicSpline,
     limits: &Limits,
@@ -93,7 +98,8 @@ fn assemble(grid: &[(f64, usize)], cells: &[Cell], found: &search::Fastest, unit
     let mut out = Smooth { s, x: vec![0.0], u: vec![0.0], t: vec![0.0], w: Vec::new(), gap: 1.0 - found.least };
     let mut t = 0.0;
     for (i, c) in cells.iter().enumerate() {
-        // In an end cell x = 3/2 h u at its inner end, reached in √(6 h/u) = 3 h/√x with jerk u over that time.
+        // In an end cell x = 3/2 h u at its inner end, reached in √(6 h/u) = 3 h/√x with jerk u
+        // over that time.
         let at_end = |v: &[f64; 3]| {
             let time = 3.0 * c.h / v[0].sqrt();
             (v[0] / (1.5 * c.h) / time * rate * acceleration, time)

@@ -1,42 +1,51 @@
 //! Feed: from path and schedule to the motion of the machine's axes over time.
 //!
-//! In: [`Toolpath`], [`Schedule`], [`Machine`], [`FeedOptions`]. Out: [`AxisMotion`], the fastest motion along the path
-//! that keeps the programmed feed of the ball centre and every axis' velocity and acceleration, from rest to rest.
+//! In: [`Toolpath`], [`Schedule`], [`Machine`], [`FeedOptions`]. Out: [`AxisMotion`], the fastest
+//! motion along the path that keeps the programmed feed of the ball centre and every axis' velocity
+//! and acceleration, from rest to rest.
 //!
 //! ## Equations
-//! The machine's inverse kinematics give axis positions `q` at the cutter locations; a natural cubic spline over the
-//! arc length `s` of ball centres gives `q(s)`, twice continuously differentiable. With `x = ṡ²` and `u = s̈`
+//! The machine's inverse kinematics give axis positions `q` at the cutter locations; a natural
+//! cubic spline over the arc length `s` of ball centres gives `q(s)`, twice continuously
+//! differentiable. With `x = ṡ²` and `u = s̈`
 //!
 //! ```text
 //! |q'| √x ≤ v_max,      |q' u + q'' x| ≤ a_max,      √x ≤ feed,      dx/ds = 2u
 //! ```
 //!
-//! all limits are linear in `(x, u)`. The fastest profile is found by reachability analysis (Pham and Pham 2018, "A new
-//! approach to time-optimal path parameterization based on reachability analysis", IEEE T-RO 34(3)): backwards the
-//! greatest `x` from which the end can still be reached, forwards the greatest `u` that stays below it (`topp` module).
-//! `u` is constant between locations. Unlike the published scheme, which imposes the limits at the locations only, they
-//! are imposed on the Bernstein coefficients of every interval, which bound it as a whole.
+//! all limits are linear in `(x, u)`. The fastest profile is found by reachability analysis (Pham
+//! and Pham 2018, "A new approach to time-optimal path parameterization based on reachability
+//! analysis", IEEE T-RO 34(3)): backwards the greatest `x` from which the end can still be reached,
+//! forwards the greatest `u` that stays below it (`topp` module). `u` is constant between
+//! locations. Unlike the published scheme, which imposes the limits at the locations only, they are
+//! imposed on the Bernstein coefficients of every interval, which bound it as a whole.
 //!
-//! With limits of jerk (the default) `w = u'` is constant between points of a grid instead, `u` and so every axis' acceleration is
-//! continuous, and the least time is found by an interior-point method, stretch by stretch (`jerk` module).
+//! With limits of jerk (the default) `w = u'` is constant between points of a grid instead, `u` and
+//! so every axis' acceleration is continuous, and the least time is found by an interior-point
+//! method, stretch by stretch (`jerk` module).
 //!
-//! Further limits of ṡ: the *contact point* is not to run faster over the part than the programmed feed (in a concave corner of
-//! radius `r` it runs `r/(r − R)` times as fast as the ball centre), and the *tool tip's chord*: over one period `T` of the
-//! control's interpolation a path of curvature κ is left by `κ (v T)²/8`, which is kept below the chord tolerance.
+//! Further limits of ṡ: the *contact point* is not to run faster over the part than the programmed
+//! feed (in a concave corner of radius `r` it runs `r/(r − R)` times as fast as the ball centre),
+//! and the *tool tip's chord*: over one period `T` of the control's interpolation a path of
+//! curvature κ is left by `κ (v T)²/8`, which is kept below the chord tolerance.
 //!
 //! ## Guarantees
-//! On the spline, at every location and anywhere between two, no limit of feed, velocity, acceleration or (where limited)
-//! jerk is exceeded by more than rounding (1e-6 relative): what is left of the solver's tolerance is taken out by running the whole slower.
-//! Same output for any number of threads; time and memory are linear in the number of locations. Within jerk a bound is proved: no
-//! motion on the grid takes less time by more than a share (`jerk::bound`), and a warning tells that share where it is large.
+//! On the spline, at every location and anywhere between two, no limit of feed, velocity,
+//! acceleration or (where limited) jerk is exceeded by more than rounding (1e-6 relative): what is
+//! left of the solver's tolerance is taken out by running the whole slower. Same output for any
+//! number of threads; time and memory are linear in the number of locations. Within jerk a bound is
+//! proved: no motion on the grid takes less time by more than a share (`jerk::bound`), and a
+//! warning tells that share where it is large.
 //!
 //! ## Limits of the method
-//! Where the path has a corner (a crease of the level set, where a ball leaves a fillet uncut) the spline rounds it within
-//! about one interval and its great derivatives slow the motion there, as the machine itself would have to. Without limits of jerk
-//! the profile is exactly the fastest for the spline; with them it is, up to the solver's tolerance, the fastest near it among profiles
-//! with constant `w` between points of the grid. That problem is not convex, and the bound is that of a convex one: on smooth paths both
-//! agree within some thousandths, where noise moves the axes to and fro at every location within some hundredths; between locations a
-//! hundred times nearer than others it may be a fifth or more.
+//! Where the path has a corner (a crease of the level set, where a ball leaves a fillet uncut) the
+//! spline rounds it within about one interval and its great derivatives slow the motion there, as
+//! the machine itself would have to. Without limits of jerk the profile is exactly the fastest for
+//! the spline; with them it is, up to the solver's tolerance, the fastest near it among profiles
+//! with constant `w` between points of the grid. That problem is not convex, and the bound is that
+//! of a convex one: on smooth paths both agree within some thousandths, where noise moves the axes
+//! to and fro at every location within some hundredths; between locations a hundred times nearer
+//! than others it may be a fifth or more.
 //!
 //! ## Failure
 //! Kind `Usage` for bad options or inputs that do not belong together.
@@ -68,9 +77,11 @@ pub struct FeedOptions {
     pub gauge_length_mm: f64,
     /// Keep every axis' jerk within its limit.
     pub limit_jerk: bool,
-    /// Greatest distance between the tool tip's path and its chord over one period of the control, mm.
+    /// Greatest distance between the tool tip's path and its chord over one period of the control,
+    /// mm.
     pub chord_mm: f64,
-    /// Period of the control's interpolation, s. Default 0.002: what common controls have or better.
+    /// Period of the control's interpolation, s. Default 0.002: what common controls have or
+    /// better.
     pub period_s: f64,
     /// Keep the contact point's speed over the part within the programmed feed, too.
     pub limit_contact: bool,
@@ -110,8 +121,8 @@ impl FeedOptions {
 /// The fastest motion; see the module's page.
 ///
 /// # Errors
-/// Kind `Usage`: a bad option, fewer than three locations, arc lengths that do not rise, path and schedule of different
-/// length, values that are not numbers. `Cancelled`.
+/// Kind `Usage`: a bad option, fewer than three locations, arc lengths that do not rise, path and
+/// schedule of different length, values that are not numbers. `Cancelled`.
 pub fn plan(
     path: &Toolpath,
     schedule: &Schedule,
@@ -126,7 +137,8 @@ pub fn plan(
     Ok(motion)
 }
 
-/// As [`plan`], without its warning; and within jerk a share of the time: no motion on the grid takes less by more.
+/// As [`plan`], without its warning; and within jerk a share of the time: no motion on the grid
+/// takes less by more.
 ///
 /// # Errors
 /// As [`plan`].
@@ -206,7 +218,8 @@ fn at(curve: &CubicSpline, i: usize, t: f64) -> Axes<[f64; 3]> {
     })
 }
 
-/// The motion of a speed profile. Accelerations are those just after each location (of the last: just before).
+/// The motion of a speed profile. Accelerations are those just after each location (of the last:
+/// just before).
 fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     let s = curve.abscissae();
     let n = s.len();
@@ -238,7 +251,8 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
 }
 
-/// The motion of a profile with continuous acceleration, at the locations. Jerks are those just after each.
+/// The motion of a profile with continuous acceleration, at the locations. Jerks are those just
+/// after each.
 fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
     let s = curve.abscissae();
     let n = s.len();

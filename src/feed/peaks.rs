@@ -5,8 +5,8 @@ use crate::artifact::{Axes, Schedule, Toolpath};
 use crate::error::Result;
 use crate::machine::Machine;
 
-/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of [`Machine::axes`]; mm or
-/// rad, and s.
+/// Greatest absolute velocity, acceleration and jerk of each axis, in the order of
+/// [`Machine::axes`]; mm or rad, and s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisPeaks {
     /// Velocities, mm/s or rad/s.
@@ -17,7 +17,8 @@ pub struct AxisPeaks {
     pub jerk: Axes,
 }
 
-/// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F`, `q'' F²` and `q''' F³`.
+/// Peaks over all locations at the constant programmed feed, whatever the machine's limits: `q' F`,
+/// `q'' F²` and `q''' F³`.
 ///
 /// # Errors
 /// As [`super::plan`].

@@ -116,7 +116,8 @@ fn a_straight_line_takes_the_time_of_a_trapezoid() {
 
 #[test]
 fn on_a_circle_the_speed_is_held_by_the_centripetal_acceleration() {
-    // θ = 90°: blade x, y are machine X, Y; nothing turns. Where the radius is along an axis, v² / r ≤ a.
+    // θ = 90°: blade x, y are machine X, Y; nothing turns. Where the radius is along an axis, v² /
+    // r ≤ a.
     let machine = Machine::demo().unwrap();
     let (r, n) = (1.0, 1440);
     let points: Vec<_> = (0..=n)
@@ -143,7 +144,8 @@ fn on_a_circle_the_speed_is_held_by_the_centripetal_acceleration() {
 
 #[test]
 fn a_turning_table_is_held_by_its_own_limits() {
-    // The ball centre on the axis of rotation, θ = k s: only A moves besides X; A's velocity decides.
+    // The ball centre on the axis of rotation, θ = k s: only A moves besides X; A's velocity
+    // decides.
     let machine = Machine::demo().unwrap();
     let k = 1.0;
     let points: Vec<_> = (0..=5000)
@@ -243,8 +245,8 @@ proptest! {
     }
 }
 
-/// Divided differences of the written positions: averages of the derivative, so none may exceed its limit. As anybody would
-/// take them from `axes.csv`.
+/// Divided differences of the written positions: averages of the derivative, so none may exceed its
+/// limit. As anybody would take them from `axes.csv`.
 fn assert_differences_within_limits(m: &AxisMotion, machine: &Machine) {
     let limits: Vec<_> = machine.axes().iter().map(|a| a.limits).collect();
     for k in 0..5 {
@@ -301,8 +303,8 @@ fn within_jerk_acceleration_is_continuous_and_time_hardly_more() {
 
 #[test]
 fn angles_as_rough_as_those_of_facets_are_followed_within_jerk() {
-    // The rotary axis jumps to and fro by half a degree every few locations, which are as near as 0.01 mm: speed has to fall to less than a
-    // thousandth in places.
+    // The rotary axis jumps to and fro by half a degree every few locations, which are as near as
+    // 0.01 mm: speed has to fall to less than a thousandth in places.
     let mut points = wavy(1200, 0.1, 2.0);
     for (i, p) in points.iter_mut().enumerate() {
         p.2 += if i % 7 < 3 { 0.008 } else { 0.0 } + 1e-4 * (i as f64 * 7.3).sin();
@@ -320,7 +322,8 @@ fn angles_as_rough_as_those_of_facets_are_followed_within_jerk() {
     assert!(m.time_s > without.time_s && m.time_s < 6.0 * without.time_s, "{} {}", m.time_s, without.time_s);
 }
 
-/// Patches of noise of very different size, at steps that are up to a hundred times shorter than others.
+/// Patches of noise of very different size, at steps that are up to a hundred times shorter than
+/// others.
 fn patches(n: usize) -> Vec<(f64, Point, f64)> {
     let mut out: Vec<(f64, Point, f64)> = Vec::new();
     let (mut f, mut s_mm) = (0.0f64, 0.0);
@@ -395,7 +398,8 @@ fn whoever_asks_to_stop_gets_no_motion() {
 
 #[test]
 fn the_contact_point_is_not_to_outrun_the_feed() {
-    // Inside a circle of radius 3 with a ball of radius 1, the contact runs 1.5 times as fast as the centre.
+    // Inside a circle of radius 3 with a ball of radius 1, the contact runs 1.5 times as fast as
+    // the centre.
     let points: Vec<_> = (0..=600)
         .map(|i| {
             let f = TAU * f64::from(i) / 300.0;

@@ -1,7 +1,9 @@
-//! Time-optimal speed along a given curve: reachability analysis on `x = ṡ²`, `u = s̈` (equations on the stage's page).
+//! Time-optimal speed along a given curve: reachability analysis on `x = ṡ²`, `u = s̈` (equations
+//! on the stage's page).
 //!
-//! In every interval the limits are strips about rest, `|a u + b x| ≤ c`, so rest (0, 0) is always allowed and the set
-//! of `x` from which the end can be reached is an interval that begins at 0; only its greatest value is needed.
+//! In every interval the limits are strips about rest, `|a u + b x| ≤ c`, so rest (0, 0) is always
+//! allowed and the set of `x` from which the end can be reached is an interval that begins at 0;
+//! only its greatest value is needed.
 
 use rayon::prelude::*;
 
@@ -10,7 +12,8 @@ use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::CubicSpline;
 use crate::observe::Observer;
 
-/// Below this a coefficient of `u` is taken as 0: with limits scaled to 1 it moves the limit by less than rounding.
+/// Below this a coefficient of `u` is taken as 0: with limits scaled to 1 it moves the limit by
+/// less than rounding.
 const FLAT: f64 = 1e-14;
 
 /// Speed squared at the locations, acceleration along the path in the intervals.
@@ -25,10 +28,12 @@ pub(super) struct Profile {
 /// Bernstein coefficients of the acceleration of all axes over an interval.
 const ROWS: usize = 3 * MOST_AXES;
 
-/// Limits of all axes' accelerations over an interval, each a strip `|a u + b x| ≤ 1`, solved for `u`.
+/// Limits of all axes' accelerations over an interval, each a strip `|a u + b x| ≤ 1`, solved for
+/// `u`.
 ///
-/// Within the interval `u` is constant, `q'` quadratic, `q''` and `x + 2tu` linear in `t`, so the acceleration
-/// `q' u + q'' (x + 2tu)` is a quadratic: it is bounded by its Bernstein coefficients, each linear in `(x, u)`.
+/// Within the interval `u` is constant, `q'` quadratic, `q''` and `x + 2tu` linear in `t`, so the
+/// acceleration `q' u + q'' (x + 2tu)` is a quadratic: it is bounded by its Bernstein coefficients,
+/// each linear in `(x, u)`.
 #[derive(Clone, Copy, Debug)]
 struct Strips {
     /// `−b/a`: slope of the strip's middle in `x`.
@@ -37,7 +42,8 @@ struct Strips {
     half: [f64; ROWS],
     /// How many of them the machine has.
     rows: usize,
-    /// Greatest `x` by strips in which `u` does not matter, and by the caps of ṡ² at the start of the interval.
+    /// Greatest `x` by strips in which `u` does not matter, and by the caps of ṡ² at the start of
+    /// the interval.
     most_here: f64,
     /// Greatest `x` at its end by the caps.
     most_there: f64,
@@ -54,7 +60,8 @@ struct Range {
 }
 
 impl Strips {
-    /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in each interval.
+    /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in
+    /// each interval.
     fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]], most: &[f64]) -> Strips {
         let s = curve.abscissae();
         let h = s[i + 1] - s[i];
@@ -97,9 +104,9 @@ impl Strips {
         r
     }
 
-    /// The greatest `x` from which some `u` within all limits leads to at most `next` at the interval's end. The width of the range of
-    /// `u` is concave in `x` and not negative at 0, so Newton's method from the right falls onto the boundary in finitely many
-    /// steps.
+    /// The greatest `x` from which some `u` within all limits leads to at most `next` at the
+    /// interval's end. The width of the range of `u` is concave in `x` and not negative at 0, so
+    /// Newton's method from the right falls onto the boundary in finitely many steps.
     fn greatest(&self, next: f64) -> f64 {
         let per_length = 0.5 / self.length;
         let mut x = self.most_here;
@@ -126,8 +133,8 @@ impl Strips {
     }
 }
 
-/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`: greatest
-/// ṡ² in each interval.
+/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`:
+/// greatest ṡ² in each interval.
 pub(super) fn fastest(
     curve: &CubicSpline,
     limits: &[[f64; 2]],

@@ -1,8 +1,9 @@
 //! A part under an even allowance of stock: what a roughing or semi-finishing pass leaves on it.
 //!
-//! Its surface is the `stock_mm` level set of the distance to the part, so its own distance is that to the part less the
-//! allowance, and its normals are those of the part. Everything that is planned against a part or measured on one can be planned
-//! against this and measured on it instead. With an allowance of 0 it is the part.
+//! Its surface is the `stock_mm` level set of the distance to the part, so its own distance is that
+//! to the part less the allowance, and its normals are those of the part. Everything that is
+//! planned against a part or measured on one can be planned against this and measured on it
+//! instead. With an allowance of 0 it is the part.
 
 use super::Point;
 use super::nurbs::Principal;
@@ -22,7 +23,8 @@ impl<'a> Allowed<'a> {
         Allowed { part, stock_mm }
     }
 
-    /// The closest point of the stock's surface to `q`, see [`Part::closest`]. `None` where it is farther than `cap_mm`.
+    /// The closest point of the stock's surface to `q`, see [`Part::closest`]. `None` where it is
+    /// farther than `cap_mm`.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
         if self.stock_mm == 0.0 {
             return self.part.closest(q, cap_mm);
@@ -34,8 +36,8 @@ impl<'a> Allowed<'a> {
         (distance_mm <= cap_mm).then_some(Closest { point, distance_mm, normal, ..near })
     }
 
-    /// Principal curvatures of the stock's surface, see [`Part::curvature_at`]: every radius grows by the allowance. `None` also where a
-    /// concave radius is no greater than the allowance.
+    /// Principal curvatures of the stock's surface, see [`Part::curvature_at`]: every radius grows
+    /// by the allowance. `None` also where a concave radius is no greater than the allowance.
     pub fn curvature_at(&self, at: &Closest) -> Option<Principal> {
         let bend = self.part.curvature_at(at)?;
         let [a, b] = bend.curvature.map(|k| 1.0 - k * self.stock_mm);
@@ -43,7 +45,8 @@ impl<'a> Allowed<'a> {
             .then(|| Principal { curvature: [bend.curvature[0] / a, bend.curvature[1] / b], direction: bend.direction })
     }
 
-    /// Area of the stock's surface over an area of the part, by the curvature of the part there; 1 where it is not known.
+    /// Area of the stock's surface over an area of the part, by the curvature of the part there; 1
+    /// where it is not known.
     pub fn area_ratio(&self, at: Option<&Closest>) -> f64 {
         let bend = at.and_then(|at| self.part.curvature_at(at));
         bend.map_or(1.0, |b| b.curvature.iter().map(|k| (1.0 - k * self.stock_mm).max(0.0)).product())

@@ -1,8 +1,10 @@
-//! The openings of a mesh: where its edges have one triangle only, joined to rings; and triangles that close a ring.
+//! The openings of a mesh: where its edges have one triangle only, joined to rings; and triangles
+//! that close a ring.
 //!
-//! In: an indexed mesh (weld it first). Out: [`Opening`]s in a fixed order, and the least-area filling of a ring
-//! (Barequet and Sharir, *Filling gaps in the boundary of a polyhedron*, 1995: dynamic programming over the ring's
-//! chords), which also measures how wide an opening is. Guarantees: every edge with one triangle is in exactly one opening.
+//! In: an indexed mesh (weld it first). Out: [`Opening`]s in a fixed order, and the least-area
+//! filling of a ring (Barequet and Sharir, *Filling gaps in the boundary of a polyhedron*, 1995:
+//! dynamic programming over the ring's chords), which also measures how wide an opening is.
+//! Guarantees: every edge with one triangle is in exactly one opening.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +12,8 @@ use super::mesh::{EdgeUse, Mesh, edge_uses};
 use super::triangle::area_mm2;
 use super::{Aabb, Point, Vector};
 
-/// Rings of more corners are filled by a fan about their centroid: dynamic programming takes the cube of their number.
+/// Rings of more corners are filled by a fan about their centroid: dynamic programming takes the
+/// cube of their number.
 const MOST_EXACT: usize = 100;
 
 /// One opening: a chain of edges that have one triangle each.
@@ -18,8 +21,8 @@ const MOST_EXACT: usize = 100;
 pub struct Opening {
     /// Vertices in the order in which the triangles beside them run.
     pub vertices: Vec<u32>,
-    /// The chain returns to its first vertex (which is not repeated). Chains that do not lie between triangles that
-    /// wind against one another.
+    /// The chain returns to its first vertex (which is not repeated). Chains that do not lie
+    /// between triangles that wind against one another.
     pub ring: bool,
 }
 
@@ -41,8 +44,8 @@ impl Opening {
     pub fn aabb(&self, mesh: &Mesh) -> Option<Aabb> {
         Aabb::around(&self.points(mesh))
     }
-    /// Four times the area that closes it over its length, at most its extent, mm: the diameter of a circle, twice the
-    /// width of a crack. Of a chain that is no ring: its extent.
+    /// Four times the area that closes it over its length, at most its extent, mm: the diameter of
+    /// a circle, twice the width of a crack. Of a chain that is no ring: its extent.
     pub fn width_mm(&self, mesh: &Mesh) -> f64 {
         let p = self.points(mesh);
         let extent = Aabb::around(&p).map_or(0.0, |b| b.diagonal_mm());
@@ -70,7 +73,8 @@ pub fn centroid(points: &[Point]) -> Point {
 pub fn openings(mesh: &Mesh) -> Vec<Opening> {
     let mut next = open_edges(mesh);
     let mut out = Vec::new();
-    // Ends that no edge runs into come first, so that chains which do not close are walked from their beginning.
+    // Ends that no edge runs into come first, so that chains which do not close are walked from
+    // their beginning.
     let targets: BTreeSet<u32> = next.values().flatten().copied().collect();
     let starts: Vec<u32> = next.keys().copied().filter(|v| !targets.contains(v)).collect();
     for start in starts {
@@ -122,14 +126,15 @@ fn walk(start: u32, next: &mut BTreeMap<u32, Vec<u32>>, out: &mut Vec<Opening>) 
     next.retain(|_, n| !n.is_empty());
 }
 
-/// Triangles (indices into `ring`, in its sense) of least total area that close a ring; `None` for fewer than three or too
-/// many corners.
+/// Triangles (indices into `ring`, in its sense) of least total area that close a ring; `None` for
+/// fewer than three or too many corners.
 pub fn fill(ring: &[Point]) -> Option<Vec<[usize; 3]>> {
     let n = ring.len();
     if !(3..=MOST_EXACT).contains(&n) {
         return None;
     }
-    // best[i][j]: least area between the chord i–j and the chain from i to j; by[i][j]: the third corner.
+    // best[i][j]: least area between the chord i–j and the chain from i to j; by[i][j]: the third
+    // corner.
     let mut best = vec![vec![0.0_f64; n]; n];
     let mut by = vec![vec![0usize; n]; n];
     for span in 2..n {
@@ -161,10 +166,11 @@ pub fn fill(ring: &[Point]) -> Option<Vec<[usize; 3]>> {
     Some(out)
 }
 
-/// Closes every ring not wider than `most_mm` (greatest extent), with triangles of face `face`. Returns how many were closed.
+/// Closes every ring not wider than `most_mm` (greatest extent), with triangles of face `face`.
+/// Returns how many were closed.
 ///
-/// The filling has the least area; where one of its chords is an edge of the mesh already, or the ring is too long for that, it
-/// is a fan about a new vertex in the middle.
+/// The filling has the least area; where one of its chords is an edge of the mesh already, or the
+/// ring is too long for that, it is a fan about a new vertex in the middle.
 pub fn close(mesh: &mut Mesh, most_mm: f64, face: u32) -> usize {
     let mut edges: BTreeSet<(u32, u32)> = BTreeSet::new();
     for c in &mesh.triangles {
@@ -292,7 +298,8 @@ mod tests {
 
     #[test]
     fn least_area_follows_a_bent_ring() {
-        // Two unit squares at a right angle, sharing the side from b to e: the least filling is the two squares' 2 units.
+        // Two unit squares at a right angle, sharing the side from b to e: the least filling is the
+        // two squares' 2 units.
         let ring =
             [[0., 0., 0.], [1., 0., 0.], [1., 0., 1.], [1., 1., 1.], [1., 1., 0.], [0., 1., 0.]].map(Point::from);
         let f = fill(&ring).unwrap();

@@ -3,7 +3,8 @@
 use super::nurbs::{NurbsCurve, NurbsSurface};
 use super::{Point, Rigid};
 
-/// The kind of surface that a face lay on in the file, before it was written as NURBS (all kinds are exact as NURBS).
+/// The kind of surface that a face lay on in the file, before it was written as NURBS (all kinds
+/// are exact as NURBS).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SurfaceKind {
@@ -27,7 +28,8 @@ pub enum SurfaceKind {
     Other,
 }
 
-/// An edge: a curve in space, walked from `t[0]` to `t[1]` (`t[0] < t[1]`). A closed edge has one vertex.
+/// An edge: a curve in space, walked from `t[0]` to `t[1]` (`t[0] < t[1]`). A closed edge has one
+/// vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
     /// The curve.
@@ -63,7 +65,8 @@ pub struct Face {
     pub surface: NurbsSurface,
     /// The outward normal of the part is `-(S_u × S_v)` rather than `S_u × S_v`.
     pub reversed: bool,
-    /// Closed loops of edges around the face, in any order and sense; none: the whole parameter rectangle.
+    /// Closed loops of edges around the face, in any order and sense; none: the whole parameter
+    /// rectangle.
     pub loops: Vec<Vec<Coedge>>,
 }
 
@@ -77,7 +80,8 @@ pub struct Brep {
 }
 
 impl Brep {
-    /// The mirror image across the plane z = 0: exact, since NURBS are invariant under affine maps of their control points.
+    /// The mirror image across the plane z = 0: exact, since NURBS are invariant under affine maps
+    /// of their control points.
     #[must_use]
     pub fn mirrored(mut self) -> Self {
         for face in &mut self.faces {
@@ -88,7 +92,8 @@ impl Brep {
         self
     }
 
-    /// Moves everything: exact, since NURBS are invariant under rigid motion of their control points.
+    /// Moves everything: exact, since NURBS are invariant under rigid motion of their control
+    /// points.
     #[must_use]
     pub fn moved(mut self, to_from: &Rigid) -> Self {
         let m = to_from.to_homogeneous();

@@ -1,4 +1,5 @@
-//! A bounding-volume tree over the triangles of a mesh, on parry3d's `Bvh`, with exact queries of our own.
+//! A bounding-volume tree over the triangles of a mesh, on parry3d's `Bvh`, with exact queries of
+//! our own.
 //!
 //! All queries are deterministic and free of interior state, so they may run from any thread.
 
@@ -39,10 +40,11 @@ impl MeshBvh {
         MeshBvh { tree: Bvh::from_iter(BvhBuildStrategy::Binned, boxes) }
     }
 
-    /// The closest point of the mesh to `q` that is no farther than `cap_mm` (which may be infinite); `mesh` must be the
-    /// mesh that the tree was built from.
+    /// The closest point of the mesh to `q` that is no farther than `cap_mm` (which may be
+    /// infinite); `mesh` must be the mesh that the tree was built from.
     pub fn closest(&self, mesh: &Mesh, q: &Point, cap_mm: f64) -> Option<Near> {
-        // The search keeps what is strictly below its limit: one ulp or so more keeps a point at the cap itself.
+        // The search keeps what is strictly below its limit: one ulp or so more keeps a point at
+        // the cap itself.
         let cap2 = cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON);
         let found = self.tree.find_best(
             cap2,
@@ -55,7 +57,8 @@ impl MeshBvh {
         found.map(|(triangle, (d2, foot))| Near { triangle, foot, distance_mm: d2.sqrt() })
     }
 
-    /// All triangles no farther than `radius_mm` from `q`, each with its closest point, in order of the tree.
+    /// All triangles no farther than `radius_mm` from `q`, each with its closest point, in order of
+    /// the tree.
     pub fn triangles_within(&self, mesh: &Mesh, q: &Point, radius_mm: f64) -> Vec<Near> {
         let mut found = Vec::new();
         self.for_each_within(mesh, q, radius_mm, |near| found.push(near));
@@ -81,16 +84,18 @@ impl MeshBvh {
     }
 }
 
-/// Directions of rays, along nothing that a part is aligned with; the first that meets no edge is taken.
+/// Directions of rays, along nothing that a part is aligned with; the first that meets no edge is
+/// taken.
 const RAYS: [[f64; 3]; 4] =
     [[0.713, 0.527, 0.463], [-0.619, 0.377, 0.689], [0.231, -0.857, 0.461], [-0.349, -0.571, -0.743]];
 /// Volumes smaller than this share of the greatest count as zero.
 const ON_EDGE: f64 = 1e-10;
 
 impl MeshBvh {
-    /// How often a closed mesh goes round `q`: 1 inside, 0 outside, more where bodies overlap, less than 0 where they are inside out; right
-    /// for meshes that cross or fold over themselves too. Triangles that a ray leaves through count 1, those that it enters
-    /// through −1. `None` where every ray tried runs through an edge.
+    /// How often a closed mesh goes round `q`: 1 inside, 0 outside, more where bodies overlap, less
+    /// than 0 where they are inside out; right for meshes that cross or fold over themselves too.
+    /// Triangles that a ray leaves through count 1, those that it enters through −1. `None` where
+    /// every ray tried runs through an edge.
     pub fn winding(&self, mesh: &Mesh, q: &Point) -> Option<i32> {
         RAYS.iter().find_map(|d| self.crossings(mesh, q, &Vector::from(*d)))
     }

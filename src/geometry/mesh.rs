@@ -11,7 +11,8 @@ pub struct Mesh {
     pub points: Vec<Point>,
     /// Corner indices.
     pub triangles: Vec<[u32; 3]>,
-    /// Per triangle: the face (of the B-rep) or the group (of a mesh file) that it belongs to; empty: all 0.
+    /// Per triangle: the face (of the B-rep) or the group (of a mesh file) that it belongs to;
+    /// empty: all 0.
     pub face_of: Vec<u32>,
     /// Per triangle: (u, v) of its corners on that face; empty where the part is a mesh only.
     pub corner_uv: Vec<[[f64; 2]; 3]>,
@@ -50,7 +51,8 @@ impl Mesh {
     pub fn area_mm2(&self) -> f64 {
         (0..self.triangles.len()).map(|t| self.triangle_area_mm2(t)).sum()
     }
-    /// Signed volume, mm³, by the divergence theorem; positive for a closed mesh with outward normals.
+    /// Signed volume, mm³, by the divergence theorem; positive for a closed mesh with outward
+    /// normals.
     pub fn volume_mm3(&self) -> f64 {
         (0..self.triangles.len())
             .map(|t| {
@@ -104,7 +106,8 @@ pub struct EdgeUse {
     pub triangle: u32,
 }
 
-/// All uses of all edges, sorted, so that those of one edge are neighbours: `chunk_by(|a, b| a.edge == b.edge)`.
+/// All uses of all edges, sorted, so that those of one edge are neighbours:
+/// `chunk_by(|a, b| a.edge == b.edge)`.
 pub fn edge_uses(triangles: &[[u32; 3]]) -> Vec<EdgeUse> {
     let mut all = Vec::with_capacity(3 * triangles.len());
     for (t, c) in triangles.iter().enumerate() {
@@ -148,7 +151,8 @@ pub fn topology(mesh: &Mesh) -> Topology {
     out
 }
 
-/// The representative of `i` in a forest of parents (union by lower number), whose paths it shortens.
+/// The representative of `i` in a forest of parents (union by lower number), whose paths it
+/// shortens.
 pub(crate) fn root(parent: &mut [u32], mut i: u32) -> u32 {
     while parent[i as usize] != i {
         parent[i as usize] = parent[parent[i as usize] as usize];
@@ -157,7 +161,8 @@ pub(crate) fn root(parent: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-/// Makes points within `tolerance_mm` of an earlier point that same point, and drops triangles that lose a corner by it.
+/// Makes points within `tolerance_mm` of an earlier point that same point, and drops triangles that
+/// lose a corner by it.
 ///
 /// Points are sorted into cells of the tolerance's size: linear in their number however they lie.
 #[must_use]
@@ -205,7 +210,8 @@ fn near_points(points: &[Point], tolerance_mm: f64) -> Vec<u32> {
         let c = cell(p);
         for d in offsets(reach) {
             let near = [c[0].saturating_add(d[0]), c[1].saturating_add(d[1]), c[2].saturating_add(d[2])];
-            // Only earlier points: each pair once. The first few of a crowded cell hang together with the rest of it.
+            // Only earlier points: each pair once. The first few of a crowded cell hang together
+            // with the rest of it.
             let earlier = cells.get(&near).into_iter().flatten().take_while(|j| (**j as usize) < i).take(MOST_IN_CELL);
             for &j in earlier {
                 if tolerance_mm <= 0.0 || (points[j as usize] - p).norm() <= tolerance_mm {

@@ -1,5 +1,5 @@
-//! Geometry shared by all stages: points, meshes, NURBS, boundary representation, distance to a part.
-//! Millimetres and radians throughout.
+//! Geometry shared by all stages: points, meshes, NURBS, boundary representation, distance to a
+//! part. Millimetres and radians throughout.
 
 pub mod allowance;
 pub mod boundary;

@@ -1,4 +1,5 @@
-//! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance query to all of it.
+//! The whole part: a mesh always, exact NURBS faces where the model has them, and one distance
+//! query to all of it.
 
 use std::sync::OnceLock;
 
@@ -20,14 +21,15 @@ use crate::observe::Observer;
 /// The whole part in one frame.
 #[derive(Clone)]
 pub struct Part {
-    /// Triangles of the whole part: the part itself where the model is a mesh, a tessellation where it is NURBS.
+    /// Triangles of the whole part: the part itself where the model is a mesh, a tessellation where
+    /// it is NURBS.
     pub mesh: Mesh,
     /// Tree over `mesh`.
     pub bvh: MeshBvh,
     /// Exact faces, if the model has them.
     pub brep: Option<Brep>,
-    /// Greatest distance between `mesh` and the part, mm: the exact faces, and what was published otherwise. 0 where the model is a mesh as its
-    /// file has it.
+    /// Greatest distance between `mesh` and the part, mm: the exact faces, and what was published
+    /// otherwise. 0 where the model is a mesh as its file has it.
     pub deflection_mm: f64,
     /// What ties `mesh` to `brep`.
     tie: Tie,
@@ -37,7 +39,8 @@ pub struct Part {
     sharper: OnceLock<Option<Box<Part>>>,
 }
 
-/// Surface that belongs to the part besides its own: what sewing or healing moved or left out, as the file has it.
+/// Surface that belongs to the part besides its own: what sewing or healing moved or left out, as
+/// the file has it.
 #[derive(Clone)]
 struct Published {
     part: Part,
@@ -47,7 +50,8 @@ struct Published {
     off_mm: f64,
 }
 
-/// Published surface counts where it is nearer than the part's own by more than this, mm: nearly all of it lies on that.
+/// Published surface counts where it is nearer than the part's own by more than this, mm: nearly
+/// all of it lies on that.
 const NEARER_MM: f64 = 1e-5;
 /// Places on each edge of published faces at which is measured how far they stand off the part.
 const EDGE_PLACES: usize = 32;
@@ -56,7 +60,8 @@ const EDGE_PLACES: usize = 32;
 const SHARP_MM: f64 = 0.001;
 const SHARP_MOST: usize = 250_000;
 
-/// Farther from the exact faces than so many times the deflection their mesh does not lie between them and a point.
+/// Farther from the exact faces than so many times the deflection their mesh does not lie between
+/// them and a point.
 const FAR: f64 = 2.0;
 
 /// What a part knows of its exact faces besides the faces.
@@ -77,8 +82,8 @@ pub struct Closest {
     pub point: Point,
     /// Unsigned distance, mm.
     pub distance_mm: f64,
-    /// Outward unit normal of the part there (on an edge or vertex: of one of its faces; the direction of the
-    /// distance is then `q - point`, not this).
+    /// Outward unit normal of the part there (on an edge or vertex: of one of its faces; the
+    /// direction of the distance is then `q - point`, not this).
     pub normal: Vector,
     /// Face or group.
     pub face: u32,
@@ -102,8 +107,9 @@ pub struct Measured {
 }
 
 impl Part {
-    /// What a face is called in every message: as in its file (`face 12`, `face 12 (D75)`, `face 12 "hub"`), else by its number from 1; on a mesh
-    /// the group of triangles by its number from 1.
+    /// What a face is called in every message: as in its file (`face 12`, `face 12 (D75)`,
+    /// `face 12 "hub"`), else by its number from 1; on a mesh the group of triangles by its number
+    /// from 1.
     pub fn face_name(&self, face: u32) -> String {
         match self.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
             // A face without a name of its own is called so already.
@@ -120,7 +126,8 @@ impl Part {
         Part { mesh, bvh, brep: None, deflection_mm: 0.0, tie: Tie::None, published: None, sharper: OnceLock::new() }
     }
 
-    /// As [`Part::from_brep`] without the index for exact distances: for looking at a part. Distances are to the mesh.
+    /// As [`Part::from_brep`] without the index for exact distances: for looking at a part.
+    /// Distances are to the mesh.
     ///
     /// # Errors
     /// See [`tessellate`].
@@ -129,8 +136,8 @@ impl Part {
         Ok(Self::tied(Tie::Loops(Loops::new(&t)), t))
     }
 
-    /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not depend on. What was reached is
-    /// in [`Part::deflection_mm`].
+    /// A part of exact faces: tessellates them to `deflection_mm`, which the distance does not
+    /// depend on. What was reached is in [`Part::deflection_mm`].
     ///
     /// # Errors
     /// See [`tessellate`].
@@ -152,8 +159,9 @@ impl Part {
         }
     }
 
-    /// The part with surface that its file has otherwise: distances are to both from here on, and how far it stands off the part, measured at
-    /// its corners and along its edges, counts as deflection. `of`: for each of its faces or groups the one of the part that it was.
+    /// The part with surface that its file has otherwise: distances are to both from here on, and
+    /// how far it stands off the part, measured at its corners and along its edges, counts as
+    /// deflection. `of`: for each of its faces or groups the one of the part that it was.
     #[must_use]
     pub fn with_published(mut self, published: Part, of: Vec<Option<u32>>) -> Self {
         let off = |p: &Point| self.own_closest(p, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
@@ -176,7 +184,8 @@ impl Part {
         self.mesh.points.iter().copied().chain(on).collect()
     }
 
-    /// Places on the edges of the faces, or of the triangles where the part is a mesh, about `step_mm` apart at most.
+    /// Places on the edges of the faces, or of the triangles where the part is a mesh, about
+    /// `step_mm` apart at most.
     pub fn along_edges(&self, step_mm: f64) -> Vec<Point> {
         let count = |length_mm: f64| (length_mm / step_mm).ceil().clamp(1.0, 1e5) as usize;
         if let Some(brep) = &self.brep {
@@ -236,7 +245,8 @@ impl Part {
         }
     }
 
-    /// The part's own exact faces and the index of their pieces. Bounds from them keep [`Part::off_own_mm`] as room for what was published otherwise.
+    /// The part's own exact faces and the index of their pieces. Bounds from them keep
+    /// [`Part::off_own_mm`] as room for what was published otherwise.
     pub fn exact(&self) -> Option<(&Brep, &Exact)> {
         match (&self.brep, &self.tie) {
             (Some(brep), Tie::Exact(exact)) => Some((brep, exact)),
@@ -244,13 +254,15 @@ impl Part {
         }
     }
 
-    /// How far surface that the file has otherwise stands off the part's own, mm; 0 where nothing was changed.
+    /// How far surface that the file has otherwise stands off the part's own, mm; 0 where nothing
+    /// was changed.
     pub fn off_own_mm(&self) -> f64 {
         self.published.as_ref().map_or(0.0, |p| p.off_mm)
     }
 
-    /// Triangles within `limit_mm` of the exact faces, where the part has them, no more than about `most`; nearer to the part than its own
-    /// mesh, for bounds alone. What was published otherwise counts in their deflection.
+    /// Triangles within `limit_mm` of the exact faces, where the part has them, no more than about
+    /// `most`; nearer to the part than its own mesh, for bounds alone. What was published otherwise
+    /// counts in their deflection.
     pub fn fine(&self, limit_mm: f64, most: usize) -> Option<Fine> {
         let (brep, exact) = self.exact()?;
         let mut fine = exact.fine(brep, &self.mesh, limit_mm, most);
@@ -278,16 +290,17 @@ impl Part {
         self.sharper.get_or_init(make).as_deref()
     }
 
-    /// Principal curvatures of the part at a point of it, signed towards its outward normal (negative where convex, as on
-    /// a ball), with their directions. On an edge those of the face that the point names. `None` at a pole, and where the part
-    /// is a mesh.
+    /// Principal curvatures of the part at a point of it, signed towards its outward normal
+    /// (negative where convex, as on a ball), with their directions. On an edge those of the face
+    /// that the point names. `None` at a pole, and where the part is a mesh.
     pub fn curvature_at(&self, at: &Closest) -> Option<Principal> {
         let face = self.brep.as_ref()?.faces.get(at.face as usize)?;
         let found = face.surface.curvature(at.uv[0], at.uv[1])?;
         Some(if face.reversed { found.seen_from_behind() } else { found })
     }
 
-    /// Area and volume: of the exact faces where the part has them ([`Loops::measure`]), of the triangles otherwise.
+    /// Area and volume: of the exact faces where the part has them ([`Loops::measure`]), of the
+    /// triangles otherwise.
     pub fn measure(&self) -> Measured {
         match (&self.brep, &self.tie) {
             (Some(brep), Tie::Loops(loops)) => loops.measure(brep, &self.mesh),
@@ -356,9 +369,9 @@ impl Part {
     /// point decides ([`MeshBvh::winding`]). That stays right where faces fold over themselves, and
     /// beside cusps, where faces have no normal. On a mesh its triangles decide:
     ///
-    /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and Aanæs, *Signed distance
-    /// computation using the angle weighted pseudonormal*, 2005), which is right on faces, edges and vertices alike.
-    /// A point on the mesh counts as outside.
+    /// The sign comes from the angle-weighted pseudonormal at the closest point (Bærentzen and
+    /// Aanæs, *Signed distance computation using the angle weighted pseudonormal*, 2005), which is
+    /// right on faces, edges and vertices alike. A point on the mesh counts as outside.
     pub fn inside(&self, q: &Point) -> bool {
         if let (Some(brep), Tie::Exact(exact)) = (&self.brep, &self.tie) {
             let far = exact.closest(brep, q, f64::INFINITY).is_some_and(|c| c.distance_mm > FAR * self.deflection_mm);
@@ -367,7 +380,8 @@ impl Part {
         }
         let Some(near) = self.bvh.closest(&self.mesh, q, f64::INFINITY) else { return false };
         let direction = q - near.foot;
-        // Triangles that meet at the foot are found by distance, so vertices need not be shared by index.
+        // Triangles that meet at the foot are found by distance, so vertices need not be shared by
+        // index.
         let scale = near.foot.coords.amax().max(near.distance_mm).max(1.0);
         let tolerance_mm = 1e-10 * scale;
         let mut pseudonormal = Vector::zeros();

@@ -1,17 +1,19 @@
 //! Plane sections of a triangle mesh.
 //!
-//! In: a mesh and a height `x_mm`. Out: the loops in which the plane `x = x_mm` cuts it, with the triangle under every
-//! segment.
+//! In: a mesh and a height `x_mm`. Out: the loops in which the plane `x = x_mm` cuts it, with the
+//! triangle under every segment.
 //!
-//! A vertex in the plane counts as above it (a symbolic perturbation: the plane lies an infinitesimal amount lower),
-//! so every cut triangle has exactly two cut edges and no case is special. Each cut edge is interpolated from its
-//! lower-numbered vertex, so both of its triangles compute the very same point. Segments run from the edge where the
-//! triangle's own boundary goes down through the plane to the edge where it comes up; the next triangle takes over
-//! there. On a closed, consistently wound mesh every loop closes and has the material on its left: outer loops run
-//! counter-clockwise seen from `+x` (positive area), holes clockwise. Where the mesh is open or its winding is
-//! inconsistent the chain ends and is returned with `closed == false`.
+//! A vertex in the plane counts as above it (a symbolic perturbation: the plane lies an
+//! infinitesimal amount lower), so every cut triangle has exactly two cut edges and no case is
+//! special. Each cut edge is interpolated from its lower-numbered vertex, so both of its triangles
+//! compute the very same point. Segments run from the edge where the triangle's own boundary goes
+//! down through the plane to the edge where it comes up; the next triangle takes over there. On a
+//! closed, consistently wound mesh every loop closes and has the material on its left: outer loops
+//! run counter-clockwise seen from `+x` (positive area), holes clockwise. Where the mesh is open or
+//! its winding is inconsistent the chain ends and is returned with `closed == false`.
 //!
-//! Order is deterministic: loops begin at their lowest-numbered triangle and come in the order of those.
+//! Order is deterministic: loops begin at their lowest-numbered triangle and come in the order of
+//! those.
 
 use std::collections::BTreeMap;
 
@@ -31,8 +33,8 @@ fn distance_to_segment(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
 /// One chain of segments in the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// (y, z), mm. Segment `i` runs from point `i` to the next; the last point of a closed loop is not the first
-    /// repeated. Consecutive points differ.
+    /// (y, z), mm. Segment `i` runs from point `i` to the next; the last point of a closed loop is
+    /// not the first repeated. Consecutive points differ.
     pub points: Vec<[f64; 2]>,
     /// Triangle under segment `i`: as many as points where closed, one less where open.
     pub triangles: Vec<u32>,
@@ -41,7 +43,8 @@ pub struct Loop {
 }
 
 impl Loop {
-    /// Signed area, mm²: positive where counter-clockwise seen from `+x`. Of an open chain: closed by its chord.
+    /// Signed area, mm²: positive where counter-clockwise seen from `+x`. Of an open chain: closed
+    /// by its chord.
     pub fn area_mm2(&self) -> f64 {
         let Some(&o) = self.points.first() else { return 0.0 };
         let cross = |a: [f64; 2], b: [f64; 2]| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
@@ -94,10 +97,12 @@ pub fn slice(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64) -> Vec<Loop> {
     slice_triangles(mesh, &hit, x_mm)
 }
 
-/// Cuts only the given triangles (ascending indices): for callers that have their own index over the mesh.
+/// Cuts only the given triangles (ascending indices): for callers that have their own index over
+/// the mesh.
 pub fn slice_triangles(mesh: &Mesh, triangles: &[u32], x_mm: f64) -> Vec<Loop> {
     let cuts: Vec<Cut> = triangles.iter().filter_map(|&t| Cut::new(mesh, t, x_mm)).collect();
-    // Position in `cuts` by the edge where the cut begins and where it ends; several on one edge where not manifold.
+    // Position in `cuts` by the edge where the cut begins and where it ends; several on one edge
+    // where not manifold.
     let mut begins: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
     let mut ends: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
     for (i, cut) in cuts.iter().enumerate().rev() {
@@ -328,7 +333,8 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Areas of sections integrate to the volume (a twisted, scaled tube, many random heights included vertices).
+        /// Areas of sections integrate to the volume (a twisted, scaled tube, many random heights
+        /// included vertices).
         #[test]
         fn every_section_of_a_closed_mesh_closes(x in 0.0_f64..3.0, n in 3u32..20, tilt in -0.4_f64..0.4) {
             let mut mesh = tube(n, &[0.0, 1.0, 2.0, 3.0], |x| 1.0 + 0.3 * x);

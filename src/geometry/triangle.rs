@@ -2,7 +2,8 @@
 
 use super::{Point, Vector};
 
-/// Where the segment `a b` is nearest to `q`, as a share of its length from `a`, 0 to 1; 0 for a segment without length.
+/// Where the segment `a b` is nearest to `q`, as a share of its length from `a`, 0 to 1; 0 for a
+/// segment without length.
 pub fn share_of_segment(a: &Point, b: &Point, q: &Point) -> f64 {
     let (d, length2) = (b - a, (b - a).norm_squared());
     if length2 > 0.0 { ((q - a).dot(&d) / length2).clamp(0.0, 1.0) } else { 0.0 }
@@ -21,8 +22,9 @@ pub fn area_mm2([a, b, c]: &[Point; 3]) -> f64 {
 
 /// The closest point of a triangle to `q`, corners in any sense.
 ///
-/// The projection is taken through the triangle's normal rather than through barycentric coordinates, so
-/// that long thin triangles lose no digits; a triangle without area counts as its three sides.
+/// The projection is taken through the triangle's normal rather than through barycentric
+/// coordinates, so that long thin triangles lose no digits; a triangle without area counts as its
+/// three sides.
 pub fn closest_on_triangle(corners: &[Point; 3], q: &Point) -> Point {
     let [a, b, c] = corners;
     let n = (b - a).cross(&(c - a));
@@ -40,8 +42,8 @@ pub fn closest_on_triangle(corners: &[Point; 3], q: &Point) -> Point {
     best.map_or_else(|| q - n * (n.dot(&(q - a)) / n2), |(_, foot)| foot)
 }
 
-/// The angle, rad, that a triangle spans around a point on it: 2π inside, π on a side, its angle at a corner.
-/// `tolerance_mm` decides what counts as on a side or corner.
+/// The angle, rad, that a triangle spans around a point on it: 2π inside, π on a side, its angle at
+/// a corner. `tolerance_mm` decides what counts as on a side or corner.
 pub fn angle_at(corners: &[Point; 3], foot: &Point, tolerance_mm: f64) -> f64 {
     let [a, b, c] = corners;
     for (p, l, r) in [(a, b, c), (b, c, a), (c, a, b)] {
@@ -71,7 +73,8 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(200))]
-        /// No point of a fine barycentric grid is nearer, and the foot lies on the triangle (variational inequality).
+        /// No point of a fine barycentric grid is nearer, and the foot lies on the triangle
+        /// (variational inequality).
         #[test]
         fn foot_is_optimal(a in point(), b in point(), c in point(), q in point()) {
             let foot = closest_on_triangle(&[a, b, c], &q);

@@ -31,11 +31,12 @@ pub struct Draft {
     base_dir: PathBuf,
 }
 
-/// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder of the job file, or
-/// the working folder.
+/// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder
+/// of the job file, or the working folder.
 ///
 /// # Errors
-/// `Usage` when the model is missing or a value that the reading of the model needs lies outside its limits.
+/// `Usage` when the model is missing or a value that the reading of the model needs lies outside
+/// its limits.
 pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
     let keys = typed.model.clone().unwrap_or_default();
     let Some(file) = keys.file.filter(|f| !f.is_empty()) else {
@@ -100,7 +101,8 @@ impl Draft {
         &self.post_files
     }
 
-    /// The saved job names its model by this path instead, relative to the run's folder: for a model that is kept in there.
+    /// The saved job names its model by this path instead, relative to the run's folder: for a
+    /// model that is kept in there.
     #[must_use]
     pub fn model_saved_as(mut self, path: &Path) -> Self {
         self.model_saved_as = Some(path.to_path_buf());
@@ -118,7 +120,8 @@ impl Draft {
     /// As [`Draft::complete`], with what is to be said of the tool.
     ///
     /// # Errors
-    /// `Usage` naming the key when a value lies outside its limits; `Infeasible` when no tool fits by itself.
+    /// `Usage` naming the key when a value lies outside its limits; `Infeasible` when no tool fits
+    /// by itself.
     pub fn settle(&self, blade: &Blade) -> Result<(Job, Chosen)> {
         let t = self.typed.clone();
         let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
@@ -270,8 +273,9 @@ fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
     a + (0.3 * (b - a)).max(3.0 * radius_mm).min(40.0).min(0.9 * (b - a))
 }
 
-/// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take up what its facets do to each, and on a scan the
-/// shorter path takes longer. Only turns of constant scallop run along the edge of a face.
+/// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take
+/// up what its facets do to each, and on a scan the shorter path takes longer. Only turns of
+/// constant scallop run along the edge of a face.
 fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
     let free = blade.part.brep.is_some() || !region.end_faces.is_empty();
     if free { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
@@ -279,8 +283,8 @@ fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
 
 /// A chord lets the ridge beside it sink by up to half its own height over the curve (on a round
 /// wall), and so does the next turn's chord. With turns of constant scallop both together are kept
-/// within 4 % of the scallop. On a hollow wall the ridge would rise, and chords have a quarter of the
-/// tolerance.
+/// within 4 % of the scallop. On a hollow wall the ridge would rise, and chords have a quarter of
+/// the tolerance.
 fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
     match kind {
         PathKind::ConstantScallop => (0.04 * scallop_mm).min(0.001),

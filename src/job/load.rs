@@ -30,8 +30,9 @@ impl JobFile {
         JobFile { model: Some(model), ..Default::default() }
     }
 
-    /// Sets one key, as `path.scallop_mm=0.02`. The value is TOML; what is not TOML is taken as a text, so that names
-    /// need no quotes. Entries of a list are named by number: `tool.holder.0.radius_mm=20`.
+    /// Sets one key, as `path.scallop_mm=0.02`. The value is TOML; what is not TOML is taken as a
+    /// text, so that names need no quotes. Entries of a list are named by number:
+    /// `tool.holder.0.radius_mm=20`.
     ///
     /// # Errors
     /// `Usage` naming the key and what is allowed; the job is then unchanged.
@@ -59,7 +60,8 @@ impl JobFile {
     }
 }
 
-/// What is wrong with a text where a number or a list is wanted; `None` where something else is wrong.
+/// What is wrong with a text where a number or a list is wanted; `None` where something else is
+/// wrong.
 fn hint(text: &str, message: &str) -> Option<String> {
     if message.contains("expected a sequence") {
         return Some(format!("{message}: this is a list, name its first entry by 0, as in fixture.0.file=vice.stl"));
@@ -89,7 +91,8 @@ pub fn read_value(text: &str) -> toml::Value {
     }
 }
 
-/// Puts `value` at the path `keys`, making tables on the way; entries of a list are named by number.
+/// Puts `value` at the path `keys`, making tables on the way; entries of a list are named by
+/// number.
 ///
 /// # Errors
 /// In words: which part of the path cannot be followed.

@@ -1,11 +1,13 @@
-//! The job: what the user typed, merged with `--set`, settled into a complete job that is saved with the run.
+//! The job: what the user typed, merged with `--set`, settled into a complete job that is saved
+//! with the run.
 //!
 //! ```text
 //! job file -> JobFile -> (--set) -> JobFile -> resolve -> Draft -> (the blade is read) -> complete -> Job
 //! ```
-//! Relative paths are relative to the job file. Lengths in mm, angles in degrees, units in the names of the keys; an
-//! unknown key is an error. Tolerances are options with a default and its reason, see the fields of [`Job`]'s sections.
-//! The JSON schema of the file is [`schema`], saved in `models/job.schema.json`.
+//! Relative paths are relative to the job file. Lengths in mm, angles in degrees, units in the
+//! names of the keys; an unknown key is an error. Tolerances are options with a default and its
+//! reason, see the fields of [`Job`]'s sections. The JSON schema of the file is [`schema`], saved
+//! in `models/job.schema.json`.
 
 mod axis;
 mod defaults;

@@ -41,7 +41,8 @@ pub struct Job {
     /// What else is in the tool's way. Default, left out: nothing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fixture: Vec<FixtureJob>,
-    /// Material that is still to be cut away: the holder keeps clear of it. Default, left out: none.
+    /// Material that is still to be cut away: the holder keeps clear of it. Default, left out:
+    /// none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stock: Option<FixtureJob>,
 }
@@ -57,7 +58,8 @@ pub struct FixtureJob {
     pub unit: Option<Unit>,
     /// Clearance of taper and shank, mm. Default: `channel.clearance_mm`.
     pub clearance_mm: f64,
-    /// Clearance of the holder, mm. Default: `clearance_mm` where that is typed, else `channel.holder_clearance_mm`.
+    /// Clearance of the holder, mm. Default: `clearance_mm` where that is typed, else
+    /// `channel.holder_clearance_mm`.
     pub holder_clearance_mm: f64,
 }
 
@@ -67,19 +69,22 @@ pub struct FixtureJob {
 pub struct ModelJob {
     /// The CAD file; absolute, so that the saved job runs from anywhere.
     pub file: PathBuf,
-    /// Length unit. Default: what the file declares, else found from the size of the part; filled in once it is read.
+    /// Length unit. Default: what the file declares, else found from the size of the part; filled
+    /// in once it is read.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<Unit>,
     /// Blade axis in the model frame. Default `auto`: found from the part.
     pub axis: AxisChoice,
-    /// Greatest distance between a NURBS part and its triangles, mm. Default 0.01: triangles only guide the search,
-    /// distances are then taken to the NURBS themselves, so finer triangles cost time and gain nothing.
+    /// Greatest distance between a NURBS part and its triangles, mm. Default 0.01: triangles only
+    /// guide the search, distances are then taken to the NURBS themselves, so finer triangles cost
+    /// time and gain nothing.
     pub deflection_mm: f64,
-    /// Welding distance of a mesh, mm. Default, left out: only where the mesh has faults, the least of 1e-7, 1e-6 and 1e-5 of its
-    /// size that leaves fewest.
+    /// Welding distance of a mesh, mm. Default, left out: only where the mesh has faults, the least
+    /// of 1e-7, 1e-6 and 1e-5 of its size that leaves fewest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weld_mm: Option<f64>,
-    /// Greatest extent of a hole of a mesh that is closed, mm. Default, left out: none, since a hole may be meant.
+    /// Greatest extent of a hole of a mesh that is closed, mm. Default, left out: none, since a
+    /// hole may be meant.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub close_holes_mm: Option<f64>,
     /// The body to plan. Default, left out: the blade is looked for on all of the part.
@@ -99,21 +104,23 @@ pub struct ModelJob {
     pub platform_faces: Vec<String>,
 }
 
-/// Greatest lean of a wall that turns of constant scallop may go down, degrees: a platform square to the blade axis.
+/// Greatest lean of a wall that turns of constant scallop may go down, degrees: a platform square
+/// to the blade axis.
 pub(super) const MOST_LEAN_DEG: f64 = 89.5;
 
 /// `[region]`, heights of ball centres in the blade frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RegionJob {
-    /// First ball centre, mm. Default: over the lowest 30 % of the airfoil, at least 3 ball radii and at most 40 mm:
-    /// what the platform keeps other operations from.
+    /// First ball centre, mm. Default: over the lowest 30 % of the airfoil, at least 3 ball radii
+    /// and at most 40 mm: what the platform keeps other operations from.
     pub start_mm: f64,
-    /// Last ball centre, mm. Default, left out: as far down as the wall leans less than `path.max_lean_deg` and the
-    /// ball touches the airfoil's side.
+    /// Last ball centre, mm. Default, left out: as far down as the wall leans less than
+    /// `path.max_lean_deg` and the ball touches the airfoil's side.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end_mm: Option<f64>,
-    /// Faces or groups, by number or name, at which the helix ends: where the ball comes to one of them. Default: none.
+    /// Faces or groups, by number or name, at which the helix ends: where the ball comes to one of
+    /// them. Default: none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub end_faces: Vec<String>,
 }
@@ -122,8 +129,8 @@ pub struct RegionJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathJob {
-    /// How the turns lie. Default `constant-scallop`: the shortest helix that leaves no higher ridge than is asked for; on a mesh, whose facets make such
-    /// turns rough, `constant-height`.
+    /// How the turns lie. Default `constant-scallop`: the shortest helix that leaves no higher
+    /// ridge than is asked for; on a mesh, whose facets make such turns rough, `constant-height`.
     pub kind: PathKind,
     /// Greatest scallop, mm. Default 0.01: usual for finishing airfoils before polishing.
     pub scallop_mm: f64,
@@ -133,18 +140,23 @@ pub struct PathJob {
     /// 1 %. Default for the other kinds: 0.001, a tenth of the usual scallop, so that straight
     /// moves do not show.
     pub chord_mm: f64,
-    /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel is sampled densely.
+    /// Greatest step, mm. Default: a quarter of the ball radius, at most 1 mm, so that the channel
+    /// is sampled densely.
     pub max_step_mm: f64,
-    /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on the platform. Turns of constant scallop may
-    /// go on to 89.5, through the fillet to where the ball first touches a platform that is square to the blade axis.
+    /// Greatest lean of the wall, degrees. Default 60: beyond it turns of constant height lie on
+    /// the platform. Turns of constant scallop may go on to 89.5, through the fillet to where the
+    /// ball first touches a platform that is square to the blade axis.
     pub max_lean_deg: f64,
-    /// Climb or conventional milling. Default `climb`: down towards the platform, usual for finishing.
+    /// Climb or conventional milling. Default `climb`: down towards the platform, usual for
+    /// finishing.
     pub direction: Direction,
-    /// Where turns begin. Default `concave`: where the path enters its greatest concave stretch, where the channel is narrowest next.
+    /// Where turns begin. Default `concave`: where the path enters its greatest concave stretch,
+    /// where the channel is narrowest next.
     pub start: Start,
     /// Stock left on the part, mm. Default 0: a finishing pass.
     pub stock_mm: f64,
-    /// Lay the paths of the other kinds too and compare lengths. Default false: it takes about as long again as path and checks.
+    /// Lay the paths of the other kinds too and compare lengths. Default false: it takes about as
+    /// long again as path and checks.
     pub compare: bool,
 }
 
@@ -152,28 +164,34 @@ pub struct PathJob {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ChannelJob {
-    /// Clearance of taper and shank, mm. Default 0.1: the cone leaves the ball tangentially, more would forbid contact
-    /// near the ball's equator.
+    /// Clearance of taper and shank, mm. Default 0.1: the cone leaves the ball tangentially, more
+    /// would forbid contact near the ball's equator.
     pub clearance_mm: f64,
     /// Clearance of the holder, mm. Default 1: holders are less well known than cutters.
     pub holder_clearance_mm: f64,
-    /// Least contact angle, degrees. Default 0: with B leaning, the tip does not touch walls along the blade axis.
+    /// Least contact angle, degrees. Default 0: with B leaning, the tip does not touch walls along
+    /// the blade axis.
     pub contact_angle_min_deg: f64,
     /// Greatest contact angle, degrees. Default 90: beyond it the upper half of the ball would cut.
     pub contact_angle_max_deg: f64,
-    /// Tolerance of the channel's ends, degrees. Default 0.01: well below what a rotary table repeats.
+    /// Tolerance of the channel's ends, degrees. Default 0.01: well below what a rotary table
+    /// repeats.
     pub tolerance_deg: f64,
-    /// Prove the walls for the moves between locations too. Default: true where the schedule runs along a wall, which may jump from one
-    /// location to the next; else false: it takes milliseconds a move, and the clearance check covers the motion that is used.
+    /// Prove the walls for the moves between locations too. Default: true where the schedule runs
+    /// along a wall, which may jump from one location to the next; else false: it takes
+    /// milliseconds a move, and the clearance check covers the motion that is used.
     #[serde(default)]
     pub prove_moves: bool,
-    /// Ends of the channel from exact faces, to the tolerance. Default false: a channel takes several times as long (8 s of processor time for
-    /// 39,000 locations of `steam_root`, instead of 1; 24 s, instead of 2, with a fir-tree root). Without it the deflection of the mesh is kept as room, which is safe and
-    /// timid: the narrowest place of these two is 0.9 and 3.2 degrees narrower. A channel that is closed for that is looked at by the exact faces in any case.
+    /// Ends of the channel from exact faces, to the tolerance. Default false: a channel takes
+    /// several times as long (8 s of processor time for 39,000 locations of `steam_root`, instead
+    /// of 1; 24 s, instead of 2, with a fir-tree root). Without it the deflection of the mesh is
+    /// kept as room, which is safe and timid: the narrowest place of these two is 0.9 and 3.2
+    /// degrees narrower. A channel that is closed for that is looked at by the exact faces in any
+    /// case.
     #[serde(default)]
     pub exact_ends: bool,
-    /// Show the channel's width at other angles B in the report. Default false: it takes some seconds and changes no plan; `channel --sweep-b`
-    /// writes it as a table too.
+    /// Show the channel's width at other angles B in the report. Default false: it takes some
+    /// seconds and changes no plan; `channel --sweep-b` writes it as a table too.
     #[serde(default)]
     pub sweep_b: bool,
 }
@@ -185,7 +203,8 @@ pub struct MachineJob {
     /// Machine file, absolute. Default, left out: the built-in demo machine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
-    /// Angle of B, degrees. Default 5: enough to lift the holder off the platform, as in the S–θ paper.
+    /// Angle of B, degrees. Default 5: enough to lift the holder off the platform, as in the S–θ
+    /// paper.
     pub b_deg: f64,
 }
 
@@ -195,20 +214,25 @@ pub struct MachineJob {
 pub struct ScheduleJob {
     /// How θ(S) is made. Default `piecewise`.
     pub kind: ScheduleKind,
-    /// Where kind `piecewise` stands at the start of each turn. Default `best`; the published method says `forward-limit`.
+    /// Where kind `piecewise` stands at the start of each turn. Default `best`; the published
+    /// method says `forward-limit`.
     #[serde(default)]
     pub base_angle: BaseAngle,
-    /// What kind `optimal` makes least. Default `peak-second`: the rotary axis' greatest acceleration at constant feed.
+    /// What kind `optimal` makes least. Default `peak-second`: the rotary axis' greatest
+    /// acceleration at constant feed.
     #[serde(default)]
     pub measure: Measure,
     /// Over how much of the path kind `optimal` is the best. Default `whole`.
     #[serde(default)]
     pub scope: Scope,
-    /// Room to the channel's walls, degrees. Default 0.5: servo lag and set-up errors of a table stay far below it.
+    /// Room to the channel's walls, degrees. Default 0.5: servo lag and set-up errors of a table
+    /// stay far below it.
     pub margin_deg: f64,
-    /// Lead of kind `fixed`, degrees. Default 15: what CAM users choose to keep the tip off the surface.
+    /// Lead of kind `fixed`, degrees. Default 15: what CAM users choose to keep the tip off the
+    /// surface.
     pub lead_deg: f64,
-    /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees. Default, left out: 0.
+    /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees. Default,
+    /// left out: 0.
     #[serde(default, skip_serializing_if = "nothing")]
     pub beyond_wall_deg: f64,
 }
@@ -223,8 +247,8 @@ fn nothing(value: &f64) -> bool {
 pub struct FeedJob {
     /// Greatest feed, mm/min. Default 2000: finishing of blade steel with a ball cutter.
     pub feed_mm_min: f64,
-    /// Radius of the arcs of lead-in and lead-out, mm; 0: straight along the tool axis. Default: the ball radius, at least 2: the axes come up to
-    /// their feed on it.
+    /// Radius of the arcs of lead-in and lead-out, mm; 0: straight along the tool axis. Default:
+    /// the ball radius, at least 2: the axes come up to their feed on it.
     pub lead_radius_mm: f64,
 }
 

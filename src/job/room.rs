@@ -1,7 +1,8 @@
 //! Which balls have room on the airfoil's wall near the platform, and on the fillet.
 //!
-//! Places are spread over the surface by its area, so that many small facets say no more than one large one. A ball is laid on a place along
-//! the normal there: it has room where its centre is no nearer than its radius to the whole part.
+//! Places are spread over the surface by its area, so that many small facets say no more than one
+//! large one. A ball is laid on a place along the normal there: it has room where its centre is no
+//! nearer than its radius to the whole part.
 
 use rayon::prelude::*;
 
@@ -17,7 +18,8 @@ const WALL_LEAN: f64 = 0.5;
 const FILLET_LEAN: f64 = 0.87;
 /// Facets of a coarse mesh bend by a few hundredths of the radius without being a pocket.
 const FACETS: f64 = 0.97;
-/// Heights at which the airfoil's outline is taken, to tell its walls from those of what stands beside it.
+/// Heights at which the airfoil's outline is taken, to tell its walls from those of what stands
+/// beside it.
 const HEIGHTS: usize = 9;
 
 /// A place on the surface.
@@ -48,7 +50,8 @@ pub(super) struct Share {
     pub(super) share: f64,
     /// Surface that the places stand for, mm².
     pub(super) area_mm2: f64,
-    /// Where its centre comes nearest to the part, and how near that is, mm; `None` where it goes everywhere.
+    /// Where its centre comes nearest to the part, and how near that is, mm; `None` where it goes
+    /// everywhere.
     pub(super) tightest: Option<(Point, f64)>,
     /// One flag for each place: whether it goes there.
     pub(super) places: Vec<bool>,
@@ -97,7 +100,8 @@ impl Places {
         }
     }
 
-    /// Where a ball goes on the wall and on the fillet, of the `sound` places; with `spare`, where one larger by its inverse does.
+    /// Where a ball goes on the wall and on the fillet, of the `sound` places; with `spare`, where
+    /// one larger by its inverse does.
     pub(super) fn shares(&self, blade: &Blade, radius_mm: f64, spare: [f64; 2], sound: &[bool]) -> [Share; 2] {
         let n = self.of[0].places.len().min(sound.len());
         let (wall, fillet) = sound.split_at(n);
@@ -109,7 +113,8 @@ impl Places {
         ]
     }
 
-    /// A ball on the wall lower than this touches the platform first; where a fillet lies between, it need not.
+    /// A ball on the wall lower than this touches the platform first; where a fillet lies between,
+    /// it need not.
     fn lowest(&self, radius_mm: f64) -> f64 {
         let [lo, hi] = self.heights_mm;
         if self.of[1].places.is_empty() { lo + radius_mm.min(0.6 * (hi - lo)) } else { lo }
@@ -145,7 +150,8 @@ fn share(blade: &Blade, on: &Surface, [radius_mm, spare]: [f64; 2], sound: &[boo
     }
 }
 
-/// Middles of triangles of the airfoil's walls between two heights, one for each equal piece of their area.
+/// Middles of triangles of the airfoil's walls between two heights, one for each equal piece of
+/// their area.
 fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_lean: f64) -> Surface {
     let mesh = &blade.part.mesh;
     let wide = |b: &[f64; 4]| (b[2] - b[0]).max(b[3] - b[1]);
@@ -179,8 +185,8 @@ fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_
     Surface { places: out, area_mm2: total }
 }
 
-/// The outline of the airfoil at a height: of the loops whose box holds the blade axis the widest, since hollow blades have more than one; where none
-/// does, the nearest.
+/// The outline of the airfoil at a height: of the loops whose box holds the blade axis the widest,
+/// since hollow blades have more than one; where none does, the nearest.
 fn outline(blade: &Blade, x_mm: f64) -> Option<Loop> {
     let away = |l: &Loop| {
         let b = bounds(l);
@@ -198,7 +204,8 @@ fn bounds(l: &Loop) -> [f64; 4] {
     l.points.iter().fold(start, |b, p| [b[0].min(p[0]), b[1].min(p[1]), b[2].max(p[0]), b[3].max(p[1])])
 }
 
-/// Greatest distance between two points, mm: extents over 90 directions are within 0.02 % of it and cost linear time.
+/// Greatest distance between two points, mm: extents over 90 directions are within 0.02 % of it and
+/// cost linear time.
 fn extent_mm(points: &[[f64; 2]]) -> f64 {
     let extent = |k: usize| {
         let (s, c) = (k as f64 * std::f64::consts::PI / 90.0).sin_cos();

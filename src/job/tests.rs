@@ -210,7 +210,8 @@ mod with_blade {
         resolve(typed, Path::new("/b")).unwrap().settle(blade).unwrap()
     }
 
-    /// The default tool is one of the catalogue's, whatever the part asks for, and what it leaves is told.
+    /// The default tool is one of the catalogue's, whatever the part asks for, and what it leaves
+    /// is told.
     #[test]
     fn a_default_tool_can_be_bought_and_says_what_it_leaves() {
         let (job, chosen) = settle("", &lens(60.0, 80.0));
@@ -222,7 +223,8 @@ mod with_blade {
         let (job, chosen) = settle("", &lens(2.0, 2.7));
         assert_eq!((job.tool.radius_mm, job.tool.shank_radius_mm, job.tool.holder[0].radius_mm), (0.5, 3.0, 12.0));
         assert!(chosen.warnings[0].contains("0.14 mm, 7 % of its chord of 2.000 mm at height 15.0 mm"), "{chosen:?}");
-        // A small airfoil far inside a wide part: no slender needle, but the smallest ball that is sold long enough.
+        // A small airfoil far inside a wide part: no slender needle, but the smallest ball that is
+        // sold long enough.
         let mut wide = lens(20.0, 27.0);
         let n = wide.part.mesh.points.len() as u32;
         let mut mesh = wide.part.mesh.clone();
@@ -259,7 +261,8 @@ mod with_blade {
             assert!(told.contains(words), "{words} is not in {told}");
         }
         assert!(complete("tool.radius_mm = 0.25", &blade).is_ok());
-        // Many tiny triangles lie on the wall upside down: a quarter of all triangles, and next to no area.
+        // Many tiny triangles lie on the wall upside down: a quarter of all triangles, and next to
+        // no area.
         let whole = lens(60.0, 80.0);
         let mut damaged = whole.clone();
         let mut mesh = whole.part.mesh.clone();
@@ -273,7 +276,8 @@ mod with_blade {
         assert_eq!(settle("", &damaged).0.tool, settle("", &whole).0.tool);
     }
 
-    /// Along a wall nothing but the walls of the moves keeps the tool from the part between two locations.
+    /// Along a wall nothing but the walls of the moves keeps the tool from the part between two
+    /// locations.
     #[test]
     fn schedules_along_a_wall_have_their_moves_proven() {
         let blade = lens(60.0, 80.0);

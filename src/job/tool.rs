@@ -6,8 +6,10 @@
 //!   most [`SHARE_OF_CHORD`] of the chord near the platform: about half the thickness of usual
 //!   profiles, since larger balls do not follow the neighbourhood of the edges. Places where not
 //!   even the smallest ball has room are slits and damage, and do not vote.
-//! * Stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays outside the platform.
-//! * Shank: the thinnest that the cutter is sold on and that is stiff enough for the stick-out. Chuck: the one for the shank.
+//! * Stick-out: a tenth more than the part's reach from the blade axis, so that the holder stays
+//!   outside the platform.
+//! * Shank: the thinnest that the cutter is sold on and that is stiff enough for the stick-out.
+//!   Chuck: the one for the shank.
 
 use super::room::{Places, Share};
 use super::typed::ToolKeys;
@@ -27,7 +29,8 @@ const MOST_OF: [f64; 2] = [0.97, 0.9];
 const TO_SPARE: [f64; 2] = [0.9, 0.85];
 /// A ball that just fits.
 const NONE_TO_SPARE: [f64; 2] = [1.0; 2];
-/// Below this share of all places that any ball goes to, the surface is folded over itself, or is none.
+/// Below this share of all places that any ball goes to, the surface is folded over itself, or is
+/// none.
 const LEAST_SOUND: f64 = 0.5;
 /// Slits and damage over more than this share are reported.
 const TOLD: f64 = 0.01;
@@ -68,7 +71,8 @@ fn round(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0
 }
 
-/// The tool: what was typed, the rest as the module's page says. `start_mm` and `end_mm`: the region as far as it is typed.
+/// The tool: what was typed, the rest as the module's page says. `start_mm` and `end_mm`: the
+/// region as far as it is typed.
 ///
 /// # Errors
 /// `Usage`: values outside their limits. `Infeasible`: no ball has room.
@@ -153,7 +157,8 @@ fn default_cutter(
         };
         return Ok((c.clone(), why));
     }
-    // What the part asks for is not to be had: the smallest that is long enough, and what it leaves.
+    // What the part asks for is not to be had: the smallest that is long enough, and what it
+    // leaves.
     let c = catalogue.cutter.iter().find(able).unwrap_or(smallest);
     let left = left_over(blade, &places.shares(blade, c.radius_mm, NONE_TO_SPARE, &sound.places));
     let short = catalogue.cutter.iter().find(|d| goes(d)).filter(|d| d.radius_mm < c.radius_mm);

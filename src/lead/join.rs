@@ -1,10 +1,12 @@
-//! Leads put to the ends of path and schedule, for the feed, and the motion of both taken apart again.
+//! Leads put to the ends of path and schedule, for the feed, and the motion of both taken apart
+//! again.
 
 use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{Axes, AxisMotion, Lead, Schedule, Toolpath};
 
-/// Path and schedule with the leads at their ends. Arc lengths go on before the start, below 0, and behind the end. Only what the feed needs is
-/// made: locations, their angles and arc lengths; turns and pieces of the schedule are those of the path alone.
+/// Path and schedule with the leads at their ends. Arc lengths go on before the start, below 0, and
+/// behind the end. Only what the feed needs is made: locations, their angles and arc lengths; turns
+/// and pieces of the schedule are those of the path alone.
 pub fn extended(path: &Toolpath, schedule: &Schedule, leads: &[Lead; 2]) -> (Toolpath, Schedule) {
     let (mut path, mut schedule) = (path.clone(), schedule.clone());
     let [before, after] = leads;
@@ -38,7 +40,8 @@ fn rows(lead: &Lead, end: &CutterLocation, sign: f64) -> Vec<CutterLocation> {
     lead.centres.iter().enumerate().map(row).collect()
 }
 
-/// The motion over [`extended`] taken apart: the path's, and the leads with theirs. Times stay those of the whole.
+/// The motion over [`extended`] taken apart: the path's, and the leads with theirs. Times stay
+/// those of the whole.
 pub fn split(whole: &AxisMotion, leads: [Lead; 2]) -> (AxisMotion, [Lead; 2]) {
     let n = whole.t_s.len();
     let [mut before, mut after] = leads;

@@ -1,27 +1,32 @@
 //! Lead-in and lead-out: how the ball comes onto the path and leaves it.
 //!
-//! **In**: [`Toolpath`], [`Schedule`], the angle of the head, [`LeadOptions`]. **Out**: [`Lead`]s to choose from, the best first; path and schedule with
-//! the chosen ones at their ends, for the feed; and the motion of that, taken apart again.
+//! **In**: [`Toolpath`], [`Schedule`], the angle of the head, [`LeadOptions`]. **Out**: [`Lead`]s
+//! to choose from, the best first; path and schedule with the chosen ones at their ends, for the
+//! feed; and the motion of that, taken apart again.
 //!
 //! ## Equations
-//! With the ball centre `c`, the unit tangent `t` of the path (of the parabola through its last three centres) and a direction `d` away from the
-//! part and across `t`, the arc of radius `r` is
+//! With the ball centre `c`, the unit tangent `t` of the path (of the parabola through its last
+//! three centres) and a direction `d` away from the part and across `t`, the arc of radius `r` is
 //!
 //! ```text
 //! lead-in   c(φ) = c − r sin φ t + r (1 − cos φ) d,   φ from the angle of the arc down to 0
 //! lead-out  c(φ) = c + r sin φ t + r (1 − cos φ) d,   φ from 0 up
 //! ```
 //!
-//! so that the ball comes onto the surface along the path, and the axes reach their feed in air: the mark of a tool that stands still on
-//! the part does not appear. `d` is the surface normal, the tool axis, or halfway between, each taken across `t`. The tool axis goes
-//! on turning as fast as at the end of the path, and less and less: `θ(σ) = θ₀ ± θ' (σ − σ²/2λ)` up to the distance `λ` from the path.
+//! so that the ball comes onto the surface along the path, and the axes reach their feed in air:
+//! the mark of a tool that stands still on the part does not appear. `d` is the surface normal, the
+//! tool axis, or halfway between, each taken across `t`. The tool axis goes on turning as fast as
+//! at the end of the path, and less and less: `θ(σ) = θ₀ ± θ' (σ − σ²/2λ)` up to the distance `λ`
+//! from the path.
 //!
 //! ## Guarantees
-//! Rows are so close that the arc lies within the chord tolerance of its chords; tangents of arc and path are the same where they meet.
+//! Rows are so close that the arc lies within the chord tolerance of its chords; tangents of arc
+//! and path are the same where they meet.
 //!
 //! ## Limits
-//! Whether there is room for an arc is not decided here: that is for [`crate::verify`], which sees the whole tool. The curvature jumps where arc
-//! and path meet; the feed slows down for it where the axes need that.
+//! Whether there is room for an arc is not decided here: that is for [`crate::verify`], which sees
+//! the whole tool. The curvature jumps where arc and path meet; the feed slows down for it where
+//! the axes need that.
 
 mod join;
 #[cfg(test)]
@@ -72,8 +77,8 @@ struct Tip {
     rate: f64,
 }
 
-/// Arcs in order of preference: great ones first, away along the normal first. Their motion is not known yet. None where the path has no
-/// three locations or no tangent at this end.
+/// Arcs in order of preference: great ones first, away along the normal first. Their motion is not
+/// known yet. None where the path has no three locations or no tangent at this end.
 pub fn candidates(path: &Toolpath, schedule: &Schedule, end: End, options: &LeadOptions) -> Vec<Lead> {
     let Some(tip) = tip(path, schedule, end) else { return Vec::new() };
     let ways = directions(&tip);
@@ -156,7 +161,8 @@ fn angles(tip: &Tip, end: End, length_mm: f64, count: usize) -> Vec<f64> {
     out
 }
 
-/// The same arcs for another schedule of the same path, to compare motions; straight where the schedule has no rate at the end.
+/// The same arcs for another schedule of the same path, to compare motions; straight where the
+/// schedule has no rate at the end.
 pub fn for_schedule(leads: &[Lead; 2], path: &Toolpath, schedule: &Schedule) -> [Lead; 2] {
     let one = |lead: &Lead, end: End| match tip(path, schedule, end) {
         Some(tip) if lead.is_arc() => {

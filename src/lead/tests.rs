@@ -7,7 +7,8 @@ fn options() -> LeadOptions {
     LeadOptions { radius_mm: 4.0 }
 }
 
-/// On the sample's cylinder everything is known: the ball centres run on a helix of radius 25 and slope 0.5 mm a turn.
+/// On the sample's cylinder everything is known: the ball centres run on a helix of radius 25 and
+/// slope 0.5 mm a turn.
 #[test]
 fn arcs_are_circles_that_touch_the_path_and_lie_across_it() {
     let plan = sample::plan(2, 720);
@@ -16,7 +17,8 @@ fn arcs_are_circles_that_touch_the_path_and_lie_across_it() {
         let slope = 0.5 / std::f64::consts::TAU;
         let along = Vector::new(slope, -25.0 * l.normal.z, 25.0 * l.normal.y).normalize();
         let all = candidates(&plan.toolpath, &plan.schedule, end, &options());
-        // The tool axis leads along the path and leans by 5 degrees: across the path it is the normal's direction.
+        // The tool axis leads along the path and leans by 5 degrees: across the path it is the
+        // normal's direction.
         assert_eq!(all.len(), 9);
         for lead in &all {
             let (r, n) = (lead.radius_mm, lead.centres.len());

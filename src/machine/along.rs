@@ -1,15 +1,17 @@
 //! Axis positions of a tool that stands on a cone of its own.
 //!
-//! On the cone about the blade axis a position is a function of θ over all turns, whatever came before
-//! ([`Machine::inverse`]). On any other cone the rotary axes reach a tool axis in two ways and over many turns:
-//! there the way nearest to where they stood is taken, so that they move on without a jump.
+//! On the cone about the blade axis a position is a function of θ over all turns, whatever came
+//! before ([`Machine::inverse`]). On any other cone the rotary axes reach a tool axis in two ways
+//! and over many turns: there the way nearest to where they stood is taken, so that they move on
+//! without a jump.
 
 use super::Machine;
 use crate::artifact::{Axes, Stand};
 
 impl Machine {
-    /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several bring it there;
-    /// `None`: near 0. `gauge_length_mm` as in [`Machine::inverse`]. Not numbers where the machine does not reach it.
+    /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several
+    /// bring it there; `None`: near 0. `gauge_length_mm` as in [`Machine::inverse`]. Not numbers
+    /// where the machine does not reach it.
     pub fn place(&self, stand: &Stand, near: Option<&Axes>, gauge_length_mm: f64) -> Axes {
         if stand.cone.is_about_blade() {
             return self.inverse(&stand.centre, stand.theta, stand.cone.lean_rad, gauge_length_mm);

@@ -1,18 +1,23 @@
 //! Chains of axes: forward kinematics as a product of motions, inverse kinematics in closed form.
 //!
-//! A chain lists the axes from the workpiece to the tool. Every axis is a motion `E(q)` of all that follows it in the list, against all that comes
-//! before: a shift by `q` along a direction, or the right-hand turn by `q` about a line. Directions and lines are those of the machine while all axes read 0. So the
-//! tool, seen from the workpiece, is at (product of exponentials; Brockett 1984, Murray, Li and Sastry 1994, chapter 3)
+//! A chain lists the axes from the workpiece to the tool. Every axis is a motion `E(q)` of all that
+//! follows it in the list, against all that comes before: a shift by `q` along a direction, or the
+//! right-hand turn by `q` about a line. Directions and lines are those of the machine while all
+//! axes read 0. So the tool, seen from the workpiece, is at (product of exponentials; Brockett
+//! 1984, Murray, Li and Sastry 1994, chapter 3)
 //!
 //! ```text
 //! T(q) = E₁(q₁) E₂(q₂) … Eₙ(qₙ),     ball centre  c = M⁻¹ T (g − L a₀),     tool axis  a = M⁻¹ T a₀
 //! ```
 //!
-//! with the gauge point `g` and the tool axis `a₀` while all axes read 0, the length `L` from ball centre to gauge point, and the place `M` of the blade.
-//! This is the sense of ISO 841 for every axis: positive is the tool going round, or along, the workpiece, whichever of the two really moves.
+//! with the gauge point `g` and the tool axis `a₀` while all axes read 0, the length `L` from ball
+//! centre to gauge point, and the place `M` of the blade. This is the sense of ISO 841 for every
+//! axis: positive is the tool going round, or along, the workpiece, whichever of the two really
+//! moves.
 //!
 //! ## Rotary axes
-//! With directions `u` and `v` of the first and the second rotary axis (from the workpiece), and `a` the tool axis wanted, `u·a = u·Rᵥ(q₂) a₀`, that is
+//! With directions `u` and `v` of the first and the second rotary axis (from the workpiece), and
+//! `a` the tool axis wanted, `u·a = u·Rᵥ(q₂) a₀`, that is
 //!
 //! ```text
 //! k₀ + ρ cos(q₂ − φ) = u·a,   k₀ = (u·v)(v·a₀),   ρ cos φ = u·a₀ − k₀,   ρ sin φ = u·(v × a₀)
@@ -30,7 +35,8 @@
 //! of `u` and the blade axis. So `q₁` is a function of `θ` alone.
 //!
 //! ## Linear axes
-//! What they shift adds up: with the rotary axes known, their positions solve three linear equations, wherever in the chain they are.
+//! What they shift adds up: with the rotary axes known, their positions solve three linear
+//! equations, wherever in the chain they are.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -45,14 +51,17 @@ use crate::tool;
 
 /// Directions nearer to one another than this are parallel, rad.
 const PARALLEL_RAD: f64 = 1e-9;
-/// The tool axis must keep this far from the first rotary axis, rad: at 0 that axis would have to turn at once.
+/// The tool axis must keep this far from the first rotary axis, rad: at 0 that axis would have to
+/// turn at once.
 const SINGULAR_RAD: f64 = 1e-3;
 /// Rounding of a cosine at the end of what an axis can reach.
 const ROUNDING: f64 = 1e-9;
-/// The same for a tool axis that was read from a program: its words are rounded. What is reached is a position; it is the axis there that counts.
+/// The same for a tool axis that was read from a program: its words are rounded. What is reached is
+/// a position; it is the axis there that counts.
 const WORDS: f64 = 1e-4;
 
-/// Angles are counted from half a turn before this one on, rad: not from where blades are clamped, at which rounding would decide the turn.
+/// Angles are counted from half a turn before this one on, rad: not from where blades are clamped,
+/// at which rounding would decide the turn.
 const CUT_RAD: f64 = 0.1;
 
 /// A rotary axis of a chain.
@@ -100,7 +109,8 @@ pub struct Head {
     blade: Rigid,
     /// The first rotary axis in the blade frame.
     first_in_blade: Vector,
-    /// `k₀`, `ρ`, `φ` of the module's page; `None` for four axes, or a second axis that is along the first or along the tool.
+    /// `k₀`, `ρ`, `φ` of the module's page; `None` for four axes, or a second axis that is along
+    /// the first or along the tool.
     tilt: Option<[f64; 3]>,
 }
 
@@ -122,8 +132,10 @@ struct Turned {
 }
 
 impl Head {
-    /// A head on some axes of a machine, `links` being their columns from the workpiece to the tool. `spindle`: gauge point and tool axis while all
-    /// axes read 0. `mount`: blade frame to machine coordinates then. `None` where the links are not three linear axes and one or two rotary ones.
+    /// A head on some axes of a machine, `links` being their columns from the workpiece to the
+    /// tool. `spindle`: gauge point and tool axis while all axes read 0. `mount`: blade frame to
+    /// machine coordinates then. `None` where the links are not three linear axes and one or two
+    /// rotary ones.
     pub(super) fn new(axes: &[Axis], links: &[usize], spindle: (Point, Unit<Vector>), mount: Rigid) -> Option<Self> {
         let is_rotary = |k: &usize| axes.get(*k).is_some_and(Axis::is_rotary);
         let rotary: Vec<usize> = links.iter().copied().filter(is_rotary).collect();
@@ -257,8 +269,8 @@ impl Head {
         self.shifts(&self.at([0.0; 2])).determinant().abs() > 1e-3
     }
 
-    /// The pose of the tool in the blade frame at positions of the machine's axes (mm, rad). `gauge_length_mm`: from the ball centre to the
-    /// spindle's gauge line.
+    /// The pose of the tool in the blade frame at positions of the machine's axes (mm, rad).
+    /// `gauge_length_mm`: from the ball centre to the spindle's gauge line.
     pub fn forward(&self, row: &Axes, gauge_length_mm: f64) -> Pose {
         let at = self.at(self.rotary_in(row));
         let (turned, shift) = (self.turned(&at), Vector::from(self.columns.linear.map(|k| row[k])));
@@ -266,7 +278,8 @@ impl Head {
         Pose { centre: self.blade * centre, axis: self.blade * (turned * self.tool) }
     }
 
-    /// From the frame fixed to the workpiece, the rotary axes turned as in a row, to the blade frame.
+    /// From the frame fixed to the workpiece, the rotary axes turned as in a row, to the blade
+    /// frame.
     pub(super) fn blade_from_turned(&self, row: &Axes) -> Rigid {
         self.blade * self.turned(&self.at(self.rotary_in(row))) * self.mount
     }
@@ -280,7 +293,8 @@ impl Head {
         self.blade.rotation * (self.turned(&self.at(rotary)).rotation * self.tool)
     }
 
-    /// Moves X, Y, Z in a row so that the ball comes there; not numbers where their directions do not reach it.
+    /// Moves X, Y, Z in a row so that the ball comes there; not numbers where their directions do
+    /// not reach it.
     pub(super) fn place_linear(&self, centre: &Point, gauge_length_mm: f64, row: &mut Axes) {
         let at = self.at(self.rotary_in(row));
         let from = self.turned(&at) * (self.gauge - self.tool * gauge_length_mm);
@@ -290,8 +304,9 @@ impl Head {
         }
     }
 
-    /// Moves the head's axes in a row so that the tool stands at a ball centre of the blade frame with an angle `θ` and a lean; not numbers where it
-    /// does not reach that. Other heads' own axes stay.
+    /// Moves the head's axes in a row so that the tool stands at a ball centre of the blade frame
+    /// with an angle `θ` and a lean; not numbers where it does not reach that. Other heads' own
+    /// axes stay.
     pub fn place(&self, centre: &Point, theta_rad: f64, lean_rad: f64, gauge_length_mm: f64, row: &mut Axes) {
         self.place_rotary(theta_rad, lean_rad, row);
         self.place_linear(centre, gauge_length_mm, row);
@@ -302,7 +317,8 @@ impl Head {
         self.put(self.rotary_of(theta_rad, lean_rad), row);
     }
 
-    /// Positions of the second axis of both branches for a tool axis with that cosine to the first; `None`: out of reach by more than `slack`.
+    /// Positions of the second axis of both branches for a tool axis with that cosine to the first;
+    /// `None`: out of reach by more than `slack`.
     fn second_of(&self, cosine: f64, slack: f64) -> Option<[f64; 2]> {
         let Some([k0, rho, phi]) = self.tilt else {
             let fixed = self.second.is_none() && (self.first.direction.dot(&self.tool) - cosine).abs() < slack;
@@ -322,7 +338,8 @@ impl Head {
         if across < PARALLEL_RAD { [along; 2] } else { [along - apart, along + apart] }
     }
 
-    /// Whether the first rotary axis is along the blade axis, and its sense then: 1 along x, -1 against it.
+    /// Whether the first rotary axis is along the blade axis, and its sense then: 1 along x, -1
+    /// against it.
     pub(super) fn along_blade(&self) -> Option<f64> {
         let w = self.first_in_blade;
         (w.y.hypot(w.z) < PARALLEL_RAD).then(|| w.x.signum())
@@ -346,14 +363,16 @@ impl Head {
         Some(if first_of <= 0.0 { p.0 } else { n.0 })
     }
 
-    /// Position of the first axis, within half a turn, that brings the tool axis over the workpiece's `a` with the second at `q2`.
+    /// Position of the first axis, within half a turn, that brings the tool axis over the
+    /// workpiece's `a` with the second at `q2`.
     fn first_of(&self, a: &Vector, q2: f64) -> f64 {
         let u = self.first.direction;
         let v = self.second.map_or(self.tool, |s| s.rotation(q2) * self.tool);
         u.dot(&v.cross(a)).atan2(v.dot(a) - u.dot(&v) * u.dot(a))
     }
 
-    /// Rotary positions for a lean and an angle `θ` over all turns; not numbers where the lean is out of reach.
+    /// Rotary positions for a lean and an angle `θ` over all turns; not numbers where the lean is
+    /// out of reach.
     fn rotary_of(&self, theta: f64, lean_rad: f64) -> [f64; 2] {
         let Some(posture) = self.posture(lean_rad) else { return [f64::NAN; 2] };
         let one = |theta: f64| {
@@ -377,8 +396,8 @@ impl Head {
         [near + wrapped(q1 - near), q2]
     }
 
-    /// The row `near`, but the rotary axes along a tool axis of the blade frame: of both branches and all turns those nearest, within travel where
-    /// they can be.
+    /// The row `near`, but the rotary axes along a tool axis of the blade frame: of both branches
+    /// and all turns those nearest, within travel where they can be.
     pub(super) fn rotary_of_axis(&self, axis: &Vector, near: &Axes) -> Option<Axes> {
         let mut row = *near;
         self.put(self.along(axis, self.rotary_in(near))?, &mut row);
@@ -412,7 +431,8 @@ impl Head {
         Some(if better { p.2 } else { n.2 })
     }
 
-    /// `θ` and lean of the tool axis where the rotary axes stand; `θ` over all turns where the first axis is along the blade, else nearest to `near`.
+    /// `θ` and lean of the tool axis where the rotary axes stand; `θ` over all turns where the
+    /// first axis is along the blade, else nearest to `near`.
     pub(super) fn theta_and_lean(&self, row: &Axes, near: f64) -> [f64; 2] {
         let rotary = self.rotary_in(row);
         if let Some(sense) = self.along_blade() {
@@ -494,7 +514,8 @@ fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// The whole turns that bring a range into a travel, or nearest to 0 without one, and how far it stays outside.
+/// The whole turns that bring a range into a travel, or nearest to 0 without one, and how far it
+/// stays outside.
 fn placed([a, b]: [f64; 2], travel: Option<[f64; 2]>) -> (f64, f64) {
     let base = -TAU * (0.5 * (a + b) / TAU).round();
     let Some([lo, hi]) = travel else { return (base, 0.0) };

@@ -1,4 +1,5 @@
-//! Chains of axes: against the closed form of the table-head machine, against themselves, and where they must refuse.
+//! Chains of axes: against the closed form of the table-head machine, against themselves, and where
+//! they must refuse.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -80,7 +81,8 @@ proptest! {
     }
 }
 
-/// The demo machine with a second head of its own X, Y, Z and B under the table, its spindle upwards.
+/// The demo machine with a second head of its own X, Y, Z and B under the table, its spindle
+/// upwards.
 fn two_heads() -> Machine {
     let mut m = Machine::demo().unwrap();
     let own = |k: usize| Axis { name: format!("{}2", m.axes[k].name), carries: Carries::Head(1), ..m.axes[k].clone() };
@@ -150,7 +152,8 @@ fn rotary_axes_run_on_without_a_jump_and_within_travel() {
 
 #[test]
 fn hand_worked_poses() {
-    // Blade upright on the trunnion: at θ = 0 its y comes up, so A is −85° for a lean of 5°, and the tool of 100 mm stands over the point.
+    // Blade upright on the trunnion: at θ = 0 its y comes up, so A is −85° for a lean of 5°, and
+    // the tool of 100 mm stands over the point.
     let m = machine(TRUNNION);
     let lean = 5f64.to_radians();
     let q = m.inverse(&Point::new(20.0, 0.0, 0.0), 0.0, lean, 100.0);

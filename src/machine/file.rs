@@ -28,7 +28,8 @@ impl Machine {
 }
 
 impl MachineFile {
-    /// What a text says; [`MachineFile::build`] judges the values. `origin` names the file in messages.
+    /// What a text says; [`MachineFile::build`] judges the values. `origin` names the file in
+    /// messages.
     ///
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key.
@@ -58,7 +59,8 @@ impl MachineFile {
         self.assembled(origin, "its direction")
     }
 
-    /// A table about X and a pivoting head, written as a chain. A file that has a chain stays as it is.
+    /// A table about X and a pivoting head, written as a chain. A file that has a chain stays as it
+    /// is.
     fn as_chain(&self) -> MachineFile {
         let mut out = self.clone();
         let (Some(table), Some(head)) = (out.table.take(), out.head.take()) else { return out };
@@ -76,7 +78,8 @@ impl MachineFile {
         out
     }
 
-    /// Letters of the axes in the order of the machine's columns: X, Y, Z, the rotary axes from the workpiece.
+    /// Letters of the axes in the order of the machine's columns: X, Y, Z, the rotary axes from the
+    /// workpiece.
     fn letters(&self) -> impl Iterator<Item = AxisName> {
         let table_and_head = [AxisName::A, AxisName::B];
         let chain = if self.chain.is_empty() { &table_and_head[..] } else { &self.chain };
@@ -139,7 +142,8 @@ impl MachineFile {
         Some(Rigid::from_parts(Vector::from(self.mount.offset_mm).into(), placed * clamped))
     }
 
-    /// The gauge point and the tool axis while all axes read 0; `None`: the tool axis is no direction.
+    /// The gauge point and the tool axis while all axes read 0; `None`: the tool axis is no
+    /// direction.
     fn spindle(&self) -> Option<(Point, Unit<Vector>)> {
         let Spindle { gauge_mm, direction } = self.spindle.unwrap_or_default();
         Some((Point::from(gauge_mm), Unit::try_new(Vector::from(direction), 1e-9)?))
@@ -251,8 +255,8 @@ impl MachineFile {
     }
 }
 
-/// What an axis of a chain carries: rotary axes with a linear one between them and the tool carry the
-/// workpiece, with all axes before them.
+/// What an axis of a chain carries: rotary axes with a linear one between them and the tool carry
+/// the workpiece, with all axes before them.
 fn carried(chain: &[AxisName], letter: AxisName) -> Carries {
     let behind = |from: usize| chain[from..].iter();
     let turns_workpiece = |k: usize| chain[k].linear().is_none() && behind(k).any(|n| n.linear().is_some());

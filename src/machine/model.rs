@@ -4,8 +4,9 @@ use super::axis::{Axis, AxisLimits, Provenance};
 use super::chain::Head;
 use super::config::Mount;
 
-/// A machine: a list of axes, and one head or more that share those which carry the workpiece. It is built from a
-/// [`MachineFile`](super::MachineFile), and has the numbers of its kinematics ready.
+/// A machine: a list of axes, and one head or more that share those which carry the workpiece. It
+/// is built from a [`MachineFile`](super::MachineFile), and has the numbers of its kinematics
+/// ready.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Machine {
     /// Short name, for headers.
@@ -20,8 +21,8 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// All axes, in the order of the columns of [`crate::artifact::AxisMotion`]: X, Y, Z of the first head, its rotary axes from the workpiece, then
-    /// the own axes of other heads.
+    /// All axes, in the order of the columns of [`crate::artifact::AxisMotion`]: X, Y, Z of the
+    /// first head, its rotary axes from the workpiece, then the own axes of other heads.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
     }
@@ -36,7 +37,8 @@ impl Machine {
         self.heads[0].rotary()
     }
 
-    /// Column of the rotary axis nearest to the workpiece: the one that turns the blade, or the tool round it.
+    /// Column of the rotary axis nearest to the workpiece: the one that turns the blade, or the
+    /// tool round it.
     pub fn turning_axis(&self) -> usize {
         self.heads[0].turning_axis()
     }
@@ -52,8 +54,8 @@ impl Machine {
         assumed.map(|a| a.name.as_str()).collect()
     }
 
-    /// The same machine with velocity, acceleration and jerk of all axes multiplied by `factor` (for sweeps over
-    /// assumed limits).
+    /// The same machine with velocity, acceleration and jerk of all axes multiplied by `factor`
+    /// (for sweeps over assumed limits).
     #[must_use]
     pub fn with_limits_scaled(self, factor: f64) -> Self {
         self.changed(|_, axis| {

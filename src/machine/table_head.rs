@@ -1,4 +1,5 @@
-//! The table about X with a pivoting head in closed form: what the chain that is built from such a file is held against.
+//! The table about X with a pivoting head in closed form: what the chain that is built from such a
+//! file is held against.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -118,7 +119,8 @@ fn hand_worked_poses() {
     // B = 30° leans towards +X: pivot at 300 mm along (½, 0, √3/2), less 200 mm down Z.
     let q = built(&m).inverse(&Point::origin(), FRAC_PI_2, 30f64.to_radians(), 100.0);
     close(&q, [1400.0 + 150.0, 0.0, 300.0 * 0.75f64.sqrt() - 200.0, 0.0, 30f64.to_radians()]);
-    // A spindle whose axis passes the pivot by 10 mm swings it through (cos 30°, −sin 30°); the other sense of B: the same place.
+    // A spindle whose axis passes the pivot by 10 mm swings it through (cos 30°, −sin 30°); the
+    // other sense of B: the same place.
     m.head.as_mut().unwrap().spindle_offset_mm = 10.0;
     m.head.as_mut().unwrap().positive_b_leans = PositiveB::MinusX;
     let q = built(&m).inverse(&Point::origin(), FRAC_PI_2, 30f64.to_radians(), 100.0);

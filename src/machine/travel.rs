@@ -33,8 +33,8 @@ impl std::fmt::Display for TravelFinding {
 }
 
 impl Machine {
-    /// Axes that leave their travel, each with its worst location; empty where all is well. A position that is not a
-    /// number counts as outside.
+    /// Axes that leave their travel, each with its worst location; empty where all is well. A
+    /// position that is not a number counts as outside.
     pub fn check_travel(&self, motion: &AxisMotion) -> Vec<TravelFinding> {
         let mut out = Vec::new();
         for (i, axis) in self.axes().iter().enumerate() {
@@ -58,7 +58,8 @@ impl Machine {
     /// Whether a part of these points (blade frame, mm) turns freely.
     ///
     /// # Errors
-    /// Kind `Infeasible`: a point is farther from the table's axis than half of `swing_diameter_mm`.
+    /// Kind `Infeasible`: a point is farther from the table's axis than half of
+    /// `swing_diameter_mm`.
     pub fn check_swing(&self, part: &[Point]) -> Result<()> {
         let radius_mm = part.iter().filter_map(|p| self.off_table_axis_mm(p)).fold(0.0, f64::max);
         if 2.0 * radius_mm <= self.swing_diameter_mm {

@@ -1,7 +1,8 @@
 //! Patches, platform and root put together: vertices, edges and faces of one closed solid.
 //!
-//! Every edge is a boundary curve of the surfaces beside it, taken from their control points, so neighbouring faces meet
-//! exactly. Loops run counter-clockwise seen from outside; the first loop of a face is its outer one.
+//! Every edge is a boundary curve of the surfaces beside it, taken from their control points, so
+//! neighbouring faces meet exactly. Loops run counter-clockwise seen from outside; the first loop
+//! of a face is its outer one.
 
 use nalgebra::Vector4;
 
@@ -76,7 +77,8 @@ impl Solid {
         self.brep.faces.push(Face { name: name.into(), kind, surface, reversed: false, loops });
     }
 
-    /// A flat face: the bilinear rectangle around its loops, with the normal that its outer loop turns about.
+    /// A flat face: the bilinear rectangle around its loops, with the normal that its outer loop
+    /// turns about.
     fn flat(&mut self, name: impl Into<String>, loops: Vec<Vec<Coedge>>) {
         let outline: Vec<Point> = loops.first().into_iter().flatten().flat_map(|c| self.polygon(c)).collect();
         let curved = loops.iter().flatten().any(|c| self.brep.edges[c.edge].curve.degree > 1);
@@ -95,8 +97,8 @@ impl Solid {
     }
 }
 
-/// The rectangle around a closed polygon in its plane, enlarged by a fraction of its size; `S_u × S_v` is the direction about which
-/// the polygon turns.
+/// The rectangle around a closed polygon in its plane, enlarged by a fraction of its size;
+/// `S_u × S_v` is the direction about which the polygon turns.
 fn rectangle(polygon: &[Point], margin: f64) -> NurbsSurface {
     let n = polygon.len();
     let origin = polygon[0];

@@ -1,4 +1,5 @@
-//! A second opinion on the topology, by truck: the faces must make one connected, oriented, closed manifold shell.
+//! A second opinion on the topology, by truck: the faces must make one connected, oriented, closed
+//! manifold shell.
 
 use truck_modeling::{
     BSplineCurve, BSplineSurface, Curve, Edge, Face, KnotVec, NurbsCurve, NurbsSurface, Point3, Shell, Surface,
@@ -16,8 +17,8 @@ fn vector(p: &nalgebra::Vector4<f64>) -> Vector4 {
     Vector4::new(p.x, p.y, p.z, p.w)
 }
 
-/// The solid in truck's types; truck checks that wires close, that edges are used once in each sense, that the shell is
-/// connected and that no vertex is singular.
+/// The solid in truck's types; truck checks that wires close, that edges are used once in each
+/// sense, that the shell is connected and that no vertex is singular.
 pub(super) fn truck_solid(solid: &Solid) -> Result<truck_modeling::Solid> {
     let vertices: Vec<Vertex> = solid.vertices.iter().map(|p| Vertex::new(Point3::new(p.x, p.y, p.z))).collect();
     let mut edges: Vec<Edge> = Vec::with_capacity(solid.ends.len());

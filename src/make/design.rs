@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::{CubicSpline, Ends};
 
-/// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along +z: root below, tip above.
+/// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along +z:
+/// root below, tip above.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BladeDesign {
@@ -13,7 +14,8 @@ pub struct BladeDesign {
     pub name: String,
     /// From the platform to the flat tip, mm.
     pub height_mm: f64,
-    /// Radius of the ball that rolls in the corner between airfoil and platform, mm. 0 (prism only): a sharp corner.
+    /// Radius of the ball that rolls in the corner between airfoil and platform, mm. 0 (prism
+    /// only): a sharp corner.
     pub fillet_radius_mm: f64,
     /// A free-form airfoil.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -28,8 +30,8 @@ pub struct BladeDesign {
     pub accuracy: Accuracy,
 }
 
-/// A quantity along the height: one number, or stations `[height fraction, value]` from 0 at the platform to 1 at the tip (two:
-/// linear; more: natural cubic spline).
+/// A quantity along the height: one number, or stations `[height fraction, value]` from 0 at the
+/// platform to 1 at the tip (two: linear; more: natural cubic spline).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Law {
@@ -49,7 +51,8 @@ pub struct AirfoilDesign {
     pub stagger_deg: Law,
     /// Angle between camber line and chord at the leading edge, degrees.
     pub inlet_deg: Law,
-    /// Angle between chord and camber line at the trailing edge, degrees; inlet + outlet is the turning.
+    /// Angle between chord and camber line at the trailing edge, degrees; inlet + outlet is the
+    /// turning.
     pub outlet_deg: Law,
     /// Greatest thickness, mm.
     pub thickness_mm: Law,
@@ -70,8 +73,8 @@ pub struct AirfoilDesign {
     pub lean_mm: Law,
 }
 
-/// A prism whose section is a stadium: two half circles joined by straight sides along x; with equal `length_mm` and
-/// `width_mm` a circle.
+/// A prism whose section is a stadium: two half circles joined by straight sides along x; with
+/// equal `length_mm` and `width_mm` a circle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PrismDesign {
@@ -102,7 +105,8 @@ pub struct PlatformDesign {
     /// Offset of its centre from the stacking axis along y, mm.
     #[serde(default)]
     pub offset_y_mm: f64,
-    /// The outline across, from the top down, the same on both sides: platform, then root (a plain shank, a dovetail, a fir tree).
+    /// The outline across, from the top down, the same on both sides: platform, then root (a plain
+    /// shank, a dovetail, a fir tree).
     pub outline: Vec<OutlinePoint>,
 }
 

@@ -1,9 +1,9 @@
 //! A watertight mesh of a made blade: points exactly on its surfaces, shared along its edges.
 //!
-//! Airfoil and fillet are divided by a grid of parameters that neighbours share along their common boundary. The divisions are
-//! halved until no chord of the grid is farther from the surface than the deflection asked for; then the triangles are measured, and
-//! the grid is made finer until they keep it too. Flat faces are triangulated between their boundary points (constrained
-//! Delaunay).
+//! Airfoil and fillet are divided by a grid of parameters that neighbours share along their common
+//! boundary. The divisions are halved until no chord of the grid is farther from the surface than
+//! the deflection asked for; then the triangles are measured, and the grid is made finer until they
+//! keep it too. Flat faces are triangulated between their boundary points (constrained Delaunay).
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -82,7 +82,8 @@ impl<'a> Grid<'a> {
             .map(|i| {
                 let mut both = vec![airfoil[i]];
                 both.extend(fillet.get(i));
-                // Spans of a half cylinder start at its knots; a spline's are many and need not be kept.
+                // Spans of a half cylinder start at its knots; a spline's are many and need not be
+                // kept.
                 let knots = &airfoil[i].knots_u;
                 let start = if airfoil[i].n_u <= 5 { distinct(knots) } else { samples(knots, 8) };
                 divide(&start, tolerance, |a, b| {
@@ -126,7 +127,8 @@ pub(super) fn mesh(solid: &Solid, patches: usize, deflection: f64) -> Result<(Me
 struct Maker<'a> {
     solid: &'a Solid,
     mesh: Mesh,
-    /// Mesh points along every edge, from its start to its end; straight edges of the block: their ends.
+    /// Mesh points along every edge, from its start to its end; straight edges of the block: their
+    /// ends.
     on_edge: Vec<Vec<u32>>,
 }
 
@@ -135,7 +137,8 @@ impl<'a> Maker<'a> {
         let on_edge = vec![Vec::new(); solid.brep.edges.len()];
         let mut maker = Maker { solid, mesh: Mesh::default(), on_edge };
         let n = grid.airfoil.len();
-        // Columns round the ring: every patch's parameters but its last, which is the next patch's first.
+        // Columns round the ring: every patch's parameters but its last, which is the next patch's
+        // first.
         let columns: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..grid.u[i].len() - 1).map(move |k| (i, k))).collect();
         let fillet_rows = grid.v_fillet.len().saturating_sub(1);
         let rows = fillet_rows + grid.v_airfoil.len();
@@ -187,7 +190,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Points on the edges round foot and tip, which the flat faces need. Edges are found by the loops of the faces.
+    /// Points on the edges round foot and tip, which the flat faces need. Edges are found by the
+    /// loops of the faces.
     fn ring_edges(&mut self, n: usize, fillet_rows: usize, grid: &Grid, id: impl Fn(usize, usize) -> u32) {
         let top = fillet_rows + grid.v_airfoil.len() - 1;
         let mut first = 0;
@@ -203,7 +207,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Greatest distance of the triangles' edges' and centres' points from the surface points of the same parameters.
+    /// Greatest distance of the triangles' edges' and centres' points from the surface points of
+    /// the same parameters.
     fn measure(&self) -> f64 {
         let faces = &self.solid.brep.faces;
         let mut worst = 0.0_f64;

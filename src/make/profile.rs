@@ -2,20 +2,24 @@
 //!
 //! In the chord frame, in chords, with `x` from 0 at the leading to 1 at the trailing edge:
 //!
-//! * camber line `y(x) = x (1 − x) [ (1 − x) tan χ1 + x tan χ2 ]`: it leaves the chord at the inlet angle χ1, returns to it at
-//!   the outlet angle χ2 (a parabola where they are equal);
-//! * half thickness, along the normal of the camber line, `t(x) = sqrt(x (1 − x)) g(x)` with the cubic `g` of
-//!   `g(0) = sqrt(2 r_LE / (c cos χ1))`, `g(1) = sqrt(2 r_TE / (c cos χ2))`, `t(x_m) = T / 2c`, `t'(x_m) = 0` (the cosines turn
-//!   lengths along the chord into lengths along the camber line).
+//! * camber line `y(x) = x (1 − x) [ (1 − x) tan χ1 + x tan χ2 ]`: it leaves the chord at the inlet
+//!   angle χ1, returns to it at the outlet angle χ2 (a parabola where they are equal);
+//! * half thickness, along the normal of the camber line, `t(x) = sqrt(x (1 − x)) g(x)` with the
+//!   cubic `g` of `g(0) = sqrt(2 r_LE / (c cos χ1))`, `g(1) = sqrt(2 r_TE / (c cos χ2))`,
+//!   `t(x_m) = T / 2c`, `t'(x_m) = 0` (the cosines turn lengths along the chord into lengths along
+//!   the camber line).
 //!
-//! The square root is the circle's: with `x = (1 − cos φ)/2` it is `sin φ / 2`, so the closed section
+//! The square root is the circle's: with `x = (1 − cos φ)/2` it is `sin φ / 2`, so the closed
+//! section
 //!
 //! ```text
 //! P(φ) = (x, y(x)) − (sin φ / 2) g(x) (−y', 1) / sqrt(1 + y'²),   0 ≤ φ < 2π
 //! ```
 //!
-//! is one analytic closed curve: leading edge at φ = 0, concave (pressure) side for 0 < φ < π, trailing edge at φ = π, convex
-//! (suction) side back; counter-clockwise. Its curvature at the edges is that of circles of the given radii. Guaranteed after [`Section::validate`]: the thickness grows up to `x_m` and falls after it.
+//! is one analytic closed curve: leading edge at φ = 0, concave (pressure) side for 0 < φ < π,
+//! trailing edge at φ = π, convex (suction) side back; counter-clockwise. Its curvature at the
+//! edges is that of circles of the given radii. Guaranteed after [`Section::validate`]: the
+//! thickness grows up to `x_m` and falls after it.
 
 use super::design::{AirfoilDesign, LawCurve};
 use crate::error::{Error, Result, Stage};

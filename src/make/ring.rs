@@ -1,4 +1,5 @@
-//! The patches round the blade: airfoil and fillet, neighbours sharing their boundary control points bit by bit.
+//! The patches round the blade: airfoil and fillet, neighbours sharing their boundary control
+//! points bit by bit.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
@@ -44,15 +45,15 @@ fn homogeneous(x: f64, y: f64, z: f64, w: f64) -> Vector4<f64> {
     Vector4::new(x * w, y * w, z * w, w)
 }
 
-/// Row `j` of `rows` along the height, 0 at the fillet, 1 at the tip: closer together where the airfoil leaves the fillet and at the tip,
-/// since a clamped spline is least exact at its ends.
+/// Row `j` of `rows` along the height, 0 at the fillet, 1 at the tip: closer together where the
+/// airfoil leaves the fillet and at the tip, since a clamped spline is least exact at its ends.
 fn row_fraction(j: usize, rows: usize) -> f64 {
     let t = j as f64 / rows as f64;
     t - 0.12 * (TAU * t).sin() / TAU * 2.0
 }
 
-/// Airfoil and fillet by interpolation: cubic and C² round the section, parameters φ; the airfoil cubic upwards, the
-/// fillet's cross-sections rational arcs. Cut at leading and trailing edge.
+/// Airfoil and fillet by interpolation: cubic and C² round the section, parameters φ; the airfoil
+/// cubic upwards, the fillet's cross-sections rational arcs. Cut at leading and trailing edge.
 fn free_form(ideal: &IdealAirfoil, r: f64, tip: f64, accuracy: &Accuracy) -> Result<Vec<Patch>> {
     let n = accuracy.stations;
     let params: Vec<f64> = (0..=n).map(|i| TAU * i as f64 / n as f64).collect();
@@ -73,7 +74,8 @@ fn free_form(ideal: &IdealAirfoil, r: f64, tip: f64, accuracy: &Accuracy) -> Res
     let mut walls =
         PeriodicRows::interpolate(&wall, fractions.len(), &params).and_then(|w| w.pieces(&cuts)).map_err(fit)?;
     let mut fillets = PeriodicRows::interpolate(&arcs, 3, &params).and_then(|w| w.pieces(&cuts)).map_err(fit)?;
-    // Constants are interpolated to rounding only: the plane of platform and tip and weights of one shall be exact.
+    // Constants are interpolated to rounding only: the plane of platform and tip and weights of one
+    // shall be exact.
     walls.iter_mut().for_each(|w| settle(w, &[(fractions.len() - 1, Some(tip))]));
     walls.iter_mut().flat_map(|w| &mut w.points).for_each(|p| p.w = 1.0);
     fillets.iter_mut().for_each(|f| settle(f, &[(0, Some(ideal.z0)), (2, None)]));
@@ -103,8 +105,8 @@ fn settle(rows: &mut ControlRows, columns: &[(usize, Option<f64>)]) {
     }
 }
 
-/// The arc from platform to airfoil as a rational quadratic: its middle control point is where the end tangents meet, its
-/// weight the cosine of half the angle.
+/// The arc from platform to airfoil as a rational quadratic: its middle control point is where the
+/// end tangents meet, its weight the cosine of half the angle.
 fn arc(c: &Contact, r: f64) -> [Vector4<f64>; 3] {
     let cos = c.normal.z; // of the angle between the radii −e_z and −n
     let mut towards = -c.normal;
@@ -114,8 +116,9 @@ fn arc(c: &Contact, r: f64) -> [Vector4<f64>; 3] {
     [c.platform.to_homogeneous(), homogeneous(corner.x, corner.y, corner.z, w), c.airfoil.to_homogeneous()]
 }
 
-/// A curve in the plane of the platform with its outward offset: control points `(x, y, w)` and unit offset directions
-/// (radial at the control polygon's corners, so that the offset of an arc is an arc).
+/// A curve in the plane of the platform with its outward offset: control points `(x, y, w)` and
+/// unit offset directions (radial at the control polygon's corners, so that the offset of an arc is
+/// an arc).
 struct Outline {
     name: &'static str,
     degree: usize,
@@ -125,8 +128,8 @@ struct Outline {
     straight: bool,
 }
 
-/// The stadium, exact: sides as planes (bilinear), ends as half cylinders (rational quadratic), fillets as quarter cylinders
-/// and half tori.
+/// The stadium, exact: sides as planes (bilinear), ends as half cylinders (rational quadratic),
+/// fillets as quarter cylinders and half tori.
 fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
     let radius = 0.5 * p.width_mm;
     let half = 0.5 * p.length_mm - radius;
@@ -167,7 +170,8 @@ fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
 }
 
 impl Outline {
-    /// Extrudes the outline from the fillet to the tip and sweeps the fillet's quarter arc along it.
+    /// Extrudes the outline from the fillet to the tip and sweeps the fillet's quarter arc along
+    /// it.
     fn patch(&self, r: f64, z0: f64, tip: f64, [sin, cos]: [f64; 2]) -> Patch {
         let place = |x: f64, y: f64, z: f64, w: f64| homogeneous(cos * x - sin * y, sin * x + cos * y, z, w);
         let surface = |degree_v: usize, knots_v: Vec<f64>, columns: &[(f64, f64, f64)]| NurbsSurface {

@@ -1,9 +1,10 @@
 //! The ideal airfoil and the ball that rolls in its corner with the platform.
 //!
-//! The ideal airfoil is `F(φ, z)`: the section at height `z` ([`super::profile`]). A ball of radius `r` touches the plane
-//! `z = z0` and the airfoil where its centre `C = F + r n` is `r` above the plane: `F_z − z0 + r n_z = r`, one equation for the
-//! height of contact at each φ. The centres make the spine, the contacts the two edges of the fillet, and every
-//! cross-section of the fillet is an arc of radius `r` about `C` from `C − r e_z` to `C − r n`.
+//! The ideal airfoil is `F(φ, z)`: the section at height `z` ([`super::profile`]). A ball of radius
+//! `r` touches the plane `z = z0` and the airfoil where its centre `C = F + r n` is `r` above the
+//! plane: `F_z − z0 + r n_z = r`, one equation for the height of contact at each φ. The centres
+//! make the spine, the contacts the two edges of the fillet, and every cross-section of the fillet
+//! is an arc of radius `r` about `C` from `C − r e_z` to `C − r n`.
 
 use super::profile::Sections;
 use crate::error::{Error, Result, Stage};
@@ -44,7 +45,8 @@ impl IdealAirfoil {
         Point::new(x, y, z)
     }
 
-    /// Outward normal, from central differences of fourth order (error below 1e-9 for sections of usual size).
+    /// Outward normal, from central differences of fourth order (error below 1e-9 for sections of
+    /// usual size).
     pub fn normal(&self, phi: f64, z: f64) -> Vector {
         let difference =
             |f: &dyn Fn(f64) -> Point, h: f64| ((f(h) - f(-h)) * 8.0 - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h);
@@ -86,8 +88,8 @@ impl IdealAirfoil {
         .advise("make fillet_radius_mm smaller or lean the airfoil less"))
     }
 
-    /// The contacts at all φ, checked: the spine runs with the airfoil everywhere (the ball fits into the concave side) and the
-    /// ball touches no other place.
+    /// The contacts at all φ, checked: the spine runs with the airfoil everywhere (the ball fits
+    /// into the concave side) and the ball touches no other place.
     pub fn contacts(&self, phi: &[f64], r: f64) -> Result<Vec<Contact>> {
         let contacts: Vec<Contact> = phi.iter().map(|&p| self.contact(p, r)).collect::<Result<_>>()?;
         let n = contacts.len();

@@ -188,7 +188,8 @@ fn prism_has_its_closed_forms() {
             }
         }
     }
-    // Pappus: the fillet's section is a square corner less a quarter circle; its centroid is 0.2234 r from both legs.
+    // Pappus: the fillet's section is a square corner less a quarter circle; its centroid is 0.2234
+    // r from both legs.
     let corner = r * r * (1.0 - PI / 4.0);
     let centroid = r * (10.0 - 3.0 * PI) / (12.0 - 3.0 * PI);
     let stadium = PI * radius * radius + 4.0 * half * radius;
@@ -299,8 +300,8 @@ fn split_numbers(text: &str) -> (Vec<f64>, String) {
     (numbers, rest)
 }
 
-/// The committed files are what the design files make. Numbers are compared to 1e-7 mm, since sine and cosine of another system may differ in
-/// the last digit; all else to the letter.
+/// The committed files are what the design files make. Numbers are compared to 1e-7 mm, since sine
+/// and cosine of another system may differ in the last digit; all else to the letter.
 fn regenerates(name: &str) {
     let read = |ext: &str| std::fs::read_to_string(models().join(format!("{name}.{ext}"))).unwrap();
     let design = BladeDesign::from_toml(&read("toml")).unwrap();

@@ -1,8 +1,9 @@
 //! Linear systems whose matrix is zero but for a narrow band round the diagonal, in linear time.
 //!
-//! In: the entries of the band and one or more right-hand sides. Out: the solutions. [`BandedMatrix::factor`] is Gaussian
-//! elimination with row exchanges inside the band (Golub and Van Loan, *Matrix Computations*, §4.3): cost
-//! `n · lower · (lower + upper)`. [`solve_cyclic_tridiagonal`] adds the two corner entries of a periodic problem by the
+//! In: the entries of the band and one or more right-hand sides. Out: the solutions.
+//! [`BandedMatrix::factor`] is Gaussian elimination with row exchanges inside the band (Golub and
+//! Van Loan, *Matrix Computations*, §4.3): cost `n · lower · (lower + upper)`.
+//! [`solve_cyclic_tridiagonal`] adds the two corner entries of a periodic problem by the
 //! Sherman–Morrison formula. A matrix that is singular to working precision gives `None`.
 
 /// A square matrix with `lower` diagonals below the main one and `upper` above it.
@@ -11,8 +12,8 @@ pub struct BandedMatrix {
     n: usize,
     lower: usize,
     upper: usize,
-    /// Row by row, `2 lower + upper + 1` each: column `j` of row `i` is at `j + lower - i`; the last `lower` entries of a
-    /// row take what the row exchanges bring in.
+    /// Row by row, `2 lower + upper + 1` each: column `j` of row `i` is at `j + lower - i`; the
+    /// last `lower` entries of a row take what the row exchanges bring in.
     band: Vec<f64>,
 }
 
@@ -53,7 +54,8 @@ impl BandedMatrix {
         self.at(row, column).map_or(0.0, |k| self.band[k])
     }
 
-    /// LU decomposition with row exchanges; `None` if the matrix is singular or has an entry that is not finite.
+    /// LU decomposition with row exchanges; `None` if the matrix is singular or has an entry that
+    /// is not finite.
     pub fn factor(mut self) -> Option<BandedLu> {
         let (n, lower, width) = (self.n, self.lower, self.width());
         let scale = self.band.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -102,8 +104,8 @@ pub struct BandedLu {
 }
 
 impl BandedLu {
-    /// Replaces `rhs` by the solution. `rhs` holds `columns` right-hand sides, row by row: entry `(i, c)` at
-    /// `i * columns + c`. Does nothing if its length is not `rows × columns`.
+    /// Replaces `rhs` by the solution. `rhs` holds `columns` right-hand sides, row by row: entry
+    /// `(i, c)` at `i * columns + c`. Does nothing if its length is not `rows × columns`.
     pub fn solve(&self, rhs: &mut [f64], columns: usize) {
         let (n, lower) = (self.n, self.lower);
         if rhs.len() != n * columns {
@@ -135,8 +137,9 @@ impl BandedLu {
     }
 }
 
-/// Solves `lower[i] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1] = rhs[i]` with indices taken round the circle; `rhs` holds
-/// `columns` right-hand sides row by row and receives the solutions. `None` if the lengths differ or the matrix is singular.
+/// Solves `lower[i] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1] = rhs[i]` with indices taken round
+/// the circle; `rhs` holds `columns` right-hand sides row by row and receives the solutions. `None`
+/// if the lengths differ or the matrix is singular.
 ///
 /// ```
 /// use bladewright::numerics::banded::solve_cyclic_tridiagonal;
@@ -238,7 +241,8 @@ mod tests {
             let mut s = seed.iter().cycle();
             for i in 0..n {
                 for j in i.saturating_sub(lower)..(i + upper + 1).min(n) {
-                    // Rows are shuffled in size, so that exchanges happen; the diagonal keeps the matrix far from singular.
+                    // Rows are shuffled in size, so that exchanges happen; the diagonal keeps the
+                    // matrix far from singular.
                     let d = if i == j { 3.0 + (lower + upper) as f64 } else { 0.0 };
                     m.add(i, j, s.next().unwrap() + d * if i % 3 == 0 { 0.4 } else { 1.0 });
                 }

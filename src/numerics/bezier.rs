@@ -11,7 +11,8 @@ pub fn cubic(c: [f64; 4], t: f64) -> [f64; 3] {
     ]
 }
 
-/// The parameter in `0 … 1` at which a cubic that rises reaches `value`: Newton's method kept inside a shrinking bracket.
+/// The parameter in `0 … 1` at which a cubic that rises reaches `value`: Newton's method kept
+/// inside a shrinking bracket.
 pub fn parameter(c: [f64; 4], value: f64) -> f64 {
     let (mut lo, mut hi) = (0.0, 1.0);
     let mut t = ((value - c[0]) / (c[3] - c[0])).clamp(0.0, 1.0);

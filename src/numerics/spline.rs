@@ -1,9 +1,11 @@
-//! Cubic splines through given values: twice continuously differentiable, of one or several functions at once.
+//! Cubic splines through given values: twice continuously differentiable, of one or several
+//! functions at once.
 //!
-//! In: strictly increasing abscissae and, at each, the values of `functions` functions. Out: on every interval
-//! `f(x) = a + b t + c t² + d t³`, `t = x − x_i`. The slopes at the abscissae solve a tridiagonal system (de Boor, *A
-//! Practical Guide to Splines*, ch. IV); periodic ends make it cyclic. Guaranteed: C² inside, values met to rounding,
-//! linear time and memory. Not guaranteed: monotonicity.
+//! In: strictly increasing abscissae and, at each, the values of `functions` functions. Out: on
+//! every interval `f(x) = a + b t + c t² + d t³`, `t = x − x_i`. The slopes at the abscissae solve
+//! a tridiagonal system (de Boor, *A Practical Guide to Splines*, ch. IV); periodic ends make it
+//! cyclic. Guaranteed: C² inside, values met to rounding, linear time and memory. Not guaranteed:
+//! monotonicity.
 
 use super::banded::solve_cyclic_tridiagonal;
 
@@ -19,8 +21,8 @@ pub enum Ends {
         /// At the last abscissa.
         end: Vec<f64>,
     },
-    /// The last abscissa is the first one again, one period on: value, first and second derivative agree. The last values
-    /// must equal the first.
+    /// The last abscissa is the first one again, one period on: value, first and second derivative
+    /// agree. The last values must equal the first.
     Periodic,
 }
 
@@ -85,8 +87,8 @@ pub struct CubicSpline {
 }
 
 impl CubicSpline {
-    /// The spline through `values` (`x.len() × functions`, row by row: function `k` at abscissa `i` is
-    /// `values[i * functions + k]`).
+    /// The spline through `values` (`x.len() × functions`, row by row: function `k` at abscissa `i`
+    /// is `values[i * functions + k]`).
     ///
     /// ```
     /// use bladewright::numerics::spline::{CubicSpline, Ends};
@@ -129,7 +131,8 @@ impl CubicSpline {
         self.x.len() - 1
     }
 
-    /// `[a, b, c, d]` of `a + b t + c t² + d t³`, `t = x − abscissae[interval]`; `None` outside the spline.
+    /// `[a, b, c, d]` of `a + b t + c t² + d t³`, `t = x − abscissae[interval]`; `None` outside the
+    /// spline.
     pub fn coefficients(&self, interval: usize, function: usize) -> Option<[f64; 4]> {
         if function >= self.functions {
             return None;
@@ -142,8 +145,8 @@ impl CubicSpline {
         self.x.partition_point(|&a| a <= x).clamp(1, self.x.len() - 1) - 1
     }
 
-    /// Value, first and second derivative of one function (zeros for a function that does not exist). Outside the abscissae
-    /// the end piece goes on; a periodic spline repeats.
+    /// Value, first and second derivative of one function (zeros for a function that does not
+    /// exist). Outside the abscissae the end piece goes on; a periodic spline repeats.
     pub fn derivatives(&self, x: f64, function: usize) -> [f64; 3] {
         let first = self.x[0];
         let period = self.x[self.x.len() - 1] - first;
@@ -197,8 +200,9 @@ fn validate(x: &[f64], values: &[f64], functions: usize, ends: &Ends) -> Result<
     Ok(())
 }
 
-/// Slopes at all abscissae, row by row. Continuity of the second derivative at abscissa `i`, with `h` the lengths and `d` the
-/// divided differences: `m[i-1]/h[i-1] + 2 (1/h[i-1] + 1/h[i]) m[i] + m[i+1]/h[i] = 3 (d[i-1]/h[i-1] + d[i]/h[i])`.
+/// Slopes at all abscissae, row by row. Continuity of the second derivative at abscissa `i`, with
+/// `h` the lengths and `d` the divided differences:
+/// `m[i-1]/h[i-1] + 2 (1/h[i-1] + 1/h[i]) m[i] + m[i+1]/h[i] = 3 (d[i-1]/h[i-1] + d[i]/h[i])`.
 fn slopes(x: &[f64], values: &[f64], f: usize, ends: &Ends) -> Option<Vec<f64>> {
     let n = x.len();
     let g: Vec<f64> = x.windows(2).map(|w| 1.0 / (w[1] - w[0])).collect();
@@ -217,7 +221,8 @@ fn slopes(x: &[f64], values: &[f64], f: usize, ends: &Ends) -> Option<Vec<f64>> 
         s.extend(first);
         return Some(s);
     }
-    // The diagonal is twice the sum of the others in its row, so elimination needs no row exchanges.
+    // The diagonal is twice the sum of the others in its row, so elimination needs no row
+    // exchanges.
     let mut above = Vec::with_capacity(n);
     let mut s = vec![0.0; n * f];
     let given = |at: &[f64], k: usize| at.get(k).copied().unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Convex problems along a line of stages, in linear time: a primal–dual interior-point method whose linear systems are
-//! solved by a Riccati recursion.
+//! Convex problems along a line of stages, in linear time: a primal–dual interior-point method
+//! whose linear systems are solved by a Riccati recursion.
 //!
 //! ```text
 //! minimise  Σ ½ vᵀ H v + fᵀ v      v = (x, u) at every stage, X state components, V − X controls
@@ -7,18 +7,20 @@
 //!           g · v ≤ most           (any number of rows at every stage)
 //! ```
 //!
-//! In: [`Stage`]s, a trajectory that follows the dynamics. Out: [`Solution`]: the trajectory, the multipliers of the rows and
-//! the costates. Method: Mehrotra's predictor and corrector (Nocedal and Wright, *Numerical Optimization*, ch. 16) on slacks
-//! of the rows; each Newton system is a linear-quadratic problem (Rao, Wright and Rawlings 1998, "Application of
-//! interior-point methods to model predictive control", JOTA 99). Because states are kept beside their differences, the
+//! In: [`Stage`]s, a trajectory that follows the dynamics. Out: [`Solution`]: the trajectory, the
+//! multipliers of the rows and the costates. Method: Mehrotra's predictor and corrector (Nocedal
+//! and Wright, *Numerical Optimization*, ch. 16) on slacks of the rows; each Newton system is a
+//! linear-quadratic problem (Rao, Wright and Rawlings 1998, "Application of interior-point methods
+//! to model predictive control", JOTA 99). Because states are kept beside their differences, the
 //! systems stay well conditioned where second differences of thousands of values would not.
 //!
-//! [`Model::refresh`] may change `H`, `f` and the rows after every step: a convex objective that is not quadratic, or
-//! rows that are tangents of curved ones, are then solved by Newton's method in the same iterations.
+//! [`Model::refresh`] may change `H`, `f` and the rows after every step: a convex objective that is
+//! not quadratic, or rows that are tangents of curved ones, are then solved by Newton's method in
+//! the same iterations.
 //!
-//! Guaranteed: the trajectory follows the dynamics; linear time and memory per iteration; the same result on any number of
-//! threads (there is one). Not guaranteed: that rows hold where no trajectory satisfies all: [`Solution::excess`] tells
-//! by how much the worst row is missed.
+//! Guaranteed: the trajectory follows the dynamics; linear time and memory per iteration; the same
+//! result on any number of threads (there is one). Not guaranteed: that rows hold where no
+//! trajectory satisfies all: [`Solution::excess`] tells by how much the worst row is missed.
 
 mod dense;
 
@@ -54,8 +56,8 @@ impl<const X: usize, const V: usize> Default for Stage<X, V> {
 
 /// Changes stages between iterations; `()` changes nothing.
 pub trait Model<const X: usize, const V: usize> {
-    /// Brings stage `index` up to date at `v`, where its rows have these multipliers (before the first step there are none); the number
-    /// of rows must stay.
+    /// Brings stage `index` up to date at `v`, where its rows have these multipliers (before the
+    /// first step there are none); the number of rows must stay.
     fn refresh(&self, index: usize, v: &[f64; V], multipliers: &[f64], stage: &mut Stage<X, V>);
 }
 
@@ -81,7 +83,8 @@ pub struct Options {
     /// The start keeps all rows, and rows that change only widen for an iterate that keeps them.
     /// All iterates then keep all rows, and each of them is an answer.
     pub interior: bool,
-    /// Within the limits and the tolerance it goes on while every step gains much, down to this share of the tolerance.
+    /// Within the limits and the tolerance it goes on while every step gains much, down to this
+    /// share of the tolerance.
     pub further: f64,
 }
 
@@ -100,7 +103,8 @@ impl Default for Options {
     }
 }
 
-/// Within the tolerance, steps that leave less than this share of slack × multiplier are worth making.
+/// Within the tolerance, steps that leave less than this share of slack × multiplier are worth
+/// making.
 const FAST: f64 = 0.2;
 
 /// What was found.
@@ -164,7 +168,8 @@ struct Work<const X: usize, const V: usize> {
     missed: bool,
 }
 
-/// Solves; `start` must follow the dynamics (for the last stage only its own state and controls count).
+/// Solves; `start` must follow the dynamics (for the last stage only its own state and controls
+/// count).
 ///
 /// Returns `None` where lengths do not fit, a number is not finite or the systems cannot be solved.
 pub fn solve<const X: usize, const V: usize>(
@@ -272,7 +277,8 @@ impl<const X: usize, const V: usize> Work<X, V> {
         out
     }
 
-    /// Makes a step of a length along what was found, in the multipliers and the slacks; the trajectory has made it.
+    /// Makes a step of a length along what was found, in the multipliers and the slacks; the
+    /// trajectory has made it.
     fn go(
         &mut self,
         stages: &mut [Stage<X, V>],
@@ -375,8 +381,8 @@ impl<const X: usize, const V: usize> Work<X, V> {
         Some(())
     }
 
-    /// A Newton step towards slack × multiplier = `centre`, with the second-order term of the step before; without a centre, the
-    /// predictor: towards 0, to first order.
+    /// A Newton step towards slack × multiplier = `centre`, with the second-order term of the step
+    /// before; without a centre, the predictor: towards 0, to first order.
     fn step(
         &mut self,
         stages: &[Stage<X, V>],

@@ -1,6 +1,8 @@
-//! Where a path may go, and what ends it: the boundaries of its region as bounds for the ball that touches the part.
+//! Where a path may go, and what ends it: the boundaries of its region as bounds for the ball that
+//! touches the part.
 //!
-//! Another kind of boundary is one more case of [`Bounds::hold`] and [`Bounds::why`]. Turns at constant heights alone count on ends at heights.
+//! Another kind of boundary is one more case of [`Bounds::hold`] and [`Bounds::why`]. Turns at
+//! constant heights alone count on ends at heights.
 
 use super::level::Touch;
 use super::neighbour::STEP_RAD;
@@ -30,7 +32,8 @@ pub enum Stop {
 pub struct Bounds<'a> {
     /// Least and greatest height of the ball centre, mm.
     pub x_mm: [f64; 2],
-    /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge, away from it.
+    /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge,
+    /// away from it.
     pub max_sin_lean: f64,
     /// Where the region ends, its heights and rim besides.
     pub ends: &'a [Boundary],
@@ -86,7 +89,8 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// The highest of the heights at which a region ends, mm: the ball's centre may not go below it; −∞ where there is none.
+/// The highest of the heights at which a region ends, mm: the ball's centre may not go below it; −∞
+/// where there is none.
 pub fn lowest_mm(ends: &[Boundary]) -> f64 {
     let heights = ends.iter().filter_map(|end| match end {
         Boundary::Height(x_mm) => Some(*x_mm),

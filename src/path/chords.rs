@@ -9,10 +9,11 @@ use crate::geometry::triangle::closest_on_segment;
 /// Halvings of the first spacing before a corner is taken as it is.
 const MOST_HALVINGS: u32 = 10;
 
-/// In a hollow chords lie off the part and leave ridges higher than asked for; so much of the tolerance may they do that. Round the part they make ridges lower.
+/// In a hollow chords lie off the part and leave ridges higher than asked for; so much of the
+/// tolerance may they do that. Round the part they make ridges lower.
 const IN_HOLLOWS: f64 = 0.25;
-/// Where the contact goes so many times as far as the ball, it is a hollow edge or hardly rounder than the ball: the path turns there at once, and the nearer it is
-/// followed the slower.
+/// Where the contact goes so many times as far as the ball, it is a hollow edge or hardly rounder
+/// than the ball: the path turns there at once, and the nearer it is followed the slower.
 const EDGE: f64 = 2.0;
 
 /// How far the chord between two touches may lie off the curve, mm.
@@ -30,8 +31,8 @@ struct Chords<'a, F> {
     options: &'a PathOptions,
 }
 
-/// Touches at the places given, which grow, the last one left out, and between them as many as keep the chords within
-/// [`PathOptions::chord_mm`] of the curve `at` of touches with `level`.
+/// Touches at the places given, which grow, the last one left out, and between them as many as keep
+/// the chords within [`PathOptions::chord_mm`] of the curve `at` of touches with `level`.
 ///
 /// # Errors
 /// Those of `at`.
@@ -58,7 +59,8 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
     /// Adds touches strictly between two.
     fn refine(&self, l: (f64, &Touch), r: (f64, &Touch), depth: u32, out: &mut Vec<Touch>) -> Result<()> {
         let length = (r.1.centre - l.1.centre).norm();
-        // No convex bend of the path is tighter than the ball: so short a chord is within the tolerance as it is.
+        // No convex bend of the path is tighter than the ball: so short a chord is within the
+        // tolerance as it is.
         let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm;
         if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
             return Ok(());
@@ -66,7 +68,8 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         let u = 0.5 * (l.0 + r.0);
         let mid = (self.at)(u)?;
         let off = (mid.centre - closest_on_segment(&l.1.centre, &r.1.centre, &mid.centre)).norm();
-        // A long chord over facets may leave the path at its quarters and meet it again in the middle.
+        // A long chord over facets may leave the path at its quarters and meet it again in the
+        // middle.
         let quarter = |f: f64| self.leaves(&(l.1.centre + (r.1.centre - l.1.centre) * f));
         let split =
             off > tolerance_mm(self.level, l.1, r.1, self.options) || (!safe && (quarter(0.25) || quarter(0.75)));
@@ -77,8 +80,8 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         }
         Ok(())
     }
-    /// A place on a chord is further from the surface of ball centres than the tolerance. One closest point tells: where the curve is there is
-    /// not asked.
+    /// A place on a chord is further from the surface of ball centres than the tolerance. One
+    /// closest point tells: where the curve is there is not asked.
     fn leaves(&self, q: &Point) -> bool {
         let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.chord_mm);
         let near = self.level.part.closest(q, radius_mm + 2.0 * chord_mm);

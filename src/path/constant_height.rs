@@ -1,5 +1,5 @@
-//! Turns at constant height: a stack of rings, each as far below the last as the scallop allows at the worst place of the
-//! turn, and the helix that runs from each ring to the next.
+//! Turns at constant height: a stack of rings, each as far below the last as the scallop allows at
+//! the worst place of the turn, and the helix that runs from each ring to the next.
 
 use super::level::LevelSet;
 use super::options::PathOptions;
@@ -17,8 +17,9 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more than its own ring pair
-    // promised: aim lower, measure the helix itself, and aim lower still at the heights where that was not enough.
+    // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more
+    // than its own ring pair promised: aim lower, measure the helix itself, and aim lower still at
+    // the heights where that was not enough.
     let mut aim = Aim::new(0.95 * options.scallop_mm);
     let mut kept = Vec::new();
     let mut best: Option<Toolpath> = None;

@@ -1,29 +1,39 @@
 //! Turns that are one another's constant-scallop neighbours at every point.
 //!
-//! The helix is its own neighbour: with `φ` the number of the turn plus the fraction of the way round, `|∇φ| = 1/d` on the level
-//! set, where `d` is the distance that leaves the scallop `h`. So each turn is laid from the turn beside it, touch by touch ([`super::march`]):
-//! straight across, as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is off by does not add
-//! up: the next is measured against where the last one is.
+//! The helix is its own neighbour: with `φ` the number of the turn plus the fraction of the way
+//! round, `|∇φ| = 1/d` on the level set, where `d` is the distance that leaves the scallop `h`. So
+//! each turn is laid from the turn beside it, touch by touch ([`super::march`]): straight across,
+//! as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is
+//! off by does not add up: the next is measured against where the last one is.
 //!
-//! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp edge over which the ball would only roll (not one that
-//!   runs up the blade and that turns go over), a corner in which it touches two
-//!   walls, or one of them here and another there. Turns are laid down from a ring about the start height, coarsely, to find it: a place that has
-//!   come to the end stays there until all have. The closed curve of those places is the last turn. The ring's contacts, not its ball centres, are at one height: round
-//!   a thin edge that leans, centres at one height send the contact along the edge, and where the end is drawn along a turn all others would do the same.
-//! * **Turns** are laid up from that curve, and run through in the reverse order. So they all run alongside the end, platform or
-//!   edge, however it slants, and none is cut twice. The last turn of the helix comes onto the curve by a smooth ramp
-//!   of 20 stepovers: where it is off by the share `u` of the stepover it leaves `h u²`. The turns above have the same ramp one over the
+//! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp
+//!   edge over which the ball would only roll (not one that runs up the blade and that turns go
+//!   over), a corner in which it touches two walls, or one of them here and another there. Turns
+//!   are laid down from a ring about the start height, coarsely, to find it: a place that has come
+//!   to the end stays there until all have. The closed curve of those places is the last turn. The
+//!   ring's contacts, not its ball centres, are at one height: round a thin edge that leans,
+//!   centres at one height send the contact along the edge, and where the end is drawn along a turn
+//!   all others would do the same.
+//! * **Turns** are laid up from that curve, and run through in the reverse order. So they all run
+//!   alongside the end, platform or edge, however it slants, and none is cut twice. The last turn
+//!   of the helix comes onto the curve by a smooth ramp of 20 stepovers: where it is off by the
+//!   share `u` of the stepover it leaves `h u²`. The turns above have the same ramp one over the
 //!   other, so that only there and only between the last two turns anything is cut twice.
-//! * **Beginning**: the helix begins with the lowest turn that is nowhere under the start height. Where the way up is longer on one side than on the other
-//!   that turn slants: by a whole number of turns no region between two given curves can be cut with one scallop
-//!   everywhere, unless their distance happens to be so many stepovers all round. Places more than [`HIGHEST`] of the region's height
-//!   above the start are not cut but waited at.
-//! * **Touches** of a turn thin out where the lines across the turns draw together and are added where they draw apart; a stretch
-//!   that would run backwards (a front that has folded) is left out.
-//! * **Meshes**: ridges over facets scatter about those of the part they stand for; where they would be too high, the way across is evened out along the turn.
-//! * Where the ball loses the surface on the way down, or places have come to the end and others never do, the end is drawn along the last turn but
-//!   one, which could be left everywhere. Where it loses the surface on the way up too, the helix ends at one of the turns not so far down, unless its end was asked
-//!   for; where that does not help, the turns are those laid down from the start.
+//! * **Beginning**: the helix begins with the lowest turn that is nowhere under the start height.
+//!   Where the way up is longer on one side than on the other that turn slants: by a whole number
+//!   of turns no region between two given curves can be cut with one scallop everywhere, unless
+//!   their distance happens to be so many stepovers all round. Places more than [`HIGHEST`] of the
+//!   region's height above the start are not cut but waited at.
+//! * **Touches** of a turn thin out where the lines across the turns draw together and are added
+//!   where they draw apart; a stretch that would run backwards (a front that has folded) is left
+//!   out.
+//! * **Meshes**: ridges over facets scatter about those of the part they stand for; where they
+//!   would be too high, the way across is evened out along the turn.
+//! * Where the ball loses the surface on the way down, or places have come to the end and others
+//!   never do, the end is drawn along the last turn but one, which could be left everywhere. Where
+//!   it loses the surface on the way up too, the helix ends at one of the turns not so far down,
+//!   unless its end was asked for; where that does not help, the turns are those laid down from the
+//!   start.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -47,32 +57,38 @@ use crate::observe::Observer;
 const COARSER: f64 = 4.0;
 /// The same over the ball radius, at most, unless the path's own is more.
 const COARSEST: f64 = 0.1;
-/// The decisive ridge over the scallop asked for from which on ways over facets are evened out: what is left over the surface, ridges and the ground between
-/// them, is lower then.
+/// The decisive ridge over the scallop asked for from which on ways over facets are evened out:
+/// what is left over the surface, ridges and the ground between them, is lower then.
 const MOST_SCALLOP: f64 = 1.1;
-/// Distance of touches along a turn of the path, on exact faces and over facets: a share of the stepover on flat ground, since turns that go round something as small
-/// as a stepover are shaped by it, ...
+/// Distance of touches along a turn of the path, on exact faces and over facets: a share of the
+/// stepover on flat ground, since turns that go round something as small as a stepover are shaped
+/// by it, ...
 const TOUCHES: [f64; 2] = [0.8, 0.25];
 /// ... the same of the turns that look for the end over facets, ...
 const TOUCHES_SEARCH: f64 = 0.5;
 /// ... and so much turn of the normal where the ball rolls round an edge, rad.
 const TOUCHES_RAD: [f64; 2] = [0.2, 0.125];
-/// The share by which turns of the path are evened before the next is laid. Neighbours of a place that runs ahead do so, too: all of it at once leaves ridges
-/// that are too low, and the next turn swings back.
+/// The share by which turns of the path are evened before the next is laid. Neighbours of a place
+/// that runs ahead do so, too: all of it at once leaves ridges that are too low, and the next turn
+/// swings back.
 const BACK: [f64; 2] = [0.4, 0.3];
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
-/// By so many stepovers places are waited at lower down where turns over the start height lose the surface.
+/// By so many stepovers places are waited at lower down where turns over the start height lose the
+/// surface.
 const WAITING: f64 = 2.0;
-/// Where turns cannot be laid up from the end, they are from a turn not so far down: so many of those that looked for the end are left out ...
+/// Where turns cannot be laid up from the end, they are from a turn not so far down: so many of
+/// those that looked for the end are left out ...
 const LEFT_OUT: [usize; 9] = [0, 1, 3, 5, 8, 12, 18, 27, 40];
 /// ... as long as this share of the mean way from the start height down to the end is cut.
 const LEAST_DEPTH: f64 = 0.7;
-/// What the turns laid up from the end may lean over or lie under the bounds that the end was found by: it lies on them.
+/// What the turns laid up from the end may lean over or lie under the bounds that the end was found
+/// by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
 
-/// Lays the helix from the height `start_x` down. Turns follow facets as they are, which are a part of the shape where they are longer than a stepover; where
-/// ridges scatter too high over them then, or no turns can be laid up from the end, ways are evened out.
+/// Lays the helix from the height `start_x` down. Turns follow facets as they are, which are a part
+/// of the shape where they are longer than a stepover; where ridges scatter too high over them
+/// then, or no turns can be laid up from the end, ways are evened out.
 pub(super) fn plan(
     blade: &Blade,
     level: &LevelSet,
@@ -115,7 +131,8 @@ fn lay(
 ) -> Result<Helix> {
     let mut how = rings::tracing(options);
     let flat_mm = flat_stepover_mm(options.radius_mm, options.scallop_mm);
-    // The ring's altered points, at one of which the path begins, are those of the blade and not of its facets.
+    // The ring's altered points, at one of which the path begins, are those of the blade and not of
+    // its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
     let facets = usize::from(level.is_over_facets());
     let touches_mm = |share: f64| (TOUCHES_RAD[facets] * options.radius_mm).min(share * flat_mm).min(how.max_step_mm);
@@ -125,7 +142,8 @@ fn lay(
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
         flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
-        // Round thin edges of exact faces coarse turns run up the part in folds where they follow each bend: to find the end they need not.
+        // Round thin edges of exact faces coarse turns run up the part in folds where they follow
+        // each bend: to find the end they need not.
         step_mm: if facets == 0 { how.max_step_mm } else { touches_mm(TOUCHES_SEARCH) },
         round_mm: ring.length_mm,
         back: 1.0,
@@ -159,7 +177,8 @@ fn lay(
             let laid = up.lay(up.along(end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;
-            // Over the start height, near the tip, the surface may be lost to places that need not be cut: they are waited at lower down.
+            // Over the start height, near the tip, the surface may be lost to places that need not
+            // be cut: they are waited at lower down.
             let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
             match lower.filter(|x| *x > start_x) {
                 Some(x) => highest = x,
@@ -179,7 +198,8 @@ fn lay(
         let is_finest = k + 1 == tries.len();
         let mut reason = end_reason(blade, &down, options);
         let depth_mm = |end: &[Touch]| start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
-        // A finer search, or ways that are evened out, may find an end from which turns can be laid up. An end that was asked for stays.
+        // A finer search, or ways that are evened out, may find an end from which turns can be laid
+        // up. An end that was asked for stays.
         let may_end_higher = is_finest && evens_ways == (facets == 1) && options.extent.ends.is_empty();
         let mut deepest_mm = 0.0;
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };

@@ -1,5 +1,6 @@
-//! Constant scallop on meshes of round bodies, straight along their axis where a closed form is compared with. Curved profiles are compared with
-//! their closed forms on exact faces, in `tests/closed_forms.rs`: facets a micrometre off would show in a scallop of ten.
+//! Constant scallop on meshes of round bodies, straight along their axis where a closed form is
+//! compared with. Curved profiles are compared with their closed forms on exact faces, in
+//! `tests/closed_forms.rs`: facets a micrometre off would show in a scallop of ten.
 #![allow(clippy::unwrap_used)]
 
 use super::bounds::Bounds;
@@ -56,8 +57,8 @@ fn distances(turn: &[CutterLocation], next: &[CutterLocation]) -> Vec<f64> {
     turn[inner].iter().map(|l| to(&l.centre)).collect()
 }
 
-/// Distance of two ball centres over a part of radius `r` across the passes (positive convex) that leaves [`H`], by bisection of
-/// the two-ball formula.
+/// Distance of two ball centres over a part of radius `r` across the passes (positive convex) that
+/// leaves [`H`], by bisection of the two-ball formula.
 fn closed_form(r: f64) -> f64 {
     let rho = r + R;
     let height = |d: f64| {
@@ -73,8 +74,8 @@ fn closed_form(r: f64) -> f64 {
     low
 }
 
-/// Every distance between inner turns with heights in `within` is the closed form's for radius `r` within 0.25 %, which is 0.5 % of
-/// the scallop.
+/// Every distance between inner turns with heights in `within` is the closed form's for radius `r`
+/// within 0.25 %, which is 0.5 % of the scallop.
 fn assert_constant(path: &Toolpath, r: f64, within: [f64; 2]) {
     let want = closed_form(r);
     let turns = by_turn(path);
@@ -199,7 +200,8 @@ fn an_upright_sharp_edge_that_turns_go_over_aslant_ends_nothing() {
 
 #[test]
 fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
-    // An oval with edges of 0.04 mm radius that leans over flat: ball centres of one height touch its sides 2 mm apart.
+    // An oval with edges of 0.04 mm radius that leans over flat: ball centres of one height touch
+    // its sides 2 mm apart.
     let blade = turned(400, &rows(60.0, 1.0), |x, s, c| [20.0 * c, 0.9 * s + 0.3 * x]);
     let o = options(30.0, None);
     let level =
@@ -232,7 +234,8 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
 
 #[test]
 fn where_a_side_alone_comes_to_the_end_it_is_drawn_along_the_turn_that_is_there() {
-    // A round bar that stands on a fillet of 12 mm and a block on one side, and goes on down on the other.
+    // A round bar that stands on a fillet of 12 mm and a block on one side, and goes on down on the
+    // other.
     let block = |c: f64| {
         let u = ((c + 0.2) / 0.8).clamp(0.0, 1.0);
         u * u * (3.0 - 2.0 * u)
@@ -249,7 +252,8 @@ fn where_a_side_alone_comes_to_the_end_it_is_drawn_along_the_turn_that_is_there(
     let d = flat_stepover_mm(R, H);
     let end = turns[turns.len() - 1];
     assert!(end.iter().any(|l| l.normal.x > 0.8), "the end runs over the block");
-    // In the fillet centres lie as near to one another as 0.7 of what they do on the flat; where turns waited, they would lie on each other.
+    // In the fillet centres lie as near to one another as 0.7 of what they do on the flat; where
+    // turns waited, they would lie on each other.
     let all: Vec<f64> = (1..turns.len() - 2).flat_map(|k| distances(turns[k], turns[k + 1])).collect();
     let near = all.iter().filter(|a| **a < 0.5 * d).count();
     assert!(near * 50 < all.len(), "{near} of {} places nearer to the next turn than half of {d}", all.len());
@@ -296,7 +300,8 @@ fn leaning_oval_is_the_same_turned_and_mirrored() {
     };
     let laid = |mirror: f64, turn: f64| {
         let build = section(mirror, turn);
-        // A mirrored outline is run through the other way, so that it still winds counter-clockwise.
+        // A mirrored outline is run through the other way, so that it still winds
+        // counter-clockwise.
         let blade = turned(900, &rows(60.0, 2.0), |x, s, c| build(x, mirror * s, c));
         plan(&blade, &options(20.0, Some(10.0)), &Silent).unwrap()
     };

@@ -6,8 +6,9 @@ use super::options::PathOptions;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
-/// A curve on the level set through touches: between two of them a cubic with their tangents, brought onto the level set
-/// across its own direction. A place along it is the number of the touch before it plus the share of the way to the next.
+/// A curve on the level set through touches: between two of them a cubic with their tangents,
+/// brought onto the level set across its own direction. A place along it is the number of the touch
+/// before it plus the share of the way to the next.
 pub struct Curve<'a> {
     /// The level set.
     pub level: &'a LevelSet<'a>,
@@ -27,8 +28,9 @@ pub fn arc_lengths<'p>(points: impl Iterator<Item = &'p Point>) -> Vec<f64> {
     points.map(length).collect()
 }
 
-/// Unit directions of the curve through touches, given those before the first and after the last where there are any: those
-/// of the parabola through three neighbours, within the tangent plane of the level set.
+/// Unit directions of the curve through touches, given those before the first and after the last
+/// where there are any: those of the parabola through three neighbours, within the tangent plane of
+/// the level set.
 pub fn tangents(before: Option<&Point>, touches: &[Touch], after: Option<&Point>) -> Vec<Vector> {
     let n = touches.len();
     let centre = |i: usize| &touches[i].centre;
@@ -101,15 +103,16 @@ impl Curve<'_> {
             .try_normalize(1e-12)
             .and_then(|t| self.level.touch_across(&guess, &t, reach))
             .or_else(|| self.level.touch(&(a.centre + chord * f), reach))?;
-        // Through places at the region's end, and others that are held up above it, a smooth curve swings beyond it.
+        // Through places at the region's end, and others that are held up above it, a smooth curve
+        // swings beyond it.
         let lowest_mm = self.level.lowest_mm;
         let swings = touch.centre.x < lowest_mm;
         let at_end = Point::new(lowest_mm, touch.centre.y, touch.centre.z);
         swings.then(|| self.level.touch_in_plane(&at_end, reach)).flatten().or(Some(touch))
     }
 
-    /// Places evenly shared, from the first touch to the last: near enough for the chord tolerance where the curve bends, and
-    /// nowhere farther apart than the greatest step.
+    /// Places evenly shared, from the first touch to the last: near enough for the chord tolerance
+    /// where the curve bends, and nowhere farther apart than the greatest step.
     pub fn places(&self, options: &PathOptions) -> Vec<f64> {
         let pieces = self.touches.len() - 1;
         let mut steps = Vec::with_capacity(pieces + 1);
@@ -119,7 +122,8 @@ impl Curve<'_> {
             let length = (self.touches[i + 1].centre - self.touches[i].centre).norm();
             let bend = self.tangents[i].angle(&self.tangents[i + 1]);
             let chord_mm = chords::tolerance_mm(self.level, &self.touches[i], &self.touches[i + 1], options);
-            // The sagitta of a chord `c` where the curve turns by `bend` over `length` is c² bend / (8 length).
+            // The sagitta of a chord `c` where the curve turns by `bend` over `length` is c² bend /
+            // (8 length).
             let bent = (0.9 * 8.0 * chord_mm * length / bend.max(1e-9)).sqrt();
             total += length / bent.min(options.max_step_mm).max(1e-9);
             steps.push(total);

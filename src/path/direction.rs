@@ -1,8 +1,10 @@
-//! The same turns the other way: from the end of the region up, still counter-clockwise seen from the tip.
+//! The same turns the other way: from the end of the region up, still counter-clockwise seen from
+//! the tip.
 //!
-//! A helix that is laid down the mirror image of the part, mirrored back, runs clockwise downwards; run backwards, it runs
-//! counter-clockwise upwards. So every kind of path is turned round without knowing of it, and the stages that follow, which count on
-//! counter-clockwise turns, need not know either.
+//! A helix that is laid down the mirror image of the part, mirrored back, runs clockwise downwards;
+//! run backwards, it runs counter-clockwise upwards. So every kind of path is turned round without
+//! knowing of it, and the stages that follow, which count on counter-clockwise turns, need not know
+//! either.
 
 use super::helix;
 use super::level::Touch;

@@ -1,8 +1,10 @@
 //! A turn kept even before the next is laid from it.
 //!
-//! Laid touch by touch, a turn keeps every corner of the one before: where two of its sides run towards one another, they meet in an edge, and over facets
-//! the ways scatter. So a place that runs ahead of the smooth curve through its neighbours is brought back towards it. None is brought forward: no ridge
-//! becomes higher than asked for, and what a place loses, the next turn makes good.
+//! Laid touch by touch, a turn keeps every corner of the one before: where two of its sides run
+//! towards one another, they meet in an edge, and over facets the ways scatter. So a place that
+//! runs ahead of the smooth curve through its neighbours is brought back towards it. None is
+//! brought forward: no ridge becomes higher than asked for, and what a place loses, the next turn
+//! makes good.
 
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
@@ -23,7 +25,8 @@ const MOST: f64 = 0.4;
 const AHEAD: f64 = 1e-3;
 
 impl March<'_> {
-    /// Width of the bell over which a turn is evened: the stepover on flat ground or the step between touches, whichever is longer, mm.
+    /// Width of the bell over which a turn is evened: the stepover on flat ground or the step
+    /// between touches, whichever is longer, mm.
     fn even_mm(&self) -> f64 {
         self.flat_mm.max(self.step_mm)
     }
@@ -33,8 +36,8 @@ impl March<'_> {
         REACH * self.even_mm()
     }
 
-    /// The turn with its touches that run ahead brought back; `before` ends with the touch that the turn begins with, which stays, and `after`
-    /// goes on from its last.
+    /// The turn with its touches that run ahead brought back; `before` ends with the touch that the
+    /// turn begins with, which stays, and `after` goes on from its last.
     pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
         let width_mm = self.even_mm();
         let lead = before.len().saturating_sub(1);

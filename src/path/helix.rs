@@ -59,7 +59,8 @@ pub fn closed(level: &LevelSet, ring: &Ring, options: &PathOptions) -> Result<Ve
     Ok(locations)
 }
 
-/// Makes the helix through at least two rings; also the decisive ridge between each turn and the next, mm.
+/// Makes the helix through at least two rings; also the decisive ridge between each turn and the
+/// next, mm.
 pub fn blend(
     level: &LevelSet,
     stack: &Stack,
@@ -85,8 +86,8 @@ pub fn blend(
     Ok((path, ridges.into_iter().map(|r| decisive_mm(level, r)).collect()))
 }
 
-/// The toolpath of finished turns, each without the touch that the next begins with, and the ridges between each turn and
-/// the next, mm.
+/// The toolpath of finished turns, each without the touch that the next begins with, and the ridges
+/// between each turn and the next, mm.
 pub fn assemble(
     level: &LevelSet,
     options: &PathOptions,
@@ -168,8 +169,9 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The nearest point of an open polyline of centres with these arc lengths; `at` is the segment of the last answer, and of this. `None` where it is an
-/// end of the polyline: the path goes on there, its nearest place is on another turn.
+/// The nearest point of an open polyline of centres with these arc lengths; `at` is the segment of
+/// the last answer, and of this. `None` where it is an end of the polyline: the path goes on there,
+/// its nearest place is on another turn.
 fn nearest_between_ends(turn: &[Touch], s_mm: &[f64], q: &Point, at: &mut usize) -> Option<Point> {
     let (first, last) = (turn.first()?.centre, turn.last()?.centre);
     let on = |i: usize| closest_on_segment(&turn[i].centre, &turn[i + 1].centre, q);

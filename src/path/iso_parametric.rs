@@ -1,9 +1,11 @@
 //! Turns at equal parts of the way from the start to the end of the region.
 //!
-//! Places round the blade are named by the fraction `u` of the length of a ring. The places of the same name on a stack of rings
-//! ([`super::rings`]) make a *meridian*, measured along the surface of ball centres; turn `k` of `n` lies at the part `(k + u)/n` of
-//! the meridian `u`. So the way down is shared evenly at each place, and turns draw apart where it is long: the number of turns is
-//! the least whose worst ridge is within the scallop, found by laying them, since a ridge falls as the square of the number.
+//! Places round the blade are named by the fraction `u` of the length of a ring. The places of the
+//! same name on a stack of rings ([`super::rings`]) make a *meridian*, measured along the surface
+//! of ball centres; turn `k` of `n` lies at the part `(k + u)/n` of the meridian `u`. So the way
+//! down is shared evenly at each place, and turns draw apart where it is long: the number of turns
+//! is the least whose worst ridge is within the scallop, found by laying them, since a ridge falls
+//! as the square of the number.
 
 use rayon::prelude::*;
 
@@ -27,7 +29,8 @@ struct Meridians<'a> {
 }
 
 impl Meridians<'_> {
-    /// The point at the part `share` of the meridian through the fraction `u` of the rings, on chords between them.
+    /// The point at the part `share` of the meridian through the fraction `u` of the rings, on
+    /// chords between them.
     fn point(&self, u: f64, share: f64) -> Point {
         let points: Vec<Point> = self.rings.iter().map(|r| r.at(u)).collect();
         let whole: f64 = points.windows(2).map(|w| (w[1] - w[0]).norm()).sum();

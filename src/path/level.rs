@@ -1,4 +1,5 @@
-//! Points of the `R` level set of the distance to the whole part, sought along its gradient or within a plane.
+//! Points of the `R` level set of the distance to the whole part, sought along its gradient or
+//! within a plane.
 
 use super::rim::Rim;
 use crate::geometry::allowance::Allowed;
@@ -41,11 +42,13 @@ pub struct LevelSet<'a> {
     pub radius_mm: f64,
     /// Where the airfoil ends without a platform.
     pub rim: Option<&'a Rim>,
-    /// Height below which the ball's centre may not go, mm: the end of the region that was asked for, or −∞.
+    /// Height below which the ball's centre may not go, mm: the end of the region that was asked
+    /// for, or −∞.
     pub lowest_mm: f64,
 }
 
-/// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance in use.
+/// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance
+/// in use.
 const ON_LEVEL_MM: f64 = 1e-6;
 /// Newton steps before giving up; smooth places need 3, concave creases converge linearly.
 const MAX_STEPS: usize = 60;
@@ -61,23 +64,26 @@ impl LevelSet<'_> {
         self.touch_across(guess, &Vector::x(), reach_mm)
     }
 
-    /// Moves a guess onto the level set along the gradient of the distance, `∇d = (q − foot)/|q − foot|`. `None` where the guess
-    /// would have to move by more than `reach_mm`.
+    /// Moves a guess onto the level set along the gradient of the distance,
+    /// `∇d = (q − foot)/|q − foot|`. `None` where the guess would have to move by more than
+    /// `reach_mm`.
     pub fn touch(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
         self.newton(guess, &Vector::zeros(), reach_mm)
     }
 
-    /// Moves a guess within the plane through it across the unit vector `along` onto the level set by Newton steps along
-    /// the in-plane gradient of the distance. In a concave crease, where two feet compete, the steps alternate between them
-    /// and converge to the place where neither is nearer than `R`.
+    /// Moves a guess within the plane through it across the unit vector `along` onto the level set
+    /// by Newton steps along the in-plane gradient of the distance. In a concave crease, where two
+    /// feet compete, the steps alternate between them and converge to the place where neither is
+    /// nearer than `R`.
     ///
-    /// `None` where the guess would have to move by more than `reach_mm` or where the wall leans over so much that
-    /// the plane runs along it.
+    /// `None` where the guess would have to move by more than `reach_mm` or where the wall leans
+    /// over so much that the plane runs along it.
     pub fn touch_across(&self, guess: &Point, along: &Vector, reach_mm: f64) -> Option<Touch> {
         self.newton(guess, along, reach_mm)
     }
 
-    /// Newton steps along the gradient less its part along `without`, which is a unit vector or nothing.
+    /// Newton steps along the gradient less its part along `without`, which is a unit vector or
+    /// nothing.
     fn newton(&self, guess: &Point, without: &Vector, reach_mm: f64) -> Option<Touch> {
         let mut q = *guess;
         for _ in 0..MAX_STEPS {
@@ -93,7 +99,8 @@ impl LevelSet<'_> {
             if slope < 0.05 {
                 return None;
             }
-            // A step is exact on a plane; a ball's curvature asks for repetition. Limiting it keeps far feet from throwing q.
+            // A step is exact on a plane; a ball's curvature asks for repetition. Limiting it keeps
+            // far feet from throwing q.
             let step = (residual / slope).clamp(-0.5 * self.radius_mm, 0.5 * self.radius_mm);
             q += gradient * (step / slope);
             if (q - guess).norm() > reach_mm {

@@ -14,24 +14,28 @@ use crate::geometry::{Point, Vector};
 const MOST_TURNS: usize = 20_000;
 /// Ways shorter than this share of the flat stepover are none: the ball is stuck.
 const STUCK: f64 = 1e-2;
-/// Length of the ramp from a turn to the next, in stepovers on flat ground: steep enough to be short, and so gentle that the path tilts by
-/// less than 6° and its radius in the surface is over 60 stepovers.
+/// Length of the ramp from a turn to the next, in stepovers on flat ground: steep enough to be
+/// short, and so gentle that the path tilts by less than 6° and its radius in the surface is over
+/// 60 stepovers.
 const RAMP_STEPOVERS: f64 = 20.0;
 /// Nodes of the closed ring that are left by less than this share of a stepover stay.
 pub(super) const LEAST_SHARE: f64 = 1e-3;
 
 /// Moves, each of a stepover at most, of a place of a ring to the height of the others' contacts.
 const MOST_MOVES: usize = 60;
-/// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at a place.
+/// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at
+/// a place.
 const LEAST_PART: f64 = 0.05;
-/// Islands in the end that are narrower than so many stepovers of the turns that look for it are passed by. Never wider than two
-/// radii: so far apart are balls on both sides of a thin part.
+/// Islands in the end that are narrower than so many stepovers of the turns that look for it are
+/// passed by. Never wider than two radii: so far apart are balls on both sides of a thin part.
 const ISLAND: f64 = 2.0;
-/// A turn so many times as long as the first, or as the ring at the start height, runs to and fro beside places that the ball cannot follow.
+/// A turn so many times as long as the first, or as the ring at the start height, runs to and fro
+/// beside places that the ball cannot follow.
 const TOO_LONG: f64 = 5.0;
 /// A turn shorter than this share of the one before has lost a part of the way round.
 const TOO_SHORT: f64 = 0.6;
-/// Turns that may come no nearer to the end before one is drawn where none was given, and before a given one counts as out of reach.
+/// Turns that may come no nearer to the end before one is drawn where none was given, and before a
+/// given one counts as out of reach.
 const PATIENCE: [usize; 2] = [3, 100];
 
 /// A touch of a turn, with how it came from the turn before.
@@ -82,7 +86,8 @@ impl Rest {
         Rest { patience, least_mm: f64::INFINITY, since: 0 }
     }
 
-    /// Whether, with one more turn, it has not become less for too long though some of it is at the end.
+    /// Whether, with one more turn, it has not become less for too long though some of it is at the
+    /// end.
     fn stays(&mut self, turn: &[Node]) -> bool {
         let length = |w: &[Node]| (w[1].touch.centre - w[0].touch.centre).norm();
         let whole_mm: f64 = turn.windows(2).map(length).sum();
@@ -97,7 +102,8 @@ impl Rest {
     }
 }
 
-/// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise seen from the tip, else up.
+/// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise
+/// seen from the tip, else up.
 #[derive(Clone)]
 pub(super) struct March<'a> {
     pub(super) across: Across<'a>,
@@ -107,20 +113,24 @@ pub(super) struct March<'a> {
     pub(super) flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub(super) step_mm: f64,
-    /// Way round the part at the start height, mm: the end may run round no more than a corner of it.
+    /// Way round the part at the start height, mm: the end may run round no more than a corner of
+    /// it.
     pub(super) round_mm: f64,
-    /// The share of what a place of a turn runs ahead of its neighbours by which it is brought back before the next turn is laid.
+    /// The share of what a place of a turn runs ahead of its neighbours by which it is brought back
+    /// before the next turn is laid.
     pub(super) back: f64,
     /// Whether ways that scatter over facets are evened out along a turn.
     pub(super) evens_ways: bool,
-    /// Whether the turns are those of the path, on a surface over which turns went already: a place where a wall or an edge stops the ball is a burr there,
-    /// and passed by where the turn goes on close to both sides of it.
+    /// Whether the turns are those of the path, on a surface over which turns went already: a place
+    /// where a wall or an edge stops the ball is a burr there, and passed by where the turn goes on
+    /// close to both sides of it.
     pub(super) is_path: bool,
 }
 
 impl March<'_> {
-    /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end is `open`, and some places have come to a
-    /// wall or an edge but no more do, the end is drawn at the height that the others have then.
+    /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end
+    /// is `open`, and some places have come to a wall or an edge but no more do, the end is drawn
+    /// at the height that the others have then.
     pub(super) fn find_end(&self, ring: &[Touch], open: bool, progress: &dyn Fn(f64) -> Result<()>) -> Result<Laid> {
         let mut rest = Rest::new(PATIENCE[usize::from(!open)]);
         let mut laid = self.lay(self.along(ring), progress, |turn| rest.stays(turn))?;
@@ -128,7 +138,8 @@ impl March<'_> {
             return Ok(laid);
         }
         laid.turns.truncate(laid.turns.len().saturating_sub(rest.since).max(2));
-        // Over facets a place comes to a wall here and its neighbour slips by: such a front is left as far as it came.
+        // Over facets a place comes to a wall here and its neighbour slips by: such a front is left
+        // as far as it came.
         if open && !self.across.level.is_over_facets() {
             let mut to_height = self.clone();
             to_height.across.bounds.x_mm[0] =
@@ -142,9 +153,11 @@ impl March<'_> {
         Ok(laid)
     }
 
-    /// The end as a closed curve, in the direction of the turns: the last turn where it runs along the end all the way, else the last but one,
-    /// closed. From where the turn before begins the next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where turns follow one
-    /// another at the end already, while the rest is not, a finer search tells better where it is, unless this one `is_finest`; over facets evened ways do.
+    /// The end as a closed curve, in the direction of the turns: the last turn where it runs along
+    /// the end all the way, else the last but one, closed. From where the turn before begins the
+    /// next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where
+    /// turns follow one another at the end already, while the rest is not, a finer search tells
+    /// better where it is, unless this one `is_finest`; over facets evened ways do.
     pub(super) fn end_of(&self, turns: &[Vec<Node>], is_finest: bool) -> Option<Vec<Touch>> {
         if are_at_the_end(turns) {
             return turns.last().map(|last| self.smooth_end(&last[1..]));
@@ -162,8 +175,9 @@ impl March<'_> {
         Some(self.smooth_end(&on.chain([turn[last]]).collect::<Vec<_>>()))
     }
 
-    /// The end's touches. Over facets single ones stop the ball, and the end goes round them; turns that were laid round such an island in their turn would run into one
-    /// another: it is passed by.
+    /// The end's touches. Over facets single ones stop the ball, and the end goes round them; turns
+    /// that were laid round such an island in their turn would run into one another: it is passed
+    /// by.
     fn smooth_end(&self, end: &[Node]) -> Vec<Touch> {
         let touches = |nodes: &[Node]| nodes.iter().map(|n| n.touch).collect();
         if !self.across.level.is_over_facets() {
@@ -173,7 +187,8 @@ impl March<'_> {
         touches(&Overrun::of(&[], end, std::iter::empty()).without_islands(width_mm))
     }
 
-    /// A ring moved up or down the part until its contacts are all at their mean height. `None` where the surface does not let it.
+    /// A ring moved up or down the part until its contacts are all at their mean height. `None`
+    /// where the surface does not let it.
     pub(super) fn at_one_contact_height(&self, ring: &[Touch]) -> Option<Vec<Touch>> {
         let n = ring.len();
         let height_mm = ring.iter().map(|t| t.contact.x).sum::<f64>() / n as f64;
@@ -200,7 +215,8 @@ impl March<'_> {
         vec![self.tidy(ring.iter().chain(ring.first()).map(node).collect())]
     }
 
-    /// Lays turns after the ones there until `enough` says so of the last, or it runs along the end all the way, or the surface is lost.
+    /// Lays turns after the ones there until `enough` says so of the last, or it runs along the end
+    /// all the way, or the surface is lost.
     pub(super) fn lay(
         &self,
         turns: Vec<Vec<Node>>,
@@ -219,7 +235,8 @@ impl March<'_> {
                 }
                 Ok(next) => laid.turns.push(next),
                 Err(lost) => {
-                    // The turn before the loss has gone as far as the ball could, past where its neighbours can follow.
+                    // The turn before the loss has gone as far as the ball could, past where its
+                    // neighbours can follow.
                     if laid.turns.len() > 3 {
                         laid.turns.pop();
                     }
@@ -238,11 +255,13 @@ impl March<'_> {
         Ok(laid)
     }
 
-    /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`: where the ball cannot go on.
+    /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`:
+    /// where the ball cannot go on.
     fn next_turn(&self, before: Option<&Vec<Node>>, turn: &mut Vec<Node>) -> std::result::Result<Vec<Node>, Point> {
         // The end of a closed turn comes before its own beginning.
         let tail = self.tail(before.unwrap_or(turn)).to_vec();
-        // Beside a ring the ramp brings a turn as near to it as it likes: to bring it back would be to go beyond the end.
+        // Beside a ring the ramp brings a turn as near to it as it likes: to bring it back would be
+        // to go beyond the end.
         if let Some(before) = before.filter(|b| !is_ring(b)) {
             let head = self.head(before, turn);
             self.even_front(&tail, turn, &head);
@@ -271,7 +290,8 @@ impl March<'_> {
             self.leave_out_burrs(&mut next);
         }
         let kept = self.without_folds(&tail[..tail.len() - 1], turn, &along, &next)?;
-        // On exact faces stretches that run into one another are found by their neighbours; a turn round a thin edge may seem to cross itself there.
+        // On exact faces stretches that run into one another are found by their neighbours; a turn
+        // round a thin edge may seem to cross itself there.
         let whole = if self.across.level.is_over_facets() {
             Overrun::of(&[], &kept, std::iter::empty()).without_loops()
         } else {
@@ -287,7 +307,8 @@ impl March<'_> {
         &turn[s_mm.partition_point(|s| *s < whole - self.look_mm())..]
     }
 
-    /// The beginning of the turn after `turn`, as long as the evening of a front looks; its first touch, the last of `turn`, left out.
+    /// The beginning of the turn after `turn`, as long as the evening of a front looks; its first
+    /// touch, the last of `turn`, left out.
     fn head(&self, before: &[Node], turn: &[Node]) -> Vec<Node> {
         let count = arc_lengths(turn).partition_point(|s| *s <= self.look_mm());
         let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
@@ -321,8 +342,10 @@ impl March<'_> {
     }
 }
 
-/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous curvature over the ramp's length. Round a thin edge the ball's
-/// centre goes a long way and its contact hardly any: a ramp there would send every contact along the edge, so the shorter of the two ways counts.
+/// Shares of the stepover by which a turn leaves the ring before it: from 0 to 1 with continuous
+/// curvature over the ramp's length. Round a thin edge the ball's centre goes a long way and its
+/// contact hardly any: a ramp there would send every contact along the edge, so the shorter of the
+/// two ways counts.
 fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
     let way_mm = |a: &Touch, b: &Touch| (b.centre - a.centre).norm().min((b.contact - a.contact).norm());
     let mut at_mm = 0.0;

@@ -3,36 +3,43 @@
 //! In: a [`Blade`] and [`PathOptions`]. Out: a [`Toolpath`].
 //!
 //! ## Method
-//! The centre of a ball that touches the part without cutting into it lies on the `R` level set of the distance to
-//! the whole part: airfoil, fillet and platform alike. *Rings* are that set's closed curves at constant height
-//! (`ring`). The helix (`helix`) runs from each of a stack of curves to the next, at the fraction `u` of the way round
-//! `(1 − u)` of the one and `u` of the other, and every one of its locations is brought onto the level set again, so the
-//! curves only guide it. It runs down from the airfoil towards the platform, counter-clockwise seen from the tip. How the
-//! curves of the stack lie is the [`PathKind`], one file each:
+//! The centre of a ball that touches the part without cutting into it lies on the `R` level set of
+//! the distance to the whole part: airfoil, fillet and platform alike. *Rings* are that set's
+//! closed curves at constant height (`ring`). The helix (`helix`) runs from each of a stack of
+//! curves to the next, at the fraction `u` of the way round `(1 − u)` of the one and `u` of the
+//! other, and every one of its locations is brought onto the level set again, so the curves only
+//! guide it. It runs down from the airfoil towards the platform, counter-clockwise seen from the
+//! tip. How the curves of the stack lie is the [`PathKind`], one file each:
 //!
-//! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop allows at the worst place
-//!   of the turn, the scallop being measured on the part (`stepover`), not derived from curvature.
-//! * [`PathKind::IsoParametric`] (`iso_parametric`): equal parts of the way from start to end at each place round the blade.
-//! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid from the turn beside it, touch by
-//!   touch, straight across, as far as leaves the scallop (`neighbour`). The last turn runs along the end of the region, the others alongside
-//!   it, and the first is the lowest that is nowhere under the start height.
+//! * [`PathKind::ConstantHeight`] (`constant_height`): rings, with a pitch as large as the scallop
+//!   allows at the worst place of the turn, the scallop being measured on the part (`stepover`),
+//!   not derived from curvature.
+//! * [`PathKind::IsoParametric`] (`iso_parametric`): equal parts of the way from start to end at
+//!   each place round the blade.
+//! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid
+//!   from the turn beside it, touch by touch, straight across, as far as leaves the scallop
+//!   (`neighbour`). The last turn runs along the end of the region, the others alongside it, and
+//!   the first is the lowest that is nowhere under the start height.
 //!
-//! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`). With
-//! [`PathOptions::stock_mm`], all this is on the part with so much stock on it ([`crate::geometry::allowance`]).
+//! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`).
+//! With [`PathOptions::stock_mm`], all this is on the part with so much stock on it
+//! ([`crate::geometry::allowance`]).
 //!
-//! Turns begin at a *base point*, the concave–convex altered point where the path enters the greatest concave stretch
-//! (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade milling), or the altered point nearest to the trailing edge
-//! ([`PathOptions::start_near`]); on a convex airfoil, at the point furthest along `y`, or the one nearest to the trailing edge.
+//! Turns begin at a *base point*, the concave–convex altered point where the path enters the
+//! greatest concave stretch (Section 2.1 of the paper on S–θ re-scheduling for four-axis blade
+//! milling), or the altered point nearest to the trailing edge ([`PathOptions::start_near`]); on a
+//! convex airfoil, at the point furthest along `y`, or the one nearest to the trailing edge.
 //!
 //! ## Guarantees
-//! Every location is within 1e-6 mm of the level set. The straight move between two locations stays within
-//! `chord_mm` of it, in smooth hollows of exact faces within a quarter of that, measured at its middle and, where it is long, at its quarters. The scallop between turns, measured at
-//! every location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
+//! Every location is within 1e-6 mm of the level set. The straight move between two locations stays
+//! within `chord_mm` of it, in smooth hollows of exact faces within a quarter of that, measured at
+//! its middle and, where it is long, at its quarters. The scallop between turns, measured at every
+//! location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
 //!
 //! ## Limits
-//! The helix ends where a wall leans towards the tip by more than [`PathOptions::max_lean_rad`]; turns at constant height leave too much
-//! beyond it. With those the scallop is at or under the limit everywhere, not constant along a turn. With constant
-//! scallop turns slant as the end does.
+//! The helix ends where a wall leans towards the tip by more than [`PathOptions::max_lean_rad`];
+//! turns at constant height leave too much beyond it. With those the scallop is at or under the
+//! limit everywhere, not constant along a turn. With constant scallop turns slant as the end does.
 
 mod bounds;
 mod chords;
@@ -74,8 +81,8 @@ use rim::Rim;
 /// Lays the helix.
 ///
 /// # Errors
-/// Kind `Usage` for options out of their limits; kind `Infeasible` where no ball of this radius goes round the airfoil,
-/// with the place; kind `Cancelled`.
+/// Kind `Usage` for options out of their limits; kind `Infeasible` where no ball of this radius
+/// goes round the airfoil, with the place; kind `Cancelled`.
 pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     validate(blade, options)?;
     match options.direction {
@@ -98,8 +105,8 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
     }
 }
 
-/// One closed loop of ball centres round the airfoil at the height `x_mm`, counter-clockwise seen from the tip, its chords within
-/// the tolerance; the first location is not repeated.
+/// One closed loop of ball centres round the airfoil at the height `x_mm`, counter-clockwise seen
+/// from the tip, its chords within the tolerance; the first location is not repeated.
 ///
 /// # Errors
 /// As [`plan`].
@@ -111,13 +118,15 @@ pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<Cutt
     helix::closed(&level, &ring, options)
 }
 
-/// Where the path begins, mm along the blade axis: given, or far enough above the platform for the root region.
+/// Where the path begins, mm along the blade axis: given, or far enough above the platform for the
+/// root region.
 ///
-/// The root region is taken as the lowest 30 % of the airfoil, at least three ball radii and at most 40 mm: what the
-/// wide-line operation of the airfoil cannot reach because of the platform.
+/// The root region is taken as the lowest 30 % of the airfoil, at least three ball radii and at
+/// most 40 mm: what the wide-line operation of the airfoil cannot reach because of the platform.
 ///
 /// # Errors
-/// Kind `Usage` where the region begins at a curve that is at no height: the first turn is laid at one.
+/// Kind `Usage` where the region begins at a curve that is at no height: the first turn is laid at
+/// one.
 fn start_height(blade: &Blade, options: &PathOptions) -> Result<f64> {
     match &options.extent.start {
         Some(Boundary::Height(x_mm)) => Ok(*x_mm),

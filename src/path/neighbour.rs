@@ -1,10 +1,11 @@
-//! The constant-scallop neighbour of a place of a path: the place on the level set, straight across from it, between
-//! which and it the ridge has the height asked for.
+//! The constant-scallop neighbour of a place of a path: the place on the level set, straight across
+//! from it, between which and it the ridge has the height asked for.
 //!
-//! *Across* is the plane through the ball centre perpendicular to the path. The level set meets it in a curve; the ridge
-//! grows along that curve about as the square of the way, so the way `w` is found by `w ← w √(h / ridge)`, kept within what
-//! is known to be too little and too much. Where the curve turns fast (a fillet hardly larger than the ball) or has
-//! a corner (one smaller than the ball) it is walked in short steps instead, and from a corner on along the other wall.
+//! *Across* is the plane through the ball centre perpendicular to the path. The level set meets it
+//! in a curve; the ridge grows along that curve about as the square of the way, so the way `w` is
+//! found by `w ← w √(h / ridge)`, kept within what is known to be too little and too much. Where
+//! the curve turns fast (a fillet hardly larger than the ball) or has a corner (one smaller than
+//! the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
 use super::bounds::{Bounds, Stop};
 use super::level::{LevelSet, Touch};
@@ -15,8 +16,9 @@ use crate::geometry::{Point, Vector};
 const STRAIGHT_RAD: f64 = 0.5;
 /// Turn of the normal in a step of a walk, rad.
 pub(super) const STEP_RAD: f64 = 0.15;
-/// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces and over facets, where touches lie nearer to one another and
-/// what a way is off by turns the next.
+/// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces
+/// and over facets, where touches lie nearer to one another and what a way is off by turns the
+/// next.
 const GOOD: [f64; 2] = [5e-4, 1e-4];
 /// Ways this near are right after one more step by the law of squares.
 const NEARLY: [f64; 2] = [0.02, 0.004];
@@ -24,22 +26,25 @@ const NEARLY: [f64; 2] = [0.02, 0.004];
 const MOST_TRIES: usize = 14;
 /// Steps of a walk before it is given up.
 const MOST_STEPS: usize = 400;
-/// Round an edge the contact moves, across the edge, by less than this share of what the centre does: its radius is under a hundredth of
-/// the ball's.
+/// Round an edge the contact moves, across the edge, by less than this share of what the centre
+/// does: its radius is under a hundredth of the ball's.
 const STILL: f64 = 0.01;
-/// Turn of the normal about one contact from which on an edge ends a path, rad, on exact faces and on a mesh: less are the edges between
-/// faces, and facets over curved ones.
+/// Turn of the normal about one contact from which on an edge ends a path, rad, on exact faces and
+/// on a mesh: less are the edges between faces, and facets over curved ones.
 const SHARP_RAD: [f64; 2] = [0.6, 1.0];
 /// Turns by which the ball is rolled on to see whether it rolls, rad, and how often.
 const ON_RAD: f64 = 0.1;
 const MOST_ROLL: usize = 12;
-/// Round the end of an edge, where it curves itself, by less than this share in all, on exact faces and on a mesh, where it does not curve.
+/// Round the end of an edge, where it curves itself, by less than this share in all, on exact faces
+/// and on a mesh, where it does not curve.
 const ROUND: [f64; 2] = [0.15, STILL];
 /// The least share of the way to a neighbour on which a ball is found to roll over an edge.
 const LEAST_ROLL: f64 = 0.02;
-/// A turn so many times as far from a place beyond an edge as the place that it is sought from lies beyond the edge itself.
+/// A turn so many times as far from a place beyond an edge as the place that it is sought from lies
+/// beyond the edge itself.
 const NEAR: f64 = 1.5;
-/// Cosine of the angle between the blade axis and an edge up to which the edge may be one that turns go over: 60°.
+/// Cosine of the angle between the blade axis and an edge up to which the edge may be one that
+/// turns go over: 60°.
 const UPRIGHT: f64 = 0.5;
 /// Halvings towards the place where the ball begins to roll over an edge.
 const EDGE_HALVINGS: usize = 16;
@@ -57,21 +62,23 @@ pub struct Next {
     pub stop: Option<Stop>,
 }
 
-/// Whether the ball rolls over one edge between two places of one way: its normal turns, and its contact moves along the edge at most, which is
-/// across the turn.
+/// Whether the ball rolls over one edge between two places of one way: its normal turns, and its
+/// contact moves along the edge at most, which is across the turn.
 fn rolls_over(a: &Next, b: &Next) -> bool {
     let turn = (b.touch.normal - a.touch.normal).try_normalize(1e-9);
     let moved = b.touch.contact - a.touch.contact;
     turn.is_some_and(|t| moved.dot(&t).abs() < STILL * (b.way_mm - a.way_mm).abs())
 }
 
-/// Whether the ball rolls round the end of an edge, or an edge that is hardly rounded, between two places of one way: its contact stays about there.
+/// Whether the ball rolls round the end of an edge, or an edge that is hardly rounded, between two
+/// places of one way: its contact stays about there.
 fn rolls_round(a: &Next, b: &Next, share: f64) -> bool {
     (b.touch.contact - a.touch.contact).norm() < share * (b.way_mm - a.way_mm).abs()
 }
 
-/// Whether a turn, near one of its places, lies already beyond an edge over which the ball would roll from `onset` to `over`, and the edge runs up
-/// the blade more than round it: a blunt trailing edge, say, which the turn goes over aslant, to go on on its other side.
+/// Whether a turn, near one of its places, lies already beyond an edge over which the ball would
+/// roll from `onset` to `over`, and the edge runs up the blade more than round it: a blunt trailing
+/// edge, say, which the turn goes over aslant, to go on on its other side.
 fn is_beyond(turn: &[Touch], from: &Place, onset: &Touch, over: &Touch) -> bool {
     let edge = onset.normal.cross(&over.normal).try_normalize(1e-9);
     if edge.is_none_or(|e| e.x.abs() < UPRIGHT) {
@@ -110,8 +117,8 @@ pub struct Across<'a> {
 }
 
 impl Across<'_> {
-    /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off, and `turn` the turn round the place. `None` where the ball
-    /// cannot go there.
+    /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off, and `turn` the
+    /// turn round the place. `None` where the ball cannot go there.
     pub fn neighbour(&self, from: &Place, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
         let next = self.straight(from, h_mm, guess_mm).or_else(|| {
             let ridge = |t: &Touch, _: f64| {
@@ -122,11 +129,13 @@ impl Across<'_> {
         Some(self.short_of_an_edge(from, turn, next))
     }
 
-    /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the turn itself goes over that edge.
+    /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the
+    /// turn itself goes over that edge.
     fn short_of_an_edge(&self, from: &Place, turn: &[Touch], next: Next) -> Next {
         let radius = self.level.radius_mm;
         let (bend, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
-        // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it negative.
+        // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it
+        // negative.
         if bend.dot(&moved) * radius < LEAST_ROLL * moved.norm_squared() {
             return next;
         }
@@ -159,7 +168,8 @@ impl Across<'_> {
         Next { stop: Some(Stop::Edge(on.touch.contact)), ..before }
     }
 
-    /// The last place between two of a way, of which the second is rolling, at which the ball does not roll yet.
+    /// The last place between two of a way, of which the second is rolling, at which the ball does
+    /// not roll yet.
     fn onset(&self, from: &Place, first: Next, rolling_mm: f64, rolls: impl Fn(&Next) -> bool) -> Next {
         let (mut before, mut low, mut high) = (first, first.way_mm, rolling_mm);
         if rolls(&first) {
@@ -175,7 +185,8 @@ impl Across<'_> {
         before
     }
 
-    /// The place at the given way, or where the ball begins to roll over a sharp edge before it; `turn` is the turn round the place.
+    /// The place at the given way, or where the ball begins to roll over a sharp edge before it;
+    /// `turn` is the turn round the place.
     pub fn reach(&self, from: &Place, turn: &[Touch], way_mm: f64) -> Option<Next> {
         self.at_way(from, way_mm).map(|next| self.short_of_an_edge(from, turn, next))
     }
@@ -190,7 +201,8 @@ impl Across<'_> {
         self.walk(from, way_mm, |_, way| way >= way_mm)
     }
 
-    /// One step across by `way_mm` and onto the level set, with the way along it; `None` where the level set turns too fast for that.
+    /// One step across by `way_mm` and onto the level set, with the way along it; `None` where the
+    /// level set turns too fast for that.
     fn beside(&self, from: &Place, way_mm: f64) -> Option<(Touch, f64)> {
         let (touch, way) = self.step(from, way_mm, 0.8)?;
         let turn = from.touch.normal.dot(&touch.normal);
@@ -198,7 +210,8 @@ impl Across<'_> {
         (turn >= STRAIGHT_RAD.cos() && fair).then_some((touch, way))
     }
 
-    /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of the step, with the way along it.
+    /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of
+    /// the step, with the way along it.
     pub fn step(&self, from: &Place, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
         let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
         let guess = from.touch.centre + side * way_mm;
@@ -262,7 +275,8 @@ impl Across<'_> {
         Some(Next { touch: inside.0, way_mm: inside.1, stop: Some(self.bounds.why(&inside.0, &beyond)) })
     }
 
-    /// Walks across in short steps until `enough` says so of a touch and the way to it, or the bounds are met.
+    /// Walks across in short steps until `enough` says so of a touch and the way to it, or the
+    /// bounds are met.
     fn walk(&self, from: &Place, guess_mm: f64, enough: impl Fn(&Touch, f64) -> bool) -> Option<Next> {
         let mut here = *from;
         let mut walked = 0.0;
@@ -326,14 +340,15 @@ impl Across<'_> {
         }
     }
 
-    /// In a concave corner the ball touches two walls, and the way on is along the second: the one that a step along the first
-    /// would cut into.
+    /// In a concave corner the ball touches two walls, and the way on is along the second: the one
+    /// that a step along the first would cut into.
     fn turn_corner(&self, here: &Place, there: &Touch, into_wall: &Point, side: &Vector) -> Option<(Touch, f64)> {
         let radius = self.level.radius_mm;
         let second = self.level.part.closest(into_wall, 2.0 * radius)?;
         let normal = (there.centre - second.point).try_normalize(1e-9)?;
         let touches = (second.point - there.centre).norm() <= radius * (1.0 + 1e-3);
-        // A corner turns the normal back against the way; anything else is a place where the curve cannot be followed.
+        // A corner turns the normal back against the way; anything else is a place where the curve
+        // cannot be followed.
         let turns = normal.dot(side) < here.touch.normal.dot(side) - 0.05;
         let way = (there.centre - here.touch.centre).norm();
         (touches && turns)

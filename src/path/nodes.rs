@@ -1,4 +1,5 @@
-//! Touches of a turn while it is laid: folds, loops and islands left out, touches added and taken away, ways over facets evened out.
+//! Touches of a turn while it is laid: folds, loops and islands left out, touches added and taken
+//! away, ways over facets evened out.
 
 use rayon::prelude::*;
 
@@ -21,15 +22,18 @@ const BEND_RAD: f64 = 0.2;
 const EVEN_WIDTH: f64 = 0.25;
 /// Standard deviations that an evened way stays under the mean of those round it.
 const EVEN_CAUTION: f64 = 1.0;
-/// Caution that is not needed: so much longer a way makes the ridge higher by not quite a hundredth.
+/// Caution that is not needed: so much longer a way makes the ridge higher by not quite a
+/// hundredth.
 const FREE: f64 = 4e-3;
 /// A neighbour nearer to any place of the turn than this share of its way is beyond a crossing; ...
 const OVERRUN: f64 = 0.8;
 /// ... where corners are followed, in which another side is nearer by right.
 const OVERRUN_CORNERS: f64 = 0.96;
-/// A place between two sides of a turn that run towards one another is nearer to both of them than this share of its distance from the corner where they meet.
+/// A place between two sides of a turn that run towards one another is nearer to both of them than
+/// this share of its distance from the corner where they meet.
 const CORNER: f64 = 0.98;
-/// A way shorter than this share of the stepover on flat ground comes to no corner: it is that of a ramp's beginning.
+/// A way shorter than this share of the stepover on flat ground comes to no corner: it is that of a
+/// ramp's beginning.
 const LEAST_CORNER: f64 = 0.3;
 /// Halvings towards the last place in a corner that two sides cut.
 const CORNER_HALVINGS: usize = 8;
@@ -37,15 +41,17 @@ const CORNER_HALVINGS: usize = 8;
 const BRIDGE: f64 = 0.4;
 /// Tries to bring one of them back.
 const BRIDGE_TRIES: usize = 3;
-/// Longest stretch that is left out, as a share of the turn: where ways cross, the shorter of the two that a crossing makes.
+/// Longest stretch that is left out, as a share of the turn: where ways cross, the shorter of the
+/// two that a crossing makes.
 const LOOP: f64 = 0.5;
 /// The way round an island is at least so many times as long as the way past it.
 const ROUND_ISLAND: f64 = 3.0;
 /// Rounds of adding touches.
 const MOST_ROUNDS: usize = 6;
 
-/// A turn whose stretches may run into one another: where it lags behind in a narrow tongue, the neighbours of the tongue's two sides
-/// cross, and what lies beyond the crossing is left out, as with the offset of any curve.
+/// A turn whose stretches may run into one another: where it lags behind in a narrow tongue, the
+/// neighbours of the tongue's two sides cross, and what lies beyond the crossing is left out, as
+/// with the offset of any curve.
 pub(super) struct Overrun {
     turn: Vec<Node>,
     /// Where the turn begins in the chain of nodes looked at.
@@ -65,13 +71,15 @@ impl Overrun {
         Overrun { turn: chain, first: before.len(), s_mm, longest_mm }
     }
 
-    /// The next node after `k` from which a way to another may come to a place that is `apart_mm` from `k`: a curve is never longer than its arc.
+    /// The next node after `k` from which a way to another may come to a place that is `apart_mm`
+    /// from `k`: a curve is never longer than its arc.
     fn after(&self, k: usize, apart_mm: f64) -> usize {
         let free = self.s_mm[k] + (apart_mm - self.longest_mm).max(0.0);
         (k + 1).max(self.s_mm.partition_point(|s| *s < free).saturating_sub(1))
     }
 
-    /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than `least_mm`.
+    /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than
+    /// `least_mm`.
     fn is_nearer(&self, q: &Point, of: usize, least_mm: f64) -> bool {
         let of = self.first + of;
         let distance = |k: usize| (self.turn[k].touch.centre - q).norm();
@@ -95,8 +103,9 @@ impl Overrun {
         false
     }
 
-    /// The turn without the stretches between places where it crosses itself. A turn that goes once round a part and does not cross itself has all that is
-    /// cut on one side of it: where it does, it goes back over what was cut, and the turns after it would run the other way.
+    /// The turn without the stretches between places where it crosses itself. A turn that goes once
+    /// round a part and does not cross itself has all that is cut on one side of it: where it does,
+    /// it goes back over what was cut, and the turns after it would run the other way.
     pub(super) fn without_loops(&self) -> Vec<Node> {
         let nodes = &self.turn;
         let way = |k: usize| [&nodes[k].touch, &nodes[k + 1].touch];
@@ -104,8 +113,8 @@ impl Overrun {
         self.shortened(self.longest_mm, |at, k| (k + 1 < nodes.len() && cross(way(at), way(k))).then_some(k + 1))
     }
 
-    /// The turn without the stretches in which it goes round an island narrower than `width_mm`: away from the side of the turns after it, and back to near
-    /// where it left.
+    /// The turn without the stretches in which it goes round an island narrower than `width_mm`:
+    /// away from the side of the turns after it, and back to near where it left.
     pub(super) fn without_islands(&self, width_mm: f64) -> Vec<Node> {
         self.shortened(width_mm, |at, k| {
             let apart_mm = (self.turn[k].touch.centre - self.turn[at].touch.centre).norm();
@@ -115,8 +124,9 @@ impl Overrun {
         })
     }
 
-    /// The turn without the stretches that `ends` tells of: from a node and a later one that may be as near to it as `near_mm`, the node at which the turn
-    /// goes on, if what lies between is left out. The farthest counts.
+    /// The turn without the stretches that `ends` tells of: from a node and a later one that may be
+    /// as near to it as `near_mm`, the node at which the turn goes on, if what lies between is left
+    /// out. The farthest counts.
     fn shortened(&self, near_mm: f64, ends: impl Fn(usize, usize) -> Option<usize>) -> Vec<Node> {
         let (nodes, s_mm) = (&self.turn, &self.s_mm);
         let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
@@ -135,13 +145,15 @@ impl Overrun {
         kept
     }
 
-    /// The node between two of the turn that is farthest from `q`: there two sides meet that run towards one another.
+    /// The node between two of the turn that is farthest from `q`: there two sides meet that run
+    /// towards one another.
     fn farthest(&self, [from, to]: [usize; 2], q: &Point) -> usize {
         let away = |k: &usize| (self.turn[self.first + k].touch.centre - q).norm_squared();
         (from..=to).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(from)
     }
 
-    /// The nearest places to `q` of the turn before its node `of` and after it, as far as `look_mm` beyond the nodes `from` and `to`.
+    /// The nearest places to `q` of the turn before its node `of` and after it, as far as `look_mm`
+    /// beyond the nodes `from` and `to`.
     fn sides(&self, [from, of, to]: [usize; 3], look_mm: f64, q: &Point) -> [Point; 2] {
         let [from, of, to] = [from, of, to].map(|k| self.first + k);
         let lo = self.s_mm.partition_point(|s| *s < self.s_mm[from] - look_mm);
@@ -156,9 +168,10 @@ impl Overrun {
 }
 
 impl March<'_> {
-    /// The nodes after those of `turn` without those that were not found and with folds cut away from both sides; `before` is what lies before
-    /// the first node of `turn`. A fold over the place where one turn becomes the next takes nodes from the end of `turn`, too.
-    /// `Err`: where the ball could not go on for a stretch.
+    /// The nodes after those of `turn` without those that were not found and with folds cut away
+    /// from both sides; `before` is what lies before the first node of `turn`. A fold over the
+    /// place where one turn becomes the next takes nodes from the end of `turn`, too. `Err`: where
+    /// the ball could not go on for a stretch.
     pub(super) fn without_folds(
         &self,
         before: &[Node],
@@ -166,7 +179,8 @@ impl March<'_> {
         along: &[Vector],
         next: &[Option<Node>],
     ) -> Result<Vec<Node>, Point> {
-        // Where the turn bends to and fro, only the direction halfway between the two says which way it goes on.
+        // Where the turn bends to and fro, only the direction halfway between the two says which
+        // way it goes on.
         let behind = |a: (usize, &Node), b: (usize, &Node)| {
             let step = b.1.touch.centre - a.1.touch.centre;
             let onward = along[a.0] + along[b.0];
@@ -227,13 +241,16 @@ impl March<'_> {
         Ok(self.bridged(&chain, turn[end], &kept))
     }
 
-    /// Whether the corners of a turn are covered and no more: two sides that run towards one another meet in a corner and cut more there than the place where they
-    /// meet, and the next turn need only come to within half a stepover of what they leave. Over facets there are such corners in every turn.
+    /// Whether the corners of a turn are covered and no more: two sides that run towards one
+    /// another meet in a corner and cut more there than the place where they meet, and the next
+    /// turn need only come to within half a stepover of what they leave. Over facets there are such
+    /// corners in every turn.
     fn follows_corners(&self) -> bool {
         self.is_path && self.across.level.is_over_facets()
     }
 
-    /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the last place that the sides cut.
+    /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the
+    /// last place that the sides cut.
     fn beyond_corner(&self, chain: &Overrun, i: usize, next: Node) -> Node {
         let from = chain.turn[chain.first + i].touch.centre;
         let way = next.touch.centre - from;
@@ -254,8 +271,9 @@ impl March<'_> {
         touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| Node { touch, ..next })
     }
 
-    /// The nodes kept after `first`, with more of them where others were left out: sides that run towards one another meet in a corner, and a
-    /// straight way between the last nodes of the two would pass it by at more than a stepover.
+    /// The nodes kept after `first`, with more of them where others were left out: sides that run
+    /// towards one another meet in a corner, and a straight way between the last nodes of the two
+    /// would pass it by at more than a stepover.
     fn bridged(&self, chain: &Overrun, first: Node, kept: &[(usize, Node)]) -> Vec<Node> {
         let mut nodes = vec![first];
         let mut from = 0;
@@ -288,8 +306,9 @@ impl March<'_> {
         nodes
     }
 
-    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the turn around two. Between two sides with the angle 2β between
-    /// the ways to them, that is to (1 + cos β)/2 of the stepover from each: half of it from what both leave.
+    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the
+    /// turn around two. Between two sides with the angle 2β between the ways to them, that is to (1 +
+    /// cos β)/2 of the stepover from each: half of it from what both leave.
     fn not_too_far(&self, chain: &Overrun, [from, to]: [usize; 2], touch: Touch) -> Option<Touch> {
         let level = self.across.level;
         let mut touch = touch;
@@ -314,14 +333,16 @@ impl March<'_> {
         Some(touch)
     }
 
-    /// So wide a stretch without a neighbour is passed over, mm; over facets, where single ones stop the ball, twice as wide.
+    /// So wide a stretch without a neighbour is passed over, mm; over facets, where single ones
+    /// stop the ball, twice as wide.
     fn widest_mm(&self) -> f64 {
         let times = if self.across.level.is_over_facets() { 2.0 } else { 1.0 };
         times * (2.0 * self.flat_mm + 3.0 * self.step_mm)
     }
 
-    /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that go on: one touch that stays behind while all
-    /// round it goes on would draw a tongue of crossing ways behind it.
+    /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that
+    /// go on: one touch that stays behind while all round it goes on would draw a tongue of
+    /// crossing ways behind it.
     pub(super) fn leave_out_burrs(&self, next: &mut [Option<Node>]) {
         let stopped = |n: &Option<Node>| n.is_some_and(|n| n.stop.is_some_and(|s| s != Stop::Height));
         let free = |n: &Option<Node>| n.filter(|n| n.stop.is_none()).map(|n| n.touch.centre);
@@ -393,8 +414,9 @@ impl March<'_> {
     }
 
     /// Ways over facets scatter: each becomes the mean of those round it, weighted by a bell, less
-    /// some standard deviations, so that few ridges are higher than asked for. The end of the turn and its beginning, a stepover
-    /// apart, count as neighbours: with the one's mean only from before and the other's only from after, a step would grow there.
+    /// some standard deviations, so that few ridges are higher than asked for. The end of the turn
+    /// and its beginning, a stepover apart, count as neighbours: with the one's mean only from
+    /// before and the other's only from after, a step would grow there.
     pub(super) fn even_out(
         &self,
         turn: &[Node],
@@ -450,7 +472,8 @@ impl March<'_> {
     }
 }
 
-/// Whether a stretch of a turn, closed by a straight way, encloses what lies to the left of the straight way: it is run clockwise, seen along the surface's normals.
+/// Whether a stretch of a turn, closed by a straight way, encloses what lies to the left of the
+/// straight way: it is run clockwise, seen along the surface's normals.
 fn runs_to_the_left(stretch: &[Node]) -> bool {
     let from = stretch[0].touch.centre;
     let area: Vector = stretch.windows(2).map(|w| (w[0].touch.centre - from).cross(&(w[1].touch.centre - from))).sum();
@@ -458,7 +481,8 @@ fn runs_to_the_left(stretch: &[Node]) -> bool {
     area.dot(&normals) < 0.0
 }
 
-/// Whether the ways from a place to the two sides of a turn are both shorter than that to the node between, `corner_mm`: the sides run towards one another.
+/// Whether the ways from a place to the two sides of a turn are both shorter than that to the node
+/// between, `corner_mm`: the sides run towards one another.
 fn are_round_a_corner(ways: &[Vector; 2], corner_mm: f64) -> bool {
     ways.iter().all(|way| way.norm() <= CORNER * corner_mm)
 }
@@ -474,7 +498,8 @@ fn cross([a, b]: [&Touch; 2], [c, d]: [&Touch; 2]) -> bool {
         && is_left(c, &other, a) != is_left(c, &other, b)
 }
 
-/// Whether a turn is closed: a ring, from which the first turn is laid, or one whose seam rests at the end of the region.
+/// Whether a turn is closed: a ring, from which the first turn is laid, or one whose seam rests at
+/// the end of the region.
 pub(super) fn is_ring(turn: &[Node]) -> bool {
     turn.first().zip(turn.last()).is_some_and(|(a, b)| a.touch.centre == b.touch.centre)
 }
@@ -553,7 +578,8 @@ mod tests {
 
     #[test]
     fn corners_are_covered_and_no_more() {
-        // A turn on the flat side of a bar, whose sides run towards one another at `half_rad` from the line between them, down at 0.
+        // A turn on the flat side of a bar, whose sides run towards one another at `half_rad` from
+        // the line between them, down at 0.
         let blade = turned(4, &[1.0, 200.0], |_, s, c| [100.0 * c, 100.0 * s]);
         let (radius_mm, scallop_mm) = (4.0, 0.01);
         let level =
@@ -584,7 +610,8 @@ mod tests {
             // Sides cut as far as half a stepover from them, 1 / sin of that over the corner.
             let next = march.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
             assert!((up(&next) - 0.5 * (1.0 / sine + 1.0)).abs() < 0.01, "{half_rad}: {}", up(&next));
-            // Where the sides' own neighbours meet, those of the places `gap` from the corner, is too far.
+            // Where the sides' own neighbours meet, those of the places `gap` from the corner, is
+            // too far.
             let gap = (4.0 * cosine / sine).ceil() as usize;
             let met = on_side(0.0, flat_mm / sine).touch;
             let back = march.not_too_far(&chain, [12 - gap, 12 + gap], met).unwrap().centre;

@@ -1,8 +1,10 @@
-//! The rim at which an airfoil without a platform ends: beyond it there is only the cap that closes it, round which a ball would roll.
+//! The rim at which an airfoil without a platform ends: beyond it there is only the cap that closes
+//! it, round which a ball would roll.
 //!
-//! In: the part's mesh. Out: the edges near the airfoil's foot at which its wall turns sharply towards the root, and those at which it ends in an
-//! opening, as points so near to one another that a contact at the rim is near one. A foot that is rounded has none; there the lean of the wall
-//! ends the path.
+//! In: the part's mesh. Out: the edges near the airfoil's foot at which its wall turns sharply
+//! towards the root, and those at which it ends in an opening, as points so near to one another
+//! that a contact at the rim is near one. A foot that is rounded has none; there the lean of the
+//! wall ends the path.
 
 use std::collections::HashSet;
 
@@ -12,17 +14,20 @@ use crate::artifact::region::{Boundary, Region};
 use crate::geometry::mesh::edge_uses;
 use crate::geometry::{Point, Vector};
 
-/// Edges at which the surface turns by more than this are sharp (cosine of 34°, as where a ball rolls over an edge).
+/// Edges at which the surface turns by more than this are sharp (cosine of 34°, as where a ball
+/// rolls over an edge).
 const SHARP: f64 = 0.83;
-/// A cap faces the root by more than this (sine of 60°, the lean that ends a path unless another is asked for): what leans less is a wall, and turns go
-/// over it, as over the end of a slanted or twisted foot …
+/// A cap faces the root by more than this (sine of 60°, the lean that ends a path unless another is
+/// asked for): what leans less is a wall, and turns go over it, as over the end of a slanted or
+/// twisted foot …
 const FACES_ROOT: f64 = 0.866;
 /// … and by so much more than the wall at it …
 const MORE: f64 = 0.3;
 /// … which leans by less than this (sine of 50°).
 const WALL: f64 = 0.77;
-/// A level rim lies within this share of the airfoil's height from its foot; one that slants, as far above the whole sections' end as the part goes on
-/// below it, and so much more. Creases farther up are folds of the wall.
+/// A level rim lies within this share of the airfoil's height from its foot; one that slants, as
+/// far above the whole sections' end as the part goes on below it, and so much more. Creases
+/// farther up are folds of the wall.
 const LOWEST: f64 = 0.02;
 /// A contact at the rim is within this share of the ball radius.
 const NEAR: f64 = 0.01;
@@ -37,8 +42,8 @@ pub struct Rim {
 }
 
 impl Rim {
-    /// The rim of a region, for the ball and the stock that is to stay on the part; `None` where neither the region nor the path is to end at one,
-    /// or no sharp edge is there.
+    /// The rim of a region, for the ball and the stock that is to stay on the part; `None` where
+    /// neither the region nor the path is to end at one, or no sharp edge is there.
     pub fn of(blade: &Blade, region: &Region, options: &PathOptions) -> Option<Rim> {
         let mut ends = region.end.iter().chain(&options.extent.ends);
         if !ends.any(|end| matches!(end, Boundary::Rim(_))) {
@@ -115,7 +120,8 @@ mod tests {
 
     const LENGTH: f64 = 60.0;
 
-    /// An elliptic column along x without a platform, closed at both ends; its foot slants by `slope` along y.
+    /// An elliptic column along x without a platform, closed at both ends; its foot slants by
+    /// `slope` along y.
     fn column(slope: f64, capped: bool) -> Blade {
         let (n, layers) = (96u32, 20u32);
         let mut mesh = Mesh::default();
@@ -152,7 +158,8 @@ mod tests {
         }
     }
 
-    /// No turn rolls round the foot of an airfoil without a platform, level or slanted, with a cap or open, and the reason is the rim.
+    /// No turn rolls round the foot of an airfoil without a platform, level or slanted, with a cap
+    /// or open, and the reason is the rim.
     #[test]
     fn turns_end_at_the_rim() {
         for (slope, capped) in [(0.0, true), (0.0, false), (0.2, true)] {

@@ -4,8 +4,8 @@ use super::level::{LevelSet, Touch};
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
-/// A closed curve of ball centres in one plane `x = const`, counter-clockwise seen from the tip, starting at its
-/// base point; the last touch is not the first repeated.
+/// A closed curve of ball centres in one plane `x = const`, counter-clockwise seen from the tip,
+/// starting at its base point; the last touch is not the first repeated.
 #[derive(Clone, Debug)]
 pub struct Ring {
     /// Height, mm.
@@ -95,7 +95,8 @@ impl Ring {
         Ring::new(self.touches)
     }
 
-    /// Where concave stretches, in which the normal turns back by `least_turn_rad` at least, begin and end.
+    /// Where concave stretches, in which the normal turns back by `least_turn_rad` at least, begin
+    /// and end.
     pub fn altered_points(&self, least_turn_rad: f64) -> Vec<usize> {
         let n = self.touches.len();
         let mut found: Vec<usize> = self.concave_entries(least_turn_rad).into_iter().map(|(i, _)| i).collect();
@@ -108,9 +109,9 @@ impl Ring {
         found
     }
 
-    /// Where the path enters a concave stretch, with how far the normal turns back there, rad (at least
-    /// `least_turn_rad`): the touches with the locally greatest azimuth. These are the papers' concave–convex altered
-    /// points, met from the convex side.
+    /// Where the path enters a concave stretch, with how far the normal turns back there, rad (at
+    /// least `least_turn_rad`): the touches with the locally greatest azimuth. These are the
+    /// papers' concave–convex altered points, met from the convex side.
     pub fn concave_entries(&self, least_turn_rad: f64) -> Vec<(usize, f64)> {
         let n = self.touches.len();
         let mut found: Vec<(usize, f64)> = Vec::new();
@@ -196,8 +197,9 @@ fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Opt
     }
 }
 
-/// In a concave corner of a right angle or more, no step along one wall leads on: the ball touches both walls, and the
-/// way on is along the second, the one that a step along the first would cut into.
+/// In a concave corner of a right angle or more, no step along one wall leads on: the ball touches
+/// both walls, and the way on is along the second, the one that a step along the first would cut
+/// into.
 fn turn_corner(level: &LevelSet, here: &Touch, there: &Touch, into_wall: &Point) -> Option<Touch> {
     let second = level.part.closest(into_wall, 2.0 * level.radius_mm)?;
     let normal = (there.centre - second.point).try_normalize(1e-9)?;

@@ -1,4 +1,5 @@
-//! The stack of rings that guides the helix: from the start height down, each pitch as large as the scallop allows.
+//! The stack of rings that guides the helix: from the start height down, each pitch as large as the
+//! scallop allows.
 
 use rayon::prelude::*;
 
@@ -14,7 +15,8 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::observe::Observer;
 
-/// A concave stretch counts when the normal turns back by this much, rad: well over what facets and slivers do.
+/// A concave stretch counts when the normal turns back by this much, rad: well over what facets and
+/// slivers do.
 const CONCAVE_TURN_RAD: f64 = 0.035;
 /// More rings than this is a mistake in the options.
 const MOST_RINGS: usize = 20_000;
@@ -81,7 +83,8 @@ pub fn lay(
         }
         match next_ring(level, last, pitch, aim, lowest, &how) {
             Ok((ring, used)) => {
-                // Pitch may grow again where the wall stands up, but not from a last, shortened turn.
+                // Pitch may grow again where the wall stands up, but not from a last, shortened
+                // turn.
                 pitch = used.max(0.02 * flat);
                 rings.push(ring);
             }
@@ -119,7 +122,8 @@ fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Br
     Ok(Stack { rings, end_reason: if leans { EndReason::Lean(why) } else { EndReason::Blocked(why) } })
 }
 
-/// What to do where no turn fits: a smaller ball helps where the ball lost the surface, not where the wall leans.
+/// What to do where no turn fits: a smaller ball helps where the ball lost the surface, not where
+/// the wall leans.
 pub(super) fn no_turn_advice(lost: bool) -> &'static str {
     if lost { "start higher with region.start_mm, or take a smaller ball" } else { "start higher with region.start_mm" }
 }
@@ -172,8 +176,8 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
     Ok(ring.starting_at(base))
 }
 
-/// The altered point before the greatest concave stretch, else the touch furthest along y; with a point to be `near`, the altered
-/// point nearest to it, else the touch nearest to it.
+/// The altered point before the greatest concave stretch, else the touch furthest along y; with a
+/// point to be `near`, the altered point nearest to it, else the touch nearest to it.
 fn base_point(ring: &Ring, near: Option<Point>) -> usize {
     if let Some(q) = near {
         let away = |i: &usize| (ring.touches[*i].contact - q).norm();
@@ -192,7 +196,8 @@ fn base_point(ring: &Ring, near: Option<Point>) -> usize {
         .map_or_else(furthest, |(index, _)| index)
 }
 
-/// The ring below `last` whose scallop against it is just under the target, and the pitch before it was cut to the region.
+/// The ring below `last` whose scallop against it is just under the target, and the pitch before it
+/// was cut to the region.
 fn next_ring(
     level: &LevelSet,
     last: &Ring,
@@ -245,7 +250,8 @@ fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::resu
     let reach = 4.0 * (last.x_mm - x) + 0.05 * level.radius_mm;
     let start: Touch = level.touch_in_plane(&guess, reach).ok_or(Broken::Lost(guess))?;
     let ring = ring::trace(level, start, how)?;
-    // Two neighbouring curves of the level set are of nearly equal length; a jump means another body was joined.
+    // Two neighbouring curves of the level set are of nearly equal length; a jump means another
+    // body was joined.
     if ring.length_mm > 1.25 * last.length_mm || ring.length_mm < 0.8 * last.length_mm {
         return Err(Broken::Lost(start.centre));
     }
@@ -258,7 +264,8 @@ fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
         .touches
         .par_iter()
         .filter_map(|t| {
-            // The chord between two touches of the ring lies off the level set, which would tilt a close pair of balls.
+            // The chord between two touches of the ring lies off the level set, which would tilt a
+            // close pair of balls.
             let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
             ridge_height(level, &t.centre, &near.centre)
         })

@@ -1,4 +1,5 @@
-//! Where to start: a ball that touches the airfoil, and a check that the first ring goes round the airfoil only.
+//! Where to start: a ball that touches the airfoil, and a check that the first ring goes round the
+//! airfoil only.
 
 use super::level::{LevelSet, Touch};
 use super::ring::Ring;
@@ -28,12 +29,14 @@ pub fn contour(blade: &Blade, region: &Region, x_mm: f64) -> Result<(Loop, Vec<L
     }
 }
 
-/// A ball in the plane `x_mm` that touches the airfoil, found by stepping outwards from the loop's extreme points.
+/// A ball in the plane `x_mm` that touches the airfoil, found by stepping outwards from the loop's
+/// extreme points.
 pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch> {
     let r = level.radius_mm;
     for k in 0..16 {
         let (s, c) = (k as f64 * std::f64::consts::TAU / 16.0).sin_cos();
-        // The extreme point in a direction is on the loop's hull: nothing of the airfoil lies in front of it.
+        // The extreme point in a direction is on the loop's hull: nothing of the airfoil lies in
+        // front of it.
         let p = airfoil.points.iter().max_by(|a, b| (a[0] * c + a[1] * s).total_cmp(&(b[0] * c + b[1] * s)))?;
         let guess = Point::new(x_mm, p[0] + r * c, p[1] + r * s);
         if let Some(t) = level.touch_in_plane(&guess, 0.5 * r) {
@@ -47,7 +50,8 @@ pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch>
     None
 }
 
-/// The first contact of the ring that lies nearer to another loop of the section than to the airfoil's.
+/// The first contact of the ring that lies nearer to another loop of the section than to the
+/// airfoil's.
 pub fn touches_another_body(ring: &Ring, airfoil: &Loop, others: &[Loop]) -> Option<Point> {
     if others.is_empty() {
         return None;

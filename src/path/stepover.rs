@@ -1,10 +1,12 @@
 //! The scallop between two neighbouring passes, measured on the part itself.
 //!
-//! A ball between two passes, on the level set like them, would touch the part at a contact point `p` with normal `n`. What
-//! the two passes leave standing there is the height at which the ray from `p` along `n` enters one of their balls, and the
-//! ridge is where both leave the same. On a part of constant curvature across the passes this is the cusp of the two-ball construction,
-//! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ`; measured on the part it needs no curvature, so it holds on
-//! meshes, creases and saddles alike, and what no ball of this radius can reach (sharp inner corners) does not count.
+//! A ball between two passes, on the level set like them, would touch the part at a contact point
+//! `p` with normal `n`. What the two passes leave standing there is the height at which the ray
+//! from `p` along `n` enters one of their balls, and the ridge is where both leave the same. On a
+//! part of constant curvature across the passes this is the cusp of the two-ball construction,
+//! `h = |ρ cos α ∓ √(R² − ρ² sin² α) − r|`, `sin α = d/2ρ`; measured on the part it needs no
+//! curvature, so it holds on meshes, creases and saddles alike, and what no ball of this radius can
+//! reach (sharp inner corners) does not count.
 
 use super::level::LevelSet;
 use crate::geometry::{Point, Vector};
@@ -22,20 +24,23 @@ const CREASE_HALVINGS: usize = 12;
 /// The roots of both heights are equal within this share of their sum where the ridge is.
 const EVEN: f64 = 0.01;
 
-/// Height of the ridge between two balls of the level set over the part, mm; infinite where neither reaches over the
-/// contact between them, `None` where there is no ball of the level set between them.
+/// Height of the ridge between two balls of the level set over the part, mm; infinite where neither
+/// reaches over the contact between them, `None` where there is no ball of the level set between
+/// them.
 ///
-/// The ridge is where both balls leave the same height. That is midway only where the curvature across the passes does
-/// not change, and much nearer to one of them where a wall runs into a fillet: each height grows about as the square of the
-/// way from its own pass, `h_a ≈ (s_a a)²` at the share `a` of the way, which tells where to look next and, once that is near,
-/// how high the ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the curvature jumps the greatest
-/// height found is left there indeed.
+/// The ridge is where both balls leave the same height. That is midway only where the curvature
+/// across the passes does not change, and much nearer to one of them where a wall runs into a
+/// fillet: each height grows about as the square of the way from its own pass, `h_a ≈ (s_a a)²` at
+/// the share `a` of the way, which tells where to look next and, once that is near, how high the
+/// ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the
+/// curvature jumps the greatest height found is left there indeed.
 pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
     ridge(level, a, b, false)
 }
 
-/// As [`ridge_height`], and over what a ball in a crease between the passes, at two contacts at once, would leave standing in the corner under it:
-/// two passes on both sides of a crease leave more there than at any contact.
+/// As [`ridge_height`], and over what a ball in a crease between the passes, at two contacts at
+/// once, would leave standing in the corner under it: two passes on both sides of a crease leave
+/// more there than at any contact.
 pub fn ridge_over_creases(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
     ridge(level, a, b, true)
 }
@@ -101,15 +106,16 @@ struct Side {
 }
 
 impl Side {
-    /// Whether the ball goes less far from here to `more` than its contact jumps: in a hollow narrower than itself. Round an edge it goes farther.
+    /// Whether the ball goes less far from here to `more` than its contact jumps: in a hollow
+    /// narrower than itself. Round an edge it goes farther.
     fn is_over_a_crease(&self, more: &Side, radius_mm: f64) -> bool {
         let jump = more.contact - self.contact;
         let gone = jump + (more.normal - self.normal) * radius_mm;
         jump.norm() > JUMP * gone.norm()
     }
 
-    /// The height that both passes leave over the ball between them, which touches here and at `more`: between its contacts it is the lowest that any ball
-    /// comes to.
+    /// The height that both passes leave over the ball between them, which touches here and at
+    /// `more`: between its contacts it is the lowest that any ball comes to.
     fn crease(&self, more: &Side, [a, b]: [&Point; 2], radius_mm: f64) -> f64 {
         // The ball that touches the planes of both contacts.
         let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
@@ -134,15 +140,16 @@ impl Side {
         self.root_a.is_finite() && self.root_b.is_finite()
     }
 
-    /// The share of the way from here to `more` at which both leave the same if the roots run straight; no number where one is
-    /// infinite.
+    /// The share of the way from here to `more` at which both leave the same if the roots run
+    /// straight; no number where one is infinite.
     fn crossing(&self, more: &Side) -> f64 {
         let here = self.root_b - self.root_a;
         here / (here + more.root_a - more.root_b).max(1e-300)
     }
 }
 
-/// Where the ray from `p` along the unit vector `n` enters the ball round `c`; infinite where it passes it by.
+/// Where the ray from `p` along the unit vector `n` enters the ball round `c`; infinite where it
+/// passes it by.
 fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
     let to_centre = c - p;
     let along = to_centre.dot(n);
@@ -155,8 +162,9 @@ pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
     (8.0 * radius_mm * scallop_mm - 4.0 * scallop_mm * scallop_mm).max(0.0).sqrt()
 }
 
-/// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on a mesh the 99th
-/// percentile, since single ridges on the edges between facets tell of the facets and not of the part. 0 without heights.
+/// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on
+/// a mesh the 99th percentile, since single ridges on the edges between facets tell of the facets
+/// and not of the part. 0 without heights.
 pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
     heights_mm.sort_by(f64::total_cmp);
     let rank = if level.is_over_facets() { 0.99 } else { 1.0 };
@@ -172,8 +180,9 @@ mod tests {
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
 
-    /// Two passes to both sides of a hollow edge, `s` from the ball that touches both its flanks: over that ball the ridge is
-    /// `R + s sin(δ/2) − √(R² − s² cos²(δ/2))`; at its contacts alone it is `R − √(R² − s²)`.
+    /// Two passes to both sides of a hollow edge, `s` from the ball that touches both its flanks:
+    /// over that ball the ridge is `R + s sin(δ/2) − √(R² − s² cos²(δ/2))`; at its contacts alone
+    /// it is `R − √(R² − s²)`.
     #[test]
     fn a_ridge_over_a_hollow_edge_is_that_over_the_ball_in_it() {
         let (radius_mm, s) = (0.3, 0.05);

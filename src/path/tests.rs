@@ -12,14 +12,15 @@ use crate::observe::Silent;
 const BAR_RADIUS: f64 = 10.0;
 const PLATFORM: f64 = 40.0;
 
-/// A bar `y = R cos φ, z = stretch · R sin φ` from x = 0 to 60 on a disc of radius 40 below it; `bend` moves every
-/// section's middle so that the bar leans.
+/// A bar `y = R cos φ, z = stretch · R sin φ` from x = 0 to 60 on a disc of radius 40 below it;
+/// `bend` moves every section's middle so that the bar leans.
 fn bar(n: usize, radius_at: impl Fn(f64) -> f64) -> Blade {
     let heights: Vec<f64> = (0..=30).map(|i| 2.0 * i as f64).collect();
     turned(n, &heights, |x, s, c| [radius_at(x) * c, radius_at(x) * s])
 }
 
-/// A body on a disc of radius 40, from its sections at the heights: `y` and `z` from height, sine and cosine.
+/// A body on a disc of radius 40, from its sections at the heights: `y` and `z` from height, sine
+/// and cosine.
 pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f64; 2]) -> Blade {
     let ring = |x: f64, yz: &dyn Fn(f64, f64) -> [f64; 2]| {
         let place = |k: usize| {
@@ -35,7 +36,8 @@ pub(super) fn turned(n: usize, heights: &[f64], at: impl Fn(f64, f64, f64) -> [f
     lofted(&rings)
 }
 
-/// A closed mesh through rings of as many points each, counter-clockwise seen from the tip, capped at both ends.
+/// A closed mesh through rings of as many points each, counter-clockwise seen from the tip, capped
+/// at both ends.
 pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
     let n = rings[0].len();
     let mut points = rings.concat();
@@ -167,7 +169,8 @@ fn concave_entry_is_found_on_a_kidney() {
     use super::level::Touch;
     use super::ring::Ring;
     use crate::geometry::Vector;
-    // Azimuth rises, falls by 0.5 rad around the dent, rises again: the entry is the touch before the fall.
+    // Azimuth rises, falls by 0.5 rad around the dent, rises again: the entry is the touch before
+    // the fall.
     let azimuths = [0.0, 1.0, 2.0, 2.5, 2.8, 2.6, 2.3, 2.6, 3.5, 4.5, 5.5];
     let touches = azimuths
         .iter()

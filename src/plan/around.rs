@@ -13,7 +13,8 @@ const REPORT_SWEEP_DEG: [f64; 3] = [-20.0, 45.0, 5.0];
 const REPORT_PLACES: usize = 3000;
 
 impl Setup {
-    /// Angles B from the first to the second by the third, degrees, as far as the machine leans the tool.
+    /// Angles B from the first to the second by the third, degrees, as far as the machine leans the
+    /// tool.
     pub fn angles_b(&self, [from, to, step]: [f64; 3]) -> Vec<f64> {
         let count = ((to - from) / step + 1e-9).floor().clamp(0.0, 1000.0) as u32;
         let all = (0..=count).map(|k| from + f64::from(k) * step);

@@ -1,4 +1,5 @@
-//! The motion with its leads: arcs for which there is room, chosen by the same checks that later give the evidence.
+//! The motion with its leads: arcs for which there is room, chosen by the same checks that later
+//! give the evidence.
 
 use super::Setup;
 use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Stand, Toolpath};
@@ -44,11 +45,13 @@ fn room<'a>(setup: &'a Setup, path: &Toolpath, options: &'a VerifyOptions) -> Ro
     }
 }
 
-/// What is left of a checked plan from a turn on (from 1), with a lead-in of its own onto that turn and a motion that begins at rest, and the evidence for
-/// it. The lead-in is an arc where there is room for one, as at the start of the path.
+/// What is left of a checked plan from a turn on (from 1), with a lead-in of its own onto that turn
+/// and a motion that begins at rest, and the evidence for it. The lead-in is an arc where there is
+/// room for one, as at the start of the path.
 ///
 /// # Errors
-/// `Usage` where there is no such turn; `Infeasible` where the tool cannot come onto it; those of the feed.
+/// `Usage` where there is no such turn; `Infeasible` where the tool cannot come onto it; those of
+/// the feed.
 pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Result<Verified<Plan>> {
     let from = PostOptions { from_turn: Some(turn), ..setup.post_options() };
     let left = post::planned(whole.value(), &from)?.into_owned();

@@ -1,6 +1,8 @@
-//! The stages in order, in memory: a job, a blade and a machine in; a checked plan and programs as text out.
+//! The stages in order, in memory: a job, a blade and a machine in; a checked plan and programs as
+//! text out.
 //!
-//! **In** [`Setup`]: all that stands still during a plan. **Out** [`Plan`] with its [`Verdict`], and
+//! **In** [`Setup`]: all that stands still during a plan. **Out** [`Plan`] with its [`Verdict`],
+//! and
 //! [`Setup::program`]: the text of a program. **Method** The stages follow one another; where the
 //! channel closes or the schedule comes too near between locations, path, channel and schedule are
 //! planned again ([`stages()`]). **Guarantees** No file is read or written; folders, times and
@@ -58,12 +60,14 @@ pub struct Setup {
     pub post_files: Vec<Dialect>,
     /// Fixtures and stock.
     pub obstacles: Vec<Obstacle>,
-    /// BLAKE3 hash of the model's file, which programs name; empty where the model came from no file.
+    /// BLAKE3 hash of the model's file, which programs name; empty where the model came from no
+    /// file.
     pub part_hash: String,
 }
 
 impl Setup {
-    /// Completes the job for a blade and a machine. Obstacles, own post files and the model's hash are left empty, for the caller to set.
+    /// Completes the job for a blade and a machine. Obstacles, own post files and the model's hash
+    /// are left empty, for the caller to set.
     ///
     /// # Errors
     /// Those of the job.
@@ -263,8 +267,8 @@ pub fn post_name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Heights that the tool can take: ball centres run from the region's start to its end or, where that is left out, at most one
-/// ball radius below the airfoil.
+/// Heights that the tool can take: ball centres run from the region's start to its end or, where
+/// that is left out, at most one ball radius below the airfoil.
 fn reach(job: &Job, blade: &Blade) -> Reach {
     let r = &job.region;
     let end_mm = r.end_mm.unwrap_or(blade.regions.airfoil_x_mm()[0] - job.tool.radius_mm);

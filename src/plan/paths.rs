@@ -1,4 +1,5 @@
-//! What the pipeline does about kinds of path: where turns are to begin, and other kinds for comparison.
+//! What the pipeline does about kinds of path: where turns are to begin, and other kinds for
+//! comparison.
 
 use super::Setup;
 use crate::artifact::report::LimitFigures;
@@ -24,9 +25,9 @@ pub(crate) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -
 /// Greatest `path.max_lean_deg` of turns that are not of constant scallop.
 const MOST_LEAN_DEG: f64 = 85.0;
 
-/// Paths of the other kinds over the region of the path in use, with its worst ridge as their scallop, each beside the
-/// limit that was measured on it. A kind whose turns cannot be laid is left
-/// out, with a warning.
+/// Paths of the other kinds over the region of the path in use, with its worst ridge as their
+/// scallop, each beside the limit that was measured on it. A kind whose turns cannot be laid is
+/// left out, with a warning.
 pub(crate) fn others(
     setup: &Setup,
     path: &Toolpath,

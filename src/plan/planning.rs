@@ -32,7 +32,8 @@ pub(crate) enum Reached {
     Motion(Box<(Plan, Baseline)>),
 }
 
-/// What is known before planning begins. A stage whose result is known is not worked on; so is none before it.
+/// What is known before planning begins. A stage whose result is known is not worked on; so is none
+/// before it.
 #[derive(Default)]
 pub(crate) struct Known {
     pub toolpath: Option<Toolpath>,
@@ -62,8 +63,8 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         return Ok(Reached::Channel(toolpath, channel));
     }
     let options = setup.schedule_options();
-    // What a baseline that nobody asked for does wrong is no warning: its figures stand in the summary. Where it is the job's own schedule it is
-    // planned again below, and warns.
+    // What a baseline that nobody asked for does wrong is no warning: its figures stand in the
+    // summary. Where it is the job's own schedule it is planned again below, and warns.
     let fixed = timed(observer, Stage::Schedule, || {
         schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
     })?;
@@ -82,7 +83,8 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
             Some((_, leads)) => leads.clone(),
             None => leads::choose(setup, &toolpath, &schedule, observer)?,
         };
-        // From the same leads, so that the two are compared under the same conditions. At the same time, since each takes one thread.
+        // From the same leads, so that the two are compared under the same conditions. At the same
+        // time, since each takes one thread.
         let others = lead::for_schedule(&chosen, &toolpath, &fixed);
         let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, chosen, observer), Ok);
         let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &Silent));
@@ -189,7 +191,8 @@ pub(crate) fn channel_as_far_as_it_goes(
             Err(e) => e,
         };
         let mut shorter = setup.path_options();
-        // Turns that tilt may reach below the height where they begin: each end is above the one before by a stepover at least.
+        // Turns that tilt may reach below the height where they begin: each end is above the one
+        // before by a stepover at least.
         let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
         let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
         // An end that was asked for stays, and the first turn at least needs room above it.
@@ -215,8 +218,9 @@ pub(crate) fn channel_as_far_as_it_goes(
     timed(observer, Stage::Channel, || plan(toolpath))
 }
 
-/// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is kept as room. `None` where there are none, where
-/// they have been asked already, or where the channel closes by them too.
+/// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is
+/// kept as room. `None` where there are none, where they have been asked already, or where the
+/// channel closes by them too.
 fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -> Option<Result<Channel>> {
     let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
     if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {

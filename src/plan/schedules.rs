@@ -9,12 +9,13 @@ use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent, Warning};
 use crate::schedule::{self, Pace, ScheduleOptions};
 
-/// Lengths over which the rotary axis stands still at either end, as shares of what the ball needs to gain its feed: it is gained more
-/// slowly where several axes share it.
+/// Lengths over which the rotary axis stands still at either end, as shares of what the ball needs
+/// to gain its feed: it is gained more slowly where several axes share it.
 const STANDING: [f64; 2] = [1.0, 4.0];
 
-/// The fastest of all schedules that are planned for the machine: the schedule for the least time by the rotary axis
-/// alone, the optimal ones and the others, with its motion, in which the leads are. Candidates that turn back or leave the channel do not take part.
+/// The fastest of all schedules that are planned for the machine: the schedule for the least time
+/// by the rotary axis alone, the optimal ones and the others, with its motion, in which the leads
+/// are. Candidates that turn back or leave the channel do not take part.
 pub(crate) fn least_time(
     setup: &Setup,
     path: &Toolpath,
@@ -56,8 +57,8 @@ pub(crate) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
     Pace { rate: limits.velocity / f, second: limits.acceleration / (f * f), standing_mm: 0.0 }
 }
 
-/// Candidates for the least time by the rotary axis alone: turning as it suits all of the path, and standing still while the ball gains
-/// and loses its feed.
+/// Candidates for the least time by the rotary axis alone: turning as it suits all of the path, and
+/// standing still while the ball gains and loses its feed.
 ///
 /// # Errors
 /// Those of [`schedule::plan`] for the first.

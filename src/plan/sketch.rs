@@ -1,7 +1,9 @@
-//! The costly schedules, sketched: for the picture beside the one in use, planned at about a thousand of the path's locations.
+//! The costly schedules, sketched: for the picture beside the one in use, planned at about a
+//! thousand of the path's locations.
 //!
-//! In: a path with its channel. Out: θ at every location, straight between those that were planned. A sketch is not to be machined: between
-//! its places the channel was not looked at. What it shows of the schedule's shape is right to the width of a line.
+//! In: a path with its channel. Out: θ at every location, straight between those that were planned.
+//! A sketch is not to be machined: between its places the channel was not looked at. What it shows
+//! of the schedule's shape is right to the width of a line.
 
 use super::Setup;
 use super::schedules;
@@ -14,7 +16,8 @@ use crate::schedule::{self, ScheduleOptions};
 /// Locations that a sketch is planned at, about.
 const PLACES: usize = 1000;
 
-/// A schedule of this kind at some of the path's locations, with θ at all of them; `None` where it cannot be made.
+/// A schedule of this kind at some of the path's locations, with θ at all of them; `None` where it
+/// cannot be made.
 pub(crate) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel: &Channel) -> Option<Schedule> {
     let kept = places(path);
     let (few, narrow) = (thinned(path, &kept)?, of(channel, &kept)?);

@@ -1,4 +1,5 @@
-//! A finished run taken up again from its folder, and the files in it judged: others act on every one of them.
+//! A finished run taken up again from its folder, and the files in it judged: others act on every
+//! one of them.
 //!
 //! | check | what it counts |
 //! | --- | --- |
@@ -27,7 +28,8 @@ use crate::verify::{self, Verdict};
 pub struct Finished {
     /// Job, blade, machine, and the files that these were read from.
     pub loaded: Loaded,
-    /// The plan, with the cutter locations of `cutter_locations.csv`: that is the file other programs read, so that is what must be checked.
+    /// The plan, with the cutter locations of `cutter_locations.csv`: that is the file other
+    /// programs read, so that is what must be checked.
     pub plan: Plan,
     /// What was found on the files of the folder.
     pub checks: Vec<Check>,
@@ -43,7 +45,8 @@ pub struct Checked {
     pub loaded: Loaded,
     /// The verdict on the plan.
     pub verdict: Verdict<Plan>,
-    /// What was found on the files of the folder: no matter of the plan, so it is not in the headers of its programs.
+    /// What was found on the files of the folder: no matter of the plan, so it is not in the
+    /// headers of its programs.
     pub files: Vec<Check>,
     /// The run is to have its programs: it was not stopped before, and it was good or is.
     pub wrote_programs: bool,
@@ -65,7 +68,8 @@ impl Finished {
 /// Reads the job of a folder, the model that it names, and the plan.
 ///
 /// # Errors
-/// `InputOutput` where the folder holds no run, or none with a plan; those of the job and of the model.
+/// `InputOutput` where the folder holds no run, or none with a plan; those of the job and of the
+/// model.
 pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     settle(out)?;
     let file = out.join("job.resolved.toml");

@@ -84,7 +84,8 @@ impl Run<'_, '_> {
         Ok(Checked { summary: Some(summary), report, plan, seal, recalled })
     }
 
-    /// The verdict with its seal, and whether it was recalled from an earlier run that was about the very same.
+    /// The verdict with its seal, and whether it was recalled from an earlier run that was about
+    /// the very same.
     fn check(&mut self, plan: Plan, plan_json: &str, before: Option<Checks>) -> Result<(Verdict<Plan>, String, bool)> {
         let setup = &self.loaded.setup;
         let options = setup.verify_options();

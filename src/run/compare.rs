@@ -1,5 +1,5 @@
-//! All schedules side by side: at the same constant feed, and each at its own best feed under limits of the machine from a quarter to
-//! four times its own.
+//! All schedules side by side: at the same constant feed, and each at its own best feed under
+//! limits of the machine from a quarter to four times its own.
 
 use std::path::{Path, PathBuf};
 
@@ -66,7 +66,8 @@ pub struct Run {
     pub name: String,
     /// Machining time at its own best feed, s.
     pub time_s: f64,
-    /// Where jerk is limited: whether that motion keeps it. Where none is found that does, it keeps velocity and acceleration only.
+    /// Where jerk is limited: whether that motion keeps it. Where none is found that does, it keeps
+    /// velocity and acceleration only.
     pub within_jerk: Option<bool>,
     /// That time over the lower bound.
     pub over_bound: f64,
@@ -85,8 +86,8 @@ pub struct Run {
 pub struct Limits {
     /// Multiple of the machine's own limits.
     pub scale: f64,
-    /// No schedule and no feed take less, s: every length at the greatest speed that feed and contact allow, and the least
-    /// turning in the channel at the rotary axis' greatest velocity.
+    /// No schedule and no feed take less, s: every length at the greatest speed that feed and
+    /// contact allow, and the least turning in the channel at the rotary axis' greatest velocity.
     pub bound_s: f64,
     /// The schedules.
     pub runs: Vec<Run>,
@@ -113,7 +114,8 @@ pub struct Comparison {
     pub sweep: Vec<Limits>,
 }
 
-/// Plans path and channel, then all schedules, and writes `compare.json`, `compare.csv` and `compare.svg`.
+/// Plans path and channel, then all schedules, and writes `compare.json`, `compare.csv` and
+/// `compare.svg`.
 ///
 /// # Errors
 /// Those of the stages; a schedule that cannot be made is an error.
@@ -212,7 +214,8 @@ fn figures(
     })
 }
 
-/// All schedules under scaled limits, then the fastest of those that can be machined and of the one made for these limits.
+/// All schedules under scaled limits, then the fastest of those that can be machined and of the one
+/// made for these limits.
 fn under(
     scale: f64,
     setup: &Setup,

@@ -63,7 +63,8 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Begins files that come to those in the folder; fails at once where it could not be written in the end.
+    /// Begins files that come to those in the folder; fails at once where it could not be written
+    /// in the end.
     ///
     /// # Errors
     /// Kind `InputOutput` where no folder can be made beside the target or the target is a file.
@@ -81,7 +82,8 @@ impl RunFolder {
             _ => PathBuf::from("."),
         };
         std::fs::create_dir_all(&parent).map_err(|e| trouble("cannot make the folder", &parent, e))?;
-        // Inside an existing target, so that an unwritable target is found before hours of work, and renames stay on one disk.
+        // Inside an existing target, so that an unwritable target is found before hours of work,
+        // and renames stay on one disk.
         let home = if target.is_dir() { target.to_path_buf() } else { parent };
         let staging = Staging::within(&home).map_err(|e| trouble("cannot write in", &home, e))?;
         Ok(RunFolder {
@@ -96,7 +98,8 @@ impl RunFolder {
         })
     }
 
-    /// Begins a run: everything of an earlier run goes when this one's files come. `programs`: the file names that all controls' programs have.
+    /// Begins a run: everything of an earlier run goes when this one's files come. `programs`: the
+    /// file names that all controls' programs have.
     ///
     /// # Errors
     /// As [`RunFolder::begin`].
@@ -114,7 +117,8 @@ impl RunFolder {
         files::read(&self.target.join(name), files::LONG).ok()
     }
 
-    /// Names of the files that are in the folder, in order; those in folders of it, and hidden ones, are left out.
+    /// Names of the files that are in the folder, in order; those in folders of it, and hidden
+    /// ones, are left out.
     pub fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(&self.target).into_iter().flatten().flatten();
         let files = entries.filter(|e| e.path().is_file()).filter_map(|e| e.file_name().into_string().ok());
@@ -152,15 +156,18 @@ impl RunFolder {
     /// Adds a value as indented JSON.
     ///
     /// # Errors
-    /// Kind `InputOutput`; a value that JSON cannot carry (NaN, ∞ become `null` in serde and are refused before).
+    /// Kind `InputOutput`; a value that JSON cannot carry (NaN, ∞ become `null` in serde and are
+    /// refused before).
     pub fn add_json(&mut self, name: &str, value: &impl serde::Serialize) -> Result<()> {
         self.add(name, json(value)?)
     }
 
-    /// Adds the program of a control or of an own post file, by the name of that; one that something else wrote is not replaced.
+    /// Adds the program of a control or of an own post file, by the name of that; one that
+    /// something else wrote is not replaced.
     ///
     /// # Errors
-    /// Kind `Usage` where another control or post file wrote a program of that name into the run; `InputOutput`.
+    /// Kind `Usage` where another control or post file wrote a program of that name into the run;
+    /// `InputOutput`.
     pub fn add_program(&mut self, name: &str, content: impl AsRef<[u8]>, post: &str) -> Result<()> {
         let before = if self.replaces.is_some() { None } else { self.manifest() };
         let before = before.and_then(|m| m.programs.get(name).cloned());
@@ -176,7 +183,8 @@ impl RunFolder {
         self.add(name, content)
     }
 
-    /// Adds the job of a study: of `compare` or `channel`. It may stand beside a run of the same job only, and takes the place of studies of another.
+    /// Adds the job of a study: of `compare` or `channel`. It may stand beside a run of the same
+    /// job only, and takes the place of studies of another.
     ///
     /// # Errors
     /// Kind `Usage` where the folder holds a run of another job; `InputOutput`.
@@ -221,7 +229,8 @@ impl RunFolder {
         &self.programs
     }
 
-    /// Makes all files last through a loss of power, brings them into the target folder together, and names them.
+    /// Makes all files last through a loss of power, brings them into the target folder together,
+    /// and names them.
     ///
     /// # Errors
     /// Kind `InputOutput`; the folder is then as it was.

@@ -93,13 +93,15 @@ fn obstacles(job: &Job, blade: &Blade, inputs: &mut Vec<Input>, observer: &dyn O
 /// Reads a job file.
 ///
 /// # Errors
-/// `InputOutput` when the file cannot be read; `Usage` with file, line and key when it is not a job file.
+/// `InputOutput` when the file cannot be read; `Usage` with file, line and key when it is not a job
+/// file.
 pub fn job(path: &Path) -> Result<JobFile> {
     let short = "a job file is a short TOML text; name the CAD file in it as model.file";
     job::parse(&text_of(path, Stage::Job, "job file", short)?, &path.display().to_string())
 }
 
-/// The text of a file that is written by hand; `what` it is, and what is said where it is `too_large` to be that.
+/// The text of a file that is written by hand; `what` it is, and what is said where it is
+/// `too_large` to be that.
 ///
 /// # Errors
 /// `InputOutput` where it cannot be read; `Usage` where it is too large, or no text.
@@ -120,7 +122,8 @@ pub fn machine(path: &Path) -> Result<Machine> {
     Machine::from_toml(&named(path, Stage::Machine, "machine file")?, &path.display().to_string())
 }
 
-/// Reads a tool file: TOML with the keys of [`Tool`], or with a table `[tool]` of them, so that a resolved job will do.
+/// Reads a tool file: TOML with the keys of [`Tool`], or with a table `[tool]` of them, so that a
+/// resolved job will do.
 ///
 /// # Errors
 /// Kind `InputOutput` where the file cannot be read, else as [`Tool::from_toml`].

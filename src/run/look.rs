@@ -152,7 +152,8 @@ fn shown((name, schedule): &Other) -> draw::OtherSchedule<'_> {
     draw::OtherSchedule { name, schedule, motion: None }
 }
 
-/// All kinds of schedules but the fixed lead and the one in use, the costly ones as sketches; one that cannot be made here is left out.
+/// All kinds of schedules but the fixed lead and the one in use, the costly ones as sketches; one
+/// that cannot be made here is left out.
 pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
     let kinds = [
         ("quaternion", ScheduleKind::Quaternion),
@@ -169,8 +170,9 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
     wanted.into_par_iter().filter_map(|(name, kind)| Some((name, make(kind)?))).collect()
 }
 
-/// preview.glb and report.html of a plan taken up again: sections, the fixed-lead baseline and the figures are made anew; paths of
-/// other kinds and the figures of programs are taken from the summary that is there.
+/// preview.glb and report.html of a plan taken up again: sections, the fixed-lead baseline and the
+/// figures are made anew; paths of other kinds and the figures of programs are taken from the
+/// summary that is there.
 ///
 /// # Errors
 /// Those of the stages.

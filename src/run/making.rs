@@ -65,8 +65,8 @@ pub fn run(draft: &Draft, out: &Path, course: Course, observer: &dyn Observer) -
     run_on(draft, out, course, &[], observer)
 }
 
-/// As [`run`]; stages whose inputs are those of an earlier run are taken over from it. The files are the same, but for the times in
-/// `manifest.json`.
+/// As [`run`]; stages whose inputs are those of an earlier run are taken over from it. The files
+/// are the same, but for the times in `manifest.json`.
 ///
 /// # Errors
 /// As [`run`].

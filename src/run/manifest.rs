@@ -48,7 +48,8 @@ pub struct Manifest {
     pub build: String,
     /// Inputs with their hashes.
     pub inputs: Vec<Input>,
-    /// The resolved job, its keys by the alphabet: a manifest that is read and written again stays the same.
+    /// The resolved job, its keys by the alphabet: a manifest that is read and written again stays
+    /// the same.
     pub job: serde_json::Value,
     /// Stages in order.
     pub stages: Vec<StageRecord>,
@@ -57,7 +58,8 @@ pub struct Manifest {
     /// Seal of the checks, see [`crate::verify::seal`]; absent where nothing was checked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seal: Option<String>,
-    /// Files of the run, but for this one, with the BLAKE3 hashes of their content: those that it wrote, and those that came to it later.
+    /// Files of the run, but for this one, with the BLAKE3 hashes of their content: those that it
+    /// wrote, and those that came to it later.
     pub outputs: BTreeMap<String, String>,
     /// Its programs, and the control or own post file that wrote each.
     #[serde(default)]

@@ -1,7 +1,9 @@
-//! The files of a run: they come into its folder together or not at all, and nothing of an earlier run stays beside them.
+//! The files of a run: they come into its folder together or not at all, and nothing of an earlier
+//! run stays beside them.
 //!
-//! A [`RunFolder`] collects every file in a temporary folder inside the target and moves them in at the end, under a journal
-//! (`staging.rs`): an error, an interruption, a full disk or a kill leaves the folder as it was.
+//! A [`RunFolder`] collects every file in a temporary folder inside the target and moves them in at
+//! the end, under a journal (`staging.rs`): an error, an interruption, a full disk or a kill leaves
+//! the folder as it was.
 
 pub mod again;
 mod checking;
@@ -36,8 +38,9 @@ pub fn program() -> String {
     format!("bladewright {}", env!("CARGO_PKG_VERSION"))
 }
 
-/// The build: a hash of the sources, the built-in data and the versions of all dependencies. Two programs with the same one compute the same;
-/// what the system's own mathematics library gives for the last digit of a sine is not in it.
+/// The build: a hash of the sources, the built-in data and the versions of all dependencies. Two
+/// programs with the same one compute the same; what the system's own mathematics library gives for
+/// the last digit of a sine is not in it.
 pub fn build() -> &'static str {
     env!("BLADEWRIGHT_BUILD")
 }
@@ -48,8 +51,8 @@ fn trouble(what: &str, path: &Path, e: std::io::Error) -> Error {
         .caused_by(e)
 }
 
-/// Puts a folder right that a killed process left in the middle of bringing files in: they are taken out again. To be called before files of a
-/// finished run are read.
+/// Puts a folder right that a killed process left in the middle of bringing files in: they are
+/// taken out again. To be called before files of a finished run are read.
 ///
 /// # Errors
 /// Kind `InputOutput` where they cannot be taken out.

@@ -1,7 +1,8 @@
 //! Several finished runs of one part as one program: an operation each, in the order given.
 //!
-//! A run is an artifact: planned, checked and sealed by itself, with its own tool, path and stock. A program of several operations is nothing but their
-//! programs one after another, each from its tool call to the unwound axis; what is new are the moves between, and those are read back and
+//! A run is an artifact: planned, checked and sealed by itself, with its own tool, path and stock.
+//! A program of several operations is nothing but their programs one after another, each from its
+//! tool call to the unwound axis; what is new are the moves between, and those are read back and
 //! checked (`program-rapids`).
 
 use super::inputs::Loaded;
@@ -32,11 +33,12 @@ pub struct From {
     pub turn: Option<usize>,
 }
 
-/// The program, and what reading it back found: every operation against its plan, and all moves between.
+/// The program, and what reading it back found: every operation against its plan, and all moves
+/// between.
 ///
 /// # Errors
-/// `Usage` where runs are not of the same part in the same frame on the same machine, or there is no such operation; those of [`post::join`] and
-/// of [`verify::read_back::read_back_each`].
+/// `Usage` where runs are not of the same part in the same frame on the same machine, or there is
+/// no such operation; those of [`post::join`] and of [`verify::read_back::read_back_each`].
 pub fn join(runs: &[Done], dialect: &Dialect, from: From) -> Result<(Program, Vec<Check>)> {
     let first = from.operation.unwrap_or(1);
     let (Some(left), Some(one)) = (first.checked_sub(1).and_then(|k| runs.get(k..)), runs.first()) else {

@@ -19,8 +19,9 @@ const NO_PROGRAMS: [&str; 22] = [
     "step", "stl", "stp", "svg", "toml", "txt", "zip",
 ];
 
-/// What reading the programs of a finished run back finds: those that its job asks for, and every other file in its folder that is a program. One
-/// that the job asks for and that is not there is a finding where the run was to write them: `wrote_programs`.
+/// What reading the programs of a finished run back finds: those that its job asks for, and every
+/// other file in its folder that is a program. One that the job asks for and that is not there is a
+/// finding where the run was to write them: `wrote_programs`.
 ///
 /// # Errors
 /// Those of the dialects.

@@ -1,7 +1,9 @@
-//! A change of the post alone: programs are written and read back, the summary gets their times, the report its new words; everything else is the earlier run's, byte for byte.
+//! A change of the post alone: programs are written and read back, the summary gets their times,
+//! the report its new words; everything else is the earlier run's, byte for byte.
 //!
-//! Taken from a run that came to its end, by the same build, of the same inputs in all but `[post]`, whose files are as it left them (the hashes are in its
-//! manifest) and whose checks fit their seal. Where any of this is not so, the run is made in the ordinary way.
+//! Taken from a run that came to its end, by the same build, of the same inputs in all but
+//! `[post]`, whose files are as it left them (the hashes are in its manifest) and whose checks fit
+//! their seal. Where any of this is not so, the run is made in the ordinary way.
 
 use super::checking::{Run, post_all};
 use super::look::{self, Look};

@@ -1,8 +1,10 @@
 //! Stages taken over from earlier runs.
 //!
-//! A stage's result follows from its inputs alone, to the last bit, on any number of threads. So where the inputs of a stage and of
-//! all before it are those of an earlier run by the same build of the program, its result is taken from that run's `plan.json` instead of
-//! being computed. JSON keeps every bit of a number. Checks are taken over where their seal fits ([`crate::verify::seal`]).
+//! A stage's result follows from its inputs alone, to the last bit, on any number of threads. So
+//! where the inputs of a stage and of all before it are those of an earlier run by the same build
+//! of the program, its result is taken from that run's `plan.json` instead of being computed. JSON
+//! keeps every bit of a number. Checks are taken over where their seal fits
+//! ([`crate::verify::seal`]).
 //!
 //! | taken over | where these are the same |
 //! | --- | --- |
@@ -144,7 +146,8 @@ struct Files<'a> {
 }
 
 impl<'a> Files<'a> {
-    /// Inputs stand in this order: the model with its data files, the machine if it is a file, own post files, fixtures, stock.
+    /// Inputs stand in this order: the model with its data files, the machine if it is a file, own
+    /// post files, fixtures, stock.
     fn of(job: &Job, inputs: &'a [Input]) -> Self {
         let hashes: Vec<&str> = inputs.iter().map(|i| i.blake3.as_str()).collect();
         let around = job.fixture.len() + usize::from(job.stock.is_some());

@@ -25,7 +25,8 @@ const NEW: &str = "new";
 const OLD: &str = "old";
 const JOURNAL: &str = "journal";
 
-/// Moving files takes no longer than this; a lock on the folder that is held longer is not one of ours.
+/// Moving files takes no longer than this; a lock on the folder that is held longer is not one of
+/// ours.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A folder in which files are made; it goes away with this.
@@ -53,7 +54,8 @@ impl Staging {
         self.folder().join(name)
     }
 
-    /// The folder of new files. It has the rights that the process' mask lets, the one around it is its owner's alone.
+    /// The folder of new files. It has the rights that the process' mask lets, the one around it is
+    /// its owner's alone.
     pub fn folder(&self) -> PathBuf {
         self.folder.path().join(NEW)
     }
@@ -64,7 +66,8 @@ impl Staging {
         std::fs::rename(other.folder(), self.folder())
     }
 
-    /// Moves the new files into the folder around this one, and those that are `gone` or replaced away. The caller holds that folder.
+    /// Moves the new files into the folder around this one, and those that are `gone` or replaced
+    /// away. The caller holds that folder.
     pub fn swap(self, target: &Path, new: &[String], gone: &BTreeSet<String>) -> io::Result<()> {
         let staging = self.folder.path();
         let moves = moves(staging, target, new, gone)?;
@@ -128,8 +131,8 @@ fn moves(staging: &Path, target: &Path, new: &[String], gone: &BTreeSet<String>)
     Ok(all)
 }
 
-/// Puts everything back where it was before the journal was written. May be broken off and begun again at any place: no old file comes back
-/// before all new ones are out.
+/// Puts everything back where it was before the journal was written. May be broken off and begun
+/// again at any place: no old file comes back before all new ones are out.
 fn undo(staging: &Path, target: &Path) -> io::Result<()> {
     let journal = staging.join(JOURNAL);
     let names: Vec<String> = match files::read(&journal, files::SHORT) {
@@ -193,7 +196,8 @@ fn sweep(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// One process at a time moves files in a folder. Where the system has no such locks, or somebody else holds one, it goes on without.
+/// One process at a time moves files in a folder. Where the system has no such locks, or somebody
+/// else holds one, it goes on without.
 pub(super) fn hold(folder: &Path) -> Option<File> {
     let file = File::open(folder).ok()?;
     let last_try = Instant::now() + PATIENCE;
@@ -249,7 +253,8 @@ mod tests {
         assert_eq!(files(dir.path()), wanted.iter().map(|(n, t)| ((*n).to_owned(), (*t).to_owned())).collect());
     }
 
-    /// A process that is killed after any number of moves leaves the old files, once the folder is looked at again; also if that is killed too.
+    /// A process that is killed after any number of moves leaves the old files, once the folder is
+    /// looked at again; also if that is killed too.
     #[test]
     fn a_kill_at_any_move_is_undone() {
         for undone_first in [false, true] {
@@ -271,7 +276,8 @@ mod tests {
                 let folder = folder.keep();
                 drop(_lock);
                 if undone_first && made > 3 {
-                    // The first step of putting back was made, then that process was killed as well.
+                    // The first step of putting back was made, then that process was killed as
+                    // well.
                     fs::rename(d.join("a"), folder.join(NEW).join("a")).unwrap();
                 }
                 settle(d).unwrap();

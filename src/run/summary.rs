@@ -39,7 +39,8 @@ pub struct ScheduleFigures {
     pub axes: Vec<AxisPeak>,
     /// Greatest rotary velocity at the programmed feed held constant, degrees per second.
     pub a_velocity_at_constant_feed_deg_s: f64,
-    /// Greatest rotary acceleration at the programmed feed held constant, degrees per second squared.
+    /// Greatest rotary acceleration at the programmed feed held constant, degrees per second
+    /// squared.
     pub a_acceleration_at_constant_feed_deg_s2: f64,
 }
 
@@ -54,8 +55,8 @@ pub struct PathFigures {
     pub path_length_mm: f64,
     /// Inner turns beside the limit, judged by the scallop asked for.
     pub limit: LimitFigures,
-    /// Its ratio of length to limit if its worst ridge (99th percentile) were the same as that of the path in use: a length falls as the
-    /// root of the scallop.
+    /// Its ratio of length to limit if its worst ridge (99th percentile) were the same as that of
+    /// the path in use: a length falls as the root of the scallop.
     pub ratio_at_same_scallop: f64,
 }
 
@@ -118,11 +119,13 @@ pub struct Summary {
     pub scallop_p50_mm: f64,
     /// 5th percentile, mm.
     pub scallop_p05_mm: f64,
-    /// Length of the inner turns along their contacts beside the least that their area needs, with the ridges between them.
+    /// Length of the inner turns along their contacts beside the least that their area needs, with
+    /// the ridges between them.
     pub limit: LimitFigures,
     /// Paths of the other kinds with the same worst scallop; empty without `path.compare`.
     pub other_paths: Vec<PathFigures>,
-    /// Area beside the path that no ball of this radius can reach, mm², and the most that is left there, mm.
+    /// Area beside the path that no ball of this radius can reach, mm², and the most that is left
+    /// there, mm.
     pub uncut_area_mm2: f64,
     /// Most that is left there, mm.
     pub uncut_height_mm: f64,
@@ -130,16 +133,19 @@ pub struct Summary {
     pub gouge_mm: f64,
     /// Taper, shank and holder come no nearer to the part, mm: what the checks proved.
     pub clearance_mm: f64,
-    /// Least width of the channel, degrees: `theta_max_deg` less `theta_min_deg` of `cutter_locations.csv`.
+    /// Least width of the channel, degrees: `theta_max_deg` less `theta_min_deg` of
+    /// `cutter_locations.csv`.
     pub channel_width_min_deg: f64,
     /// Cutter location of the narrowest place.
     pub channel_narrowest_row: usize,
-    /// Least width of the channel's monotone hull, degrees: what a schedule that never turns back has.
+    /// Least width of the channel's monotone hull, degrees: what a schedule that never turns back
+    /// has.
     #[serde(default)]
     pub channel_monotone_min_deg: f64,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
-    /// Axes whose velocity, acceleration and jerk are assumed: with them every time above and below.
+    /// Axes whose velocity, acceleration and jerk are assumed: with them every time above and
+    /// below.
     #[serde(default)]
     pub limits_assumed: Vec<String>,
     /// Programs, with where their time goes.
@@ -163,8 +169,8 @@ pub fn axis_peaks(motion: &AxisMotion, axes: &[Axis]) -> Vec<AxisPeak> {
         .collect()
 }
 
-/// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and acceleration, rad, at the
-/// programmed feed held constant.
+/// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and
+/// acceleration, rad, at the programmed feed held constant.
 pub fn schedule_figures(
     plan: &Plan,
     schedule: &Schedule,

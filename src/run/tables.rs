@@ -8,7 +8,8 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::machine::Axis;
 
-/// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back exactly.
+/// `cutter_locations.csv`: model frame, mm, degrees; numbers in the shortest form that reads back
+/// exactly.
 pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
     let mut out = String::with_capacity(260 * plan.toolpath.locations.len() + 400);
     out.push_str("# bladewright cutter locations; model frame, mm; angles in degrees about the blade axis\n");
@@ -63,8 +64,8 @@ pub fn deviation(blade: &Blade, map: &DeviationMap) -> String {
     out
 }
 
-/// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives per second. The leads' rows stand before and
-/// behind those of the cutter locations.
+/// `axes.csv`: time in seconds; linear axes in mm, rotary axes in degrees, and their derivatives
+/// per second. The leads' rows stand before and behind those of the cutter locations.
 pub fn axes(plan: &Plan, axes: &[Axis]) -> String {
     let [before, after] = &plan.leads;
     let mut out = String::with_capacity(400 * plan.motion.t_s.len() + 200);
@@ -89,7 +90,8 @@ pub fn axes(plan: &Plan, axes: &[Axis]) -> String {
     out
 }
 
-/// Numbers that are the same but for rounding on the way through another program, relative to 1 or to their size.
+/// Numbers that are the same but for rounding on the way through another program, relative to 1 or
+/// to their size.
 const SAME: f64 = 1e-9;
 
 /// A table that is not the one it should be.
@@ -101,7 +103,8 @@ pub struct Difference {
     pub first: String,
 }
 
-/// Compares the text of a table with the one that its plan gives: header, number of rows, every cell. Lines that begin with `#` are passed over.
+/// Compares the text of a table with the one that its plan gives: header, number of rows, every
+/// cell. Lines that begin with `#` are passed over.
 pub fn difference(is: &str, want: &str) -> Difference {
     let mut out = Difference::default();
     let mut add = |says: String| {
@@ -152,7 +155,8 @@ fn start_of(text: &str) -> String {
 /// Puts the cutter locations and angles of a `cutter_locations.csv` into a plan of as many rows.
 ///
 /// # Errors
-/// Kind `InputOutput`, with the line, where a row is missing, has another number of columns or is not a number.
+/// Kind `InputOutput`, with the line, where a row is missing, has another number of columns or is
+/// not a number.
 pub fn read_cutter_locations(text: &str, blade: &Blade, plan: &mut Plan) -> Result<()> {
     let bad = |line: usize, what: String| {
         Err(Error::io(Stage::Output, format!("cutter_locations.csv, line {line}: {what}"))

@@ -1,4 +1,5 @@
-//! Cubic Béziers in the (s, θ) plane: straight stretches and the two-piece corner of the piecewise method.
+//! Cubic Béziers in the (s, θ) plane: straight stretches and the two-piece corner of the piecewise
+//! method.
 
 use super::corridor::Node;
 use crate::artifact::schedule::BezierPiece;
@@ -21,9 +22,9 @@ pub(super) struct Reach {
     pub scale: [f64; 2],
 }
 
-/// The corner `p1 p2 p3` rounded by two cubics with doubled inner control points (method of Bézier control point
-/// assignment): zero curvature at all joints, so the whole is G2; its height over `p2` is as great as `reach` allows.
-/// `None` where the corner is straight.
+/// The corner `p1 p2 p3` rounded by two cubics with doubled inner control points (method of Bézier
+/// control point assignment): zero curvature at all joints, so the whole is G2; its height over
+/// `p2` is as great as `reach` allows. `None` where the corner is straight.
 pub(super) fn corner(p1: Node, p2: Node, p3: Node, reach: &Reach) -> Option<[BezierPiece; 2]> {
     let [ls, lt] = reach.scale;
     let angle = |a: Node, b: Node| ((b[1] - a[1]) / lt).atan2((b[0] - a[0]) / ls);
@@ -33,7 +34,8 @@ pub(super) fn corner(p1: Node, p2: Node, p3: Node, reach: &Reach) -> Option<[Bez
     if sin1.abs() < 1e-13 {
         return None;
     }
-    // d = |ε| (cos slope + cos μ) / |sin(slope − μ)| along the segment, of which `cos slope` is along s.
+    // d = |ε| (cos slope + cos μ) / |sin(slope − μ)| along the segment, of which `cos slope` is
+    // along s.
     let most = |s_mm: f64, slope: f64, sin: f64| s_mm / ls * sin.abs() / (slope.cos() * (slope.cos() + mu.cos()));
     let size = (reach.room_rad / lt).min(most(reach.s_mm[0], alpha, sin1)).min(most(reach.s_mm[1], gamma, sin2));
     let epsilon = size * sin1.signum();
@@ -120,7 +122,8 @@ pub(super) fn sample_freely(pieces: &[BezierPiece], s_mm: &[f64]) -> Vec<f64> {
     out
 }
 
-/// θ at increasing `s_mm`; pieces in order, without gaps, with control points whose θ does not fall.
+/// θ at increasing `s_mm`; pieces in order, without gaps, with control points whose θ does not
+/// fall.
 pub(super) fn sample(pieces: &[BezierPiece], s_mm: impl IntoIterator<Item = f64>) -> Vec<f64> {
     let mut k = 0;
     let mut out: Vec<f64> = Vec::new();
@@ -130,7 +133,8 @@ pub(super) fn sample(pieces: &[BezierPiece], s_mm: impl IntoIterator<Item = f64>
         }
         if let Some(p) = pieces.get(k) {
             let theta = cubic(p.map(|p| p[1]), parameter(p, s))[0];
-            // Ends exactly, and no step back by rounding, which a control would count as a reversal.
+            // Ends exactly, and no step back by rounding, which a control would count as a
+            // reversal.
             let theta = if s <= p[0][0] { p[0][1] } else { theta.min(p[3][1]) };
             out.push(out.last().map_or(theta, |before| theta.max(*before)));
         }
@@ -187,8 +191,8 @@ mod tests {
 
     #[test]
     fn the_peak_of_a_symmetric_corner_has_a_closed_form() {
-        // Equal lengths and symmetric slopes ∓m in equal scales: half the corner spans 2a of s and turns the slope by
-        // m with A × C = m a², so the peak is (4/3) m / a.
+        // Equal lengths and symmetric slopes ∓m in equal scales: half the corner spans 2a of s and
+        // turns the slope by m with A × C = m a², so the peak is (4/3) m / a.
         let reach = Reach { s_mm: [1.0, 1.0], room_rad: 1e9, scale: [1.0, 1.0] };
         let m = 1e-3;
         let [i, j] = corner([-2.0, 2.0 * m], [0.0, 0.0], [2.0, 2.0 * m], &reach).unwrap();

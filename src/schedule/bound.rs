@@ -1,23 +1,26 @@
 //! Lower bounds that hold for every schedule, proved by a weight function.
 //!
-//! For any weight `y(s)`, straight between the samples and zero at both ends, and any θ with a second derivative,
-//! `∫ y θ'' ds = Σ c θ(s)`, a sum over the samples with `c` the divided second differences of `y` times lengths. Whatever
-//! θ is, it never falls and is between the walls at the samples, so the sum is at least its least value over all such
-//! values: a linear problem whose exact solution takes one pass (`least_sum`). Hence
+//! For any weight `y(s)`, straight between the samples and zero at both ends, and any θ with a
+//! second derivative, `∫ y θ'' ds = Σ c θ(s)`, a sum over the samples with `c` the divided second
+//! differences of `y` times lengths. Whatever θ is, it never falls and is between the walls at the
+//! samples, so the sum is at least its least value over all such values: a linear problem whose
+//! exact solution takes one pass (`least_sum`). Hence
 //!
 //! ```text
 //! max |θ''|   ≥ least Σ c θ / ∫ |y|                  ∫ θ''²  ≥ 2 least Σ c θ − ∫ y²
 //! max |θ'''|  ≥ least Σ c θ / ∫ |Y|,  Y' = −y        ∫ θ'''² ≥ 2 least Σ c θ − ∫ Y²
 //! ```
 //!
-//! whatever `y` is; a solver's multipliers only choose it well. The proof needs no trust in the solver.
+//! whatever `y` is; a solver's multipliers only choose it well. The proof needs no trust in the
+//! solver.
 
 use std::collections::VecDeque;
 
 use super::corridor::Corridor;
 use crate::artifact::schedule::Measure;
 
-/// The bound that the weight `y` at the samples proves. The ends of `y` are taken as zero. Not negative.
+/// The bound that the weight `y` at the samples proves. The ends of `y` are taken as zero. Not
+/// negative.
 pub(super) fn prove(measure: Measure, walls: &Corridor, y: &[f64]) -> f64 {
     let n = walls.s.len();
     if n < 3 || y.len() != n || !y.iter().all(|v| v.is_finite()) {
@@ -88,15 +91,17 @@ fn balance(s: &[f64], y: &mut [f64]) {
     }
 }
 
-/// The least `Σ c θ` over values that never fall and are between the walls (which never fall themselves; `Σ c = 0` and
-/// `Σ c s = 0`, so a straight line may be taken from θ to keep the sums small). Exact: the least sum up to a sample, as a
-/// function of the greatest value allowed there, is convex, falls, and is kept as its slopes between corners; every corner
-/// enters once at the upper wall and leaves once at either side.
+/// The least `Σ c θ` over values that never fall and are between the walls (which never fall
+/// themselves; `Σ c = 0` and `Σ c s = 0`, so a straight line may be taken from θ to keep the sums
+/// small). Exact: the least sum up to a sample, as a function of the greatest value allowed there,
+/// is convex, falls, and is kept as its slopes between corners; every corner enters once at the
+/// upper wall and leaves once at either side.
 fn least_sum(walls: &Corridor, c: &[f64]) -> f64 {
     let n = walls.s.len();
     let m = (walls.lo[n - 1] - walls.lo[0]) / (walls.s[n - 1] - walls.s[0]);
     let line = |i: usize| walls.lo[0] + m * (walls.s[i] - walls.s[0]);
-    // Value at the lower wall, slope there, and corners (place, rise of the slope) to the right; the last slope is 0.
+    // Value at the lower wall, slope there, and corners (place, rise of the slope) to the right;
+    // the last slope is 0.
     let (mut value, mut slope) = (0.0, 0.0);
     let mut corners: VecDeque<[f64; 2]> = VecDeque::new();
     let mut low = walls.lo[0];
@@ -118,7 +123,8 @@ fn least_sum(walls: &Corridor, c: &[f64]) -> f64 {
         value += c[i] * (low - line(i));
         slope += c[i];
         let mut last = c[i];
-        // The slope after the last corner is now c: beyond the upper wall it must be 0, and nowhere above 0.
+        // The slope after the last corner is now c: beyond the upper wall it must be 0, and nowhere
+        // above 0.
         if last < 0.0 {
             corners.push_back([high, -last]);
         } else {

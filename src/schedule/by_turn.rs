@@ -1,8 +1,10 @@
-//! The optimal schedule turn by turn: each turn is planned together with the one after it, and kept.
+//! The optimal schedule turn by turn: each turn is planned together with the one after it, and
+//! kept.
 //!
-//! Where a turn ends, angle, slope and second derivative are what is best for both (free joints); the next turn begins with
-//! them. The work and memory of a turn do not depend on how many there are, and what lies beyond the next turn cannot change what
-//! is kept: a schedule may be begun before the path is finished. Each turn's own peak (or square) is made little, not the greatest
+//! Where a turn ends, angle, slope and second derivative are what is best for both (free joints);
+//! the next turn begins with them. The work and memory of a turn do not depend on how many there
+//! are, and what lies beyond the next turn cannot change what is kept: a schedule may be begun
+//! before the path is finished. Each turn's own peak (or square) is made little, not the greatest
 //! of all; no bound is proved for that.
 
 use super::corridor::Corridor;
@@ -10,7 +12,8 @@ use super::optimal::{Found, Goal, Scale, round_from};
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::Measure;
 
-/// Value, slope and second derivative for every sample of the walls; `None` where a turn leaves no room.
+/// Value, slope and second derivative for every sample of the walls; `None` where a turn leaves no
+/// room.
 pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: &Scale) -> Option<Found> {
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let last = walls.s.len() - 1;

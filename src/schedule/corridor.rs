@@ -1,4 +1,5 @@
-//! The walls between which a schedule runs: two piecewise linear functions of arc length that never fall.
+//! The walls between which a schedule runs: two piecewise linear functions of arc length that never
+//! fall.
 
 /// A point of the S–θ plane: arc length from the start of the path (mm) and angle (rad).
 pub(super) type Node = [f64; 2];
@@ -17,10 +18,11 @@ pub(super) struct Corridor {
 }
 
 impl Corridor {
-    /// Walls moved inwards by `inset_rad`, but at most by the share `most` (≤ ½) of the width there.
+    /// Walls moved inwards by `inset_rad`, but at most by the share `most` (≤ ½) of the width
+    /// there.
     ///
-    /// Walls that never fall stay so: `min(lo + inset, (1 − most) lo + most hi)` is the lesser of two functions that
-    /// never fall, and so is the upper wall's counterpart the greater of two.
+    /// Walls that never fall stay so: `min(lo + inset, (1 − most) lo + most hi)` is the lesser of
+    /// two functions that never fall, and so is the upper wall's counterpart the greater of two.
     pub fn shrunk(&self, inset_rad: f64, most: f64) -> Corridor {
         let moved = |a: f64, b: f64| inset_rad.min(most * (b - a).max(0.0));
         let lo = self.lo.iter().zip(&self.hi).map(|(a, b)| a + moved(*a, *b)).collect();
@@ -67,7 +69,8 @@ impl Corridor {
         Corridor { s: pick(&self.s, a, b), lo: pick(&self.lo, lo_a, lo_b), hi: pick(&self.hi, hi_a, hi_b) }
     }
 
-    /// Least distance of the straight line `p q` from the lower and from the upper wall; negative: it passes through.
+    /// Least distance of the straight line `p q` from the lower and from the upper wall; negative:
+    /// it passes through.
     pub fn room(&self, p: Node, q: Node) -> [f64; 2] {
         let m = slope(p, q);
         let mut least = [f64::INFINITY; 2];
@@ -85,9 +88,11 @@ impl Corridor {
         least
     }
 
-    /// The straight line that runs from end to end with the greatest distance from the walls, if there is one.
+    /// The straight line that runs from end to end with the greatest distance from the walls, if
+    /// there is one.
     ///
-    /// `h(m) = max(lo − m s) − min(hi − m s)` is convex in the slope `m`; a line of slope `m` exists where `h ≤ 0`.
+    /// `h(m) = max(lo − m s) − min(hi − m s)` is convex in the slope `m`; a line of slope `m`
+    /// exists where `h ≤ 0`.
     pub fn straight(&self) -> Option<[Node; 2]> {
         let (s0, s1) = (*self.s.first()?, *self.s.last()?);
         if s1 <= s0 {

@@ -105,8 +105,8 @@ pub(super) fn squares(pieces: &[BezierPiece]) -> [f64; 2] {
     out
 }
 
-/// Whether the second derivative is continuous: its jumps at the joints are less than a millionth of its greatest value, or what
-/// rounding of the control points amounts to.
+/// Whether the second derivative is continuous: its jumps at the joints are less than a millionth
+/// of its greatest value, or what rounding of the control points amounts to.
 fn is_continuous(pieces: &[BezierPiece], peak: f64) -> bool {
     pieces.windows(2).all(|w| {
         let jump = (bezier::derivatives(&w[0], 1.0)[2] - bezier::derivatives(&w[1], 0.0)[2]).abs();
@@ -116,8 +116,9 @@ fn is_continuous(pieces: &[BezierPiece], peak: f64) -> bool {
     })
 }
 
-/// Greatest distance of the curve beyond the walls; 0: it is inside everywhere. Between two samples of the walls and
-/// within one piece, θ less the straight wall is a cubic of the parameter: its extremes decide.
+/// Greatest distance of the curve beyond the walls; 0: it is inside everywhere. Between two samples
+/// of the walls and within one piece, θ less the straight wall is a cubic of the parameter: its
+/// extremes decide.
 pub(super) fn outside(pieces: &[BezierPiece], walls: &Corridor) -> f64 {
     let mut worst = 0.0f64;
     let mut k = 0;
@@ -166,7 +167,8 @@ pub(super) fn schedule(kind: ScheduleKind, pieces: Vec<BezierPiece>, theta: Vec<
     }
 }
 
-/// The natural cubic spline through angles at the locations, for schedules that are made location by location.
+/// The natural cubic spline through angles at the locations, for schedules that are made location
+/// by location.
 ///
 /// # Errors
 /// Kind `Usage` where a number is not finite.
@@ -217,7 +219,8 @@ mod tests {
 
     #[test]
     fn a_bulge_between_samples_is_outside() {
-        // The greatest value 2 at s = −1, between the joints −2 and −0.7 and the walls' samples −2 and 0.
+        // The greatest value 2 at s = −1, between the joints −2 and −0.7 and the walls' samples −2
+        // and 0.
         let walls = |hi: f64| Corridor { s: vec![-2.0, 0.0, 2.0], lo: vec![-3.0; 3], hi: vec![hi; 3] };
         assert!(outside(&wave(), &walls(2.0)) < 1e-12);
         assert!((outside(&wave(), &walls(1.5)) - 0.5).abs() < 1e-12);

@@ -8,7 +8,8 @@ use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
 use crate::observe::{Observer, Warning};
 
-/// Normals closer to the axis of their cone than this have no azimuth worth following (sine of the angle to the axis).
+/// Normals closer to the axis of their cone than this have no azimuth worth following (sine of the
+/// angle to the axis).
 const ALONG_AXIS: f64 = 1e-6;
 
 /// θ at every location.
@@ -27,7 +28,8 @@ pub(super) fn angles(path: &Toolpath, channel: &Channel, options: &ScheduleOptio
     theta
 }
 
-/// See the module's page. The curve is the natural cubic spline through the angles at the locations.
+/// See the module's page. The curve is the natural cubic spline through the angles at the
+/// locations.
 pub(super) fn plan(
     path: &Toolpath,
     channel: &Channel,

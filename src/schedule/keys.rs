@@ -1,13 +1,16 @@
-//! The linear schedule of one stretch: few key points, placed so that their corners can be rounded gently.
+//! The linear schedule of one stretch: few key points, placed so that their corners can be rounded
+//! gently.
 //!
-//! The taut string has a key point at every sample that it wraps around. Of these the subsequence is kept whose
-//! corners are gentlest, found by dynamic programming over the lines between two of them that stay inside the walls;
-//! then each key point is moved up or down within the walls while that helps.
+//! The taut string has a key point at every sample that it wraps around. Of these the subsequence
+//! is kept whose corners are gentlest, found by dynamic programming over the lines between two of
+//! them that stay inside the walls; then each key point is moved up or down within the walls while
+//! that helps.
 //!
-//! *Gentle*: a corner that turns the slope by Δ and may use the length `h` on either side gets a curve with
-//! `|d²θ/ds²| ≈ (4/3) Δ / h`; where the wall leaves only the height ε, `h ≈ 4ε/Δ`, hence `Δ²/(3ε)`. Both are exact in
-//! the limit of small symmetric corners; what counts in the end is the peak of the curve itself. Costs are summed
-//! in their eighth power, which is close to the least peak and still blunts the other corners.
+//! *Gentle*: a corner that turns the slope by Δ and may use the length `h` on either side gets a
+//! curve with `|d²θ/ds²| ≈ (4/3) Δ / h`; where the wall leaves only the height ε, `h ≈ 4ε/Δ`, hence
+//! `Δ²/(3ε)`. Both are exact in the limit of small symmetric corners; what counts in the end is the
+//! peak of the curve itself. Costs are summed in their eighth power, which is close to the least
+//! peak and still blunts the other corners.
 
 use super::corridor::{Corridor, Node, slope};
 use super::taut;
@@ -15,7 +18,8 @@ use super::turn::{End, Stretch};
 
 /// Lines tried from each key point onwards.
 const FAN: usize = 12;
-/// Sweeps over all key points when they are moved, and the share of the local width by which they move in the first.
+/// Sweeps over all key points when they are moved, and the share of the local width by which they
+/// move in the first.
 const SWEEPS: usize = 14;
 const FIRST_STEP: f64 = 0.25;
 
@@ -56,8 +60,8 @@ pub(super) fn linear(walls: &Walls, stretch: &Stretch, start: f64, end: f64) -> 
     keys
 }
 
-/// Lengths of `s` that the corner at `p2` may use before and after it. Next to an end of the stretch no other corner
-/// needs the other half of the segment.
+/// Lengths of `s` that the corner at `p2` may use before and after it. Next to an end of the
+/// stretch no other corner needs the other half of the segment.
 pub(super) fn reaches(p: [Node; 3], stretch: &Stretch) -> [f64; 2] {
     let share = |outer: bool| if outer { 1.0 } else { 0.5 };
     [share(p[0][0] <= stretch.from) * (p[1][0] - p[0][0]), share(p[2][0] >= stretch.to) * (p[2][0] - p[1][0])]
@@ -74,7 +78,8 @@ fn cost(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> f64 {
     by_length.max(by_room).powi(8)
 }
 
-/// A line that starts at key point `from`, with the least cost of all corners up to its start and the line before it.
+/// A line that starts at key point `from`, with the least cost of all corners up to its start and
+/// the line before it.
 struct Line {
     from: usize,
     cost: f64,
@@ -116,8 +121,9 @@ fn gentlest(keys: &[Node], walls: &Walls, stretch: &Stretch) -> Vec<Node> {
     if out.first() == keys.first() { out } else { keys.to_vec() }
 }
 
-/// Key points after `from` to which the straight line stays inside the walls: the next one, and a fan of at most
-/// [`FAN`] up to the farthest, about evenly spread. With a level end the last is reached only from the one before.
+/// Key points after `from` to which the straight line stays inside the walls: the next one, and a
+/// fan of at most [`FAN`] up to the farthest, about evenly spread. With a level end the last is
+/// reached only from the one before.
 fn visible(keys: &[Node], from: usize, lines: &Corridor, level_end: bool) -> Vec<usize> {
     let n = keys.len();
     let last = if level_end && from + 2 < n { n - 2 } else { n - 1 };
@@ -154,7 +160,8 @@ fn visible(keys: &[Node], from: usize, lines: &Corridor, level_end: bool) -> Vec
     picked
 }
 
-/// Moves each inner key point up or down while the corners around it become gentler and its lines stay inside.
+/// Moves each inner key point up or down while the corners around it become gentler and its lines
+/// stay inside.
 fn relax(keys: &mut [Node], walls: &Walls, stretch: &Stretch) {
     let fixed = |e: End| if e == End::Free { 1 } else { 2 };
     let (first, last) = (fixed(stretch.start), fixed(stretch.end));
@@ -192,7 +199,8 @@ fn relax(keys: &mut [Node], walls: &Walls, stretch: &Stretch) {
     }
 }
 
-/// The straight line from `p` to `q` is inside the walls (up to the rounding of a line along a wall).
+/// The straight line from `p` to `q` is inside the walls (up to the rounding of a line along a
+/// wall).
 fn fits(lines: &Corridor, p: Node, q: Node) -> bool {
     let [below, above] = lines.room(p, q);
     below >= -1e-12 && above >= -1e-12

@@ -3,16 +3,20 @@
 //! In: [`Toolpath`], [`Channel`] (its monotone hull), [`ScheduleOptions`]. Out: [`Schedule`].
 //!
 //! ## Kinds
-//! * `fixed`: the baseline. θ is the azimuth of the surface normal about the blade axis plus a constant lead in the
-//!   feed direction, as CAM systems give within the four-axis constraint. It knows nothing of the channel and may
-//!   leave it or turn back: that is counted and reported, never an error.
-//! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`: to try the channel. Between locations a wall may jump: only where the
-//!   channel was planned with `prove_moves` does such a schedule keep clear there too.
-//! * `quaternion`: spherical interpolation between key orientations (Ho et al. 2003), the rival that the piecewise method was
-//!   published against; may leave the channel or turn back, like `fixed` (`quaternion` module).
-//! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over the whole path at once
-//!   (`optimal` module), with a lower bound that is proved apart from the solver (`bound` module).
-//!   With `scope = "turns"` it is planned turn by turn, each with the next in view (`by_turn` module).
+//! * `fixed`: the baseline. θ is the azimuth of the surface normal about the blade axis plus a
+//!   constant lead in the feed direction, as CAM systems give within the four-axis constraint. It
+//!   knows nothing of the channel and may leave it or turn back: that is counted and reported,
+//!   never an error.
+//! * `lower-wall`, `upper-wall`: along a wall of the channel, or outside it by `beyond_wall_deg`:
+//!   to try the channel. Between locations a wall may jump: only where the channel was planned with
+//!   `prove_moves` does such a schedule keep clear there too.
+//! * `quaternion`: spherical interpolation between key orientations (Ho et al. 2003), the rival
+//!   that the piecewise method was published against; may leave the channel or turn back, like
+//!   `fixed` (`quaternion` module).
+//! * `optimal`: the least peak, or least square, of the second or third derivative of θ(S), over
+//!   the whole path at once (`optimal` module), with a lower bound that is proved apart from the
+//!   solver (`bound` module). With `scope = "turns"` it is planned turn by turn, each with the next
+//!   in view (`by_turn` module).
 //! * `time`: a candidate for the least machining time. It makes a mean over short blocks least:
 //!   that of the factor by which the rotary axis would have to run slower than at full feed
 //!   ([`Pace`]). Where [`Pace::standing_mm`] asks for it, the axis nearly stands still while the
@@ -37,23 +41,26 @@
 //!      each in units of its limit (without a machine: the peak of |d²θ/ds²|).
 //!
 //! ## The curve
-//! Every schedule is a curve of cubic pieces ([`Schedule::pieces`]). Turning points, peaks and the greatest distance outside the
-//! channel are those of the curve itself: extremes of each piece and of each piece less each straight stretch of wall
-//! (`curve` module), not of samples.
+//! Every schedule is a curve of cubic pieces ([`Schedule::pieces`]). Turning points, peaks and the
+//! greatest distance outside the channel are those of the curve itself: extremes of each piece and
+//! of each piece less each straight stretch of wall (`curve` module), not of samples.
 //!
 //! ## Guarantees of `optimal`
-//! θ never falls, is inside the hull walls everywhere and is twice continuously differentiable. Its measure is within 1 % of
-//! the least for the walls less the margin, which [`crate::artifact::schedule::Quality::measure`] proves for each run.
+//! θ never falls, is inside the hull walls everywhere and is twice continuously differentiable. Its
+//! measure is within 1 % of the least for the walls less the margin, which
+//! [`crate::artifact::schedule::Quality::measure`] proves for each run.
 //!
 //! ## Guarantees of `piecewise`
-//! θ never falls; it is inside the hull walls everywhere (also between cutter locations, for walls taken as straight
-//! there); the curve is G2: slope and curvature are continuous, with zero curvature at all joints. The result is
-//! re-checked at all locations and between them before it is handed out.
+//! θ never falls; it is inside the hull walls everywhere (also between cutter locations, for walls
+//! taken as straight there); the curve is G2: slope and curvature are continuous, with zero
+//! curvature at all joints. The result is re-checked at all locations and between them before it is
+//! handed out.
 //!
 //! ## Failure
-//! Kind `Infeasible` where no monotone schedule exists (turn, S, what binds on either side) or where the channel
-//! closes to a point in which the schedule would have to bend. Warnings: where the margin had to give way, where a
-//! level stretch had to be shortened, and where two turns had to be scheduled as one because no level stretch fits.
+//! Kind `Infeasible` where no monotone schedule exists (turn, S, what binds on either side) or
+//! where the channel closes to a point in which the schedule would have to bend. Warnings: where
+//! the margin had to give way, where a level stretch had to be shortened, and where two turns had
+//! to be scheduled as one because no level stretch fits.
 
 mod bezier;
 mod bound;
@@ -81,8 +88,8 @@ pub use options::{Pace, ScheduleOptions};
 /// Makes a schedule of the kind asked for; see the module's page.
 ///
 /// # Errors
-/// Kind `Usage` for bad options or inputs that do not belong together; `Infeasible` (only `piecewise`) where no
-/// monotone schedule exists; `Cancelled`.
+/// Kind `Usage` for bad options or inputs that do not belong together; `Infeasible` (only
+/// `piecewise`) where no monotone schedule exists; `Cancelled`.
 pub fn plan(
     kind: ScheduleKind,
     path: &Toolpath,

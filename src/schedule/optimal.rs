@@ -1,9 +1,11 @@
 //! The schedule with the least peak, or least square, of its second or third derivative.
 //!
-//! θ is a cubic on every interval between cutter locations, twice continuously differentiable: state (θ, θ', θ'', γ), control the
-//! rise of θ'' over the interval. Angles are taken relative to a straight line and arc length in units of a turn, so that all
-//! numbers are of size 1. Rows at every interval: the four Bézier ordinates of θ between the straight walls, the three of
-//! θ' not negative (so that the cubic itself, not samples of it, satisfies both), and `|θ''| ≤ γ` or `|θ'''| ≤ γ`.
+//! θ is a cubic on every interval between cutter locations, twice continuously differentiable:
+//! state (θ, θ', θ'', γ), control the rise of θ'' over the interval. Angles are taken relative to a
+//! straight line and arc length in units of a turn, so that all numbers are of size 1. Rows at
+//! every interval: the four Bézier ordinates of θ between the straight walls, the three of θ' not
+//! negative (so that the cubic itself, not samples of it, satisfies both), and `|θ''| ≤ γ` or
+//! `|θ'''| ≤ γ`.
 //!
 //! *Peaks* take two rounds. The first finds the least γ of the whole path. Most of the path can do
 //! with less, and the first round leaves open what it does. The second round has a γ for each turn,
@@ -88,8 +90,9 @@ pub(super) fn plan(
     Ok(out)
 }
 
-/// A lower bound of the greatest |θ''| of any schedule in the channel that never turns back, rad/mm²: proved on a part of the
-/// samples, which is quick and valid for all. `None` where there is no channel.
+/// A lower bound of the greatest |θ''| of any schedule in the channel that never turns back,
+/// rad/mm²: proved on a part of the samples, which is quick and valid for all. `None` where there
+/// is no channel.
 pub(super) fn least_second(path: &Toolpath, channel: &Channel) -> Option<f64> {
     let hull = piecewise::hull(path, channel).ok()?;
     if hull.straight().is_some() {
@@ -186,8 +189,8 @@ fn refined(walls: &Corridor, parts: usize) -> Corridor {
     walls.at_all(&s)
 }
 
-/// The least over the whole path, with joints at the locations; where they are too far apart to bend between walls that bend, with joints
-/// between.
+/// The least over the whole path, with joints at the locations; where they are too far apart to
+/// bend between walls that bend, with joints between.
 fn refining(
     path: &Toolpath,
     walls: &Corridor,
@@ -272,7 +275,8 @@ fn solve(
     Ok(Found { walls: walls.clone(), theta, slope, weights })
 }
 
-/// The multipliers of `|θ''| ≤ γ` per length: the other form of the weight, better where walls without width leave the costates open.
+/// The multipliers of `|θ''| ≤ γ` per length: the other form of the weight, better where walls
+/// without width leave the costates open.
 fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
     let n = walls.s.len();
     let mut at = 0;

@@ -47,7 +47,8 @@ fn from_rest_to_rest_the_least_peaks_have_closed_forms() {
         let (_, value, bound) = s.quality.measure.unwrap();
         // The width of the flats lengthens the way: by its cube root for third derivatives.
         assert!(value > 0.75 * want && value < 1.03 * want, "{m:?} {value} {want}");
-        // Where the walls leave hardly any width the proof loses, since its weight is left open there.
+        // Where the walls leave hardly any width the proof loses, since its weight is left open
+        // there.
         if m == Measure::PeakSecond {
             assert!(bound > 0.5 * want, "{m:?} {bound} {want}");
         }
@@ -173,8 +174,8 @@ fn a_turn_does_not_wait_for_turns_farther_on() {
 
 #[test]
 fn one_turn_alone_may_need_nothing_where_the_whole_does() {
-    // Slopes 1, 2, 1: within any turn a straight line fits between any two ends, and a search that looks at one turn alone finds zero.
-    // Where they meet the slope has to change.
+    // Slopes 1, 2, 1: within any turn a straight line fits between any two ends, and a search that
+    // looks at one turn alone finds zero. Where they meet the slope has to change.
     let mut walls = Vec::new();
     let mut t = 0.0;
     for i in 0..=240 {
@@ -191,7 +192,8 @@ fn one_turn_alone_may_need_nothing_where_the_whole_does() {
 
 #[test]
 fn a_channel_one_sample_wide_is_passed() {
-    // Open everywhere but at single samples, where it has no width at all, on either side of its middle.
+    // Open everywhere but at single samples, where it has no width at all, on either side of its
+    // middle.
     let mut walls = blade_like(3, 60, 0.8, 0.0);
     for (i, side) in [(40, 0.7), (100, -0.7), (101, -0.69), (150, 0.0)] {
         let middle = 0.5 * (walls[i][0] + walls[i][1]);

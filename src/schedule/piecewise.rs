@@ -1,4 +1,5 @@
-//! The piecewise decoupled schedule over the whole path: walls, base points, choice of insets, assembly.
+//! The piecewise decoupled schedule over the whole path: walls, base points, choice of insets,
+//! assembly.
 
 use rayon::prelude::*;
 
@@ -15,8 +16,9 @@ use crate::observe::{Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
 const BASE_INSETS: [f64; 4] = [0.02, 0.05, 0.15, 0.4];
-/// Angles of the base points that are tried, in shares of the width there from the backward to the forward limit. The
-/// last is the published one; where the channel is wide it makes every turn begin with a wait and end with a rush.
+/// Angles of the base points that are tried, in shares of the width there from the backward to the
+/// forward limit. The last is the published one; where the channel is wide it makes every turn
+/// begin with a wait and end with a rush.
 const BASE_SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Lengths of the level stretches that are tried, in shares of the shorter neighbouring turn.
 const LEVEL_SHARES: [f64; 3] = [0.02, 0.06, 0.15];
@@ -116,7 +118,8 @@ fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
     )
 }
 
-/// The monotone hull, and the same with the margin kept from its walls; a warning where there is no room for it.
+/// The monotone hull, and the same with the margin kept from its walls; a warning where there is no
+/// room for it.
 pub(super) fn walls_with_margin(
     path: &Toolpath,
     channel: &Channel,
@@ -222,7 +225,8 @@ fn decoupled(
     })
 }
 
-/// Base points, level stretches and all turns for one choice. `Err`: where a key point has no room to bend.
+/// Base points, level stretches and all turns for one choice. `Err`: where a key point has no room
+/// to bend.
 fn attempt(
     path: &Toolpath,
     walls: &Corridor,
@@ -265,8 +269,9 @@ fn attempt(
     Ok(found)
 }
 
-/// Angle, half length and asked-for half length of the level stretch around the base point at `s`: what stays inside over the
-/// whole stretch is what lies between the lower wall at its end and the upper wall at its start. Halved until it fits.
+/// Angle, half length and asked-for half length of the level stretch around the base point at `s`:
+/// what stays inside over the whole stretch is what lies between the lower wall at its end and the
+/// upper wall at its start. Halved until it fits.
 fn level(inner: &Corridor, s: f64, shorter: f64, choice: Choice, options: &ScheduleOptions) -> Option<(f64, f64, f64)> {
     let asked = options.level_stretch_mm.unwrap_or(choice.level * shorter);
     let mut length = asked.min(0.4 * shorter);

@@ -1,19 +1,22 @@
-//! Spherical interpolation between key orientations: the rival that the piecewise method is compared with.
+//! Spherical interpolation between key orientations: the rival that the piecewise method is
+//! compared with.
 //!
-//! After Ho, Hwang and Hu 2003 ("Five-axis tool orientation smoothing using quaternion interpolation algorithm", Int. J.
-//! Mach. Tools Manuf. 43): orientations are chosen at a few key places and unit quaternions are interpolated between
-//! them. With B fixed all orientations differ by rotations about the blade axis only. Spherical interpolation (slerp) of two such
-//! rotations turns evenly from one angle to the other, and the spherical cubic through many
-//! (squad) is a cubic in the angle. The published cubic takes keys to be evenly spaced. Here they
-//! are not, and its tangents overshoot on narrow channels, so harmonic means replace them. Between
-//! two keys θ then stays between their angles. Its slope is continuous over arc length, and its
-//! second derivative jumps. On wide channels tangents weighted by length have lower peaks
-//! (measured: 0.160 against 0.423 deg/mm² on `steam_root`). The comparison is with this form and
-//! not with the best of the kind.
+//! After Ho, Hwang and Hu 2003 ("Five-axis tool orientation smoothing using quaternion
+//! interpolation algorithm", Int. J. Mach. Tools Manuf. 43): orientations are chosen at a few key
+//! places and unit quaternions are interpolated between them. With B fixed all orientations differ
+//! by rotations about the blade axis only. Spherical interpolation (slerp) of two such rotations
+//! turns evenly from one angle to the other, and the spherical cubic through many (squad) is a
+//! cubic in the angle. The published cubic takes keys to be evenly spaced. Here they are not, and
+//! its tangents overshoot on narrow channels, so harmonic means replace them. Between two keys θ
+//! then stays between their angles. Its slope is continuous over arc length, and its second
+//! derivative jumps. On wide channels tangents weighted by length have lower peaks (measured: 0.160
+//! against 0.423 deg/mm² on `steam_root`). The comparison is with this form and not with the best
+//! of the kind.
 //!
-//! *Key places*: the concave–convex altered points of the path, where the azimuth of the normal turns back, and between
-//! them as many more that it turns at most 90° from one to the next. *Key orientations*: the fixed lead, moved into the channel
-//! where it lies outside. The curve turns back where its keys do, and nothing keeps it in the channel between them.
+//! *Key places*: the concave–convex altered points of the path, where the azimuth of the normal
+//! turns back, and between them as many more that it turns at most 90° from one to the next. *Key
+//! orientations*: the fixed lead, moved into the channel where it lies outside. The curve turns
+//! back where its keys do, and nothing keeps it in the channel between them.
 
 use super::curve;
 use super::{ScheduleOptions, bezier, fixed};
@@ -67,7 +70,8 @@ pub(super) fn plan(
     Ok(out)
 }
 
-/// First and last location, places where `angle` turns back, and places between, see the module's page.
+/// First and last location, places where `angle` turns back, and places between, see the module's
+/// page.
 fn key_places(angle: &[f64]) -> Vec<usize> {
     let last = angle.len().saturating_sub(1);
     let mut turns = vec![0];
@@ -121,8 +125,9 @@ fn thin(keys: &mut Vec<usize>, s: &[f64], least: f64) {
     *keys = kept;
 }
 
-/// Slopes at the keys: the harmonic mean of those of the two neighbouring chords, 0 where they differ in sign or at the ends of a
-/// path (Fritsch and Butland): between two keys θ then stays between their angles.
+/// Slopes at the keys: the harmonic mean of those of the two neighbouring chords, 0 where they
+/// differ in sign or at the ends of a path (Fritsch and Butland): between two keys θ then stays
+/// between their angles.
 fn tangents(s: &[f64], theta: &[f64]) -> Vec<f64> {
     let chord: Vec<[f64; 2]> =
         s.windows(2).zip(theta.windows(2)).map(|(s, t)| [s[1] - s[0], (t[1] - t[0]) / (s[1] - s[0])]).collect();

@@ -1,9 +1,10 @@
 //! The shortest path in a corridor from one point to another: the funnel algorithm.
 //!
-//! For walls over `s` the taut string does not depend on the scales of `s` and θ: it minimises `∫ φ(θ') ds` for every
-//! convex `φ` at once (Davies and Kovac 2001, "Local extremes, runs, strings and multiresolution"). With `φ = |·|` it
-//! follows that between walls that never fall it never falls. It is the exact form of the first two steps of the
-//! piecewise linearisation: its corners are the key points, with no redundant one among them.
+//! For walls over `s` the taut string does not depend on the scales of `s` and θ: it minimises
+//! `∫ φ(θ') ds` for every convex `φ` at once (Davies and Kovac 2001, "Local extremes, runs, strings
+//! and multiresolution"). With `φ = |·|` it follows that between walls that never fall it never
+//! falls. It is the exact form of the first two steps of the piecewise linearisation: its corners
+//! are the key points, with no redundant one among them.
 //!
 //! Linear time: every sample enters and leaves each side of the funnel at most once.
 
@@ -11,8 +12,8 @@ use std::collections::VecDeque;
 
 use super::corridor::{Corridor, Node, slope};
 
-/// Corners of the shortest path from `[s₀, start]` to `[sₙ, end]`, both included. The walls at the first and last
-/// sample do not matter: the points given do.
+/// Corners of the shortest path from `[s₀, start]` to `[sₙ, end]`, both included. The walls at the
+/// first and last sample do not matter: the points given do.
 pub(super) fn string(corridor: &Corridor, start: f64, end: f64) -> Vec<Node> {
     let n = corridor.s.len();
     let (Some(&s0), Some(&s1)) = (corridor.s.first(), corridor.s.last()) else { return Vec::new() };
@@ -37,8 +38,9 @@ struct Funnel {
 }
 
 impl Funnel {
-    /// Adds a sample to the `own` side (`sign` +1: upper, whose slopes rise; −1: lower, whose slopes fall). Where it
-    /// lies beyond the `other` side, that side's corners become corners of the path.
+    /// Adds a sample to the `own` side (`sign` +1: upper, whose slopes rise; −1: lower, whose
+    /// slopes fall). Where it lies beyond the `other` side, that side's corners become corners of
+    /// the path.
     fn add(path: &mut Vec<Node>, own: &mut VecDeque<Node>, other: &mut VecDeque<Node>, p: Node, sign: f64) {
         while own.len() >= 2
             && sign * slope(own[own.len() - 2], own[own.len() - 1]) >= sign * slope(own[own.len() - 2], p)

@@ -72,8 +72,8 @@ pub(super) fn channel(limits: &[[f64; 2]]) -> Channel {
     Channel { tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new() }
 }
 
-/// A blade's turn: θ runs fast round two edges and slowly along two sides; `dip` makes the forward limit of the
-/// concave side dip.
+/// A blade's turn: θ runs fast round two edges and slowly along two sides; `dip` makes the forward
+/// limit of the concave side dip.
 pub(super) fn blade_like(turns: usize, per: usize, width: f64, dip: f64) -> Vec<[f64; 2]> {
     (0..=turns * per)
         .map(|i| {
@@ -144,8 +144,8 @@ fn a_blade_like_channel_is_level_at_base_points_and_gentle() {
     let c = channel(&blade_like(6, 240, 0.35, 0.1));
     let s = run(&p, &c).unwrap();
     assert_sound(&s, &p, &c);
-    // The middle of the channel itself: peak 4 · 0.45 · (2π/240)² rad/mm². A corner with zero curvature at all
-    // joints has a peak of 8/3 of its mean.
+    // The middle of the channel itself: peak 4 · 0.45 · (2π/240)² rad/mm². A corner with zero
+    // curvature at all joints has a peak of 8/3 of its mean.
     let middle = 1.8 * (TAU / 240.0).powi(2);
     assert!(s.peak_acceleration < 8.0 / 3.0 * middle, "{} {middle}", s.peak_acceleration);
     // Level at every base point.
@@ -292,7 +292,8 @@ proptest! {
 
 #[test]
 fn a_base_angle_inside_a_wide_channel_is_gentler_than_the_forward_limit() {
-    // One round of the normal a turn, uneven by 0.9 rad, in a channel that is just too narrow for a straight line.
+    // One round of the normal a turn, uneven by 0.9 rad, in a channel that is just too narrow for a
+    // straight line.
     let limits: Vec<[f64; 2]> = (0..=240)
         .map(|i| {
             let u = TAU * f64::from(i) / 60.0;
@@ -315,7 +316,8 @@ fn a_base_angle_inside_a_wide_channel_is_gentler_than_the_forward_limit() {
         published.peak_acceleration
     );
     assert!(best.peak_rate < published.peak_rate);
-    // Published: in the forward half of the channel at every base point, whatever inset was the best.
+    // Published: in the forward half of the channel at every base point, whatever inset was the
+    // best.
     for turn in path.turns.iter().skip(1) {
         let (r, theta) = (&channel.rows[turn.first], published.theta[turn.first]);
         assert!(theta > 0.5 * (r.hull_min + r.hull_max) && theta < r.hull_max, "{} {theta}", r.hull_max);

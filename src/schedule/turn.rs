@@ -12,9 +12,9 @@ use crate::artifact::schedule::BezierPiece;
 pub(super) const MOST: f64 = 0.4;
 /// Insets of the key points from the walls that are tried, in shares of that of the base points.
 const SHARES: [f64; 3] = [1.0, 0.5, 0.2];
-/// θ is divided by so much where angles of the S–θ plane are taken (and S by the length of the stretch). Many turns:
-/// slopes become small angles, whose bisector is the mean slope; both halves of a corner are then equally long in S,
-/// which makes the greater of their peaks least.
+/// θ is divided by so much where angles of the S–θ plane are taken (and S by the length of the
+/// stretch). Many turns: slopes become small angles, whose bisector is the mean slope; both halves
+/// of a corner are then equally long in S, which makes the greater of their peaks least.
 const THETA_SCALE: f64 = 100.0 * TAU;
 /// Angles tried at a free end.
 const FREE: usize = 5;
@@ -46,16 +46,17 @@ pub(super) struct Smoothed {
     pub cost: f64,
 }
 
-/// What is made least: the multiple of the rotary axis' limits that the pieces need at the programmed feed, or, where those are not
-/// known, the greatest |d²θ/ds²|, rad/mm².
+/// What is made least: the multiple of the rotary axis' limits that the pieces need at the
+/// programmed feed, or, where those are not known, the greatest |d²θ/ds²|, rad/mm².
 fn cost(pieces: &[BezierPiece], pace: Option<Pace>) -> f64 {
     let most = |f: fn(&BezierPiece) -> f64| pieces.iter().map(f).fold(0.0, f64::max);
     let second = most(bezier::peak_acceleration);
     pace.map_or(second, |p| p.needed(most(bezier::peak_rate), second))
 }
 
-/// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least cost. `walls`: where
-/// the curve may be. `Err`: the key point in which the channel leaves no room to bend.
+/// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least
+/// cost. `walls`: where the curve may be. `Err`: the key point in which the channel leaves no room
+/// to bend.
 pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace>) -> Result<Smoothed, Node> {
     let local = walls.between(stretch.from, stretch.to);
     let mut best: Option<Smoothed> = None;
@@ -116,7 +117,8 @@ fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch, pace: Option<Pace>
     let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return Err([stretch.from, 0.0]) };
     let mut pieces = Vec::with_capacity(3 * keys.len());
     let mut at = first;
-    // A shorter straight stretch would be all rounding: the corner's curve begins earlier on the same line instead.
+    // A shorter straight stretch would be all rounding: the corner's curve begins earlier on the
+    // same line instead.
     let least = 1e-4 * (stretch.to - stretch.from);
     for i in 1..keys.len().saturating_sub(1) {
         let r = reach([keys[i - 1], keys[i], keys[i + 1]], curve, stretch);

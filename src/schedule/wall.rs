@@ -1,7 +1,8 @@
 //! Along a wall of the channel: schedules that try the channel, not the machine.
 //!
-//! The tool is kept as near to the part as the channel says it may come, at every location. Where the channel is right,
-//! such a schedule touches nothing; moved outwards by a fraction of a degree it does, at the places that the channel names.
+//! The tool is kept as near to the part as the channel says it may come, at every location. Where
+//! the channel is right, such a schedule touches nothing; moved outwards by a fraction of a degree
+//! it does, at the places that the channel names.
 
 use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
@@ -10,7 +11,8 @@ use crate::error::Result;
 use crate::observe::{Observer, Warning};
 use crate::{Error, Stage};
 
-/// `theta_min` (kind `lower-wall`) or `theta_max` (`upper-wall`) of every row, moved outwards by `beyond_wall_deg`.
+/// `theta_min` (kind `lower-wall`) or `theta_max` (`upper-wall`) of every row, moved outwards by
+/// `beyond_wall_deg`.
 pub(super) fn plan(
     kind: ScheduleKind,
     path: &Toolpath,

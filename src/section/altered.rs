@@ -1,8 +1,9 @@
 //! Altered points: where a section turns from convex to concave or back.
 //!
-//! The loop is cut into stretches of one sign of curvature. A stretch of length `L` that turns by the angle `A` bulges by
-//! about `A L / 8`; one that bulges by less than the tolerance is noise and joins its neighbours, the flattest first. What is left
-//! are the changes of sign that the section really has.
+//! The loop is cut into stretches of one sign of curvature. A stretch of length `L` that turns by
+//! the angle `A` bulges by about `A L / 8`; one that bulges by less than the tolerance is noise and
+//! joins its neighbours, the flattest first. What is left are the changes of sign that the section
+//! really has.
 
 use crate::artifact::section::AlteredPoint;
 
@@ -45,7 +46,8 @@ pub(super) fn points(
     let mut out: Vec<AlteredPoint> = stretches
         .iter()
         .map(|st| {
-            // Between the last point of the stretch before and the first of this one, where curvature is zero.
+            // Between the last point of the stretch before and the first of this one, where
+            // curvature is zero.
             let (j, i) = ((st.first + n - 1) % n, st.first);
             let (before, here) = (curvature[j], curvature[i]);
             let f = if before * here < 0.0 { before / (before - here) } else { 0.5 };

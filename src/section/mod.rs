@@ -1,32 +1,38 @@
 //! Plane sections of a blade, perpendicular to its axis.
 //!
-//! **In**: a [`Blade`]. **Out**: one [`Section`] per height, lowest first: closed loops with arc length, curvature,
-//! altered points, edges, sides, chord and thickness.
+//! **In**: a [`Blade`]. **Out**: one [`Section`] per height, lowest first: closed loops with arc
+//! length, curvature, altered points, edges, sides, chord and thickness.
 //!
-//! **Method.** The mesh is cut by planes `x = const` ([`crate::geometry::slice`]). Where the part has exact faces, loops are
-//! made denser and every point is moved within its plane onto the exact surface, to 10⁻⁸ mm; curvature is then the
-//! surface's own (Meusnier). On meshes, and beside creases, curvature comes from local least-squares cubics in arc length, each over the widest stretch on which it keeps within a stated tolerance, so that
-//! facets do not show. Altered points are changes of sign between stretches that bend by more than the
-//! tolerance (`altered`). Edges are the middles of the highest convex curvature about the two ends of the section's greatest
-//! extent. Thickness is the diameter of the largest inscribed circle. Outlines, curvature, edges and thickness are
-//! [`crate::geometry::profile`]'s.
+//! **Method.** The mesh is cut by planes `x = const` ([`crate::geometry::slice`]). Where the part
+//! has exact faces, loops are made denser and every point is moved within its plane onto the exact
+//! surface, to 10⁻⁸ mm; curvature is then the surface's own (Meusnier). On meshes, and beside
+//! creases, curvature comes from local least-squares cubics in arc length, each over the widest
+//! stretch on which it keeps within a stated tolerance, so that facets do not show. Altered points
+//! are changes of sign between stretches that bend by more than the tolerance (`altered`). Edges
+//! are the middles of the highest convex curvature about the two ends of the section's greatest
+//! extent. Thickness is the diameter of the largest inscribed circle. Outlines, curvature, edges
+//! and thickness are [`crate::geometry::profile`]'s.
 //!
-//! **Names.** Which end is the leading edge and which side the suction side is known of the blade as a whole
-//! ([`crate::geometry::profile::Sides`]). So a section has the same names whichever others are asked for. Where the
-//! blade does not say it, the sections asked for say it together; a loop that is not the airfoil's is named by its own shape.
-//! Where the ends found on an outline that is folded or torn are not near the airfoil's edges, the points nearest to these are taken.
+//! **Names.** Which end is the leading edge and which side the suction side is known of the blade
+//! as a whole ([`crate::geometry::profile::Sides`]). So a section has the same names whichever
+//! others are asked for. Where the blade does not say it, the sections asked for say it together; a
+//! loop that is not the airfoil's is named by its own shape. Where the ends found on an outline
+//! that is folded or torn are not near the airfoil's edges, the points nearest to these are taken.
 //!
 //! The same loops as smooth curves, for callers that need more than points: [`smooth`].
 //!
-//! **Guaranteed**: loops are closed, counter-clockwise seen from the tip; `off_part_mm` is the greatest distance of a point from
-//! the part, and `fit_error_mm` the greatest distance
-//! between a point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has fewer than about
-//! five points round it; which end is the leading edge where both are equally blunt.
+//! **Guaranteed**: loops are closed, counter-clockwise seen from the tip; `off_part_mm` is the
+//! greatest distance of a point from the part, and `fit_error_mm` the greatest distance between a
+//! point and the fit that its curvature comes from. **Not guaranteed**: curvature where an edge has
+//! fewer than about five points round it; which end is the leading edge where both are equally
+//! blunt.
 //!
-//! **Openings.** Where the part is open, gaps up to a thousandth of a section's length are bridged by straight lines; a section
-//! with a wider one is left out. Both are warnings: whether an opening matters for the tool is decided elsewhere.
+//! **Openings.** Where the part is open, gaps up to a thousandth of a section's length are bridged
+//! by straight lines; a section with a wider one is left out. Both are warnings: whether an opening
+//! matters for the tool is decided elsewhere.
 //!
-//! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible` where no section at all closes.
+//! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible`
+//! where no section at all closes.
 
 mod altered;
 pub mod smooth;
@@ -44,13 +50,13 @@ use crate::observe::{Observer, Warning};
 /// Which sections, and how smooth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionOptions {
-    /// Number of heights, evenly spread from the platform (or the airfoil's lower end) to the airfoil's upper end; used
-    /// where `heights_mm` is empty.
+    /// Number of heights, evenly spread from the platform (or the airfoil's lower end) to the
+    /// airfoil's upper end; used where `heights_mm` is empty.
     pub count: usize,
     /// Heights along the blade axis, blade frame, mm.
     pub heights_mm: Vec<f64>,
-    /// How far the smooth curve that curvature is taken from may stay off the section's points, mm; used where the part is a
-    /// mesh, and beside creases.
+    /// How far the smooth curve that curvature is taken from may stay off the section's points, mm;
+    /// used where the part is a mesh, and beside creases.
     pub tolerance_mm: f64,
 }
 
@@ -63,8 +69,8 @@ impl Default for SectionOptions {
 /// Sections of a blade, by rising height.
 ///
 /// # Errors
-/// Kind `Usage` for impossible options or a height that misses the part, `Infeasible` for a section that does not close,
-/// `Cancelled`.
+/// Kind `Usage` for impossible options or a height that misses the part, `Infeasible` for a section
+/// that does not close, `Cancelled`.
 pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
     let heights = heights(blade, options)?;
     let cut: Vec<Cut> = heights
@@ -188,8 +194,8 @@ fn cut(part: &Part, x_mm: f64, tolerance_mm: f64) -> Cut {
     Cut { x_mm, loops, ends, dropped, bridged_mm, open_mm }
 }
 
-/// A loop with everything that is measured on it, its first end as the leading edge, and its ends; closed, counter-clockwise,
-/// at least three points.
+/// A loop with everything that is measured on it, its first end as the leading edge, and its ends;
+/// closed, counter-clockwise, at least three points.
 fn measured(outline: Outline, tolerance_mm: f64) -> (SectionLoop, Ends) {
     let profile = Profile::of(outline, tolerance_mm);
     let ends = profile.ends();

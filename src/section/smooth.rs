@@ -1,18 +1,22 @@
 //! Sections of exact faces as smooth curves.
 //!
-//! **In**: a part with exact faces, a height, a tolerance. **Out**: each closed loop of the section as a chain of cubic B-splines in
-//! the plane. The chain is cut where the plane crosses edges of the part (not seams of one face), at points of the edges' own
-//! curves; between them each curve is C². A loop that crosses no edge is one closed curve, C² all round but at its first point, where it
-//! is C² as well and only its knots end.
+//! **In**: a part with exact faces, a height, a tolerance. **Out**: each closed loop of the section
+//! as a chain of cubic B-splines in the plane. The chain is cut where the plane crosses edges of
+//! the part (not seams of one face), at points of the edges' own curves; between them each curve is
+//! C². A loop that crosses no edge is one closed curve, C² all round but at its first point, where
+//! it is C² as well and only its knots end.
 //!
-//! **Method.** Points of the loop lie on the faces to 10⁻⁸ mm (`outline`); a spline interpolates some of them over chord length
-//! (*The NURBS Book*, 9.2). Between every two of them it is measured at three places how far the nearest point of the section is; where that is more
-//! than the tolerance, the section's point there is interpolated too, and so on.
+//! **Method.** Points of the loop lie on the faces to 10⁻⁸ mm (`outline`); a spline interpolates
+//! some of them over chord length (*The NURBS Book*, 9.2). Between every two of them it is measured
+//! at three places how far the nearest point of the section is; where that is more than the
+//! tolerance, the section's point there is interpolated too, and so on.
 //!
-//! **Error**: [`SectionCurves::off_mm`] is the greatest distance measured and a quarter more for what lies between the places: a
-//! measured bound. It exceeds the tolerance only where faces have creases inside.
+//! **Error**: [`SectionCurves::off_mm`] is the greatest distance measured and a quarter more for
+//! what lies between the places: a measured bound. It exceeds the tolerance only where faces have
+//! creases inside.
 //!
-//! **Fails** where the part is a mesh, where the section does not close, and where it runs along a face.
+//! **Fails** where the part is a mesh, where the section does not close, and where it runs along a
+//! face.
 
 use nalgebra::Vector4;
 
@@ -39,11 +43,12 @@ const DEEPEST: u32 = 60;
 
 type Pair = [f64; 2];
 
-/// The section of a part at a height as curves, the outer loops counter-clockwise seen from the tip, holes the other way.
+/// The section of a part at a height as curves, the outer loops counter-clockwise seen from the
+/// tip, holes the other way.
 ///
 /// # Errors
-/// Kind `Usage` for a mesh and for a tolerance that is not greater than 0; `Infeasible` for a section that is not there, does not close, or
-/// runs along a face.
+/// Kind `Usage` for a mesh and for a tolerance that is not greater than 0; `Infeasible` for a
+/// section that is not there, does not close, or runs along a face.
 pub fn curves(part: &Part, x_mm: f64, tolerance_mm: f64) -> Result<Vec<SectionCurves>> {
     if !(tolerance_mm > 0.0 && tolerance_mm.is_finite()) {
         let m = format!("the tolerance of a section's curves is {tolerance_mm} mm, it must be greater than 0");
@@ -143,8 +148,8 @@ fn nearest(polygon: &[Pair], q: Pair) -> (f64, f64) {
     best
 }
 
-/// The spline through some of the points, and through more of the section until it is within the tolerance; with the greatest
-/// distance measured, mm.
+/// The spline through some of the points, and through more of the section until it is within the
+/// tolerance; with the greatest distance measured, mm.
 fn fit(part: &Part, x_mm: f64, s: Stretch, tolerance_mm: f64) -> std::result::Result<(NurbsCurve, f64), FitError> {
     let last = s.points.len() - 1;
     let mut nodes: Vec<Pair> = s.points.iter().copied().step_by(COARSE.min(last.max(4) / 4)).collect();
@@ -183,7 +188,8 @@ fn fit(part: &Part, x_mm: f64, s: Stretch, tolerance_mm: f64) -> std::result::Re
     best.ok_or(FitError::Singular)
 }
 
-/// The C² cubic (of lower degree through two or three points) through the nodes, over chord length, and its parameters at them.
+/// The C² cubic (of lower degree through two or three points) through the nodes, over chord length,
+/// and its parameters at them.
 fn through(x_mm: f64, nodes: &[Pair], closed: bool) -> std::result::Result<(NurbsCurve, Vec<f64>), FitError> {
     let lift = |p: &Pair| Vector4::new(x_mm, p[0], p[1], 1.0);
     let points: Vec<Vector4<f64>> = nodes.iter().map(lift).collect();
@@ -231,8 +237,9 @@ fn crossings(brep: &Brep, x_mm: f64) -> Vec<Pair> {
     out
 }
 
-/// Crossings of a curve with the plane: none where its control points are all on one side, one where their signs change once
-/// (*The NURBS Book* P3.8, variation diminishing), else those of its halves. A curve within the plane has none.
+/// Crossings of a curve with the plane: none where its control points are all on one side, one
+/// where their signs change once (*The NURBS Book* P3.8, variation diminishing), else those of its
+/// halves. A curve within the plane has none.
 fn on_curve(curve: &NurbsCurve, x_mm: f64, depth: u32, out: &mut Vec<Pair>) {
     let above: Vec<f64> = curve.points.iter().map(|p| p.x - x_mm * p.w).collect();
     if above.iter().all(|x| x.abs() < 1e-9) {
@@ -300,8 +307,8 @@ mod tests {
         curves.pieces.iter().flat_map(one).collect()
     }
 
-    /// Every curve lies in the plane, is C² inside, begins where the one before it ends, and is within its bound of the surface, by the
-    /// shape's equation.
+    /// Every curve lies in the plane, is C² inside, begins where the one before it ends, and is
+    /// within its bound of the surface, by the shape's equation.
     fn check(part: &Part, to: &Rigid, x_mm: f64, loops: usize, off: impl Fn(Point) -> f64) -> Vec<SectionCurves> {
         let found = curves(part, x_mm, TOLERANCE).unwrap();
         assert_eq!(found.len(), loops);

@@ -63,7 +63,8 @@ fn ellipse() {
     assert!((l.leading_edge_s_mm - 0.5 * l.length_mm).abs() < 0.02);
 }
 
-/// A straight strip with round ends of radius `r[0]` at -h and `r[1]` at +h along y, joined by tangents.
+/// A straight strip with round ends of radius `r[0]` at -h and `r[1]` at +h along y, joined by
+/// tangents.
 fn strip(n: usize, h: f64, r: [f64; 2]) -> Vec<[f64; 2]> {
     let lean = ((r[0] - r[1]) / (2.0 * h)).asin();
     let side = (4.0 * h * h - (r[0] - r[1]).powi(2)).sqrt();
@@ -104,7 +105,8 @@ fn strip_with_round_ends() {
     assert!((lead[0] + 19.0).abs() < 0.05 && lead[1].abs() < 0.2, "{lead:?}");
 }
 
-/// A strip bent to a circular arc of radius `bend` over `sweep` rad, half thickness `h`: its inner side is concave.
+/// A strip bent to a circular arc of radius `bend` over `sweep` rad, half thickness `h`: its inner
+/// side is concave.
 fn bent(t: f64, bend: f64, sweep: f64, h: f64) -> [f64; 2] {
     let lengths = [(bend + h) * sweep, PI * h, (bend - h) * sweep, PI * h];
     let mut s = t * lengths.iter().sum::<f64>();
@@ -129,7 +131,8 @@ fn bent(t: f64, bend: f64, sweep: f64, h: f64) -> [f64; 2] {
 
 #[test]
 fn a_bent_strip_has_two_altered_points_where_its_inner_side_begins_and_ends() {
-    // Facets of about 1 % of the chord. Curvature jumps where the sides begin, so that a window about that place sees both.
+    // Facets of about 1 % of the chord. Curvature jumps where the sides begin, so that a window
+    // about that place sees both.
     let (bend, sweep, h) = (40.0, 1.0, 3.0);
     let l = measured(sampled(240, |t| bent(t, bend, sweep, h)), TOL);
     assert_eq!(l.altered_points.len(), 2, "{:?}", l.altered_points);
@@ -139,7 +142,8 @@ fn a_bent_strip_has_two_altered_points_where_its_inner_side_begins_and_ends() {
     assert!(a.into_concave && !b.into_concave);
     assert!((a.s_mm - starts).abs() < 1.0 && (b.s_mm - ends).abs() < 1.0, "{a:?} {starts} {b:?} {ends}");
     assert!((l.thickness_mm - 2.0 * h).abs() < 0.05);
-    // From the leading edge on: the end at lesser y comes after the inner side, so that the outer side follows it.
+    // From the leading edge on: the end at lesser y comes after the inner side, so that the outer
+    // side follows it.
     assert_eq!(l.side_after_leading_edge, Side::Suction);
     assert!((curvature_at(&l, [0.0, h]) + 1.0 / (bend - h)).abs() < 1e-3);
 }
@@ -187,7 +191,8 @@ fn smooth_inflections_are_found_where_they_are_also_on_facets() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
-    /// Rough points within half the tolerance, turned and begun elsewhere: the same altered points, chord and thickness.
+    /// Rough points within half the tolerance, turned and begun elsewhere: the same altered points,
+    /// chord and thickness.
     #[test]
     fn robust_and_symmetric(noise in prop::collection::vec(-1.0..1.0f64, 480), turn in 0.0..6.0f64, first in 0usize..240) {
         let exact = measured(sampled(240, |t| bent(t, 40.0, 1.0, 3.0)), TOL);
@@ -249,7 +254,8 @@ fn sections_of_a_prism_are_its_profile() {
     }
 }
 
-/// A prism that lacks one triangle of its wall: at height x the profile is open by a share x / 50 of `width_mm`.
+/// A prism that lacks one triangle of its wall: at height x the profile is open by a share x / 50
+/// of `width_mm`.
 fn open_prism(width_mm: f64) -> Blade {
     let mut profile = sampled(240, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]);
     let far = [profile[60][0] - width_mm, profile[60][1]];
@@ -333,7 +339,8 @@ fn oblique() -> Vec<(&'static str, Part, Implicit)> {
     ]
 }
 
-/// Curvature of an implicit curve in the plane, positive where convex: second derivative along it over the slope.
+/// Curvature of an implicit curve in the plane, positive where convex: second derivative along it
+/// over the slope.
 fn implicit_curvature(f: &Implicit, x: f64, p: [f64; 2]) -> f64 {
     let (_, g, h) = f(&Point::new(x, p[0], p[1]));
     let slope = g.y.hypot(g.z);

@@ -1,11 +1,13 @@
-//! Cutters and chucks that can be bought, from `models/tools/cutters.toml`: what a job without a tool of its own chooses from.
+//! Cutters and chucks that can be bought, from `models/tools/cutters.toml`: what a job without a
+//! tool of its own chooses from.
 
 use super::HolderStage;
 use crate::error::{Error, Result, Stage};
 
 /// The built-in catalogue.
 const BUILT_IN: &str = include_str!("../../models/tools/cutters.toml");
-/// A cutter sticks out by at most so many diameters of its shank: more is bought nowhere, and bends.
+/// A cutter sticks out by at most so many diameters of its shank: more is bought nowhere, and
+/// bends.
 const MOST_SLENDER: f64 = 10.0;
 /// Half angle of a shrink-fit chuck's cone, degrees.
 const CHUCK_CONE_DEG: f64 = 4.5;
@@ -56,7 +58,8 @@ impl Cutter {
         MOST_SLENDER * self.shank_diameters_mm.last().copied().unwrap_or(0.0)
     }
 
-    /// Diameter of the thinnest shank that is stiff enough for this stick-out, mm, or of the thickest.
+    /// Diameter of the thinnest shank that is stiff enough for this stick-out, mm, or of the
+    /// thickest.
     pub fn shank_for(&self, stickout_mm: f64) -> f64 {
         let stiff = self.shank_diameters_mm.iter().find(|d| MOST_SLENDER * **d >= stickout_mm);
         stiff.or(self.shank_diameters_mm.last()).copied().unwrap_or(2.0 * self.radius_mm)
@@ -64,11 +67,13 @@ impl Cutter {
 }
 
 impl Chuck {
-    /// The holder's stages: the cone by its radius half-way on its first half, which is nowhere thinner than the cone, then the body.
+    /// The holder's stages: the cone by its radius half-way on its first half, which is nowhere
+    /// thinner than the cone, then the body.
     pub fn stages(&self) -> Vec<HolderStage> {
         let (nose, body) = (0.5 * self.nose_diameter_mm, 0.5 * self.body_diameter_mm);
         let half_cone = (0.5 * (body - nose) / CHUCK_CONE_DEG.to_radians().tan()).min(0.5 * self.length_mm);
-        // To a whole millimetre, upwards in radius and downwards in length: short numbers read better, and are on the safe side.
+        // To a whole millimetre, upwards in radius and downwards in length: short numbers read
+        // better, and are on the safe side.
         let first = HolderStage { radius_mm: (nose + body).ceil() * 0.5, length_mm: half_cone.floor() };
         let rest = HolderStage { radius_mm: body, length_mm: self.length_mm - first.length_mm };
         vec![first, rest]
@@ -85,7 +90,8 @@ impl Catalogue {
             .map_err(|e| Error::usage(Stage::Job, format!("models/tools/cutters.toml: {}", e.message())))
     }
 
-    /// The cutter for a ball that need not be in the catalogue: the smallest with a ball as large, else one as it would be.
+    /// The cutter for a ball that need not be in the catalogue: the smallest with a ball as large,
+    /// else one as it would be.
     pub fn cutter_for(&self, radius_mm: f64) -> Cutter {
         let own = |c: &&Cutter| c.radius_mm >= radius_mm * (1.0 - 1e-9);
         self.cutter.iter().find(own).cloned().unwrap_or_else(|| Cutter {
@@ -116,7 +122,8 @@ mod tests {
     use super::*;
     use crate::tool::Tool;
 
-    /// Every combination is a tool, thicker from the ball to the holder, and no more slender than can be bought.
+    /// Every combination is a tool, thicker from the ball to the holder, and no more slender than
+    /// can be bought.
     #[test]
     fn everything_in_the_catalogue_fits_together() {
         let catalogue = Catalogue::built_in().unwrap();

@@ -1,8 +1,9 @@
 //! The tool as a profile of revolution: ball, taper, shank, holder stages.
 //!
-//! Heights `z` run from the ball centre along the tool axis towards the spindle, mm. The cone leaves the ball
-//! tangentially at `z = R sin τ` with radius `R cos τ` (τ: taper half-angle), grows to the shank radius, goes on as a
-//! cylinder up to the stick-out and is followed by the holder's stages.
+//! Heights `z` run from the ball centre along the tool axis towards the spindle, mm. The cone
+//! leaves the ball tangentially at `z = R sin τ` with radius `R cos τ` (τ: taper half-angle), grows
+//! to the shank radius, goes on as a cylinder up to the stick-out and is followed by the holder's
+//! stages.
 
 pub mod catalogue;
 pub mod scallop;
@@ -130,7 +131,8 @@ impl Tool {
             }
         };
         push(ToolPart::Taper, z0, cone_end, r0, r0 + (cone_end - z0) * tau.tan());
-        // Without taper the cutter's own cylinder goes on: there is no cone that could reach the shank's radius.
+        // Without taper the cutter's own cylinder goes on: there is no cone that could reach the
+        // shank's radius.
         let shank = if tau > 0.0 { self.shank_radius_mm } else { r0 };
         push(ToolPart::Shank, cone_end, self.stickout_mm, shank, shank);
         let mut z = self.stickout_mm;

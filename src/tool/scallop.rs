@@ -1,29 +1,35 @@
-//! What two neighbouring passes of a ball leave between them, in closed form, and how far apart they may lie.
+//! What two neighbouring passes of a ball leave between them, in closed form, and how far apart
+//! they may lie.
 //!
-//! Two balls of radius `R` touch a circle of signed curvature `κ = 1/r` (positive: convex towards the ball, negative: concave,
-//! 0: flat). Their centres lie `r + R` from the circle's middle, an angle `2α` apart, and they meet in a cusp at `r + h`. The law
-//! of cosines, written so that nothing cancels where `κ` is small:
+//! Two balls of radius `R` touch a circle of signed curvature `κ = 1/r` (positive: convex towards
+//! the ball, negative: concave, 0: flat). Their centres lie `r + R` from the circle's middle, an
+//! angle `2α` apart, and they meet in a cusp at `r + h`. The law of cosines, written so that
+//! nothing cancels where `κ` is small:
 //! ```text
 //! sin²(α/2) = y²,  y = κ x / 2,  x² = h (2R − h) / ((1 + κR)(1 + κh))
 //! contacts on the circle  W = 2 r α        = 4 asin(y) / κ        → 2x where it is flat
 //! ball centres            d = 2 (r + R) sin α = 2 (1 + κR) x sqrt(1 − y²)
 //! ```
-//! This is the two-ball construction `h = |(r + R) cos α ∓ sqrt(R² − (r + R)² sin² α) − r|` solved for `d`. It holds as long as
-//! the ball fits: `1 + κR > 0`.
+//! This is the two-ball construction `h = |(r + R) cos α ∓ sqrt(R² − (r + R)² sin² α) − r|` solved
+//! for `d`. It holds as long as the ball fits: `1 + κR > 0`.
 //!
-//! On a surface ([`width_on_part_mm`]) each pass is swept along its way, and the ridge is where two such tubes meet. With `S` the part's
-//! shape operator (convex positive) and `M = (I + R S)⁻¹`, a ball whose centre lies `x` along the surface of centres from that over a
-//! place leaves there the height `xᵀMx/2R`, to second order. A pass beside the place, in the direction `t` and `D` away, leaves the least of its
-//! balls: `D²/(2R wᵀM⁻¹w)`, with `w` across `t`. Since `wᵀM⁻¹w = 1 + R wᵀSw`, what counts is the part's own curvature
-//! `κ = wᵀSw` across the way of the ball. The ball straight beside the place is not the one that cuts lowest where the way runs aslant to
-//! the principal directions, and by its height alone a crease as round as the ball would seem to need passes without end.
-//! Areas shrink from the centres to the part by `det M` and lengths along the pass by `|M t|`, so that the strip is `W(κ) tᵀMt/|Mt|` wide: by
-//! the cosine between the way of the ball and the line of contacts.
+//! On a surface ([`width_on_part_mm`]) each pass is swept along its way, and the ridge is where two
+//! such tubes meet. With `S` the part's shape operator (convex positive) and `M = (I + R S)⁻¹`, a
+//! ball whose centre lies `x` along the surface of centres from that over a place leaves there the
+//! height `xᵀMx/2R`, to second order. A pass beside the place, in the direction `t` and `D` away,
+//! leaves the least of its balls: `D²/(2R wᵀM⁻¹w)`, with `w` across `t`. Since
+//! `wᵀM⁻¹w = 1 + R wᵀSw`, what counts is the part's own curvature `κ = wᵀSw` across the way of the
+//! ball. The ball straight beside the place is not the one that cuts lowest where the way runs
+//! aslant to the principal directions, and by its height alone a crease as round as the ball would
+//! seem to need passes without end. Areas shrink from the centres to the part by `det M` and
+//! lengths along the pass by `|M t|`, so that the strip is `W(κ) tᵀMt/|Mt|` wide: by the cosine
+//! between the way of the ball and the line of contacts.
 
 use crate::geometry::Vector;
 use crate::geometry::nurbs::Principal;
 
-/// `x` of the module's page, mm; `None` where the ball does not fit or an argument is out of its limits.
+/// `x` of the module's page, mm; `None` where the ball does not fit or an argument is out of its
+/// limits.
 fn half_chord(radius_mm: f64, scallop_mm: f64, curvature_per_mm: f64) -> Option<f64> {
     let (r, h, k) = (radius_mm, scallop_mm, curvature_per_mm);
     let fits = (1.0 + k * r) * (1.0 + k * h);
@@ -31,8 +37,8 @@ fn half_chord(radius_mm: f64, scallop_mm: f64, curvature_per_mm: f64) -> Option<
     (r > 0.0 && h > 0.0 && h < r && 1.0 + k * r > 0.0 && x.is_finite()).then_some(x)
 }
 
-/// Distance along the part between the contacts of two passes that leave the scallop `scallop_mm`, mm; `None` where a ball
-/// of this radius does not fit into the curvature.
+/// Distance along the part between the contacts of two passes that leave the scallop `scallop_mm`,
+/// mm; `None` where a ball of this radius does not fit into the curvature.
 pub fn width_mm(radius_mm: f64, scallop_mm: f64, curvature_per_mm: f64) -> Option<f64> {
     let x = half_chord(radius_mm, scallop_mm, curvature_per_mm)?;
     // In a groove hardly wider than the ball one pass cuts all of it.
@@ -48,8 +54,8 @@ pub fn centre_distance_mm(radius_mm: f64, scallop_mm: f64, curvature_per_mm: f64
     Some(2.0 * (1.0 + curvature_per_mm * radius_mm) * x * (1.0 - y2).sqrt())
 }
 
-/// Scallop that two balls leave whose centres are `distance_mm` apart, mm; `None` where they do not fit or do not meet over the
-/// part.
+/// Scallop that two balls leave whose centres are `distance_mm` apart, mm; `None` where they do not
+/// fit or do not meet over the part.
 pub fn height_mm(radius_mm: f64, distance_mm: f64, curvature_per_mm: f64) -> Option<f64> {
     let (r, d, k) = (radius_mm, distance_mm, curvature_per_mm);
     let fits = 1.0 + k * r;
@@ -62,11 +68,13 @@ pub fn height_mm(radius_mm: f64, distance_mm: f64, curvature_per_mm: f64) -> Opt
     (fits > 0.0 && h.is_finite() && h >= 0.0).then_some(h)
 }
 
-/// Width of the strip of the part, measured across the line of contacts, that one pass of a constant-scallop path has to itself,
-/// mm: area over length of contacts. `travel` is the way of the ball centre, of any length. `None` where the ball does not fit,
-/// or where `travel` runs along the normal.
+/// Width of the strip of the part, measured across the line of contacts, that one pass of a
+/// constant-scallop path has to itself, mm: area over length of contacts. `travel` is the way of
+/// the ball centre, of any length. `None` where the ball does not fit, or where `travel` runs along
+/// the normal.
 pub fn width_on_part_mm(radius_mm: f64, scallop_mm: f64, bend: &Principal, travel: &Vector) -> Option<f64> {
-    // Inverse of M; principal curvatures are negative where convex. Where one is 0 the ball is as round as the part.
+    // Inverse of M; principal curvatures are negative where convex. Where one is 0 the ball is as
+    // round as the part.
     let [g1, g2] = bend.curvature.map(|k| 1.0 - k * radius_mm);
     let (a, b) = (travel.dot(&bend.direction[0]), travel.dot(&bend.direction[1]));
     let size = a.hypot(b);
@@ -85,7 +93,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The formula as it is usually written: α from the centres' distance, then the cusp over the circle.
+    /// The formula as it is usually written: α from the centres' distance, then the cusp over the
+    /// circle.
     fn textbook(radius: f64, d: f64, curvature: f64) -> f64 {
         if curvature == 0.0 {
             return radius - (radius * radius - 0.25 * d * d).sqrt();
@@ -140,8 +149,10 @@ mod tests {
         assert!(height_mm(2.0, 5.0, 0.0).is_none());
     }
 
-    /// Passes askew to the principal directions, on a saddle, a thin edge and a hollow about as round as the ball. Ball centres lie on the parallel surface of
-    /// `z = −(a x² + b y²)/2`; of straight, parallel passes over it the lowest ball over the place between them is sought and compared.
+    /// Passes askew to the principal directions, on a saddle, a thin edge and a hollow about as
+    /// round as the ball. Ball centres lie on the parallel surface of `z = −(a x² + b y²)/2`; of
+    /// straight, parallel passes over it the lowest ball over the place between them is sought and
+    /// compared.
     #[test]
     fn askew_passes_leave_what_is_asked_for() {
         let (radius, h) = (3.0, 1e-4);

@@ -1,4 +1,5 @@
-//! What is to keep apart: taper and shank, and the holder, each from the part and from all that stands around it.
+//! What is to keep apart: taper and shank, and the holder, each from the part and from all that
+//! stands around it.
 
 use super::options::VerifyOptions;
 use crate::artifact::{Blade, Obstacle};
@@ -29,7 +30,8 @@ impl Apart<'_> {
     }
 }
 
-/// All that is to keep apart, the part first. Of stock, into which the tool cuts, only the holder keeps clear.
+/// All that is to keep apart, the part first. Of stock, into which the tool cuts, only the holder
+/// keeps clear.
 pub fn apart<'a>(blade: &'a Blade, obstacles: &'a [Obstacle], tool: &Tool, options: &VerifyOptions) -> Vec<Apart<'a>> {
     let [cutter, holder] = tool.cutter_and_holder();
     let part = (&blade.part, None, [Some(options.clearance_mm), Some(options.holder_clearance_mm)]);

@@ -1,7 +1,9 @@
-//! What the job asks for, against the plan: the region, the tool, the scallop and all that a plan holds of its job.
+//! What the job asks for, against the plan: the region, the tool, the scallop and all that a plan
+//! holds of its job.
 //!
-//! Planning makes a plan from its job, so these checks pass then. They are for plans that are read from files: a plan of another job is a good plan by
-//! itself, and leaves uncut what its job did not ask for.
+//! Planning makes a plan from its job, so these checks pass then. They are for plans that are read
+//! from files: a plan of another job is a good plan by itself, and leaves uncut what its job did
+//! not ask for.
 //!
 //! | check | measured |
 //! | --- | --- |
@@ -9,8 +11,9 @@
 //! | `job-region` | how far the path ends before the heights that the job asks for, or goes beyond them |
 //! | `job-feed` | feed of the ball centre between two locations, from their distance and their times |
 //!
-//! **Limits**: a path may end higher than asked for where the wall leans too far, the ball loses the surface or comes to an edge, a face or a corner. Of these
-//! reasons only the lean is measured here; any other is repeated in the note.
+//! **Limits**: a path may end higher than asked for where the wall leans too far, the ball loses
+//! the surface or comes to an edge, a face or a corner. Of these reasons only the lean is measured
+//! here; any other is repeated in the note.
 
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;
@@ -55,11 +58,13 @@ pub struct Asked {
 
 /// Values that JSON and arithmetic in radians keep.
 const SAME: f64 = 1e-9;
-/// A path ends at the height that was asked for within so many chord tolerances: turns are smooth curves through places at that height.
+/// A path ends at the height that was asked for within so many chord tolerances: turns are smooth
+/// curves through places at that height.
 const CHORDS: f64 = 10.0;
 /// ... and at its beginning, which slants with the end, within so many stepovers on flat ground.
 const STEPOVERS: f64 = 3.0;
-/// A wall that ends the path leans by the greatest lean, but for this, rad: places of a turn are some tenths of a stepover apart.
+/// A wall that ends the path leans by the greatest lean, but for this, rad: places of a turn are
+/// some tenths of a stepover apart.
 const LEAN_RAD: f64 = 0.1;
 /// Feeds from rounded times and straight distances may be so much higher, relative.
 const FEED: f64 = 1e-4;

@@ -1,9 +1,11 @@
-//! Clearance: the least distance between the tool without its ball and the part, over the whole motion.
+//! Clearance: the least distance between the tool without its ball and the part, over the whole
+//! motion.
 //!
-//! Between two locations the control moves the ball centre on a straight line and θ evenly. [`super::solid`] bounds the
-//! distance over a whole move from its middle; a move is halved until that bound is within the resolution of the least
-//! distance measured so far. At one place a tree over the part's triangles is searched with the same bound over
-//! its boxes: no triangle and no moment is left out that could matter.
+//! Between two locations the control moves the ball centre on a straight line and θ evenly.
+//! [`super::solid`] bounds the distance over a whole move from its middle; a move is halved until
+//! that bound is within the resolution of the least distance measured so far. At one place a tree
+//! over the part's triangles is searched with the same bound over its boxes: no triangle and no
+//! moment is left out that could matter.
 
 use parry3d_f64::partitioning::TraversalAction;
 use rayon::prelude::*;
@@ -17,7 +19,8 @@ use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::tool::Segment;
 
-/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
+/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
+/// threads.
 const CHUNK: usize = 128;
 /// Places of the first, coarse look over the path.
 const COARSE: usize = 400;
@@ -87,8 +90,8 @@ struct TrackSearch<'a> {
 }
 
 impl<'a> TrackSearch<'a> {
-    /// What may be missed where the least distance is `found`: the resolution, or a share of large distances, a tenth of depths: a
-    /// collision need not be told more finely.
+    /// What may be missed where the least distance is `found`: the resolution, or a share of large
+    /// distances, a tenth of depths: a collision need not be told more finely.
     fn may_miss(&self, found: f64) -> f64 {
         self.resolution.max(self.share * found).max(-0.1 * found)
     }
@@ -103,8 +106,9 @@ impl<'a> TrackSearch<'a> {
         std::iter::once(first).chain(others.iter().map(|frustum| Moving { frustum, ..first })).collect()
     }
 
-    /// A lower bound of the distance over all segments, triangles and the whole move, or `cap` where that is less; and
-    /// the least distance below `cap` seen in the middle of the move. The triangle `hint` is looked at first.
+    /// A lower bound of the distance over all segments, triangles and the whole move, or `cap`
+    /// where that is less; and the least distance below `cap` seen in the middle of the move. The
+    /// triangle `hint` is looked at first.
     fn least(&self, place: &[Moving<'_>], cap: f64, hint: u32, row: usize) -> (f64, Nearest) {
         let mut lower = cap;
         let mut seen = Nearest::far(f64::INFINITY);
@@ -147,7 +151,8 @@ impl<'a> TrackSearch<'a> {
         for row in rows.filter(|row| self.track.wants(*row)) {
             let mut open = vec![(0.0, 1.0, 0)];
             while let Some((t0, t1, depth)) = open.pop() {
-                // Half of what may be missed is left for telling points apart and for the move itself.
+                // Half of what may be missed is left for telling points apart and for the move
+                // itself.
                 let cap = best.found_mm - 0.5 * self.may_miss(best.found_mm);
                 let (lower, seen) = self.least(&self.place(row, t0, t1), cap, hint, row);
                 if lower >= cap {
@@ -191,7 +196,8 @@ impl<'a> TrackSearch<'a> {
 }
 
 impl TrackSearch<'_> {
-    /// Whether something comes nearer than `limit_mm` at some time of a move, or may: it is halved until one or the other is known.
+    /// Whether something comes nearer than `limit_mm` at some time of a move, or may: it is halved
+    /// until one or the other is known.
     fn may_fall_short(&self, row: usize, limit_mm: f64) -> bool {
         let cap = limit_mm + self.resolution;
         let mut open = vec![(0.0, 1.0, 0)];
@@ -212,8 +218,8 @@ impl TrackSearch<'_> {
     }
 }
 
-/// Moves between two locations, by their first, on which the tool may come nearer to something than passes its check: where a motion keeps the clearance at its
-/// locations and not between them.
+/// Moves between two locations, by their first, on which the tool may come nearer to something than
+/// passes its check: where a motion keeps the clearance at its locations and not between them.
 pub fn short_moves(path: &Toolpath, theta: &[f64], apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
     let stands = path.stands(theta);
     let (share, resolution) = CLOSELY;
@@ -252,8 +258,8 @@ pub(super) struct Kept {
     pub known_mm: f64,
 }
 
-/// How near `segments` come to a part. Where the part's mesh is too coarse to tell whether `limit_mm` is kept, by triangles that are nearer to its exact
-/// faces, and more closely.
+/// How near `segments` come to a part. Where the part's mesh is too coarse to tell whether
+/// `limit_mm` is kept, by triangles that are nearer to its exact faces, and more closely.
 pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f64, options: &VerifyOptions) -> Kept {
     let of = |on: &Part, (near, bound_mm): (Nearest, f64)| Kept {
         near,
@@ -271,8 +277,9 @@ pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f6
     of(on, (near, near.found_mm - motion.may_miss(near.found_mm)))
 }
 
-/// Least distance between `segments` of the tool and the part over a motion of at least two rows, to `resolution_mm` (or a
-/// fiftieth of it, where that is more): the nearest place measured, and what the distance is nowhere less than, mm.
+/// Least distance between `segments` of the tool and the part over a motion of at least two rows,
+/// to `resolution_mm` (or a fiftieth of it, where that is more): the nearest place measured, and
+/// what the distance is nowhere less than, mm.
 pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
     let motion = TrackSearch { part, track, segments, resolution: resolution_mm, share: SHARE };
     let near = motion.whole();
@@ -283,8 +290,9 @@ pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], res
 /// Where a tool that stands still comes nearest to a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
-    /// Distance between a segment and a point of the part, mm; negative: that point lies so deep in it. No point is nearer than this less
-    /// `resolution_mm`, or a fiftieth of large distances, a tenth of depths.
+    /// Distance between a segment and a point of the part, mm; negative: that point lies so deep in
+    /// it. No point is nearer than this less `resolution_mm`, or a fiftieth of large distances, a
+    /// tenth of depths.
     pub distance_mm: f64,
     /// Which of the segments.
     pub segment: usize,
@@ -294,7 +302,8 @@ pub struct Standing {
     pub point: Point,
 }
 
-/// How near `segments` of a tool that stands still come to a part's triangles; `None`: they are more than a metre away.
+/// How near `segments` of a tool that stands still come to a part's triangles; `None`: they are
+/// more than a metre away.
 pub fn standing(part: &Part, segments: &[Segment], stand: &Stand, resolution_mm: f64) -> Option<Standing> {
     let track = Track { stands: &[*stand], wanted: None };
     let motion = TrackSearch { part, track, segments, resolution: resolution_mm, share: SHARE };
@@ -348,7 +357,8 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
     moves.into_par_iter().filter(|row| track.wants(*row)).filter(touches).collect()
 }
 
-/// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance` of all else; and the least distance to the part, mm.
+/// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance`
+/// of all else; and the least distance to the part, mm.
 pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &VerifyOptions) -> (Vec<Check>, f64) {
     let stands = plan.toolpath.stands(&plan.schedule.theta);
     let track = Track { stands: &stands, wanted: None };

@@ -1,36 +1,45 @@
-//! The deviation map: what the swept ball leaves over the part, on triangles as fine as the heights need.
+//! The deviation map: what the swept ball leaves over the part, on triangles as fine as the heights
+//! need.
 //!
-//! **In**: part and swept ball. **Out**: a [`DeviationMap`]. The height at a point of the surface is where its normal enters the swept
-//! ball, as in [`super::scallop`]: exact for the straight moves that the sweep is made of. The part's triangles near the path are halved
-//! across their longest edge until that edge is short beside the stepover and the height in its middle is within the tolerance of the mean
-//! of its ends. New corners are put onto the exact surface.
+//! **In**: part and swept ball. **Out**: a [`DeviationMap`]. The height at a point of the surface
+//! is where its normal enters the swept ball, as in [`super::scallop`]: exact for the straight
+//! moves that the sweep is made of. The part's triangles near the path are halved across their
+//! longest edge until that edge is short beside the stepover and the height in its middle is within
+//! the tolerance of the mean of its ends. New corners are put onto the exact surface.
 //!
 //! ## Bound in triangles that are not fine enough
-//! Where triangles may not be halved any further the height between corners is bounded. A ball whose centre is `R sin φ` off the normal's line has there a
-//! height whose slope along the surface is at most `tan φ`, and so has the lowest of several balls (a turn `δn` of the normal adds `h δn` to the way). In a triangle of longest
-//! edge `ℓ` a ball gets no farther from the normal's line than at a corner plus `ℓ + R δn`. No ball counts that is farther off than the reach, which bounds all
-//! slopes; and only balls count that, at a corner, are no higher over the lowest one than this slope makes up for on twice the way to any place of the triangle. Of
-//! those, the farthest off gives `φ`. The mean distance of a place to the corners, weighted as the linear interpolation weights them, is at most `ℓ/√3`. So the height is
-//! off the linear one by at most
+//! Where triangles may not be halved any further the height between corners is bounded. A ball
+//! whose centre is `R sin φ` off the normal's line has there a height whose slope along the surface
+//! is at most `tan φ`, and so has the lowest of several balls (a turn `δn` of the normal adds
+//! `h δn` to the way). In a triangle of longest edge `ℓ` a ball gets no farther from the normal's
+//! line than at a corner plus `ℓ + R δn`. No ball counts that is farther off than the reach, which
+//! bounds all slopes; and only balls count that, at a corner, are no higher over the lowest one
+//! than this slope makes up for on twice the way to any place of the triangle. Of those, the
+//! farthest off gives `φ`. The mean distance of a place to the corners, weighted as the linear
+//! interpolation weights them, is at most `ℓ/√3`. So the height is off the linear one by at most
 //!
 //! ```text
 //! tan φ (ℓ/√3 + h δn),   R sin φ = greatest distance off a corner's normal + ℓ + R δn
 //! ```
 //!
-//! of which [`DeviationMap::coarse_bound_mm`] is the greatest over those triangles. It says nothing of triangles with a corner where the ball does not come.
+//! of which [`DeviationMap::coarse_bound_mm`] is the greatest over those triangles. It says nothing
+//! of triangles with a corner where the ball does not come.
 //!
-//! Where normals turn so fast that `sin φ` has no bound below 1 (an edge sharper than the shortest triangle), a height along the normal has none either: the
-//! line may miss every ball. There the *distance* `g` to the swept ball is bounded instead. It changes by no more than one goes along the part, so in such a triangle
+//! Where normals turn so fast that `sin φ` has no bound below 1 (an edge sharper than the shortest
+//! triangle), a height along the normal has none either: the line may miss every ball. There the *distance*
+//! `g` to the swept ball is bounded instead. It changes by no more than one goes along the part, so
+//! in such a triangle
 //!
 //! ```text
 //! |g − linear height| ≤ ℓ/√3 + greatest |g − height| of its corners
 //! ```
 //!
-//! which [`DeviationMap::sharp_bound_mm`] is the greatest of; how many there are, and their area, is told with it. Corners on a sharp edge are kept apart, one for
-//! each side, so that only edges that are rounded more tightly than the triangles are short come to this.
+//! which [`DeviationMap::sharp_bound_mm`] is the greatest of; how many there are, and their area,
+//! is told with it. Corners on a sharp edge are kept apart, one for each side, so that only edges
+//! that are rounded more tightly than the triangles are short come to this.
 //!
-//! **Limits**: only the ball cuts; corners of one triangle on the edge of another (where one side was halved and the other not) leave hairline
-//! gaps in the drawing, none in the heights.
+//! **Limits**: only the ball cuts; corners of one triangle on the edge of another (where one side
+//! was halved and the other not) leave hairline gaps in the drawing, none in the heights.
 
 use std::collections::BTreeMap;
 
@@ -45,7 +54,8 @@ use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 
-/// Edges are at least this short before their heights are trusted, as a share of the stepover on a plane.
+/// Edges are at least this short before their heights are trusted, as a share of the stepover on a
+/// plane.
 const SHORT: f64 = 0.25;
 /// Edges are not halved below this, mm.
 const SHORTEST_MM: f64 = 0.02;
@@ -53,7 +63,8 @@ const SHORTEST_MM: f64 = 0.02;
 const MOST: usize = 600_000;
 /// Places farther from every pass than so many stepovers are not machined.
 const REACH_STEPOVERS: f64 = 2.5;
-/// Normals of one corner differ by no more than this, as a cosine (20 degrees): else it is one of two sides of an edge.
+/// Normals of one corner differ by no more than this, as a cosine (20 degrees): else it is one of
+/// two sides of an edge.
 const ONE_SIDE: f64 = 0.94;
 /// Least reach, mm.
 const LEAST_REACH_MM: f64 = 0.4;
@@ -135,7 +146,8 @@ impl Growing<'_> {
         let mesh = &self.part.mesh;
         let mut seats: BTreeMap<(u32, u32), Vec<u32>> = BTreeMap::new();
         let (mut places, mut open): (Vec<(Point, Vector, u32)>, _) = (Vec::new(), Vec::new());
-        // Corners of the mesh are shared within a face only, and on one side of a crease: at an edge there are two normals.
+        // Corners of the mesh are shared within a face only, and on one side of a crease: at an
+        // edge there are two normals.
         for (t, corners) in mesh.triangles.iter().enumerate() {
             let (face, normal) = (mesh.face(t), mesh.normal(t));
             let triangle = corners.map(|v| {
@@ -233,7 +245,8 @@ impl Growing<'_> {
             Some(_) => Part::closest(self.part, p, 4.0 * self.part.deflection_mm + 1e-6),
             None => None,
         };
-        // At an edge between faces the nearest point may be the other face's: the place is good, its normal is not.
+        // At an edge between faces the nearest point may be the other face's: the place is good,
+        // its normal is not.
         let (q, n) = match exact {
             Some(c) if c.normal.dot(normal) > if c.face == face { 0.5 } else { ONE_SIDE } => (c.point, c.normal),
             Some(c) if c.normal.dot(normal) > 0.0 => (c.point, *normal),
@@ -398,7 +411,8 @@ mod tests {
         grid.map(mix).collect()
     }
 
-    /// Triangles on edges sharper than they are short: distances to the swept ball anywhere in them, against the linear heights.
+    /// Triangles on edges sharper than they are short: distances to the swept ball anywhere in
+    /// them, against the linear heights.
     #[test]
     fn the_bound_of_distances_holds_where_normals_turn_too_fast() {
         let (blade, plan) = (sample::blade(), sample::plan(4, 90));
@@ -464,7 +478,8 @@ mod tests {
         };
         let worst = map.triangles.iter().map(turn).fold(0.0, f64::max);
         assert!(worst < 0.4 && map.sharp == 0, "{worst}");
-        // The tip's rim is such a crease: there are corners of both its sides, or the map would not reach it.
+        // The tip's rim is such a crease: there are corners of both its sides, or the map would not
+        // reach it.
         assert!(map.coarse_bound_mm.is_finite());
     }
 

@@ -1,12 +1,13 @@
 //! Gouge: how deep the swept ball cuts into the part.
 //!
-//! `depth = R − d(c)`, `d` the distance from the ball centre to the part. Between samples nothing is missed: `d²(x) − |x|²` is
-//! concave (it is the least of the functions `|x − p|² − |x|²`, linear in `x`), so on a straight move of length `L` with
-//! distances `d0`, `d1` at its ends
+//! `depth = R − d(c)`, `d` the distance from the ball centre to the part. Between samples nothing
+//! is missed: `d²(x) − |x|²` is concave (it is the least of the functions `|x − p|² − |x|²`, linear
+//! in `x`), so on a straight move of length `L` with distances `d0`, `d1` at its ends
 //! ```text
 //! d²(t) ≥ (1 − t) d0² + t d1² − t (1 − t) L²
 //! ```
-//! whatever the part looks like. A move is halved until this bound is within the resolution of what has been measured.
+//! whatever the part looks like. A move is halved until this bound is within the resolution of what
+//! has been measured.
 
 use rayon::prelude::*;
 
@@ -17,7 +18,8 @@ use crate::artifact::report::Check;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 
-/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of threads.
+/// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
+/// threads.
 const CHUNK: usize = 256;
 /// Moves are not halved below this length, mm.
 const SHORTEST_MM: f64 = 1e-5;
@@ -61,7 +63,8 @@ fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
     ((1.0 - t) * a + t * b - t * (1.0 - t) * l2).max(0.0).sqrt()
 }
 
-/// Deepest gouge of the whole sweep, measured to `resolution_mm`. Where the ball stays farther off the part than a move is long, only that is told.
+/// Deepest gouge of the whole sweep, measured to `resolution_mm`. Where the ball stays farther off
+/// the part than a move is long, only that is told.
 pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Gouge {
     measure_within(part, sweep, resolution_mm, 0.0)
 }
@@ -142,8 +145,9 @@ pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64) -> Vec<u
 /// The check `gouge`.
 pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
     let mut g = measure(part, sweep, options.resolution_mm);
-    // The path is connected: if it starts outside and never comes near the surface, all of it is outside.
-    // Openings near the path are refused before planning, so the nearest surface tells the side of an open part too.
+    // The path is connected: if it starts outside and never comes near the surface, all of it is
+    // outside. Openings near the path are refused before planning, so the nearest surface tells the
+    // side of an open part too.
     let inside = part.inside(&sweep.centres[0]);
     if inside {
         let d = part.closest(&sweep.centres[0], f64::INFINITY).map_or(0.0, |c| c.distance_mm);
@@ -184,7 +188,8 @@ mod tests {
     use crate::observe::Silent;
     use proptest::prelude::*;
 
-    /// A ball rolls round the edge x = 40, y = 10 of a block of which one face passes that edge by 0.015 mm in its file.
+    /// A ball rolls round the edge x = 40, y = 10 of a block of which one face passes that edge by
+    /// 0.015 mm in its file.
     #[test]
     fn what_sewing_cut_away_is_gouged() {
         let part = Part::from_brep(block(Vector::new(40.0, 10.0, 60.0)), 0.02, &Silent).unwrap();

@@ -1,8 +1,11 @@
-//! The ways onto the path and off it: is there room for the whole tool, do the axes keep their limits there.
+//! The ways onto the path and off it: is there room for the whole tool, do the axes keep their
+//! limits there.
 //!
-//! A way consists of the straight line along the tool axis from far outside, the arc of the [`Lead`] where there is one, and the location itself. It
-//! is looked at with the same measures as the path: the swept ball ([`super::gouge`]), taper and shank, holder
-//! ([`super::clearance`]), continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence for both.
+//! A way consists of the straight line along the tool axis from far outside, the arc of the
+//! [`Lead`] where there is one, and the location itself. It is looked at with the same measures as
+//! the path: the swept ball ([`super::gouge`]), taper and shank, holder ([`super::clearance`]),
+//! continuously. [`obstructed`] answers for one way before it is chosen; [`check`] gives evidence
+//! for both.
 
 use super::apart::{Apart, apart};
 use super::clearance::{self, Kept, Track};
@@ -17,7 +20,8 @@ use crate::geometry::{Point, Vector};
 use crate::machine::{Axis, Machine};
 use crate::tool::Tool;
 
-/// At its outer end an arc must be this share of its height off the part, or the ball has not left it.
+/// At its outer end an arc must be this share of its height off the part, or the ball has not left
+/// it.
 const OFF: f64 = 0.25;
 /// So far does the straight line begin beyond the part, mm.
 const BEYOND_MM: f64 = 5.0;
@@ -77,13 +81,15 @@ impl Way {
     }
 }
 
-/// How far along the axis the ball has to go for a plane under it to have the whole part on its other side, mm.
+/// How far along the axis the ball has to go for a plane under it to have the whole part on its
+/// other side, mm.
 fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
     let farthest = part.mesh.points.iter().map(|p| (p - from).dot(axis)).fold(0.0, f64::max);
     farthest + radius_mm + BEYOND_MM
 }
 
-/// What stands in the way of a lead to or from a location, in words; `None`: there is room: the tool keeps the clearance that is asked for.
+/// What stands in the way of a lead to or from a location, in words; `None`: there is room: the
+/// tool keeps the clearance that is asked for.
 pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<String> {
     let way = Way::new(lead, foot, inwards, room);
     let part = Allowed::new(&room.blade.part, room.stock_mm);
@@ -122,7 +128,8 @@ fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
     })
 }
 
-/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
+/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each
+/// fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
 pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];
@@ -207,7 +214,8 @@ fn within_travel(plan: &Plan, room: &Room) -> Check {
     Check { passed: over <= 1e-9, ..Check::at_most("lead-travel", quantity, over * scale, 0.0, unit, note) }
 }
 
-/// Velocity and acceleration of every axis from the rows of the leads to those next to them on the path, as shares of the limits.
+/// Velocity and acceleration of every axis from the rows of the leads to those next to them on the
+/// path, as shares of the limits.
 fn within_limits(plan: &Plan, room: &Room) -> Check {
     let rows: Vec<(f64, Axes)> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
     let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());

@@ -44,12 +44,14 @@ fn clean_leads_have_no_finding() {
 fn what_is_planted_in_a_lead_is_found_and_named() {
     let clean = plan();
     let at = clean.leads[1].centres.len() / 2;
-    // A needle whose end reaches 0.02 mm into the ball in the middle of the lead-out, from the side that the tool leans away from.
+    // A needle whose end reaches 0.02 mm into the ball in the middle of the lead-out, from the side
+    // that the tool leans away from.
     let c = clean.leads[1].centres[at];
     let (x, side) = (Vector::x(), Vector::y() * 0.01);
     let end = c - x * (5.0 - 0.02);
     let found = failing(&clean, &with_needle([end, end - x * 0.3 + side, end - x * 0.3 - side]));
-    // So near to the ball it is also nearer to the taper than the clearance that is asked for, which it does not touch.
+    // So near to the ball it is also nearer to the taper than the clearance that is asked for,
+    // which it does not touch.
     assert!(found.iter().all(|c| c.name == "lead-gouge" || c.name == "lead-clearance" && c.worst > 0.0), "{found:#?}");
     let g = only(&found.into_iter().filter(|c| c.name == "lead-gouge").collect::<Vec<_>>(), "lead-gouge");
     assert!((0.015..0.03).contains(&g.worst) && g.note == "lead-out", "{g:?}");

@@ -1,18 +1,22 @@
 //! How long the path is beside the least that its area needs.
 //!
-//! A path whose every ridge is as high as the scallop allows has a strip of width `d(h, ρ)` for each pass, `ρ` being the radius of
-//! curvature of the part across the passes; no path of that scallop is shorter than
+//! A path whose every ridge is as high as the scallop allows has a strip of width `d(h, ρ)` for
+//! each pass, `ρ` being the radius of curvature of the part across the passes; no path of that
+//! scallop is shorter than
 //! ```text
 //! L_min = ∬ dA / d(h, ρ)
 //! ```
-//! over the area `A` that it machines. Both are taken along the contacts, over the inner turns: the first and the last one
-//! close onto the boundaries and have a neighbour on one side only. `A` are the places of the part whose ball is nearer to an
-//! inner turn than to those two, without what no ball of this radius can reach.
+//! over the area `A` that it machines. Both are taken along the contacts, over the inner turns: the
+//! first and the last one close onto the boundaries and have a neighbour on one side only. `A` are
+//! the places of the part whose ball is nearer to an inner turn than to those two, without what no
+//! ball of this radius can reach.
 //!
-//! * On exact faces, `d` is [`width_on_part_mm`] of the true curvature, summed over even samples of `A`.
-//! * A mesh has no curvature. There the ridges tell: a pass with spacing `w` and ridge `c` could have had
-//!   `w sqrt(h/c)`, so `L_min = Σ ℓ sqrt(c/h)` over the pieces `ℓ` of the passes, half for the ridge on each side. This form is
-//!   good to first order in `c/h − 1`; on exact faces it is computed too, as a second opinion.
+//! * On exact faces, `d` is [`width_on_part_mm`] of the true curvature, summed over even samples of
+//!   `A`.
+//! * A mesh has no curvature. There the ridges tell: a pass with spacing `w` and ridge `c` could
+//!   have had `w sqrt(h/c)`, so `L_min = Σ ℓ sqrt(c/h)` over the pieces `ℓ` of the passes, half for
+//!   the ridge on each side. This form is good to first order in `c/h − 1`; on exact faces it is
+//!   computed too, as a second opinion.
 
 use rayon::prelude::*;
 
@@ -29,8 +33,8 @@ use crate::tool::scallop::width_on_part_mm;
 /// Passes are compared with their neighbours at most at so many places.
 const MOST_PLACES: usize = 6000;
 
-/// Length, limit and ridges of the inner turns of any path over a blade, judged by the scallop `scallop_mm`, with about
-/// `samples` samples of the surface.
+/// Length, limit and ridges of the inner turns of any path over a blade, judged by the scallop
+/// `scallop_mm`, with about `samples` samples of the surface.
 ///
 /// # Errors
 /// `Usage` where the path has fewer than two locations.
@@ -42,7 +46,8 @@ pub fn limit(blade: &Blade, path: &Toolpath, scallop_mm: f64, samples: usize) ->
     Ok(measure(&part, &Sweep::new(path), scallop_mm, samples))
 }
 
-/// Whether a row belongs to a turn with neighbours on both sides; every row where there are fewer than three turns.
+/// Whether a row belongs to a turn with neighbours on both sides; every row where there are fewer
+/// than three turns.
 fn inner(sweep: &Sweep, row: usize) -> bool {
     let (first, last) = ridge::outer_turns(sweep);
     last < first + 2 || (sweep.turns[row] > first && sweep.turns[row] < last)
@@ -91,7 +96,8 @@ fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f
         Some((part.area_ratio(s.on_face.as_ref()), width.map_or(0.0, |w| 1.0 / w)))
     };
     let shares: Vec<(f64, f64)> = all.points.par_iter().filter_map(share).collect();
-    // At a pole, or along a crease as round as the ball, there is no width: such samples count as the mean of the others.
+    // At a pole, or along a crease as round as the ball, there is no width: such samples count as
+    // the mean of the others.
     let (mut area, mut known, mut sum) = (0.0, 0.0, 0.0);
     for (ratio, share) in shares {
         area += ratio;
@@ -102,7 +108,8 @@ fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f
     (area_mm2, if known > 0.0 { area_mm2 * sum / known } else { 0.0 })
 }
 
-/// `Σ ℓ sqrt(c/h) / Σ ℓ` over the inner turns, half for the ridge on each side; 0 where no ridge was met.
+/// `Σ ℓ sqrt(c/h) / Σ ℓ` over the inner turns, half for the ridge on each side; 0 where no ridge
+/// was met.
 fn share_of_ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> f64 {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_PLACES);

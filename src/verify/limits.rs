@@ -1,13 +1,14 @@
-//! The machine: every axis within its travel, velocity and acceleration, and the axes really place the tool where the plan
-//! says.
+//! The machine: every axis within its travel, velocity and acceleration, and the axes really place
+//! the tool where the plan says.
 //!
-//! Only times and positions of the motion are read; its velocity and acceleration columns are not. The difference
-//! quotient of positions is a mean of the true velocity over the interval, and the difference of two neighbouring ones
-//! over half of both intervals a weighted mean of the true acceleration, so a motion within its limits cannot
-//! exceed them in these figures by more than rounding. They are lower bounds of the true peaks.
+//! Only times and positions of the motion are read; its velocity and acceleration columns are not.
+//! The difference quotient of positions is a mean of the true velocity over the interval, and the
+//! difference of two neighbouring ones over half of both intervals a weighted mean of the true
+//! acceleration, so a motion within its limits cannot exceed them in these figures by more than
+//! rounding. They are lower bounds of the true peaks.
 //!
-//! Positions are turned back into ball centre and tool axis by the machine's forward kinematics and compared with
-//! cutter location and `a(θ)`.
+//! Positions are turned back into ball centre and tool axis by the machine's forward kinematics and
+//! compared with cutter location and `a(θ)`.
 
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;

@@ -1,8 +1,9 @@
-//! Checks of a finished plan, written apart from the planners: nothing here is shared with them but geometry, tool,
-//! machine and the artifacts themselves.
+//! Checks of a finished plan, written apart from the planners: nothing here is shared with them but
+//! geometry, tool, machine and the artifacts themselves.
 //!
-//! **In**: a [`Plan`], the [`Blade`], [`Tool`] and [`Machine`] it was made for. **Out**: a [`Verdict`] with a
-//! [`CheckReport`]; only a verdict that passed holds a [`Verified`] plan, and only that can be posted.
+//! **In**: a [`Plan`], the [`Blade`], [`Tool`] and [`Machine`] it was made for. **Out**: a
+//! [`Verdict`] with a [`CheckReport`]; only a verdict that passed holds a [`Verified`] plan, and
+//! only that can be posted.
 //!
 //! | check | measured | bound between samples |
 //! | --- | --- | --- |
@@ -19,13 +20,16 @@
 //! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
 //! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
-//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to leave. To the part belongs what sewing or
-//! healing moved or left out, as the file has it ([`crate::geometry::part::Part::published`]): gouges are judged on both.
+//! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to
+//! leave. To the part belongs what sewing or healing moved or left out, as the file has it
+//! ([`crate::geometry::part::Part::published`]): gouges are judged on both.
 //!
-//! A check whose bound holds between samples reports the bound as its worst value and the measured value in its note.
+//! A check whose bound holds between samples reports the bound as its worst value and the measured
+//! value in its note.
 //!
-//! **Limits**: what the control does between rows is taken as a straight move of the ball centre with θ even; the
-//! clearance is measured to the part's triangles and lessened by their deflection; jerk is not checked.
+//! **Limits**: what the control does between rows is taken as a straight move of the ball centre
+//! with θ even; the clearance is measured to the part's triangles and lessened by their deflection;
+//! jerk is not checked.
 
 mod apart;
 mod asked;
@@ -72,8 +76,9 @@ use crate::tool::Tool;
 /// Checks a plan against the part, the tool and the limits of `options`.
 ///
 /// # Errors
-/// `Usage` when the plan is not one at all (no locations, rows that do not match, a number that is not finite);
-/// `Cancelled`. A plan that is complete but bad is no error: it is [`Verdict::Failed`].
+/// `Usage` when the plan is not one at all (no locations, rows that do not match, a number that is
+/// not finite); `Cancelled`. A plan that is complete but bad is no error: it is
+/// [`Verdict::Failed`].
 pub fn check(
     plan: Plan,
     blade: &Blade,
@@ -133,8 +138,8 @@ pub fn check_among(
     Ok(Verdict::of(plan, report))
 }
 
-/// Puts the places into a report that was read from a file: where the scallop, the ridges and what stays uncut were measured. Its
-/// figures stay as they are.
+/// Puts the places into a report that was read from a file: where the scallop, the ridges and what
+/// stays uncut were measured. Its figures stay as they are.
 pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut CheckReport) {
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
     scallop::measure(&part, &sweep::Sweep::new(&plan.toolpath), options, report);

@@ -1,14 +1,17 @@
 //! Evidence for what is left of a checked plan: a program that goes on after a break.
 //!
-//! The path, the angles and the channel must be those of the whole plan, to the bit, from some location on: then gouge, scallop and clearance of the whole plan
-//! hold for them. What is new, a lead-in and the motion from rest, is checked anew and takes the place of the whole plan's figures.
+//! The path, the angles and the channel must be those of the whole plan, to the bit, from some
+//! location on: then gouge, scallop and clearance of the whole plan hold for them. What is new, a
+//! lead-in and the motion from rest, is checked anew and takes the place of the whole plan's
+//! figures.
 
 use super::lead::{self, Room};
 use super::{Verdict, Verified, limits, well_formed};
 use crate::artifact::Plan;
 use crate::error::{Error, Result, Stage};
 
-/// Checks the lead-in and the motion of `left`, and gives it the whole plan's evidence for all else. Forced evidence stays forced.
+/// Checks the lead-in and the motion of `left`, and gives it the whole plan's evidence for all
+/// else. Forced evidence stays forced.
 ///
 /// # Errors
 /// `Usage` where `left` is no plan, or not the whole one's from some location on.

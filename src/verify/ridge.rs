@@ -1,13 +1,15 @@
 //! Ridges between neighbouring turns.
 //!
-//! Two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius `sqrt(R² − d²/4)` about their
-//! middle, across `c2 − c1`. The ridge left between them is the circle's point nearest to the part; its distance from the
-//! part is the cusp's height. Each ridge counts by the area between the two passes that it stands for: the length of the
-//! contacts' way there times `d`.
+//! Two neighbouring passes with centres `c1`, `c2`, `d` apart, meet in a circle of radius
+//! `sqrt(R² − d²/4)` about their middle, across `c2 − c1`. The ridge left between them is the
+//! circle's point nearest to the part; its distance from the part is the cusp's height. Each ridge
+//! counts by the area between the two passes that it stands for: the length of the contacts' way
+//! there times `d`.
 //!
-//! What other moves take off there is no ridge: where a ball runs round a thin edge, moves before and after cut through the meeting of the two. The height
-//! is where the line up to the ridge enters the swept ball, which is the ridge itself unless another move is lower by more
-//! than chords sag.
+//! What other moves take off there is no ridge: where a ball runs round a thin edge, moves before
+//! and after cut through the meeting of the two. The height is where the line up to the ridge
+//! enters the swept ball, which is the ridge itself unless another move is lower by more than
+//! chords sag.
 
 use rayon::prelude::*;
 
@@ -25,8 +27,9 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 const CUT: f64 = 0.25;
 /// Moves within so many times the distance of the two passes may cut a ridge down.
 const REACH_STEPOVERS: f64 = 2.5;
-/// Two passes as near as this share of the stepover on a plane leave a four-hundredth of its ridge; where one runs into the other the way from one to the other may
-/// be along them, and the circle of the two balls is then no ridge.
+/// Two passes as near as this share of the stepover on a plane leave a four-hundredth of its ridge;
+/// where one runs into the other the way from one to the other may be along them, and the circle of
+/// the two balls is then no ridge.
 const APART: f64 = 0.05;
 
 /// First and last turn, which have a neighbour on one side only.
@@ -34,8 +37,8 @@ pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
     (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0))
 }
 
-/// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are neither the first nor the last,
-/// where there are any.
+/// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are
+/// neither the first nor the last, where there are any.
 pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -> Vec<Height> {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_RIDGES);
@@ -54,9 +57,10 @@ pub(super) fn apart_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
     APART * flat_stepover(radius_mm, scallop_mm)
 }
 
-/// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every` moves. `None` where the other turn
-/// has no pass beside this one, or no ball reaches the part under the ridge by more than `slack_mm`; a height
-/// of 0 where the two are not `apart_mm` apart: what is cut twice counts as that.
+/// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every`
+/// moves. `None` where the other turn has no pass beside this one, or no ball reaches the part
+/// under the ridge by more than `slack_mm`; a height of 0 where the two are not `apart_mm` apart:
+/// what is cut twice counts as that.
 pub(super) fn between(
     part: &Allowed,
     sweep: &Sweep,
@@ -101,8 +105,10 @@ pub(super) fn between(
     (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
 }
 
-/// A place of the pass at `row`, on the way to the next location. Shares of that way are spread evenly over the rows: chords lie off the part where it is concave and
-/// in it where it is convex, and at the locations alone, which on some paths stand beside one another from turn to turn, nothing would be seen of that.
+/// A place of the pass at `row`, on the way to the next location. Shares of that way are spread
+/// evenly over the rows: chords lie off the part where it is concave and in it where it is convex,
+/// and at the locations alone, which on some paths stand beside one another from turn to turn,
+/// nothing would be seen of that.
 fn midway(sweep: &Sweep, row: usize) -> Point {
     let from = sweep.centres[row];
     let goes_on = sweep.turns.get(row + 1) == Some(&sweep.turns[row]);
@@ -116,7 +122,8 @@ pub(super) fn stretch_mm(sweep: &Sweep, row: usize, every: usize) -> f64 {
     0.5 * (from..to).map(|i| sweep.contact_way_mm(i)).sum::<f64>()
 }
 
-/// Lowest height of the points of a short arc about angle 0 over the part: three heights, a parabola through them.
+/// Lowest height of the points of a short arc about angle 0 over the part: three heights, a
+/// parabola through them.
 fn lowest(part: &Allowed, point: impl Fn(f64) -> Point, radius: f64) -> Option<(f64, Point)> {
     const WIDTH: f64 = 0.02;
     let height = |angle: f64| {
@@ -159,7 +166,8 @@ mod tests {
         centres.extend(middle);
         let after = between_1_and_2(&Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(wanted)));
         assert_eq!(after.len(), before.len());
-        // The ball of 5 mm leaves ridges of 6 µm between passes 0.5 mm apart; facets are farther off the round part than that.
+        // The ball of 5 mm leaves ridges of 6 µm between passes 0.5 mm apart; facets are farther
+        // off the round part than that.
         let lower: Vec<f64> = before.iter().zip(&after).filter(|(b, _)| **b > 0.01).map(|(b, a)| b - a).collect();
         assert!(lower.len() > 10 && lower.iter().all(|l| (0.005..0.0075).contains(l)), "{lower:?}");
     }

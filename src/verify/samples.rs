@@ -58,9 +58,10 @@ impl Piece {
     }
 }
 
-/// About `count` points, evenly by area over the pieces of the part whose ball centres could lie within `reach_mm` of
-/// the path. Deterministic: a low-discrepancy sequence (Roberts' R2, 2018) runs over all pieces in order. Where
-/// the part is NURBS, each point is moved to the exact surface, with the exact normal there.
+/// About `count` points, evenly by area over the pieces of the part whose ball centres could lie
+/// within `reach_mm` of the path. Deterministic: a low-discrepancy sequence (Roberts' R2, 2018)
+/// runs over all pieces in order. Where the part is NURBS, each point is moved to the exact
+/// surface, with the exact normal there.
 pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
     let pieces: Vec<Piece> = (0..part.mesh.triangles.len())
         .into_par_iter()

@@ -1,12 +1,15 @@
-//! Scallop: what is left standing over the part between neighbouring turns, measured on the swept ball itself.
+//! Scallop: what is left standing over the part between neighbouring turns, measured on the swept
+//! ball itself.
 //!
-//! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n` enters the swept ball at
-//!   `t`: material left where `t > 0`, a gouge where `t < 0`. The machined band are the samples whose ball centre
-//!   `p + R n` lies nearer to an inner turn than to the first or last one, and near the path at all; next to where the
-//!   inner turns begin and end one neighbour is missing, so these places do not count; nor do those where inner turns run along the first or last one.
-//!   Where a ball in that place would cut into the part elsewhere (inner corners, edges between facets that form a
-//!   valley) no ball of this radius can reach `p`: what it must be lifted by is uncut for good, whatever the stepover,
-//!   and taken off the height; gouges are judged on heights as measured.
+//! * **Heights at points of the surface**: from each sample `p` with normal `n` the ray `p + t n`
+//!   enters the swept ball at `t`: material left where `t > 0`, a gouge where `t < 0`. The machined
+//!   band are the samples whose ball centre `p + R n` lies nearer to an inner turn than to the
+//!   first or last one, and near the path at all; next to where the inner turns begin and end one
+//!   neighbour is missing, so these places do not count; nor do those where inner turns run along
+//!   the first or last one. Where a ball in that place would cut into the part elsewhere (inner
+//!   corners, edges between facets that form a valley) no ball of this radius can reach `p`: what
+//!   it must be lifted by is uncut for good, whatever the stepover, and taken off the height;
+//!   gouges are judged on heights as measured.
 //! * **Ridges** ([`super::ridge`]), each counting by the area that it stands on.
 
 use rayon::prelude::*;
@@ -43,7 +46,8 @@ impl Height {
     }
 }
 
-/// Percentile `q` (0 to 1) by area of sorted heights, interpolated linearly between the middles of their areas; 0 of none.
+/// Percentile `q` (0 to 1) by area of sorted heights, interpolated linearly between the middles of
+/// their areas; 0 of none.
 pub(super) fn percentile(sorted: &[Height], q: f64) -> f64 {
     let (Some(first), Some(last)) = (sorted.first(), sorted.last()) else { return 0.0 };
     let total: f64 = sorted.iter().map(|h| h.weight).sum();
@@ -69,11 +73,13 @@ pub(super) fn flat_stepover(radius: f64, scallop: f64) -> f64 {
     (8.0 * radius * scallop).sqrt()
 }
 
-/// How far a ball that touches the part at `p` must be lifted along `n` until it cuts in nowhere by more than `slack_mm`:
-/// 0 where it may touch. What it leaves under itself then, mm, is no fault of the stepover.
+/// How far a ball that touches the part at `p` must be lifted along `n` until it cuts in nowhere by
+/// more than `slack_mm`: 0 where it may touch. What it leaves under itself then, mm, is no fault of
+/// the stepover.
 pub(super) fn lift(part: &Allowed, p: &Point, n: &Vector, radius_mm: f64, slack_mm: f64) -> f64 {
     let mut up = 0.0;
-    // A distance changes no faster than its point moves, so each step is safe; in a corner the steps grow geometrically few.
+    // A distance changes no faster than its point moves, so each step is safe; in a corner the
+    // steps grow geometrically few.
     for _ in 0..60 {
         match part.closest(&(p + n * (radius_mm + up)), radius_mm - slack_mm) {
             Some(c) if up < radius_mm => up += radius_mm - c.distance_mm,
@@ -83,8 +89,8 @@ pub(super) fn lift(part: &Allowed, p: &Point, n: &Vector, radius_mm: f64, slack_
     up
 }
 
-/// How much a ball may cut in elsewhere and still count as touching, as a share of the scallop: rounding and exactness of
-/// the distance only.
+/// How much a ball may cut in elsewhere and still count as touching, as a share of the scallop:
+/// rounding and exactness of the distance only.
 pub(super) const REACH_SLACK: f64 = 0.02;
 /// A place counts as uncut where the ball must be lifted by this share of the scallop.
 pub(super) const UNCUT: f64 = 0.5;
@@ -99,8 +105,9 @@ pub(super) struct Band {
     pub uncut: usize,
 }
 
-/// Rows of the turns that have neighbours on both sides; where a turn follows on the first one, or runs into the last, the
-/// neighbour is missing for as far as a pass reaches. All rows where there are fewer than three turns.
+/// Rows of the turns that have neighbours on both sides; where a turn follows on the first one, or
+/// runs into the last, the neighbour is missing for as far as a pass reaches. All rows where there
+/// are fewer than three turns.
 fn inner_rows(sweep: &Sweep, reach: f64) -> std::ops::Range<usize> {
     let (turns, centres) = (&sweep.turns, &sweep.centres);
     let (first, last) = (turns.first().copied().unwrap_or(0), turns.last().copied().unwrap_or(0));
@@ -123,10 +130,12 @@ fn inner_rows(sweep: &Sweep, reach: f64) -> std::ops::Range<usize> {
     walk(begin, &mut (begin + 1..)).min(end)..walk(end, &mut (0..end).rev()).max(begin)
 }
 
-/// Turns nearer to the first or last one than this share of the flat stepover run along the end of the region there.
+/// Turns nearer to the first or last one than this share of the flat stepover run along the end of
+/// the region there.
 const AT_END: f64 = 0.02;
 
-/// The path runs along the first or the last turn at this row, so that one of its sides is not machined.
+/// The path runs along the first or the last turn at this row, so that one of its sides is not
+/// machined.
 fn runs_along_end(sweep: &Sweep, row: usize, within_mm: f64) -> bool {
     let turns = &sweep.turns;
     let (Some(first), Some(last)) = (turns.first(), turns.last()) else { return false };
@@ -136,7 +145,8 @@ fn runs_along_end(sweep: &Sweep, row: usize, within_mm: f64) -> bool {
 
 /// Heights at samples of the machined band.
 pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> Band {
-    // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times too high is seen.
+    // As far as a neighbouring pass may be: two and a half stepovers, so that a scallop six times
+    // too high is seen.
     let reach = (2.5 * flat_stepover(sweep.radius_mm, scallop_mm)).max(0.4);
     let inner = inner_rows(sweep, reach);
     let height = |s: samples::Sample| {
@@ -228,7 +238,8 @@ pub(super) fn check(
     let quantity = "99th percentile of the height left over the part in the machined band";
     report.checks.push(judge("scallop", quantity, &samples, !samples.is_empty()));
     let quantity = "99th percentile of the ridges between neighbouring turns";
-    // On a mesh the edges between facets bend each ridge by more than the scallop; the samples above judge there.
+    // On a mesh the edges between facets bend each ridge by more than the scallop; the samples
+    // above judge there.
     if blade.part.brep.is_some() {
         report.checks.push(judge("ridge", quantity, &ridges, true));
     }
@@ -239,7 +250,8 @@ pub(super) fn check(
 /// Places on edges that sewing or healing moved are this far apart, mm, at most.
 const PUBLISHED_STEP_MM: f64 = 0.05;
 
-/// How deep places along the edges of surface that the part has otherwise than its file lie in the swept ball: there it stands out the most.
+/// How deep places along the edges of surface that the part has otherwise than its file lie in the
+/// swept ball: there it stands out the most.
 fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
     let Some(published) = part.published().filter(|_| part.stock_mm == 0.0) else { return Vec::new() };
     let depth = |point: Point| {
@@ -250,7 +262,8 @@ fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
     sort(published.along_edges(PUBLISHED_STEP_MM).into_par_iter().filter_map(depth).collect())
 }
 
-/// From so many times the scallop on, or the ratio that is allowed if that is more, single places are told of: the verdict rests on the 99th percentile.
+/// From so many times the scallop on, or the ratio that is allowed if that is more, single places
+/// are told of: the verdict rests on the 99th percentile.
 const STANDS_OUT: f64 = 1.5;
 
 /// In words, how much of the surface stands out and where the most; `None` where nothing does.

@@ -1,9 +1,10 @@
 //! Evidence that outlives its run: a report sealed together with everything that it is about.
 //!
-//! Checks follow from the plan, the part, the tool, the machine and the options alone. A seal is the BLAKE3 hash of all of these and of the
-//! report. Whoever comes back with the same of each, to the last bit, need not check again: the answer is in the report. A plan or a report
-//! that was changed since, even in one digit, does not fit its seal and is checked anew. A seal guards against change, not against forgers:
-//! it is no signature.
+//! Checks follow from the plan, the part, the tool, the machine and the options alone. A seal is
+//! the BLAKE3 hash of all of these and of the report. Whoever comes back with the same of each, to
+//! the last bit, need not check again: the answer is in the report. A plan or a report that was
+//! changed since, even in one digit, does not fit its seal and is checked anew. A seal guards
+//! against change, not against forgers: it is no signature.
 
 use super::verdict::Verdict;
 use super::{VerifyOptions, well_formed};
@@ -15,7 +16,8 @@ use crate::tool::Tool;
 /// What a report is about, besides the plan.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
-    /// Names the part and the program that checks: hashes of the model's files, how they were read, the version.
+    /// Names the part and the program that checks: hashes of the model's files, how they were read,
+    /// the version.
     pub part: &'a str,
     /// The tool.
     pub tool: &'a Tool,
@@ -41,8 +43,8 @@ pub fn seal(plan_json: &str, report: &CheckReport, about: &Subject) -> Result<St
     Ok(hasher.finalize().to_hex().to_string())
 }
 
-/// The verdict of checks made before, if `seal` is that of this report about this plan; else the plan again. Places that stay uncut are not
-/// in the report: their area and height are.
+/// The verdict of checks made before, if `seal` is that of this report about this plan; else the
+/// plan again. Places that stay uncut are not in the report: their area and height are.
 ///
 /// # Errors
 /// As [`seal`].

@@ -1,20 +1,23 @@
-//! Signed distance to one frustum of the moving tool, and its least value over a triangle and a move.
+//! Signed distance to one frustum of the moving tool, and its least value over a triangle and a
+//! move.
 //!
-//! A frustum is a convex solid of revolution, so its signed distance (negative inside) is a convex function of the point,
-//! and equals the signed distance in the half plane (z, r) to the trapezoid `z0 ≤ z ≤ z1`, `|r| ≤ r(z)`. A convex
-//! function lies above its tangent planes, so value `d` and gradient `g` at one point `q` bound it everywhere:
-//! `d(p) ≥ d + g·(p − q)`.
+//! A frustum is a convex solid of revolution, so its signed distance (negative inside) is a convex
+//! function of the point, and equals the signed distance in the half plane (z, r) to the trapezoid
+//! `z0 ≤ z ≤ z1`, `|r| ≤ r(z)`. A convex function lies above its tangent planes, so value `d` and
+//! gradient `g` at one point `q` bound it everywhere: `d(p) ≥ d + g·(p − q)`.
 //!
-//! Seen from the tool, a part point `p` moves during a move. With the move's parameter `τ` from −1 to 1, half its
-//! translation `m`, half its turn `ω` about the axis `x` of its cone (through the ball centre `c`), half its lean `β` about
-//! `n`, the unit vector across x and the tool axis, and half the turn `φ` of the cone itself, a rotation vector:
+//! Seen from the tool, a part point `p` moves during a move. With the move's parameter `τ` from −1
+//! to 1, half its translation `m`, half its turn `ω` about the axis `x` of its cone (through the
+//! ball centre `c`), half its lean `β` about `n`, the unit vector across x and the tool axis, and
+//! half the turn `φ` of the cone itself, a rotation vector:
 //! ```text
 //! p(τ) = p + τ w(p) + ε,   w(p) = −m − (ω x + β n + φ) × (p − c),   |ε| ≤ ½ Ω² (ρ + |m|) + Ω |m|,   Ω = |ω| + |β| + |φ|
 //! ```
-//! (Taylor; `ρ` is the distance of `p` from the blade axis through `c` where the tool turns about that alone, else from `c`). Both bounds together are linear in `p` and in `τ`, so
-//! the least value over a triangle or box and the whole move is read off its corners. Where the part slides along the tool
-//! the bound is good to second order in the move. Halving a triangle until its own share is within the tolerance
-//! finds the least distance to that tolerance.
+//! (Taylor; `ρ` is the distance of `p` from the blade axis through `c` where the tool turns about
+//! that alone, else from `c`). Both bounds together are linear in `p` and in `τ`, so the least
+//! value over a triangle or box and the whole move is read off its corners. Where the part slides
+//! along the tool the bound is good to second order in the move. Halving a triangle until its own
+//! share is within the tolerance finds the least distance to that tolerance.
 
 use crate::artifact::Stand;
 use crate::geometry::{Point, Vector};
@@ -42,7 +45,8 @@ pub(super) struct Moving<'a> {
 }
 
 impl<'a> Moving<'a> {
-    /// On the straight move from a stand to another, about a share of the way and so far to both sides of it.
+    /// On the straight move from a stand to another, about a share of the way and so far to both
+    /// sides of it.
     pub fn between(frustum: &'a Segment, from: &Stand, to: &Stand, [mid, half]: [f64; 2]) -> Self {
         let at = from.towards(to, mid);
         Moving {
@@ -59,8 +63,8 @@ impl<'a> Moving<'a> {
 }
 
 impl Moving<'_> {
-    /// Signed distance of `p` in the middle of the move, mm, and its gradient (unit length, save at kinks where it is
-    /// one of the subgradients).
+    /// Signed distance of `p` in the middle of the move, mm, and its gradient (unit length, save at
+    /// kinks where it is one of the subgradients).
     pub fn signed(&self, p: &Point) -> (f64, Vector) {
         let v = p - self.centre;
         let z = v.dot(&self.axis);
@@ -86,7 +90,8 @@ impl Moving<'_> {
         turn + self.axis.cross(&self.about).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.half_lean
     }
 
-    /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without signs.
+    /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without
+    /// signs.
     fn off_the_axis(&self, v: &Vector) -> f64 {
         let about_the_blade = self.half_lean == 0.0 && self.about == Vector::x() && self.half_frame == Vector::zeros();
         if about_the_blade { v.y.hypot(v.z) } else { v.norm() }
@@ -98,7 +103,8 @@ impl Moving<'_> {
         0.5 * turn * turn * (rho + m) + turn * m
     }
 
-    /// Lower bound of the distance over a box given by middle and half sides, and over the whole move.
+    /// Lower bound of the distance over a box given by middle and half sides, and over the whole
+    /// move.
     pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
         let (d, g) = self.signed(middle);
         let v = middle - self.centre;
@@ -110,10 +116,11 @@ impl Moving<'_> {
         d + side(1.0).min(side(-1.0)) - self.remainder(rho)
     }
 
-    /// Looks over a triangle for distances below `cap_mm` anywhere on the move. The first value is a lower bound for the
-    /// triangle and the whole move, or `cap_mm` where that is less; the second the least distance below `cap_mm` seen in
-    /// the middle of the move, with its point. Points of the triangle are told apart to the tolerance, or to the share
-    /// that the move itself has in the bound: a shorter move will look again.
+    /// Looks over a triangle for distances below `cap_mm` anywhere on the move. The first value is
+    /// a lower bound for the triangle and the whole move, or `cap_mm` where that is less; the
+    /// second the least distance below `cap_mm` seen in the middle of the move, with its point.
+    /// Points of the triangle are told apart to the tolerance, or to the share that the move itself
+    /// has in the bound: a shorter move will look again.
     pub fn least_over_triangle(
         &self,
         corners: &[Point; 3],
@@ -122,7 +129,8 @@ impl Moving<'_> {
     ) -> (f64, Option<(f64, Point)>) {
         let rho = corners.iter().map(|c| self.off_the_axis(&(c - self.centre))).fold(0.0, f64::max);
         let remainder = self.remainder(rho);
-        // What has been seen closes pieces; bounds do not, else they would creep down from piece to piece.
+        // What has been seen closes pieces; bounds do not, else they would creep down from piece to
+        // piece.
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
         let mut seen: Option<(f64, Point)> = None;
         let mut open = vec![self.tangent_over(*corners)];
@@ -164,8 +172,8 @@ impl Moving<'_> {
     }
 }
 
-/// A triangle with the distance at its middle, and how far the tangent plane there falls below it over the triangle
-/// alone (`still`) and over triangle and move (`moved`).
+/// A triangle with the distance at its middle, and how far the tangent plane there falls below it
+/// over the triangle alone (`still`) and over triangle and move (`moved`).
 struct Tangent {
     corners: [Point; 3],
     middle: Point,

@@ -8,8 +8,9 @@ use crate::artifact::Toolpath;
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 
-/// Moves of the ball's centre. Between two locations the control moves the centre on a straight line, so the swept
-/// volume of move `i` is exactly a capsule (a spherocylinder) of the ball's radius.
+/// Moves of the ball's centre. Between two locations the control moves the centre on a straight
+/// line, so the swept volume of move `i` is exactly a capsule (a spherocylinder) of the ball's
+/// radius.
 pub(super) struct Sweep {
     /// Ends of the moves: centre `i` to centre `i + 1`.
     pub centres: Vec<Point>,
@@ -26,8 +27,8 @@ pub(super) struct Sweep {
     tree: Bvh,
 }
 
-/// A contact that moves this many times as far as its ball centre has jumped: a ball that fits so closely into a concave place
-/// (within a tenth of its radius) is hardly ever met.
+/// A contact that moves this many times as far as its ball centre has jumped: a ball that fits so
+/// closely into a concave place (within a tenth of its radius) is hardly ever met.
 const MOST_STRETCH: f64 = 10.0;
 
 /// The place on the path nearest to a point.
@@ -58,7 +59,8 @@ impl Sweep {
         Self::of(centres, contacts, turns, path.radius_mm, None)
     }
 
-    /// Over moves from centre to centre, at least two of them; `wanted`: those that count, all where it is left out.
+    /// Over moves from centre to centre, at least two of them; `wanted`: those that count, all
+    /// where it is left out.
     pub fn of(
         centres: Vec<Point>,
         contacts: Vec<Point>,
@@ -82,7 +84,8 @@ impl Sweep {
         self.wanted.as_ref().is_none_or(|w| w.get(i) == Some(&true))
     }
 
-    /// The places of the moves that are nearest to `q`, where that is within `reach_mm`: move and place.
+    /// The places of the moves that are nearest to `q`, where that is within `reach_mm`: move and
+    /// place.
     pub fn all_near(&self, q: &Point, reach_mm: f64) -> Vec<(usize, Point)> {
         let mut found = Vec::new();
         self.tree.traverse(|node| {
@@ -101,7 +104,8 @@ impl Sweep {
         found
     }
 
-    /// Nearest place of the path within `cap_mm` of `q`, among the moves that `allowed` lets through.
+    /// Nearest place of the path within `cap_mm` of `q`, among the moves that `allowed` lets
+    /// through.
     pub fn nearest(&self, q: &Point, cap_mm: f64, allowed: impl Fn(usize) -> bool) -> Option<Nearest> {
         let found = self.tree.find_best(
             cap_mm * cap_mm,
@@ -119,8 +123,9 @@ impl Sweep {
         })
     }
 
-    /// Length of the contacts' way over the part in move `i`, mm. Where the ball runs along an inner corner, its contact jumps between
-    /// the two walls while the centre hardly moves: there the way of the centre counts.
+    /// Length of the contacts' way over the part in move `i`, mm. Where the ball runs along an
+    /// inner corner, its contact jumps between the two walls while the centre hardly moves: there
+    /// the way of the centre counts.
     pub fn contact_way_mm(&self, i: usize) -> f64 {
         let centre = (self.centres[i + 1] - self.centres[i]).norm();
         let contact = (self.contacts[i + 1] - self.contacts[i]).norm();
@@ -133,10 +138,11 @@ impl Sweep {
         a + (b - a) * t
     }
 
-    /// Height of the swept ball over `p`: the least `t` at which the line `p + t n` enters a ball of the sweep, among the moves that
-    /// come within `reach_mm` of `p + R n`; `None` where none of those is met. Positive: material is left standing that high over `p`.
-    /// Negative where `p` itself lies in a ball, by how deep it lies there: along the line a ball that rolls round a sharp edge, or behind a thin
-    /// wall, would seem to have cut much deeper than it has.
+    /// Height of the swept ball over `p`: the least `t` at which the line `p + t n` enters a ball
+    /// of the sweep, among the moves that come within `reach_mm` of `p + R n`; `None` where none of
+    /// those is met. Positive: material is left standing that high over `p`. Negative where `p`
+    /// itself lies in a ball, by how deep it lies there: along the line a ball that rolls round a
+    /// sharp edge, or behind a thin wall, would seem to have cut much deeper than it has.
     pub fn entry(&self, p: &Point, n: &Vector, reach_mm: f64) -> Option<f64> {
         let q = p + n * self.radius_mm;
         let reach2 = reach_mm * reach_mm;
@@ -160,7 +166,8 @@ impl Sweep {
         best
     }
 
-    /// All moves within `reach_mm` of `p + R n` that the line `p + t n` meets: where it enters the ball, and how far that ball's centre is off the line.
+    /// All moves within `reach_mm` of `p + R n` that the line `p + t n` meets: where it enters the
+    /// ball, and how far that ball's centre is off the line.
     pub fn met(&self, p: &Point, n: &Vector, reach_mm: f64) -> Vec<(f64, f64)> {
         let near = self.all_near(&(p + n * self.radius_mm), reach_mm);
         let one = |(i, _): (usize, Point)| {
@@ -181,7 +188,8 @@ impl Sweep {
     }
 }
 
-/// How much farther than the radius a point may be and still count as in the ball, as a share of the radius: rounding only.
+/// How much farther than the radius a point may be and still count as in the ball, as a share of
+/// the radius: rounding only.
 const ROUNDING: f64 = 1e-9;
 
 /// Where the line `p + t n` (unit `n`) enters the ball about `c`.
@@ -192,8 +200,8 @@ fn ball_entry(c: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
     (rest >= 0.0).then(|| along - rest.sqrt())
 }
 
-/// Where the line `p + t n` (unit `n`) enters the capsule about the segment `a b`: the least of the entries into its
-/// two end balls and, where the line enters it between them, into its cylinder.
+/// Where the line `p + t n` (unit `n`) enters the capsule about the segment `a b`: the least of the
+/// entries into its two end balls and, where the line enters it between them, into its cylinder.
 pub(super) fn capsule_entry(a: &Point, b: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
     let ends = [ball_entry(a, radius, p, n), ball_entry(b, radius, p, n)];
     let (axis, length) = (b - a, (b - a).norm());
@@ -226,8 +234,8 @@ mod tests {
         [-3.0..3.0f64, -3.0..3.0f64, -3.0..3.0f64].prop_map(Vector::from)
     }
 
-    /// A wall 0.3 mm thick, milled on one side by a ball of radius 0.5: on the other side nothing is cut, however far one looks; on the
-    /// milled side, 0.02 mm too deep.
+    /// A wall 0.3 mm thick, milled on one side by a ball of radius 0.5: on the other side nothing
+    /// is cut, however far one looks; on the milled side, 0.02 mm too deep.
     #[test]
     fn a_ball_behind_a_thin_wall_has_not_cut_in_front() {
         let mut path = crate::sample::plan(1, 12).toolpath;
@@ -240,7 +248,8 @@ mod tests {
             assert_eq!(sweep.entry(&Point::new(x, 0.1, 0.0), &Vector::z(), 1.5), None);
             let depth = sweep.entry(&Point::new(x, 0.0, -0.3), &-Vector::z(), 1.5).unwrap();
             assert!((depth + 0.02).abs() < 1e-12, "{depth}");
-            // An acute edge that the ball rolls round: the line along the face's normal runs far through the ball, which has cut next to nothing.
+            // An acute edge that the ball rolls round: the line along the face's normal runs far
+            // through the ball, which has cut next to nothing.
             let (touch, edge) = (Vector::new(0.0, 0.6, 0.8), Vector::new(0.0, 0.8, 0.6));
             let at = Point::new(x, 0.0, -0.78) + touch * (0.5 - 1e-6);
             let depth = sweep.entry(&at, &edge, 1.5).unwrap();

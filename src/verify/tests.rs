@@ -1,4 +1,5 @@
-//! Faults of known size are planted into a plan with closed-form answers; each must be found, measured and placed.
+//! Faults of known size are planted into a plan with closed-form answers; each must be found,
+//! measured and placed.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::{PI, TAU};
@@ -66,8 +67,8 @@ fn tool() -> Tool {
     }
 }
 
-/// A helix of `turns` turns with `per_turn` rows each on the cylinder; the ball centre's height at angle φ is `x(φ)`;
-/// θ leads the normal by `lead`.
+/// A helix of `turns` turns with `per_turn` rows each on the cylinder; the ball centre's height at
+/// angle φ is `x(φ)`; θ leads the normal by `lead`.
 fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Plan {
     let n = turns * per_turn;
     let angle = |i: usize| TAU * i as f64 / per_turn as f64;
@@ -261,7 +262,8 @@ fn a_scallop_twice_too_high_is_found() {
     assert!((report.scallop_max_mm - 0.02).abs() < 0.0013, "{}", report.scallop_max_mm);
 }
 
-/// A cylinder with a spike whose tip the holder's side passes at a distance halfway between two rows, near the holder's upper end; and that tip.
+/// A cylinder with a spike whose tip the holder's side passes at a distance halfway between two
+/// rows, near the holder's upper end; and that tip.
 fn with_spike(p: &Plan, row: usize, distance_mm: f64) -> (Blade, Point) {
     let l = |i: usize| p.toolpath.locations[i].centre;
     let (centre, theta) =
@@ -461,7 +463,8 @@ fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
         for theta in [0.0, 1.0, -2.5] {
             let found =
                 standing(&part, &segments, &Stand::about_blade(Point::new(x, 0.0, 0.0), theta, b), 1e-4).unwrap();
-            // What is told of depths is not the way out along the wall: the nearest side may be another.
+            // What is told of depths is not the way out along the wall: the nearest side may be
+            // another.
             let (least, most) = if exact > 0.0 { (exact, exact * 1.02 + 1e-4) } else { (exact, 0.0) };
             assert!(found.distance_mm >= least - 1e-9 && found.distance_mm <= most, "{x} {b_deg}: {found:?}, {exact}");
             assert!(segments[found.segment].part.is_holder() && found.triangle == 0);

@@ -1,12 +1,15 @@
-//! What no ball of this radius can reach: inner corners narrower than the ball, where the surface of ball centres has a crease.
+//! What no ball of this radius can reach: inner corners narrower than the ball, where the surface
+//! of ball centres has a crease.
 //!
-//! Even samples of the part near the path are tried with a ball that touches them. Where it would cut in elsewhere it is pushed
-//! out, again and again along the distance to what it cuts into, until it fits: it then touches what is in the way on both
-//! sides. If the swept path passes there and the sample stays farther from that ball than [`UNCUT`] of the scallop, the material over the
+//! Even samples of the part near the path are tried with a ball that touches them. Where it would
+//! cut in elsewhere it is pushed out, again and again along the distance to what it cuts into,
+//! until it fits: it then touches what is in the way on both sides. If the swept path passes there
+//! and the sample stays farther from that ball than [`UNCUT`] of the scallop, the material over the
 //! sample is left for good, whatever the stepover.
 //!
-//! **Limits**: in corners that open by more than 90° the ball is pushed too far out, so that some of these places are taken for
-//! beside the path: there the area is too small (by about a third at 120°).
+//! **Limits**: in corners that open by more than 90° the ball is pushed too far out, so that some
+//! of these places are taken for beside the path: there the area is too small (by about a third at
+//! 120°).
 
 use rayon::prelude::*;
 
@@ -17,7 +20,8 @@ use crate::artifact::report::UncutPlace;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 
-/// A ball that is pushed out so often has found its place to a hundredth of a micrometre in all but the shallowest corners.
+/// A ball that is pushed out so often has found its place to a hundredth of a micrometre in all but
+/// the shallowest corners.
 const MOST_PUSHES: usize = 200;
 
 /// Places, and the area that each stands for, mm².
@@ -118,7 +122,8 @@ mod tests {
         let path = along_the_corner(radius, opening, scallop);
         let target = Allowed::new(&part, 0.0);
         let (places, cell) = measure(&target, &Sweep::new(&path), scallop, 40_000);
-        // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² + R²) from its centre.
+        // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² +
+        // R²) from its centre.
         let touches = radius / (0.5f64 * f64::to_radians(opening)).tan();
         let least = UNCUT * scallop;
         let width = touches - (2.0 * radius * least + least * least).sqrt();

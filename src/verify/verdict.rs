@@ -2,8 +2,9 @@
 
 use crate::artifact::CheckReport;
 
-/// A value together with the report of the checks that it went through. Only [`super::check`] makes one, or [`super::seal::recall`]
-/// from a report that it sealed (or [`Rejected::write_anyway`], which marks it as forced); writers of programs take nothing else.
+/// A value together with the report of the checks that it went through. Only [`super::check`] makes
+/// one, or [`super::seal::recall`] from a report that it sealed (or [`Rejected::write_anyway`],
+/// which marks it as forced); writers of programs take nothing else.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verified<T> {
     value: T,

@@ -1,12 +1,15 @@
-//! The channel of a plan, proven again: its hulls follow from its walls, and at places along the path the whole tool keeps clear at angles all over the interval.
+//! The channel of a plan, proven again: its hulls follow from its walls, and at places along the
+//! path the whole tool keeps clear at angles all over the interval.
 //!
 //! | check | measured |
 //! | --- | --- |
 //! | `plan-channel` | rows whose hulls do not follow from the walls, or that are wider than the contact angle or the rotary axis allow |
 //! | `channel-clear` | at some hundred rows, least distance of the tool without its ball to the part and to fixtures, over what is asked for, from wall to wall |
 //!
-//! A schedule is judged against these walls (`theta-channel`), and so must they be. Rows are looked at evenly along the path, and where a wall jumps most from one
-//! row to the next: there a single row that was widened shows. Walls that are narrower than they need be do no harm and are not found.
+//! A schedule is judged against these walls (`theta-channel`), and so must they be. Rows are looked
+//! at evenly along the path, and where a wall jumps most from one row to the next: there a single
+//! row that was widened shows. Walls that are narrower than they need be do no harm and are not
+//! found.
 
 use rayon::prelude::*;
 

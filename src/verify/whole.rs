@@ -1,6 +1,8 @@
-//! A plan agrees with itself: turns with locations, contacts with centres, the motion's columns with its positions and times.
+//! A plan agrees with itself: turns with locations, contacts with centres, the motion's columns
+//! with its positions and times.
 //!
-//! The other checks rest on some of these numbers and pass over the rest; a plan that is read from a file is judged by all of them, since others read them.
+//! The other checks rest on some of these numbers and pass over the rest; a plan that is read from
+//! a file is judged by all of them, since others read them.
 //!
 //! | check | measured |
 //! | --- | --- |
@@ -8,12 +10,15 @@
 //! | `plan-contacts` | distance of contacts from the centre less the ball's radius along the normal, and from the part with its stock |
 //! | `plan-motion` | velocities, accelerations and jerks against positions and times; feeds against lengths and times; rest at both ends |
 //!
-//! Velocities are the integral of accelerations and positions that of velocities. With a jerk of at most `J` the trapezoidal rule over a step `h` is off by at most
-//! `J h³/12` for positions and `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other. Jerks may jump between locations.
-//! Small ones could be lost in these bounds. So root mean squares of accelerations are compared with those of the difference quotients besides, and jerks with
-//! the third derivative of the quintic through positions, velocities and accelerations at both ends of a step: within a step jerk is smooth, and the quintic
-//! knows it up to the third power of the step. The outermost steps are left out, and ways of few rows: there a plan's jerk may jump between two rows, and its
-//! columns tell nothing of that.
+//! Velocities are the integral of accelerations and positions that of velocities. With a jerk of at
+//! most `J` the trapezoidal rule over a step `h` is off by at most `J h³/12` for positions and
+//! `J h²/4` for velocities: where it is off by more, a column is not the derivative of the other.
+//! Jerks may jump between locations. Small ones could be lost in these bounds. So root mean squares
+//! of accelerations are compared with those of the difference quotients besides, and jerks with the
+//! third derivative of the quintic through positions, velocities and accelerations at both ends of
+//! a step: within a step jerk is smooth, and the quintic knows it up to the third power of the
+//! step. The outermost steps are left out, and ways of few rows: there a plan's jerk may jump
+//! between two rows, and its columns tell nothing of that.
 
 use rayon::prelude::*;
 
@@ -35,9 +40,11 @@ const FEED: f64 = 1e-3;
 const JERK: f64 = 1.01;
 /// What rounding leaves of velocities and accelerations, relative to their limits.
 const ROUNDING: f64 = 1e-6;
-/// Root mean squares of accelerations and of difference quotients of velocities are alike within this factor.
+/// Root mean squares of accelerations and of difference quotients of velocities are alike within
+/// this factor.
 const ALIKE: f64 = 3.0;
-/// The root mean square of what jerks are off, as a share of theirs; on the roughest paths it is less than a tenth.
+/// The root mean square of what jerks are off, as a share of theirs; on the roughest paths it is
+/// less than a tenth.
 const OFF: f64 = 0.25;
 /// Outermost steps and least number of steps within which jerk may jump.
 const OUTER: usize = 5;
@@ -150,8 +157,9 @@ fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
     (out, plan.rows().map(|r| r.stand.centre).collect())
 }
 
-/// The third derivative of the quintic through position, velocity and acceleration of an axis at row `k` and the next, at row `k`. `None` where it
-/// is not known within `most`, since positions and times are rounded.
+/// The third derivative of the quintic through position, velocity and acceleration of an axis at
+/// row `k` and the next, at row `k`. `None` where it is not known within `most`, since positions
+/// and times are rounded.
 fn third(m: &AxisMotion, k: usize, axis: usize, most: f64) -> Option<f64> {
     let h = m.t_s[k + 1] - m.t_s[k];
     let [(q0, v0, a0), (q1, v1, a1)] =

@@ -30,7 +30,8 @@ fn cases(some: u32) -> u32 {
     some.saturating_mul(times.unwrap_or(1))
 }
 
-/// A tool with a taper or none, a shank and up to three holder stages, narrower or wider than one another.
+/// A tool with a taper or none, a shank and up to three holder stages, narrower or wider than one
+/// another.
 fn any_tool() -> impl Strategy<Value = Tool> {
     let stages = prop::collection::vec((1.0..20.0f64, 3.0..25.0f64), 0..4);
     (0.8..5.0f64, 0.0..20.0f64, 1.0..2.5f64, 4.0..30.0f64, stages).prop_map(|(r, taper, shank, stickout, stages)| {
@@ -44,7 +45,8 @@ fn any_tool() -> impl Strategy<Value = Tool> {
     })
 }
 
-/// Triangles at random, in a body of its own each if `bodies`; the ball centre is at the origin before all is turned.
+/// Triangles at random, in a body of its own each if `bodies`; the ball centre is at the origin
+/// before all is turned.
 fn any_mesh() -> impl Strategy<Value = Mesh> {
     let point = || prop::array::uniform3(-35.0..35.0f64);
     let triangle = (point(), prop::array::uniform6(-9.0..9.0f64));
@@ -106,9 +108,9 @@ fn at(centre: Point, cone: Cone, azimuth: f64) -> View {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(200), ..ProptestConfig::default() })]
 
-    /// No point of the part is inside the tool at an angle that is declared free; an angle that is declared taken is within
-    /// the tolerance of one at which the triangle named by the nearest end is too near. All is turned about the blade axis
-    /// and moved along, and the cone stands anyhow.
+    /// No point of the part is inside the tool at an angle that is declared free; an angle that is
+    /// declared taken is within the tolerance of one at which the triangle named by the nearest end
+    /// is too near. All is turned about the blade axis and moved along, and the cone stands anyhow.
     #[test]
     fn free_intervals_are_those_of_brute_force(
         mesh in any_mesh(), tool in any_tool(), cone in any_cone(), turn in -PI..PI, shift in prop::array::uniform3(-50.0..50.0f64),
@@ -141,9 +143,9 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(80), ..ProptestConfig::default() })]
 
-    /// Along a path, with short and long steps, every place has the free angles that it has when looked at alone, and no dense
-    /// point is inside the tool at one of them: with one cone, with cones that turn and lean from place to place, and with references
-    /// that jump.
+    /// Along a path, with short and long steps, every place has the free angles that it has when
+    /// looked at alone, and no dense point is inside the tool at one of them: with one cone, with
+    /// cones that turn and lean from place to place, and with references that jump.
     #[test]
     fn along_a_path_as_alone(
         mesh in any_mesh(), tool in any_tool(), mut cone in any_cone(), turn in -PI..PI, way in prop::array::uniform3(-1.0..1.0f64),
@@ -190,8 +192,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: cases(30), ..ProptestConfig::default() })]
 
-    /// Angles declared free during a whole move are free at every time of it, in the frame that turns along; and every end is
-    /// one at which something is too near at some time.
+    /// Angles declared free during a whole move are free at every time of it, in the frame that
+    /// turns along; and every end is one at which something is too near at some time.
     #[test]
     fn moves_are_free_all_the_way(
         mesh in any_mesh(), tool in any_tool(), cone in any_cone(),
@@ -243,7 +245,8 @@ fn an_angle_is_inside_its_own_arc() {
     assert!(inside(&[arc], TAU, 0.0) && !inside(&[arc], 1.0, 0.0));
 }
 
-/// The frusta as polyhedra with `sides` sides, `scale` times as thick, about the middles of their heights.
+/// The frusta as polyhedra with `sides` sides, `scale` times as thick, about the middles of their
+/// heights.
 fn polyhedra(tool: &Tool, scale: f64) -> Vec<(parry3d_f64::shape::ConvexPolyhedron, f64)> {
     const SIDES: usize = 64;
     let of = |s: crate::tool::Segment| {
@@ -287,7 +290,8 @@ proptest! {
         let profile = Profile::new(&tool, [0.0, 0.0], 0.0);
         let scene = Scene { bodies: vec![Body { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
         let found = Search::new(&scene).free(&at(Point::origin(), Cone::about_blade(b), 0.0), &Vector::y(), None);
-        // Inscribed, less a millionth; circumscribed, and a thousandth more for what is only nearly touched.
+        // Inscribed, less a millionth; circumscribed, and a thousandth more for what is only nearly
+        // touched.
         let (within, around) = (polyhedra(&tool, 1.0 - 1e-6), polyhedra(&tool, 1.0 / (PI / 64.0).cos() + 2e-3));
         for k in 0..36 {
             let theta = -PI + TAU * (f64::from(k) + 0.3) / 36.0;

@@ -53,7 +53,8 @@ fn path_of(locations: Vec<CutterLocation>, radius_mm: f64) -> Toolpath {
     }
 }
 
-/// Depth of the deepest point of a surface inside a tool: a grid, rings round the contact, and rings round the deepest of these.
+/// Depth of the deepest point of a surface inside a tool: a grid, rings round the contact, and
+/// rings round the deepest of these.
 fn depth(surface: &NurbsSurface, contact: [f64; 2], inside: impl Fn(&Point) -> f64) -> f64 {
     let mut best = (f64::NEG_INFINITY, contact);
     let look = |uv: [f64; 2], best: &mut (f64, [f64; 2])| {
@@ -88,8 +89,8 @@ fn depth(surface: &NurbsSurface, contact: [f64; 2], inside: impl Fn(&Point) -> f
     best.0
 }
 
-/// At an end no point of the faces is too near; a little farther out one is, though the mesh is off by fifty times what that
-/// leaves: with and without clearance, in any position.
+/// At an end no point of the faces is too near; a little farther out one is, though the mesh is off
+/// by fifty times what that leaves: with and without clearance, in any position.
 #[test]
 fn ends_are_those_of_the_faces() {
     let none = ChannelOptions { clearance_mm: 0.0, holder_clearance_mm: 0.0, ..ChannelOptions::default() };
@@ -140,7 +141,8 @@ fn ends_are_those_of_the_faces() {
     assert_eq!(far, 0, "of {ends} ends are timid");
 }
 
-/// Surface that the file has otherwise is kept clear of too; what it stands off the part takes the place of the mesh's deflection, not of the faces.
+/// Surface that the file has otherwise is kept clear of too; what it stands off the part takes the
+/// place of the mesh's deflection, not of the faces.
 #[test]
 fn ends_keep_clear_of_faces_as_published() {
     let o =

@@ -55,7 +55,8 @@ fn triangle(a: Point, b: Point, c: Point) -> Mesh {
 fn a_point_forbids_the_arc_in_which_a_cylinder_holds_it() {
     let (t, b) = (tool(4.0, 0.0), 0.1f64);
     let o = leaning(b);
-    // At 20 mm from the axis' foot: inside the cylinder of radius 4.2 where the height exceeds sqrt(20² − 4.2²).
+    // At 20 mm from the axis' foot: inside the cylinder of radius 4.2 where the height exceeds
+    // sqrt(20² − 4.2²).
     let p = Point::new(0.0, 0.0, 20.0);
     let found = free(&triangle(p, p, p), &t, &o, &Point::origin(), &Vector::y());
     let half = ((400.0f64 - 4.2 * 4.2).sqrt() / (20.0 * b.cos())).acos();
@@ -67,7 +68,8 @@ fn a_point_forbids_the_arc_in_which_a_cylinder_holds_it() {
 
 #[test]
 fn a_wall_leaves_the_angles_at_which_the_cylinder_keeps_its_clearance() {
-    // Wall y = -R, wide enough for the whole tool; B = 0, no holder. The lower rim is nearest: R (1 − sin) = clearance.
+    // Wall y = -R, wide enough for the whole tool; B = 0, no holder. The lower rim is nearest: R (1
+    // − sin) = clearance.
     let mut t = tool(4.0, 0.0);
     t.holder.clear();
     let o = leaning(0.0);
@@ -150,7 +152,8 @@ fn a_point_on_the_turning_axis_is_free_or_not_at_all() {
     let t = tool(4.0, 0.0);
     let o = leaning(0.3);
     let on_axis = |x: f64| triangle(Point::new(x, 0.0, 0.0), Point::new(x, 0.0, 0.0), Point::new(x, 0.0, 0.0));
-    // 12 mm up: distance from the tool axis 12 cos B = 11.5, clear of the cylinder; 4.3 mm: 4.1, not clear.
+    // 12 mm up: distance from the tool axis 12 cos B = 11.5, clear of the cylinder; 4.3 mm: 4.1,
+    // not clear.
     assert_eq!(free(&on_axis(12.0), &t, &o, &Point::origin(), &Vector::y()).len(), 1);
     assert!(free(&on_axis(4.3), &t, &o, &Point::origin(), &Vector::y()).is_empty());
 }
@@ -179,8 +182,8 @@ pub fn inside(found: &[Arc], t: f64, margin: f64) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
-    /// Every angle that is declared free is free; every angle a tolerance outside is too near, but for a tool thinner
-    /// by an eighth of the tolerance times the distance.
+    /// Every angle that is declared free is free; every angle a tolerance outside is too near, but
+    /// for a tool thinner by an eighth of the tolerance times the distance.
     #[test]
     fn ends_agree_with_the_distance_oracle((mesh, t, b, centre) in random_case()) {
         let o = leaning(b);

@@ -47,7 +47,8 @@ fn a_concave_side_narrows_the_monotone_channel() {
     // Not monotone as it is, monotone in its hulls.
     assert!(channel.rows.windows(2).any(|w| w[1].theta_max < w[0].theta_max - 1e-3));
     assert!(channel.rows.windows(2).all(|w| w[1].hull_max >= w[0].hull_max && w[1].hull_min >= w[0].hull_min));
-    // Ends are bound by the part somewhere, and the paper's limits hold constant on the concave side.
+    // Ends are bound by the part somewhere, and the paper's limits hold constant on the concave
+    // side.
     assert!(channel.rows.iter().any(|r| matches!(r.binds_max, Binding::Part { .. })));
     let held = channel.rows.windows(2).filter(|w| w[0].tangent_max == w[1].tangent_max).count();
     assert!(held > 30, "{held}");
@@ -106,7 +107,8 @@ fn a_holder_too_near_the_platform_is_named() {
 
 #[test]
 fn a_pocket_too_bent_for_a_monotone_schedule_is_named() {
-    // The strip bends by 180°: on its inner side the axis would have to turn back by more than the channel is wide.
+    // The strip bends by 180°: on its inner side the axis would have to turn back by more than the
+    // channel is wide.
     let outline = banana(30.0, 3.1, 3.0);
     let blade = on_platform(&outline, 100, 60.0);
     let path = helix(&outline, 2.0, 60, 1, 12.0, 0.4);
@@ -262,8 +264,8 @@ fn advice_opens_what_is_closed_and_widths_follow_b() {
     assert!(widths[1].narrowest_deg.unwrap() >= widths[1].monotone_deg.unwrap());
 }
 
-/// The scene turned in space, and cones written about either direction of their axis with references that are turned anyhow from place to
-/// place: the same tool axes are free.
+/// The scene turned in space, and cones written about either direction of their axis with
+/// references that are turned anyhow from place to place: the same tool axes are free.
 #[test]
 fn frames_do_not_matter() {
     let outline = banana(40.0, 1.0, 4.0);

@@ -61,8 +61,8 @@ pub fn ellipse(a: f64, b: f64) -> impl Fn(f64) -> ([f64; 2], [f64; 2]) {
     }
 }
 
-/// A bent strip with round ends: middle line a circular arc of radius `bend` over `sweep` rad, thickness `2 h`. One side
-/// is concave.
+/// A bent strip with round ends: middle line a circular arc of radius `bend` over `sweep` rad,
+/// thickness `2 h`. One side is concave.
 pub fn banana(bend: f64, sweep: f64, h: f64) -> impl Fn(f64) -> ([f64; 2], [f64; 2]) {
     let lengths = [(bend + h) * sweep, std::f64::consts::PI * h, (bend - h) * sweep, std::f64::consts::PI * h];
     let whole: f64 = lengths.iter().sum();
@@ -148,8 +148,9 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
     }
 }
 
-/// Least distance from the mesh to the frusta above the ball, less each one's clearance; negative: too near. The distance
-/// from a convex body is convex: two golden section searches, one inside the other, find its least value on a triangle.
+/// Least distance from the mesh to the frusta above the ball, less each one's clearance; negative:
+/// too near. The distance from a convex body is convex: two golden section searches, one inside the
+/// other, find its least value on a triangle.
 pub fn least_margin(mesh: &Mesh, tool: &Tool, clearance: (f64, f64), cone: Cone, centre: &Point, theta: f64) -> f64 {
     let a = cone.tool_axis(theta);
     let mut best = f64::INFINITY;

@@ -1,17 +1,19 @@
 //! The least time that any profile can take, proved by multipliers.
 //!
-//! A profile is a chain of parabolas `x(s)`: its Bernstein coefficients are `x` at the joints and one more in each cell, tied by
-//! `u` being the same on both sides of every joint. The time and all limits are sums over these coefficients. With any multipliers
-//! `y ≥ 0` of the limits and any `r` of the ties
+//! A profile is a chain of parabolas `x(s)`: its Bernstein coefficients are `x` at the joints and
+//! one more in each cell, tied by `u` being the same on both sides of every joint. The time and all
+//! limits are sums over these coefficients. With any multipliers `y ≥ 0` of the limits and any `r`
+//! of the ties
 //!
 //! ```text
 //! time ≥ min Σ (c − Σ y_jerk)/√x + k x − Σ y      over  0 < x ≤ cap,      k linear in y and r
 //! ```
 //!
-//! and the least of each term is known in closed form, if only `c ≥ Σ y_jerk`; where that is not so multipliers of jerk are
-//! made smaller. So the bound holds for all profiles on the grid that keep the limits by their Bernstein coefficients, however far a
-//! search has come and although its problem is not convex: multipliers only make the bound a good one. It is concave in `r`, and is raised by
-//! one `r` after another.
+//! and the least of each term is known in closed form, if only `c ≥ Σ y_jerk`; where that is not so
+//! multipliers of jerk are made smaller. So the bound holds for all profiles on the grid that keep
+//! the limits by their Bernstein coefficients, however far a search has come and although its
+//! problem is not convex: multipliers only make the bound a good one. It is concave in `r`, and is
+//! raised by one `r` after another.
 
 use std::ops::Range;
 
@@ -22,14 +24,16 @@ use super::rows::{Dual, Problem};
 
 /// Rounds in which every `r` is moved once end where they gain less than this share of the bound.
 const ENOUGH: f64 = 1e-4;
-/// Cuts of the way on which an `r` is moved, at most; they end where the derivative is less than this share of the first.
+/// Cuts of the way on which an `r` is moved, at most; they end where the derivative is less than
+/// this share of the first.
 const CUTS: usize = 8;
 const FLAT: f64 = 1e-2;
 /// Multipliers of jerk add up to at most this share of the time's weight.
 const MOST: f64 = 0.999;
 
-/// A time over a range of cells that no profile is shorter than, whatever it does before and after. `r`: where the ties' multipliers
-/// begin, at the start of every cell; `rounds`: how often each is moved at most.
+/// A time over a range of cells that no profile is shorter than, whatever it does before and after.
+/// `r`: where the ties' multipliers begin, at the start of every cell; `rounds`: how often each is
+/// moved at most.
 pub(super) fn least_time(problem: &Problem, range: Range<usize>, duals: &[Dual], r: &[f64], rounds: usize) -> f64 {
     let bound = Bound::new(problem, range.clone(), duals);
     let n = range.len();
@@ -81,7 +85,8 @@ struct Bound {
     /// Of the coefficients at the joints and between them.
     joints: Vec<Term>,
     middles: Vec<Term>,
-    /// Inverse lengths of the cells, with those of one and a half times the end cells before and after: from and to rest `x = 3/2 h |u|`.
+    /// Inverse lengths of the cells, with those of one and a half times the end cells before and
+    /// after: from and to rest `x = 3/2 h |u|`.
     per_length: Vec<f64>,
     most: f64,
 }
@@ -150,7 +155,8 @@ impl Bound {
         if first == 0.0 {
             return begin;
         }
-        // A step as long as the difference quotient says, doubled until the derivative changes its sign.
+        // A step as long as the difference quotient says, doubled until the derivative changes its
+        // sign.
         let small = 1e-6 * (self.joints[j].c / self.per_length[j] + begin.abs());
         let mut step = small * first.signum();
         let change = self.slope(r, j, begin + step) - first;

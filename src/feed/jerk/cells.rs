@@ -1,4 +1,5 @@
-//! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of size 1.
+//! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of
+//! size 1.
 
 use crate::artifact::Axes;
 use crate::feed::caps::of_velocity;
@@ -6,8 +7,9 @@ use crate::numerics::spline::CubicSpline;
 
 /// Cells at least.
 const LEAST_CELLS: usize = 24;
-/// Parts of the outer intervals, from the end inwards: from rest ṡ² rises with the 4/3rd power of the arc length, which parabolas
-/// follow over cells that are short beside their distance from the end.
+/// Parts of the outer intervals, from the end inwards: from rest ṡ² rises with the 4/3rd power of
+/// the arc length, which parabolas follow over cells that are short beside their distance from the
+/// end.
 const OUTER_PARTS: [usize; 5] = [8, 4, 3, 2, 2];
 /// The end cell takes this share of the outermost interval's parts.
 const END_SHARE: f64 = 0.5;
@@ -15,7 +17,8 @@ const END_SHARE: f64 = 0.5;
 /// Limits of all axes: velocity, acceleration, jerk.
 pub(in crate::feed) type Limits = Axes<[f64; 3]>;
 
-/// Bernstein coefficients of `q'` (3), `q''` (2) and `q'''` over one cell, for every axis; by scaled arc length.
+/// Bernstein coefficients of `q'` (3), `q''` (2) and `q'''` over one cell, for every axis; by
+/// scaled arc length.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     /// Length.
@@ -23,7 +26,8 @@ pub(super) struct Cell {
     pub q1: Axes<[f64; 3]>,
     pub q2: Axes<[f64; 2]>,
     pub q3: Axes,
-    /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight between.
+    /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight
+    /// between.
     pub cap: [f64; 2],
 }
 
@@ -58,7 +62,8 @@ impl Units {
     }
 }
 
-/// The joints of the curve with so many between that cells are short where speed changes fast: (arc length, interval of the curve).
+/// The joints of the curve with so many between that cells are short where speed changes fast: (arc
+/// length, interval of the curve).
 pub(super) fn grid(s: &[f64]) -> Vec<(f64, usize)> {
     let n = s.len() - 1;
     let least = LEAST_CELLS.div_ceil(n);
@@ -74,7 +79,8 @@ pub(super) fn grid(s: &[f64]) -> Vec<(f64, usize)> {
     out
 }
 
-/// The cell between two points of the grid; `cap`: greatest ṡ² (mm²/s²) in every interval of the curve.
+/// The cell between two points of the grid; `cap`: greatest ṡ² (mm²/s²) in every interval of the
+/// curve.
 pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits: &Limits, units: Units) -> Cell {
     let (from, i) = w[0];
     let (start, l) = (curve.abscissae()[i], units.length);
@@ -125,8 +131,9 @@ fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
     out
 }
 
-/// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times this over the whole cell: the mean of
-/// `1/√x` is greater than that of the mean, the more so the more x changes.
+/// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times
+/// this over the whole cell: the mean of `1/√x` is greater than that of the mean, the more so the
+/// more x changes.
 pub(super) fn jensen(x: [f64; 3]) -> f64 {
     let (low, high) = (x[0].min(x[1]).min(x[2]), x[0].max(x[1]).max(x[2]));
     let inverse = x.map(|x| 1.0 / x.sqrt());
@@ -142,7 +149,8 @@ pub(super) fn jensen(x: [f64; 3]) -> f64 {
 }
 
 impl Cell {
-    /// Bernstein coefficients of the acceleration of axis `k` but the last, which is the next cell's first.
+    /// Bernstein coefficients of the acceleration of axis `k` but the last, which is the next
+    /// cell's first.
     pub fn acceleration(&self, k: usize) -> [[f64; 3]; 3] {
         let x = of_x(self.h);
         let u = [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]];
@@ -181,7 +189,8 @@ impl Cell {
         most
     }
 
-    /// By how much ṡ² is too great: with a `κ`th of it (and of u and w) every limit is kept over the whole cell.
+    /// By how much ṡ² is too great: with a `κ`th of it (and of u and w) every limit is kept over
+    /// the whole cell.
     pub fn excess(&self, v: &[f64; 3], limits: &Limits) -> f64 {
         let xs = of_x(self.h).map(|g| dot(&g, v));
         // Squares of jerks, which grow with the cube of ṡ².
@@ -204,8 +213,9 @@ impl Cell {
         most.max(jerk.cbrt())
     }
 
-    /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all limits. Speed, acceleration and jerk of an
-    /// axis are greatest at the end or bounded by what they would be there with the greatest derivatives of the cell.
+    /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all
+    /// limits. Speed, acceleration and jerk of an axis are greatest at the end or bounded by what
+    /// they would be there with the greatest derivatives of the cell.
     pub fn end_from_rest(&self, limits: &Limits) -> f64 {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);

@@ -1,9 +1,11 @@
-//! A convex problem whose least time is below that of every profile: its multipliers prove a bound (`bound` module).
+//! A convex problem whose least time is below that of every profile: its multipliers prove a bound
+//! (`bound` module).
 //!
-//! What is not convex is that jerk may be greater where the motion is slower, `bracket ≤ 1/√x`. Here every Bernstein coefficient of x
-//! has a slowness `p ≥ 1/√x` of its own, at a joint the same for both cells; it pays for it in time and may have `bracket ≤ p` for it,
-//! without being slow. A profile within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches are free at both
-//! ends: that only makes the bound lower.
+//! What is not convex is that jerk may be greater where the motion is slower, `bracket ≤ 1/√x`.
+//! Here every Bernstein coefficient of x has a slowness `p ≥ 1/√x` of its own, at a joint the same
+//! for both cells; it pays for it in time and may have `bracket ≤ p` for it, without being slow. A
+//! profile within the limits keeps all this with `p = 1/√x`. Rows may be left out, and stretches
+//! are free at both ends: that only makes the bound lower.
 
 use std::ops::Range;
 
@@ -11,9 +13,11 @@ use super::cells::{dot, of_x};
 use super::rows::{Dual, Problem, Rows, Shares};
 use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
-/// Rows that have not reached these shares of their limits in the profile are left out; jerks may be a little below 0.
+/// Rows that have not reached these shares of their limits in the profile are left out; jerks may
+/// be a little below 0.
 const SHARES: Shares = Shares { accelerations: 0.1, others: -0.2 };
-/// The search begins with this share of the profile's ṡ² and u, and with slownesses greater by this: strictly within all rows.
+/// The search begins with this share of the profile's ṡ² and u, and with slownesses greater by
+/// this: strictly within all rows.
 const SLOWER: f64 = 0.8;
 const RISE: f64 = 1.1;
 /// Least Bernstein coefficient of x, as a share of the profile's.
@@ -26,8 +30,8 @@ const EXCESS: f64 = 1e-3;
 /// Iterations at most.
 const ITERATIONS: usize = 60;
 
-/// Multipliers of each cell and derivatives of the least time by u at their starts, over a range of cells. `v`: a profile within all
-/// limits there.
+/// Multipliers of each cell and derivatives of the least time by u at their starts, over a range of
+/// cells. `v`: a profile within all limits there.
 pub(super) fn multipliers(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]) -> Option<(Vec<Dual>, Vec<f64>)> {
     let relaxed = Relaxed::new(problem, range.clone(), v);
     let at_rest = usize::from(range.start == 0);
@@ -74,7 +78,8 @@ struct Relaxed<'a> {
     floor: Vec<[f64; 3]>,
 }
 
-/// Where x, u and w are among the numbers of a cell: `x`, `u` and the first slowness are its state, `w` and two more slownesses its controls.
+/// Where x, u and w are among the numbers of a cell: `x`, `u` and the first slowness are its state,
+/// `w` and two more slownesses its controls.
 const STATE: [usize; 3] = [0, 1, 3];
 /// … and the three slownesses.
 const SLOWNESS: [usize; 3] = [2, 4, 5];

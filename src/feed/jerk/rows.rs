@@ -1,4 +1,5 @@
-//! The limits over cells as rows that are linear in `(x, u, w)`, and what multipliers of them come to.
+//! The limits over cells as rows that are linear in `(x, u, w)`, and what multipliers of them come
+//! to.
 
 use std::ops::Range;
 
@@ -15,8 +16,8 @@ pub(super) struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Weights of `1/√x` at the Bernstein coefficients of x of a cell: their sum is at least the time over the cell. Over an end
-    /// cell the time is `3 h / √x`.
+    /// Weights of `1/√x` at the Bernstein coefficients of x of a cell: their sum is at least the
+    /// time over the cell. Over an end cell the time is `3 h / √x`.
     pub fn weights(&self, cell: usize) -> [f64; 3] {
         let mut out = [self.inner[cell].h / 3.0; 3];
         if cell == 0 {
@@ -83,7 +84,8 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Of the cells in a range, all that have reached a share of their limit at `v`: one for caps and jerks, one for accelerations.
+    /// Of the cells in a range, all that have reached a share of their limit at `v`: one for caps
+    /// and jerks, one for accelerations.
     pub fn of(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], shares: Shares) -> Rows {
         let mut out = Rows { linear: Vec::new(), jerk: Vec::new(), first: vec![[0; 2]] };
         for (i, v) in range.zip(v) {
@@ -133,7 +135,8 @@ impl Rows {
     }
 }
 
-/// Multipliers of a cell's rows, summed up: what the Lagrangian has besides the time, by the Bernstein coefficients of x.
+/// Multipliers of a cell's rows, summed up: what the Lagrangian has besides the time, by the
+/// Bernstein coefficients of x.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Dual {
     /// Of caps and accelerations: factors of the coefficients.
@@ -154,8 +157,8 @@ fn add(to: &mut [f64; 3], factor: f64, g: &[f64; 3], h: f64) {
     }
 }
 
-/// Axes whose limits of acceleration or jerk may be reached in a cell. Where the limits of one axis bound `|u|` and `√x |w|`
-/// so much that another cannot reach its own, the other is left out.
+/// Axes whose limits of acceleration or jerk may be reached in a cell. Where the limits of one axis
+/// bound `|u|` and `√x |w|` so much that another cannot reach its own, the other is left out.
 fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
     let least = |q: &[f64; 3]| {
         let one_sign = q.iter().all(|v| *v > 0.0) || q.iter().all(|v| *v < 0.0);

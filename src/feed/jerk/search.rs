@@ -1,11 +1,14 @@
-//! The fastest profile of the whole path, stretch by stretch: how fast a place can be passed is decided near it.
+//! The fastest profile of the whole path, stretch by stretch: how fast a place can be passed is
+//! decided near it.
 //!
-//! Three times. First every stretch is searched from the start profile, with speed and acceleration at its ends as that has them, which is slow.
-//! Then the joints of the stretches are moved to the middles of the first ones, where the first search has found how fast the path can
-//! be run, and all is searched again, from that profile made a little slower: slower, every limit is kept with room. At the joints it
-//! stays as slow as that. So the neighbourhood of every joint is searched from there once more, and what is found is put in
-//! between places before and after the joint where it has become what the second search found.
-//! So memory is that of a stretch, a place that is hard to pass holds up nobody else, and stretches are searched at the same time.
+//! Three times. First every stretch is searched from the start profile, with speed and acceleration
+//! at its ends as that has them, which is slow. Then the joints of the stretches are moved to the
+//! middles of the first ones, where the first search has found how fast the path can be run, and
+//! all is searched again, from that profile made a little slower: slower, every limit is kept with
+//! room. At the joints it stays as slow as that. So the neighbourhood of every joint is searched
+//! from there once more, and what is found is put in between places before and after the joint
+//! where it has become what the second search found. So memory is that of a stretch, a place that
+//! is hard to pass holds up nobody else, and stretches are searched at the same time.
 
 use std::ops::Range;
 
@@ -19,7 +22,8 @@ use crate::observe::Observer;
 
 /// Cells of a stretch at least …
 const LENGTH: usize = 400;
-/// … and this many times the way on which nine cells in ten can be brought to their speed from rest.
+/// … and this many times the way on which nine cells in ten can be brought to their speed from
+/// rest.
 const RAMPS: f64 = 8.0;
 /// Joints are where the profile is slowest, up to this share of a stretch away.
 const MOVE: f64 = 0.15;
@@ -63,7 +67,8 @@ struct Multipliers {
     ties: Vec<f64>,
 }
 
-/// The fastest profile from a start within all limits. `None` where numbers are not finite, or when the user has asked to stop.
+/// The fastest profile from a start within all limits. `None` where numbers are not finite, or when
+/// the user has asked to stop.
 pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Observer) -> Option<Fastest> {
     let n = problem.inner.len();
     let length = length(problem);
@@ -102,8 +107,8 @@ pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Obse
     Some(Fastest { v, least })
 }
 
-/// The bound, as a share of the profile's time: by the search's own multipliers, which is enough where the problem is nearly
-/// convex, or else by those of the relaxed problem, stretch by stretch.
+/// The bound, as a share of the profile's time: by the search's own multipliers, which is enough
+/// where the problem is nearly convex, or else by those of the relaxed problem, stretch by stretch.
 fn least(
     problem: &Problem,
     v: &[[f64; 3]],
@@ -143,8 +148,8 @@ fn second(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]) -> Option<Foun
     within(problem, range, v, SECOND, EXCESS)
 }
 
-/// A faster profile, whose ṡ² is too great by no more than a share. With the rows that are near their limits; where others turn out to
-/// be missed, with all.
+/// A faster profile, whose ṡ² is too great by no more than a share. With the rows that are near
+/// their limits; where others turn out to be missed, with all.
 fn within(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], how: Search, share: f64) -> Option<Found> {
     let search = |how| {
         let found = window::search(problem, range.clone(), v, how)?;
@@ -162,8 +167,9 @@ fn excess(problem: &Problem, from: usize, v: &[[f64; 3]]) -> f64 {
     problem.inner[from..].iter().zip(v).map(|(c, v)| c.excess(v, problem.limits)).fold(0.0, f64::max)
 }
 
-/// The part of what was found over a range that can be put into a profile, by a crossing on either side of the middle. `None` where
-/// the profiles do not come near enough to one another, or nothing is gained.
+/// The part of what was found over a range that can be put into a profile, by a crossing on either
+/// side of the middle. `None` where the profiles do not come near enough to one another, or nothing
+/// is gained.
 fn fitted(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], found: Found) -> Option<(Range<usize>, Found)> {
     let (old, middle) = (&v[range.clone()], range.len() / 2);
     let (a, into) = crossing(problem, range.start, 2..middle, old, &found.v)?;
@@ -179,7 +185,8 @@ fn fitted(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], found: Found) 
     faster.then_some((at, found))
 }
 
-/// Where one profile is nearest to another and two cells lead from it to that within the limits: the cell after them, and they.
+/// Where one profile is nearest to another and two cells lead from it to that within the limits:
+/// the cell after them, and they.
 fn crossing(
     problem: &Problem,
     start: usize,
@@ -216,7 +223,8 @@ fn length(problem: &Problem) -> usize {
     LENGTH.max((RAMPS * *ramp).min(problem.inner.len() as f64) as usize)
 }
 
-/// The path in stretches of about a length, moved by a share of it; they meet where the profile is slow.
+/// The path in stretches of about a length, moved by a share of it; they meet where the profile is
+/// slow.
 fn stretches(v: &[[f64; 3]], length: usize, by: f64) -> Vec<Range<usize>> {
     let n = v.len();
     let count = n / length;

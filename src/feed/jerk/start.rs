@@ -1,9 +1,12 @@
-//! A profile within all limits to start from: it always exists, since ever slower it keeps every limit.
+//! A profile within all limits to start from: it always exists, since ever slower it keeps every
+//! limit.
 //!
-//! One Bernstein coefficient for each cell, its middle one, makes a curve of parabolas with continuous slope: at a joint x is the mean of
-//! its neighbours' coefficients, weighted by lengths. The coefficients are what each cell allows at constant speed, so reduced that
-//! neither ṡ² nor ṡ rises faster over the length than a share of the acceleration and of the time `τ = a/j` in which acceleration changes
-//! allow, then averaged over the way that is made in that time. Where that is still too fast, those cells are slowed down and the rest anew.
+//! One Bernstein coefficient for each cell, its middle one, makes a curve of parabolas with
+//! continuous slope: at a joint x is the mean of its neighbours' coefficients, weighted by lengths.
+//! The coefficients are what each cell allows at constant speed, so reduced that neither ṡ² nor ṡ
+//! rises faster over the length than a share of the acceleration and of the time `τ = a/j` in which
+//! acceleration changes allow, then averaged over the way that is made in that time. Where that is
+//! still too fast, those cells are slowed down and the rest anew.
 
 use rayon::prelude::*;
 
@@ -21,8 +24,8 @@ const REACH: usize = 100;
 /// Rounds in which cells are slowed down.
 const ROUNDS: usize = 16;
 
-/// `(x, u, w)` at the start of every cell between the end cells, then x and u at the end of the last.
-/// `ends`: length and greatest x of the end cells. `None` where numbers are not finite.
+/// `(x, u, w)` at the start of every cell between the end cells, then x and u at the end of the
+/// last. `ends`: length and greatest x of the end cells. `None` where numbers are not finite.
 pub(super) fn profile(inner: &[Cell], ends: [[f64; 2]; 2], limits: &Limits) -> Option<Vec<[f64; 3]>> {
     let mut allowed: Vec<Allowed> = inner.iter().map(|c| Allowed::of(c, limits)).collect();
     let n = inner.len();
@@ -117,7 +120,8 @@ fn averaged(inner: &[Cell], x: &[f64], reach: &[f64]) -> Vec<f64> {
     (0..n).into_par_iter().with_min_len(super::PER_THREAD).map(of).collect()
 }
 
-/// The curve of the middle coefficients. At its ends x and u are those of constant jerk from and to rest: `x = 3/2 h u`.
+/// The curve of the middle coefficients. At its ends x and u are those of constant jerk from and to
+/// rest: `x = 3/2 h u`.
 fn joined(inner: &[Cell], b: &[f64], ends: [[f64; 2]; 2]) -> Vec<[f64; 3]> {
     let n = inner.len();
     let outer = |h: f64, near: f64, b: f64| 1.5 * h * b / (near + 1.5 * h);

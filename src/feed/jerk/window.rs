@@ -1,5 +1,5 @@
-//! A stretch of the path as stages of the solver: speed and acceleration are given where it begins and where it ends, or it begins
-//! or ends at rest.
+//! A stretch of the path as stages of the solver: speed and acceleration are given where it begins
+//! and where it ends, or it begins or ends at rest.
 
 use std::ops::Range;
 
@@ -9,7 +9,8 @@ use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
 /// Least Bernstein coefficient of ṡ² in a search, as a share of the one it begins with.
 const FLOOR: f64 = 1e-3;
-/// Least second derivative of the Lagrangian by a coefficient of ṡ², as a share of that of the time.
+/// Least second derivative of the Lagrangian by a coefficient of ṡ², as a share of that of the
+/// time.
 const CONVEX: f64 = 0.05;
 /// Iterations of one search at most.
 const ITERATIONS: usize = 60;
@@ -38,7 +39,8 @@ pub(super) struct Found {
     pub costates: Vec<f64>,
 }
 
-/// The fastest profile over a range of cells, from a profile within all limits there. `None` where numbers are not finite.
+/// The fastest profile over a range of cells, from a profile within all limits there. `None` where
+/// numbers are not finite.
 pub(super) fn search(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], how: Search) -> Option<Found> {
     let window = Window::new(problem, range.clone(), v, how.shares);
     let at_rest = usize::from(range.start == 0);
@@ -86,7 +88,8 @@ struct Window<'a> {
     problem: &'a Problem<'a>,
     range: Range<usize>,
     rows: Rows,
-    /// Cells in which w follows from the state, since speed and acceleration are given at the end of the stretch.
+    /// Cells in which w follows from the state, since speed and acceleration are given at the end
+    /// of the stretch.
     ties: Vec<Option<Tie>>,
     /// Least Bernstein coefficients of x in each cell.
     floor: Vec<[f64; 3]>,
@@ -134,8 +137,9 @@ impl<'a> Window<'a> {
     }
 }
 
-/// Speed and acceleration at the end of a stretch are given, so w of its last two cells follows from the state at their start;
-/// at the end of the path, of the last: x and u are those of constant jerk to rest, `x = −3/2 h u`.
+/// Speed and acceleration at the end of a stretch are given, so w of its last two cells follows
+/// from the state at their start; at the end of the path, of the last: x and u are those of
+/// constant jerk to rest, `x = −3/2 h u`.
 fn ties(problem: &Problem, range: &Range<usize>, v: &[[f64; 3]]) -> Vec<Option<Tie>> {
     let n = range.len();
     let inner = &problem.inner[range.clone()];
@@ -161,7 +165,8 @@ impl Model<2, 3> for Window<'_> {
         let whole = self.whole(i, v);
         let x: [f64; 3] = std::array::from_fn(|b| dot(&bernstein[b], &whole).max(self.floor[i][b]));
         let inverse = x.map(|x| 1.0 / x.sqrt());
-        // A jerk within 1/√x, by the tangent of that. Kept at the Bernstein coefficients it is kept up to `jensen` between them.
+        // A jerk within 1/√x, by the tangent of that. Kept at the Bernstein coefficients it is kept
+        // up to `jensen` between them.
         let share = 1.0 / jensen(x);
         let first = 3 + self.rows.linear(i).len();
         let mut sums = [0.0; 3];

@@ -15,10 +15,12 @@ const TURN: f64 = 0.2;
 const THICKNESS: f64 = 5e-5;
 /// Pieces with more sides of loops than this are cut.
 const SIDES: usize = 6;
-/// No piece is cut that is smaller than this share of the part's diagonal, nor more often than [`DEEPEST`].
+/// No piece is cut that is smaller than this share of the part's diagonal, nor more often than
+/// [`DEEPEST`].
 const SMALLEST: f64 = 1e-5;
-/// A piece of whose curvature nothing is known and that is smaller than this share is cut [`WILD_CUTS`] times more: along a line
-/// of poles or a cusp there is no end to cutting, and a query cuts on where it needs to.
+/// A piece of whose curvature nothing is known and that is smaller than this share is cut
+/// [`WILD_CUTS`] times more: along a line of poles or a cusp there is no end to cutting, and a
+/// query cuts on where it needs to.
 const SMALLEST_WILD: f64 = 1e-3;
 const WILD_CUTS: usize = 6;
 const DEEPEST: usize = 24;

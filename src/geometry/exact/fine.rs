@@ -1,4 +1,5 @@
-//! A finer mesh of exact faces for bounds alone: its triangles cover the faces within a small distance, but do not fit together.
+//! A finer mesh of exact faces for bounds alone: its triangles cover the faces within a small
+//! distance, but do not fit together.
 //!
 //! In: the tessellation's triangles in the parameter plane. Each is halved, at the side whose
 //! middle is farthest from the surface, until it is near enough; corners are points of the surface.
@@ -21,7 +22,8 @@ use crate::geometry::{Point, Vector};
 const MARGIN: f64 = 4.0 / 3.0 * 1.25;
 /// No triangle is halved more often.
 const DEEPEST: u32 = 24;
-/// Strips narrower than this share of the distance are left out: what they cover is within it anyway.
+/// Strips narrower than this share of the distance are left out: what they cover is within it
+/// anyway.
 const NARROW: f64 = 0.1;
 
 /// Triangles that cover a part.
@@ -39,7 +41,8 @@ pub struct Fine {
 type Flat = ([[f64; 2]; 3], [Point; 3]);
 
 impl OnFace<'_> {
-    /// Triangles within `limit_mm` of what lies over one in the parameter plane; how far they may be off.
+    /// Triangles within `limit_mm` of what lies over one in the parameter plane; how far they may
+    /// be off.
     fn halved(&self, uv: [[f64; 2]; 3], limit_mm: f64, out: &mut Vec<[Point; 3]>) -> f64 {
         let mut most = 0.0f64;
         let first: Flat = (uv, uv.map(|x| self.at(x)));
@@ -69,7 +72,8 @@ fn between(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 impl Exact {
-    /// Triangles within `limit_mm` of the faces, as far as `most` of them do; `mesh` is the faces' tessellation.
+    /// Triangles within `limit_mm` of the faces, as far as `most` of them do; `mesh` is the faces'
+    /// tessellation.
     pub fn fine(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64, most: usize) -> Fine {
         let mut limit_mm = limit_mm;
         loop {
@@ -169,7 +173,8 @@ mod tests {
     use crate::geometry::part::Part;
     use crate::observe::Silent;
 
-    /// A can: its wall is curved, its caps are bounded by circles, which chords cut. A dense grid of its points is covered.
+    /// A can: its wall is curved, its caps are bounded by circles, which chords cut. A dense grid
+    /// of its points is covered.
     #[test]
     fn covers_walls_and_edges() {
         let part = Part::from_brep(can(5.0, 3.0), 0.05, &Silent).unwrap();

@@ -1,8 +1,10 @@
-//! Small pieces of faces and of edges, each with a box turned along it, in which it lies, and the range of its curvature.
+//! Small pieces of faces and of edges, each with a box turned along it, in which it lies, and the
+//! range of its curvature.
 //!
-//! The box of a polynomial piece is that of its Bézier control points, in whose convex hull it lies (*The NURBS Book* P4.10): a
-//! true bound. Curvature and the turn of the normal are taken at 3 × 3 places, with half of what they differ by as a margin: a
-//! measured range, right where they change steadily over a piece, and no proof.
+//! The box of a polynomial piece is that of its Bézier control points, in whose convex hull it lies
+//! (*The NURBS Book* P4.10): a true bound. Curvature and the turn of the normal are taken at 3 × 3
+//! places, with half of what they differ by as a margin: a measured range, right where they change
+//! steadily over a piece, and no proof.
 
 use super::patch::{CurveTable, SurfaceTable};
 use crate::geometry::nurbs::{NurbsSurface, SurfaceDerivatives};
@@ -79,7 +81,8 @@ impl Rect {
     pub fn middle(&self) -> [f64; 2] {
         self.range.map(|[a, b]| 0.5 * (a + b))
     }
-    /// The places at which what is not bounded by control points is measured: corners, middles of the sides, middle.
+    /// The places at which what is not bounded by control points is measured: corners, middles of
+    /// the sides, middle.
     pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
         let [s, t] = self.range.map(|[a, b]| [a, 0.5 * (a + b), b]);
         s.into_iter().flat_map(move |s| t.map(|t| [s, t]))
@@ -146,25 +149,31 @@ pub(super) struct Leaf {
     /// From space to the span's coordinates, to first order, about `slab.middle`.
     pub inverse: [Vector; 2],
     pub start: [f64; 2],
-    /// Bounds of the greater and of the lesser principal curvature, 1/mm, signed as by [`SurfaceDerivatives::principal`].
+    /// Bounds of the greater and of the lesser principal curvature, 1/mm, signed as by
+    /// [`SurfaceDerivatives::principal`].
     pub greater: [f64; 2],
     pub lesser: [f64; 2],
-    /// Sine, and one minus cosine, of the greatest angle between a normal of the piece and the slab's.
+    /// Sine, and one minus cosine, of the greatest angle between a normal of the piece and the
+    /// slab's.
     pub turn: [f64; 2],
-    /// The same seen along the slab's first and second axis: greatest slope of a normal (tangent of the angle).
+    /// The same seen along the slab's first and second axis: greatest slope of a normal (tangent of
+    /// the angle).
     pub slope: [f64; 2],
-    /// A point of a side of the piece may be nearest without being a foot: the surface has a crease there.
+    /// A point of a side of the piece may be nearest without being a foot: the surface has a crease
+    /// there.
     pub sharp: bool,
     /// The piece has a pole, a cusp or wild normals: nothing follows from its curvature.
     pub wild: bool,
-    /// Which sides of the loops matter here: index into the borders, or [`NO_BORDER`] where the piece lies within the face.
+    /// Which sides of the loops matter here: index into the borders, or [`NO_BORDER`] where the
+    /// piece lies within the face.
     pub border: u32,
 }
 
 /// No border: the whole piece belongs to its face.
 pub(super) const NO_BORDER: u32 = u32::MAX;
 
-/// Control points of a polynomial of powers on a range: by shifting to its beginning, scaling, and binomial sums.
+/// Control points of a polynomial of powers on a range: by shifting to its beginning, scaling, and
+/// binomial sums.
 fn bezier(coefficients: &mut [[f64; 4]], stride: usize, count: usize, [from, to]: [f64; 2]) {
     let width = to - from;
     let at = |k: usize| k * stride;
@@ -194,7 +203,8 @@ fn bezier(coefficients: &mut [[f64; 4]], stride: usize, count: usize, [from, to]
     }
 }
 
-/// From homogeneous control points; `None` where a weight is not positive, so that there is no convex hull.
+/// From homogeneous control points; `None` where a weight is not positive, so that there is no
+/// convex hull.
 fn dehomogenised(h: &[[f64; 4]]) -> Option<Vec<Point>> {
     h.iter().map(|c| (c[3] > 0.0).then(|| Point::new(c[0] / c[3], c[1] / c[3], c[2] / c[3]))).collect()
 }
@@ -226,7 +236,8 @@ pub(super) fn hull(shape: &Shape, rect: &Rect) -> (Vec<Point>, usize) {
     (points, SAMPLES)
 }
 
-/// How far the rows and the columns of a net bend: greatest second difference along the rows' direction and the other, mm.
+/// How far the rows and the columns of a net bend: greatest second difference along the rows'
+/// direction and the other, mm.
 pub(super) fn bends(points: &[Point], row: usize) -> [f64; 2] {
     let rows = points.len() / row;
     let second =
@@ -301,7 +312,8 @@ impl Leaf {
     /// Measures curvature and normals.
     pub fn measure_bend(&mut self, shape: &Shape) {
         if shape.surface.degree_u == 1 && shape.surface.degree_v == 1 && self.slab.half[2] < 1e-9 && !self.wild {
-            // Flat: nothing to measure. (The curvature of a plane's parametrisation is rounding only.)
+            // Flat: nothing to measure. (The curvature of a plane's parametrisation is rounding
+            // only.)
             (self.greater, self.lesser) = ([0.0; 2], [0.0; 2]);
             return;
         }
@@ -331,8 +343,9 @@ impl Leaf {
         self.slope = self.slope.map(|s| 1.25 * s + 1e-9);
     }
 
-    /// Whether the line from `q` to a point of the piece may be the piece's normal there. Where it cannot, the nearest point of the
-    /// piece is on a side, and there the next piece or an edge is as near.
+    /// Whether the line from `q` to a point of the piece may be the piece's normal there. Where it
+    /// cannot, the nearest point of the piece is on a side, and there the next piece or an edge is
+    /// as near.
     #[inline]
     pub fn may_hold_foot(&self, q: &Point) -> bool {
         let r = q - self.slab.middle;
@@ -361,7 +374,8 @@ pub(super) struct Arc {
     pub range: [f64; 2],
     pub ends: [Point; 2],
     pub radius: f64,
-    /// Curvature vector at the middle, 1/mm, and how far others may be from it; infinite where unknown.
+    /// Curvature vector at the middle, 1/mm, and how far others may be from it; infinite where
+    /// unknown.
     pub bend: Vector,
     pub bend_spread: f64,
 }

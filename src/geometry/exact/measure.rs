@@ -1,13 +1,14 @@
 //! Area and volume of exact faces.
 //!
-//! Over each triangle of the tessellation the surface itself is integrated, in the face's parameters, by a rule of seven points that is
-//! exact for degree 5 (Radon 1948): area from `|S_u × S_v|`, volume from `S · (S_u × S_v) / 3` (Gauss' theorem). Between the
-//! triangles' straight sides in the parameter plane and the edges' own curves lie slivers; they count as differences of two
-//! parabolic segments. Where a triangle touches a pole, which is a whole side of the parameter rectangle, the strip between its opposite
-//! side and that one is taken.
+//! Over each triangle of the tessellation the surface itself is integrated, in the face's
+//! parameters, by a rule of seven points that is exact for degree 5 (Radon 1948): area from
+//! `|S_u × S_v|`, volume from `S · (S_u × S_v) / 3` (Gauss' theorem). Between the triangles'
+//! straight sides in the parameter plane and the edges' own curves lie slivers; they count as
+//! differences of two parabolic segments. Where a triangle touches a pole, which is a whole side of
+//! the parameter rectangle, the strip between its opposite side and that one is taken.
 //!
-//! **Error, estimated**: what the rule of three points (exact for degree 2) gives otherwise, summed without sign, and a quarter of
-//! the slivers.
+//! **Error, estimated**: what the rule of three points (exact for degree 2) gives otherwise, summed
+//! without sign, and a quarter of the slivers.
 
 use super::is_pole;
 use super::trim::Region;
@@ -19,7 +20,8 @@ use crate::geometry::part::Measured;
 use crate::geometry::tessellate::{Chord, NO_CHORD, Tessellation};
 use crate::geometry::{Point, Vector};
 
-/// Barycentric coordinates and weights: seven points, degree 5 (J. Radon, *Zur mechanischen Kubatur*, 1948).
+/// Barycentric coordinates and weights: seven points, degree 5 (J. Radon, *Zur mechanischen
+/// Kubatur*, 1948).
 const SEVEN: [([f64; 3], f64); 7] = {
     const A: f64 = 0.797_426_985_353_087_3;
     const B: f64 = 0.101_286_507_323_456_33;
@@ -38,7 +40,8 @@ const THREE: [([f64; 3], f64); 3] = {
     [([A, B, B], T), ([B, A, B], T), ([B, B, A], T)]
 };
 
-/// The loops of all faces: what measuring needs besides faces and mesh, and part of what exact distances need.
+/// The loops of all faces: what measuring needs besides faces and mesh, and part of what exact
+/// distances need.
 #[derive(Clone, Debug)]
 pub struct Loops {
     pub(super) regions: Vec<Region>,
@@ -70,7 +73,8 @@ impl Loops {
         Loops { regions: t.trims.iter().map(|trim| Region::new(trim.clone())).collect(), chords: t.chords.clone() }
     }
 
-    /// Area and volume of the faces that `mesh` is the tessellation of; the volume means something where they enclose one.
+    /// Area and volume of the faces that `mesh` is the tessellation of; the volume means something
+    /// where they enclose one.
     pub fn measure(&self, brep: &Brep, mesh: &Mesh) -> Measured {
         let origin = mesh.aabb().map_or_else(Point::origin, |b| nalgebra::center(&b.min, &b.max));
         let mut out = Measured::default();
@@ -99,7 +103,8 @@ impl Loops {
                 for (w, weight) in rule {
                     let d = at([0, 1].map(|k| w[0] * a[k] + w[1] * b[k] + w[2] * c[k]));
                     let n = d.du.cross(&d.dv);
-                    // The triangle winds counter-clockwise seen from outside: the sign of its area is that of the normal.
+                    // The triangle winds counter-clockwise seen from outside: the sign of its area
+                    // is that of the normal.
                     sum[0] += weight * n.norm() * half * sign;
                     sum[1] += weight * (d.p - origin).dot(&n) * half / 3.0;
                 }
@@ -151,8 +156,8 @@ pub(super) fn free_direction(at: &SurfaceDerivatives, space: &ParameterSpace) ->
     usize::from(at.dv.norm() * space.period(1) < at.du.norm() * space.period(0))
 }
 
-/// The triangle itself, or where one corner is a pole the strip from the opposite side to the pole's, as two triangles. `pole`
-/// tells which parameter is free at a corner that is one.
+/// The triangle itself, or where one corner is a pole the strip from the opposite side to the
+/// pole's, as two triangles. `pole` tells which parameter is free at a corner that is one.
 pub(super) fn strips(uv: [[f64; 2]; 3], pole: impl Fn([f64; 2]) -> Option<usize>) -> Vec<[[f64; 2]; 3]> {
     let found = (0..3).find_map(|k| pole(uv[k]).map(|free| (k, free)));
     let Some((k, free)) = found else { return vec![uv] };

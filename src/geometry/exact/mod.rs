@@ -1,14 +1,15 @@
 //! The exact distance to trimmed NURBS faces.
 //!
-//! In: faces and edges, and their trimming in the parameter plane ([`super::tessellate`]). Out: the closest point of the part, with its
-//! face, parameters and normal; whether a point is inside.
+//! In: faces and edges, and their trimming in the parameter plane ([`super::tessellate`]). Out: the
+//! closest point of the part, with its face, parameters and normal; whether a point is inside.
 //!
-//! All faces are cut into small pieces ([`build`]), each a polynomial on a rectangle ([`patch`]), with a box in which it lies by the
-//! convex hull of its control points, and with bounds of its curvature ([`leaf`]). Pieces beyond the loops are left out, those that
-//! loops cross know the sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all
-//! of them ([`tree`]) is searched best first ([`search`]). The result is the least of all local
-//! minima: on pieces that could hold a nearer point, on all edges, and on the traces of edges on
-//! faces that they lie off ([`trace`]).
+//! All faces are cut into small pieces ([`build`]), each a polynomial on a rectangle ([`patch`]),
+//! with a box in which it lies by the convex hull of its control points, and with bounds of its
+//! curvature ([`leaf`]). Pieces beyond the loops are left out, those that loops cross know the
+//! sides that do ([`trim`]). Edges are cut into pieces alike. A tree over all of them ([`tree`]) is
+//! searched best first ([`search`]). The result is the least of all local minima: on pieces that
+//! could hold a nearer point, on all edges, and on the traces of edges on faces that they lie off
+//! ([`trace`]).
 //!
 //! **Guarantees.** The point lies on the part, to rounding: on a face inside its loops (or at most
 //! [`trim::BEYOND_EDGE_MM`] beyond, so that smooth joints have no crack) or on an edge. No point of
@@ -21,8 +22,8 @@
 //!
 //! The answer depends on nothing but part and point.
 //!
-//! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples instead of control points, and are
-//! slower.
+//! **Limits.** Faces of more than [`patch::MOST_COEFFICIENTS`] coefficients are bounded by samples
+//! instead of control points, and are slower.
 
 mod build;
 pub mod fine;
@@ -138,8 +139,8 @@ impl Exact {
         }
     }
 
-    /// Of the faces that meet in an edge at a parameter the one that faces `q` most, or the one whose trace was met: number, parameters,
-    /// outward normal.
+    /// Of the faces that meet in an edge at a parameter the one that faces `q` most, or the one
+    /// whose trace was met: number, parameters, outward normal.
     fn beside(&self, brep: &Brep, q: &Point, at: &Point, (edge, t): (u32, f64), of: Option<u32>) -> Facing {
         let toward = q - at;
         let mut best: Option<(f64, Facing)> = None;
@@ -153,7 +154,8 @@ impl Exact {
         best.map_or((0, [0.0; 2], None), |b| b.1)
     }
 
-    /// Parameters and outward normal on a face of a point that lies on it, from a guess at the parameters.
+    /// Parameters and outward normal on a face of a point that lies on it, from a guess at the
+    /// parameters.
     fn normal_on(&self, brep: &Brep, face: u32, guess: [f64; 2], at: &Point) -> ([f64; 2], Option<Vector>) {
         let f = &brep.faces[face as usize];
         let space = &self.loops.regions[face as usize].trim.space;

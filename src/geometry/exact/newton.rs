@@ -1,14 +1,16 @@
 //! Newton for the closest point of one piece of a face or of an edge.
 //!
-//! In: the piece, a point. Out: the foot to which the distance falls from the piece's own first guess, kept on the piece. A step
-//! that would lengthen the distance is shortened; where the Hessian is not positive definite a Gauss–Newton step is taken.
+//! In: the piece, a point. Out: the foot to which the distance falls from the piece's own first
+//! guess, kept on the piece. A step that would lengthen the distance is shortened; where the
+//! Hessian is not positive definite a Gauss–Newton step is taken.
 
 use super::leaf::{Arc, Leaf, Shape};
 use super::patch::CurveTable;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
 
-/// Newton's last step, mm: after it the foot is right to the square of this over the radius of curvature.
+/// Newton's last step, mm: after it the foot is right to the square of this over the radius of
+/// curvature.
 const LAST_STEP_MM: f64 = 1e-5;
 const MOST_STEPS: usize = 30;
 
@@ -23,8 +25,8 @@ pub(super) struct Foot {
     pub settled: bool,
 }
 
-/// Newton for ½|S − q|² on a rectangle; at its sides along them. Where the Hessian is not positive definite a Gauss–Newton step,
-/// where the distance would grow a shorter one.
+/// Newton for ½|S − q|² on a rectangle; at its sides along them. Where the Hessian is not positive
+/// definite a Gauss–Newton step, where the distance would grow a shorter one.
 pub(super) fn foot_on_piece(shape: &Shape, leaf: &Leaf, q: &Point) -> Foot {
     let [[s0, s1], [t0, t1]] = leaf.rect.range;
     let clamp = |st: [f64; 2]| [st[0].max(s0).min(s1), st[1].max(t0).min(t1)];
@@ -72,7 +74,8 @@ pub(super) fn foot_on_piece(shape: &Shape, leaf: &Leaf, q: &Point) -> Foot {
     Foot { st, point: at.p, d2, at, settled }
 }
 
-/// The step in both parameters, or in the one that is free where the other is held by a side of the rectangle.
+/// The step in both parameters, or in the one that is free where the other is held by a side of the
+/// rectangle.
 fn newton_step(at: &SurfaceDerivatives, r: &Vector, st: [f64; 2], range: [[f64; 2]; 2]) -> [f64; 2] {
     let g = [r.dot(&at.du), r.dot(&at.dv)];
     let (e, f, gg) = (at.du.norm_squared(), at.du.dot(&at.dv), at.dv.norm_squared());
@@ -95,7 +98,8 @@ fn newton_step(at: &SurfaceDerivatives, r: &Vector, st: [f64; 2], range: [[f64; 
         (true, false) => [0.0, alone(g[1], c)],
         (false, true) => [alone(g[0], a), 0.0],
         (false, false) => {
-            // A step beyond a side ends on it; the other parameter then goes to its own minimum there.
+            // A step beyond a side ends on it; the other parameter then goes to its own minimum
+            // there.
             let over = |k: usize| {
                 let x = st[k] + both[k];
                 if x < range[k][0] {

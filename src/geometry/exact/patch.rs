@@ -1,8 +1,10 @@
-//! NURBS pieces as polynomials, for fast evaluation: one table per curve or surface, one polynomial per knot span.
+//! NURBS pieces as polynomials, for fast evaluation: one table per curve or surface, one polynomial
+//! per knot span.
 //!
-//! Every span runs over [-1, 1] in its own coordinate, so that powers stay small and no digits are lost; above degree
-//! [`PLAIN_DEGREE`] spans are cut into [`SHARES`] first. Homogeneous coefficients; where all weights are 1 the quotient rule is left out. Beyond the ends of the domain
-//! the first and the last piece are continued.
+//! Every span runs over [-1, 1] in its own coordinate, so that powers stay small and no digits are
+//! lost; above degree [`PLAIN_DEGREE`] spans are cut into [`SHARES`] first. Homogeneous
+//! coefficients; where all weights are 1 the quotient rule is left out. Beyond the ends of the
+//! domain the first and the last piece are continued.
 
 use nalgebra::Vector4;
 
@@ -56,7 +58,8 @@ impl Spans {
     }
 }
 
-/// The basis functions on a span as polynomials of its own coordinate: `[function][power]`, and the index of the first one.
+/// The basis functions on a span as polynomials of its own coordinate: `[function][power]`, and the
+/// index of the first one.
 fn basis_powers(degree: usize, n: usize, knots: &[f64], spans: &Spans, k: usize) -> (usize, Vec<Vec<f64>>) {
     let [middle, half] = spans.frame(k);
     let span = find_span(degree, n, knots, middle);
@@ -94,7 +97,8 @@ pub(super) struct SurfaceTable {
     /// Per span (u first), per power of s, per power of t.
     coefficients: Vec<Coefficient>,
     rational: bool,
-    /// Per direction and break: the normal jumps there (a crease; at the ends of a closed direction a sharp seam).
+    /// Per direction and break: the normal jumps there (a crease; at the ends of a closed direction
+    /// a sharp seam).
     creases: [Vec<bool>; 2],
 }
 
@@ -151,7 +155,8 @@ impl SurfaceTable {
             (0..m).any(|other| {
                 [-0.9, 0.1, 0.8].into_iter().any(|t| {
                     let (a, b) = (at(before, other, 1.0, t), at(after, other, -1.0, t));
-                    // Sides that do not meet are edges of the face, and edges are searched by themselves.
+                    // Sides that do not meet are edges of the face, and edges are searched by
+                    // themselves.
                     let (Some(x), Some(y)) = (a.normal(), b.normal()) else { return true };
                     (a.p - b.p).norm() < SEAM_MM && (x - y).norm() > CREASE
                 })

@@ -1,10 +1,12 @@
-//! The faces piece by piece, from coarse to fine, for questions other than the distance from a point.
+//! The faces piece by piece, from coarse to fine, for questions other than the distance from a
+//! point.
 //!
-//! A visitor is shown boxes, then pieces, each with points in whose convex hull it lies (*The NURBS Book* P4.10). What it is done with is
-//! left; anything else is halved, the piece that it finds most pressing first. Since the hulls close in on the surface with the
-//! square of their size, a question about a convex function on the part is answered as finely as it needs to be, and
-//! nowhere more finely. Of a piece that loops cross the parts beyond them are left out; beside a loop the exact edge decides, to
-//! [`BEYOND_EDGE_MM`].
+//! A visitor is shown boxes, then pieces, each with points in whose convex hull it lies (*The NURBS
+//! Book* P4.10). What it is done with is left; anything else is halved, the piece that it finds
+//! most pressing first. Since the hulls close in on the surface with the square of their size, a
+//! question about a convex function on the part is answered as finely as it needs to be, and
+//! nowhere more finely. Of a piece that loops cross the parts beyond them are left out; beside a
+//! loop the exact edge decides, to [`BEYOND_EDGE_MM`].
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -40,11 +42,13 @@ pub struct Piece<'a> {
 
 /// A question that looks at the pieces.
 pub trait Visitor {
-    /// Whether what lies in a box of these half sides, at right angles to each other, is to be looked at.
+    /// Whether what lies in a box of these half sides, at right angles to each other, is to be
+    /// looked at.
     fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool;
     /// How pressing it is to look closer at a piece (the least first); `None`: it is done with.
     fn presses(&mut self, piece: &Piece) -> Option<f64>;
-    /// Takes a point of the part, of a piece that is not done with; false: nothing more need be looked at.
+    /// Takes a point of the part, of a piece that is not done with; false: nothing more need be
+    /// looked at.
     fn takes(&mut self, point: &Point) -> bool;
     /// Pieces that were pressing may be done with since this was another number.
     fn state(&self) -> u32;
@@ -94,7 +98,8 @@ fn sortable(key: f64) -> i64 {
     bits ^ (((bits >> 63) as u64) >> 1) as i64
 }
 
-/// Shows the pieces of one part, question after question; what it cut for one it keeps for the next. Answers do not depend on that.
+/// Shows the pieces of one part, question after question; what it cut for one it keeps for the
+/// next. Answers do not depend on that.
 pub struct Walker<'a> {
     exact: &'a Exact,
     brep: &'a Brep,
@@ -115,7 +120,8 @@ impl<'a> Walker<'a> {
         Walker { exact, brep, first, kept: Vec::new(), borders: Vec::new(), open: BinaryHeap::new(), count: 0 }
     }
 
-    /// Shows all pieces to the visitor; false: it was not done with all of them after `most_cuts` halvings, or wanted no more.
+    /// Shows all pieces to the visitor; false: it was not done with all of them after `most_cuts`
+    /// halvings, or wanted no more.
     pub fn visit(&mut self, visitor: &mut impl Visitor, most_cuts: usize) -> bool {
         if self.kept.len() > MOST_KEPT {
             self.kept.clear();
@@ -184,7 +190,8 @@ impl<'a> Walker<'a> {
             let hull: [Point; 8] = std::array::from_fn(corner);
             let normal = if leaf.wild { Vector::zeros() } else { s.axes[2] };
             let (middle, radius) = (leaf.centre, radius(&hull, &leaf.centre));
-            // What is known of the box holds for the piece in it: the answer is the same without it.
+            // What is known of the box holds for the piece in it: the answer is the same without
+            // it.
             if visitor.presses(&Piece { hull: &hull, middle, radius, normal, corners: None }).is_none() {
                 return;
             }
@@ -326,7 +333,8 @@ mod tests {
         }
     }
 
-    /// The farthest point of a can in any direction lies on the rim of one of its caps, whose planes are larger than the caps.
+    /// The farthest point of a can in any direction lies on the rim of one of its caps, whose
+    /// planes are larger than the caps.
     #[test]
     fn farthest_points_of_a_can() {
         let part = Part::from_brep(can(5.0, 3.0), 0.05, &Silent).unwrap();

@@ -1,4 +1,5 @@
-//! The search for the closest point: best first over the tree, Newton on each piece that can hold it.
+//! The search for the closest point: best first over the tree, Newton on each piece that can hold
+//! it.
 //!
 //! A piece is left out when the box in which it lies is no nearer than the best point known. It is
 //! left out too when it bends towards the query point more than a sphere about it everywhere: then
@@ -9,9 +10,10 @@
 //! Hessian says by how much another minimum could be nearer. Where that is more than
 //! [`NEGLIGIBLE_MM`] the piece is halved and its halves are searched.
 //!
-//! Left out too is a piece to whose normals `q` cannot belong ([`Leaf::may_hold_foot`]), and of a piece that loops cross the halves
-//! beyond them. About a point from which a whole stretch is equally far (the axis of a round face) halving would have no end:
-//! the more pieces a query has halved, the more is negligible to it, up to [`MOST_NEGLIGIBLE_MM`].
+//! Left out too is a piece to whose normals `q` cannot belong ([`Leaf::may_hold_foot`]), and of a
+//! piece that loops cross the halves beyond them. About a point from which a whole stretch is
+//! equally far (the axis of a round face) halving would have no end: the more pieces a query has
+//! halved, the more is negligible to it, up to [`MOST_NEGLIGIBLE_MM`].
 
 use std::cell::Cell;
 use std::cmp::Reverse;
@@ -48,7 +50,8 @@ pub(super) struct Found {
 /// What a foot lies on.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum On {
-    /// A face, at these of its parameters, with this normal `S_u × S_v` (not of unit length; zero at a pole).
+    /// A face, at these of its parameters, with this normal `S_u × S_v` (not of unit length; zero
+    /// at a pole).
     Face { face: u32, uv: [f64; 2], normal: Vector },
     /// An edge, at this parameter, or its trace on the face `of`.
     Edge { edge: u32, t: f64, of: Option<u32> },
@@ -65,7 +68,8 @@ thread_local! {
     static HEAP: Cell<BinaryHeap<Entry>> = const { Cell::new(BinaryHeap::new()) };
 }
 
-/// A squared distance that sorts as an integer, with two bits for what it belongs to. Rounded down by a part in 2⁵⁰.
+/// A squared distance that sorts as an integer, with two bits for what it belongs to. Rounded down
+/// by a part in 2⁵⁰.
 fn key(d2: f64, what: u64) -> u64 {
     (d2.to_bits() & !3) | what
 }
@@ -76,9 +80,11 @@ struct Search<'a> {
     q: Point,
     best: Option<Found>,
     limit2: f64,
-    /// Nothing farther need be looked at: as `limit2`, or less where a point of the part is known to be nearer.
+    /// Nothing farther need be looked at: as `limit2`, or less where a point of the part is known
+    /// to be nearer.
     reach2: f64,
-    /// Whether points known to be on the part lower `reach2`, and pieces are left out by their normals.
+    /// Whether points known to be on the part lower `reach2`, and pieces are left out by their
+    /// normals.
     eager: bool,
     /// Parts of pieces, in their boxes, and how often they were halved.
     leaves: Vec<(Leaf, u32)>,
@@ -193,7 +199,8 @@ impl Search<'_> {
         nearest
     }
 
-    /// Whether a piece may hold a point nearer than those known; lowers `reach2` to one of its points.
+    /// Whether a piece may hold a point nearer than those known; lowers `reach2` to one of its
+    /// points.
     fn may_be_nearer(&mut self, leaf: &Leaf) -> bool {
         let known2 = (leaf.centre - self.q).norm_squared() * (1.0 + 1e-12);
         if self.eager && leaf.border == NO_BORDER && known2 < self.reach2 {
@@ -234,7 +241,8 @@ impl Search<'_> {
             _ if foot.settled => return,
             _ => f64::INFINITY,
         };
-        // Nothing in the piece is nearer than this: Taylor with the least eigenvalue of the Hessian.
+        // Nothing in the piece is nearer than this: Taylor with the least eigenvalue of the
+        // Hessian.
         let across = 2.0 * leaf.slab.radius();
         let least2 = if foot.settled { foot.d2 - beyond * across * across } else { f64::NEG_INFINITY };
         if least2 >= self.worth(foot.d2) || depth >= DEEPEST || self.cuts >= MOST_CUTS {
@@ -286,7 +294,8 @@ impl Search<'_> {
         self.exact.loops.regions[leaf.rect.face as usize].kind(shape, half, Some(self.borders(leaf)))
     }
 
-    /// Lowers what need be looked at to points on the edges beside a piece: its own nearest point may not be the face's.
+    /// Lowers what need be looked at to points on the edges beside a piece: its own nearest point
+    /// may not be the face's.
     fn look_beside(&mut self, leaf: &Leaf) {
         let region = &self.exact.loops.regions[leaf.rect.face as usize];
         for p in region.points_beside(self.brep, &self.exact.loops.chords, self.borders(leaf)) {
@@ -309,8 +318,9 @@ impl Search<'_> {
         if leaf.border == NO_BORDER {
             return true;
         }
-        // Where the piece ends and the distance still falls beyond, the next piece or an edge is nearer. Elsewhere Newton has settled: what its last
-        // step leaves of the slope grows with the bend, and says nothing.
+        // Where the piece ends and the distance still falls beyond, the next piece or an edge is
+        // nearer. Elsewhere Newton has settled: what its last step leaves of the slope grows with
+        // the bend, and says nothing.
         let r = self.q - foot.point;
         let falls = |a: usize, d: &Vector| {
             let (slope, [from, to]) = (r.dot(d), leaf.rect.range[a]);
@@ -377,7 +387,8 @@ pub(super) enum Bend {
 }
 
 impl Leaf {
-    /// Bounds of `1 - κ s` for all curvatures `κ` of the piece, with `s` the height of `q` above its tangent planes.
+    /// Bounds of `1 - κ s` for all curvatures `κ` of the piece, with `s` the height of `q` above
+    /// its tangent planes.
     pub(super) fn bend_at(&self, q: &Point) -> Bend {
         if self.wild {
             return Bend::Unsure(f64::INFINITY);
@@ -398,10 +409,11 @@ impl Leaf {
         Bend::Unsure(most - 1.0)
     }
 
-    /// The same from 3 × 3 places, with half of what they differ by as a margin: dearer, but not misled where a query point is
-    /// the centre of curvature of the whole piece.
+    /// The same from 3 × 3 places, with half of what they differ by as a margin: dearer, but not
+    /// misled where a query point is the centre of curvature of the whole piece.
     fn bend_sampled(&self, shape: &Shape, q: &Point) -> Bend {
-        // The greatest eigenvalue of the product of curvature and height, at its least and at its greatest.
+        // The greatest eigenvalue of the product of curvature and height, at its least and at its
+        // greatest.
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for st in self.rect.places() {
             let d = shape.local(self.rect.span, st);
@@ -422,7 +434,8 @@ impl Leaf {
 }
 
 impl Arc {
-    /// How far below zero the second derivative of half the squared distance by arc length may be; not positive where convex.
+    /// How far below zero the second derivative of half the squared distance by arc length may be;
+    /// not positive where convex.
     fn beyond(&self, q: &Point) -> f64 {
         let middle = nalgebra::center(&self.ends[0], &self.ends[1]);
         let reach = 0.5 * (self.ends[1] - self.ends[0]).norm() + self.radius;

@@ -5,8 +5,9 @@
 //! These sums give the right sign wherever the edge or vertex is the closest point (Bærentzen and
 //! Aanæs, *Signed distance computation using the angle weighted pseudonormal*, 2005).
 //!
-//! Limits: right for faces that neither fold over nor cross themselves or one another (a normal on a fold points inwards), and where faces have
-//! normals (the tip of a cusp has none); [`Part::inside`](crate::geometry::part::Part::inside) asks here only near the part.
+//! Limits: right for faces that neither fold over nor cross themselves or one another (a normal on
+//! a fold points inwards), and where faces have normals (the tip of a cusp has none);
+//! [`Part::inside`](crate::geometry::part::Part::inside) asks here only near the part.
 
 use std::collections::BTreeMap;
 
@@ -26,7 +27,8 @@ struct Beside {
     uv: [[f64; 2]; 2],
 }
 
-/// What meets in a vertex: the weighted normals' sum, whether one is lacking, and the ends of edges.
+/// What meets in a vertex: the weighted normals' sum, whether one is lacking, and the ends of
+/// edges.
 #[derive(Default)]
 struct Vertex {
     sum: Vector,
@@ -136,7 +138,8 @@ fn leaving(t: &Tessellation, chord: u32, against: bool) -> Option<Vector> {
     (if against { -d } else { d }).try_normalize(0.0)
 }
 
-/// A face's outward normal at a node of its ring, times the angle that the face spans there; `None` at poles and bridges.
+/// A face's outward normal at a node of its ring, times the angle that the face spans there; `None`
+/// at poles and bridges.
 fn corner(t: &Tessellation, face: usize, node: &Node, before: &Node, left: bool) -> Option<Vector> {
     let (away, back) = (leaving(t, node.chord, node.against)?, leaving(t, before.chord, !before.against)?);
     let space = &t.trims[face].space;
@@ -146,7 +149,8 @@ fn corner(t: &Tessellation, face: usize, node: &Node, before: &Node, left: bool)
         return None;
     }
     let normal = at.normal()?;
-    // Counter-clockwise about S_u × S_v from the way on to the way back, if the face lies to the left of its ring.
+    // Counter-clockwise about S_u × S_v from the way on to the way back, if the face lies to the
+    // left of its ring.
     let turned = away.cross(&back).dot(&normal) * if left { 1.0 } else { -1.0 };
     let angle = angle_between(&away, &back);
     let angle = if turned < 0.0 { std::f64::consts::TAU - angle } else { angle };
@@ -157,7 +161,8 @@ fn corner(t: &Tessellation, face: usize, node: &Node, before: &Node, left: bool)
 const AT_VERTEX_MM: f64 = 1e-9;
 
 impl Exact {
-    /// Whether `q` lies inside the part, whose faces must enclose it; a point on the part counts as outside.
+    /// Whether `q` lies inside the part, whose faces must enclose it; a point on the part counts as
+    /// outside.
     pub fn inside(&self, brep: &Brep, q: &Point) -> bool {
         let Some(found) = search::closest(self, brep, q, f64::INFINITY) else { return false };
         let direction = q - found.point;

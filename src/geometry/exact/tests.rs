@@ -39,7 +39,8 @@ fn used(edge: usize, reversed: bool) -> Coedge {
     Coedge { edge, reversed }
 }
 
-/// A cylinder with caps; its wall has two loops and no seam. The caps' planes are larger than their circles.
+/// A cylinder with caps; its wall has two loops and no seam. The caps' planes are larger than their
+/// circles.
 pub fn can(radius: f64, height: f64) -> Brep {
     let wall = cylinder(radius, height);
     let edges = vec![circle(&wall, 0.0), circle(&wall, 1.0)];
@@ -53,7 +54,8 @@ pub fn can(radius: f64, height: f64) -> Brep {
     Brep { faces, edges }
 }
 
-/// A box of these sides with a corner at the origin; each face has edges of its own, which coincide in pairs.
+/// A box of these sides with a corner at the origin; each face has edges of its own, which coincide
+/// in pairs.
 pub fn block(size: Vector) -> Brep {
     let mut brep = Brep::default();
     for axis in 0..3 {
@@ -231,7 +233,8 @@ fn broken_faces_are_named() {
     assert!(Part::from_brep(can(5.0, 8.0), 0.0, &Silent).is_err());
 }
 
-/// A straight prism over a counter-clockwise polygon, from z = 0 to `height`; faces do not share edges.
+/// A straight prism over a counter-clockwise polygon, from z = 0 to `height`; faces do not share
+/// edges.
 fn prism(polygon: &[[f64; 2]], height: f64) -> Brep {
     let mut brep = Brep::default();
     let mut add = |surface: NurbsSurface, corners: &[Point]| {
@@ -267,7 +270,8 @@ fn within(polygon: &[[f64; 2]], p: &Point) -> bool {
     (0..n).filter(crossed).count() % 2 == 1
 }
 
-/// Sharp, blunt and inward corners: about every edge and vertex, as near as 10⁻³ mm, the sign is right.
+/// Sharp, blunt and inward corners: about every edge and vertex, as near as 10⁻³ mm, the sign is
+/// right.
 #[test]
 fn inside_is_exact_about_edges_and_vertices() {
     // A dart with a tip of 9° and an inward corner.
@@ -353,7 +357,8 @@ fn curvature_at_a_foot_in_closed_form() {
             let p = can.brep.as_ref().unwrap().faces[c.face as usize].surface.point(c.uv[0], c.uv[1]);
             assert!((p - c.point).norm() < 1e-10);
         }
-        // Beside the funnel, at 2.5 along its generatrix: the radius of curvature across is r over the slant's cosine, 4/5.
+        // Beside the funnel, at 2.5 along its generatrix: the radius of curvature across is r over
+        // the slant's cosine, 4/5.
         let out = Vector::new(q.x, q.y, 0.0).normalize();
         let at = Point::from(out * 1.5 + Vector::z() * 2.0) + (out * 0.8 - Vector::z() * 0.6) * 0.3;
         is(&funnel, &at, 0.0, -0.8 / 1.5);
@@ -382,7 +387,8 @@ fn measures_in_closed_form() {
     }
 }
 
-/// From the axis of a cylinder and the centre of a ball everything is equally far: found all the same, and soon.
+/// From the axis of a cylinder and the centre of a ball everything is equally far: found all the
+/// same, and soon.
 #[test]
 fn centres_of_curvature() {
     let ball = part(sphere(10.0), 0.02);
@@ -400,8 +406,9 @@ fn centres_of_curvature() {
     }
 }
 
-/// A wall between two circles of a longer, slightly uneven cylinder: for points of its axis all of it, or all of a rim, is about equally
-/// far. Few pieces are halved wherever the point is, and the distance is right.
+/// A wall between two circles of a longer, slightly uneven cylinder: for points of its axis all of
+/// it, or all of a rim, is about equally far. Few pieces are halved wherever the point is, and the
+/// distance is right.
 #[test]
 fn points_on_the_axis_of_a_round_face_are_soon_done() {
     let (radius, height) = (12.0, 100.0);
@@ -432,7 +439,8 @@ fn points_on_the_axis_of_a_round_face_are_soon_done() {
     }
 }
 
-/// A square whose edges lie above its plane: it ends below them, and what is nearer to the plane than to its edges finds that end.
+/// A square whose edges lie above its plane: it ends below them, and what is nearer to the plane
+/// than to its edges finds that end.
 #[test]
 fn faces_end_below_edges_that_lie_off_them() {
     let off = 0.02;
@@ -480,11 +488,13 @@ fn seams_are_no_borders() {
     }
 }
 
-/// Newton's last step leaves a slope of about its square over the radius of the bend, which is no reason to leave a foot out.
+/// Newton's last step leaves a slope of about its square over the radius of the bend, which is no
+/// reason to leave a foot out.
 #[test]
 fn a_sharp_bend_beside_an_edge_holds_its_own_points() {
     for radius in [0.05, 0.02, 0.005] {
-        // A parabola with this radius at its vertex, along z; its ends are edges that all its pieces reach.
+        // A parabola with this radius at its vertex, along z; its ends are edges that all its
+        // pieces reach.
         let (a, low) = (10.0 * radius, 50.0 * radius);
         let row = |x: f64, y: f64| [0.0, 10.0].map(|z| Vector4::new(x, y, z, 1.0));
         let wall = NurbsSurface {

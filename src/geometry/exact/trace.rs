@@ -1,8 +1,10 @@
 //! Where an edge that lies off a face bounds it.
 //!
-//! A model's edges may lie off its faces, within the tolerance that the file gives them or that sewing took. Such a face ends where the foot of
-//! its edge runs on it, and the point of the face nearest to another may lie there, nearer than any of the edge. So beside the
-//! edge the search has that line, the *trace* of the edge on the face, as a chain of segments within [`STRAIGHT_MM`] of it.
+//! A model's edges may lie off its faces, within the tolerance that the file gives them or that
+//! sewing took. Such a face ends where the foot of its edge runs on it, and the point of the face
+//! nearest to another may lie there, nearer than any of the edge. So beside the edge the search has
+//! that line, the *trace* of the edge on the face, as a chain of segments within [`STRAIGHT_MM`] of
+//! it.
 
 use nalgebra::Vector4;
 
@@ -63,7 +65,8 @@ struct Side<'a> {
 }
 
 impl Side<'_> {
-    /// Both ends of a side of a ring, in the sense of its edge; `None` where it stands for no edge that bounds the face.
+    /// Both ends of a side of a ring, in the sense of its edge; `None` where it stands for no edge
+    /// that bounds the face.
     fn chord(&self, from: &Node, to: &Node) -> Option<[Place; 2]> {
         let chord = self.loops.chords.get(from.chord as usize).filter(|_| !from.seam)?;
         let place = |t: f64, n: &Node| (t, n.uv, self.on.at(n.uv));

@@ -1,12 +1,14 @@
 //! A bounding-volume tree of eight children a node, over boxes turned along what they hold.
 //!
-//! Every node has a frame of its own, along the surface in it, in which the boxes of its children lie. Strips of an airfoil are thin and
-//! aslant: boxes along the axes would overlap one another, boxes along the surface do not. The same frame tells what normals a child's
-//! surface has: a child on which no normal passes the query point holds no foot of it.
+//! Every node has a frame of its own, along the surface in it, in which the boxes of its children
+//! lie. Strips of an airfoil are thin and aslant: boxes along the axes would overlap one another,
+//! boxes along the surface do not. The same frame tells what normals a child's surface has: a child
+//! on which no normal passes the query point holds no foot of it.
 //!
-//! Boxes are kept in single precision about the middle of everything, rounded outwards, component by component, so that one
-//! node is tested by a few vector instructions. Built by the surface-area heuristic in bins (Wald, *On fast construction of SAH-based
-//! bounding volume hierarchies*, 2007); deterministic.
+//! Boxes are kept in single precision about the middle of everything, rounded outwards, component
+//! by component, so that one node is tested by a few vector instructions. Built by the surface-area
+//! heuristic in bins (Wald, *On fast construction of SAH-based bounding volume hierarchies*, 2007);
+//! deterministic.
 
 use nalgebra::{Matrix3, Rotation3};
 
@@ -34,7 +36,8 @@ pub(super) struct Hull {
     pub sides: [Vector; 3],
     /// The item reaches beyond the box by no more than this, mm.
     pub round: f64,
-    /// Every normal of the item, either way, lies in the cone of these; `None`: not known, or its nearest point may be no foot.
+    /// Every normal of the item, either way, lies in the cone of these; `None`: not known, or its
+    /// nearest point may be no foot.
     pub normals: Option<[Vector; 4]>,
 }
 
@@ -43,7 +46,8 @@ impl Hull {
         self.sides.iter().map(|s| s.dot(axis).abs()).sum::<f64>() + self.round
     }
 
-    /// Tangents of the angles between the normals and the third axis, seen along the first and the second: least and greatest.
+    /// Tangents of the angles between the normals and the third axis, seen along the first and the
+    /// second: least and greatest.
     fn slopes(&self, [a, b, c]: &[Vector; 3]) -> [[f64; 2]; 2] {
         let Some(normals) = &self.normals else { return [UNKNOWN; 2] };
         let side = normals[0].dot(c).signum();
@@ -163,8 +167,8 @@ impl Tree {
         Seen { from_middle, far: !(from_middle.norm() < self.reach_mm) }
     }
 
-    /// Hands the children of a node nearer than `limit2` (squared, mm²) to `visit`, with the squared distance to their boxes; with
-    /// `feet` only those that may hold a foot.
+    /// Hands the children of a node nearer than `limit2` (squared, mm²) to `visit`, with the
+    /// squared distance to their boxes; with `feet` only those that may hold a foot.
     #[inline]
     pub fn open(&self, node: u32, q: &Seen, feet: bool, limit2: f64, mut visit: impl FnMut(Child, f64)) {
         let node = &self.nodes[node as usize];
@@ -223,7 +227,8 @@ impl Node {
         sum.iter_mut().for_each(|x| *x *= 1.0 - 1e-6);
         if feet {
             for k in 0..WIDTH {
-                // A foot lies where q is seen from it along a normal: the height of q above it, times a slope, aside.
+                // A foot lies where q is seen from it along a normal: the height of q above it,
+                // times a slope, aside.
                 let (from_low, from_high) = (q[2] - self.low[2][k], q[2] - self.high[2][k]);
                 let height = 0.5 * (from_low + from_high);
                 let thick = 0.5 * (from_low - from_high) + FOOT_MM;
@@ -246,7 +251,8 @@ impl Node {
         for k in 0..WIDTH {
             let over = |a: usize| (f64::from(self.low[a][k]) - q[a]).max(q[a] - f64::from(self.high[a][k])).max(0.0);
             let d2 = (over(0).powi(2) + over(1).powi(2) + over(2).powi(2)) * (1.0 - 1e-6);
-            // Beyond single precision a box is very far, not nowhere: an infinite distance would shut it for good.
+            // Beyond single precision a box is very far, not nowhere: an infinite distance would
+            // shut it for good.
             out[k] = d2.min(f64::from(f32::MAX)) as f32;
         }
         out
@@ -258,7 +264,8 @@ fn frame(hulls: &[Hull], items: &[u32]) -> [Vector; 3] {
     let (mut normals, mut weight, mut mean) = (Matrix3::zeros(), 0.0, Vector::zeros());
     let of = |i: &u32| &hulls[*i as usize];
     let faces = |h: &Hull| h.sides[0].cross(&h.sides[1]);
-    // Edges have a length, no area: a little weight, so that they count where there is nothing else.
+    // Edges have a length, no area: a little weight, so that they count where there is nothing
+    // else.
     let weigh = |h: &Hull| faces(h).norm() + 1e-6 * h.sides[0].norm_squared();
     for h in items.iter().map(of) {
         let n = faces(h);
@@ -337,7 +344,8 @@ fn area(b: &Aabb) -> f64 {
     d.x * d.y + d.y * d.z + d.z * d.x
 }
 
-/// Orders the items so that those before the returned place and the others make two good groups; at least one in each.
+/// Orders the items so that those before the returned place and the others make two good groups; at
+/// least one in each.
 fn split(boxes: &[Aabb], items: &mut [u32]) -> usize {
     let centre = |i: u32, a: usize| boxes[i as usize].min[a] + boxes[i as usize].max[a];
     let mut best: Option<(f64, usize, f64)> = None;
@@ -422,8 +430,8 @@ mod tests {
         found
     }
 
-    /// Thin boxes askew, some rounded, some of unknown normals; points on normals of theirs, near and so far that single precision
-    /// would not do.
+    /// Thin boxes askew, some rounded, some of unknown normals; points on normals of theirs, near
+    /// and so far that single precision would not do.
     #[test]
     fn no_foot_is_lost() {
         let mut s = Spread(1);

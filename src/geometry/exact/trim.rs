@@ -1,8 +1,9 @@
 //! Whether a foot lies inside its face's loops.
 //!
-//! Each piece of a face that loops may cross knows the sides near it and, for a point of its own, whether that is inside; any other
-//! point of the piece is inside if the way there crosses an even number of sides. Near a side the exact edge curve decides:
-//! on which side of its tangent the foot lies.
+//! Each piece of a face that loops may cross knows the sides near it and, for a point of its own,
+//! whether that is inside; any other point of the piece is inside if the way there crosses an even
+//! number of sides. Near a side the exact edge curve decides: on which side of its tangent the foot
+//! lies.
 
 use super::leaf::{Rect, Shape};
 use crate::geometry::Point;
@@ -119,7 +120,8 @@ impl Region {
         (((low - to) / period - 1e-9).ceil() as i64)..=(((high - from) / period + 1e-9).floor() as i64)
     }
 
-    /// What a rectangle is, given the sides that may matter in it (those of a rectangle around it; `None`: all).
+    /// What a rectangle is, given the sides that may matter in it (those of a rectangle around it;
+    /// `None`: all).
     pub fn kind(&self, shape: &Shape, rect: &Rect, around: Option<&[Border]>) -> Kind {
         let low = shape.uv(rect.span, [rect.range[0][0], rect.range[1][0]]);
         let high = shape.uv(rect.span, [rect.range[0][1], rect.range[1][1]]);
@@ -163,7 +165,8 @@ impl Region {
         let mut least = [f64::INFINITY; 2];
         for st in rect.places() {
             let d = shape.local(rect.span, st);
-            // Heights of the parallelogram of the derivatives: distance between lines of one parameter.
+            // Heights of the parallelogram of the derivatives: distance between lines of one
+            // parameter.
             let area = d.du.cross(&d.dv).norm();
             let length = [d.du.norm(), d.dv.norm()];
             for along in 0..2 {
@@ -217,8 +220,8 @@ impl Region {
         })
     }
 
-    /// Whether places next to one along a closed direction are inside. Sides on a seam bound nothing, but of a place on them parity says
-    /// what rounding makes of it.
+    /// Whether places next to one along a closed direction are inside. Sides on a seam bound
+    /// nothing, but of a place on them parity says what rounding makes of it.
     fn on_seam(&self, border: &Border, uv: [f64; 2]) -> bool {
         (0..2).filter(|a| self.trim.space.closed[*a]).any(|a| {
             let by = ON_SEAM * self.trim.space.period(a);
@@ -230,7 +233,8 @@ impl Region {
         })
     }
 
-    /// For a middle that is not held: whether no edge comes as near to it as `radius_mm`, so that all within that lies beyond the loops.
+    /// For a middle that is not held: whether no edge comes as near to it as `radius_mm`, so that
+    /// all within that lies beyond the loops.
     pub fn is_beyond(
         &self,
         brep: &Brep,
@@ -274,7 +278,8 @@ impl Region {
         let Some(left) = at.du.cross(&at.dv).cross(&tangent).try_normalize(0.0) else { return inside };
         let across = aside.dot(&left);
         if (on.t <= edge.t[0] || on.t >= edge.t[1]) && across.abs() < 0.5 * aside.norm() {
-            // Beyond a corner the tangent of one edge says nothing; the polygon is exact at its corners.
+            // Beyond a corner the tangent of one edge says nothing; the polygon is exact at its
+            // corners.
             return inside;
         }
         let inwards = if self.left[side[0] as usize] { across } else { -across };
@@ -297,8 +302,9 @@ fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether the side crosses the way from `p` to `q`. A node on the way counts as left of it, so that a crossing at a node
-/// counts once; an end of the way on the side counts as to its right seen upwards, as in [`crosses`].
+/// Whether the side crosses the way from `p` to `q`. A node on the way counts as left of it, so
+/// that a crossing at a node counts once; an end of the way on the side counts as to its right seen
+/// upwards, as in [`crosses`].
 fn crosses_way([a, b]: [[f64; 2]; 2], p: [f64; 2], q: [f64; 2]) -> bool {
     let [a, b] = if (b[1], -b[0]) > (a[1], -a[0]) { [a, b] } else { [b, a] };
     (turn(p, q, a) > 0.0) != (turn(p, q, b) > 0.0) && (turn(a, b, p) > 0.0) != (turn(a, b, q) > 0.0)

@@ -1,15 +1,17 @@
 //! B-spline basis functions with their first and second derivatives.
 //!
-//! The functions of degree p are raised from those of degree p − 2 (Cox and de Boor; *The NURBS Book* A2.2); derivatives follow
-//! from the functions of one degree less (eq. 2.7):
-//! `N'_{i,p} = p N_{i,p-1} / (u_{i+p} - u_i) - p N_{i+1,p-1} / (u_{i+p+1} - u_{i+1})`.
-//! Parameters outside the domain extrapolate the first or last polynomial piece. No allocation up to degree [`STACK_DEGREE`].
+//! The functions of degree p are raised from those of degree p − 2 (Cox and de Boor; *The NURBS
+//! Book* A2.2); derivatives follow from the functions of one degree less (eq. 2.7):
+//! `N'_{i,p} = p N_{i,p-1} / (u_{i+p} - u_i) - p N_{i+1,p-1} / (u_{i+p+1} - u_{i+1})`. Parameters
+//! outside the domain extrapolate the first or last polynomial piece. No allocation up to degree
+//! [`STACK_DEGREE`].
 
 /// Greatest degree that is evaluated without allocation.
 pub const STACK_DEGREE: usize = 16;
 
-/// The knot span of `t`: the index `i` with `knots[i] <= t < knots[i + 1]`, within `degree ..= n - 1` (so that a parameter at or
-/// beyond an end of the domain belongs to the first or last span that is not empty). `n` is the number of control points.
+/// The knot span of `t`: the index `i` with `knots[i] <= t < knots[i + 1]`, within
+/// `degree ..= n - 1` (so that a parameter at or beyond an end of the domain belongs to the first
+/// or last span that is not empty). `n` is the number of control points.
 pub fn find_span(degree: usize, n: usize, knots: &[f64], t: f64) -> usize {
     let after = knots[degree..=n].partition_point(|&k| k <= t);
     let mut span = (degree + after).saturating_sub(1).clamp(degree, n - 1);
@@ -20,7 +22,8 @@ pub fn find_span(degree: usize, n: usize, knots: &[f64], t: f64) -> usize {
     span
 }
 
-/// Values, first and second derivatives of the `degree + 1` basis functions that live on one knot span.
+/// Values, first and second derivatives of the `degree + 1` basis functions that live on one knot
+/// span.
 pub struct Basis {
     degree: usize,
     stack: [f64; 3 * (STACK_DEGREE + 1)],
@@ -64,7 +67,8 @@ fn fill(degree: usize, span: usize, knots: &[f64], t: f64, value: &mut [f64], d1
     value[0] = 1.0;
     for k in 1..=degree {
         if k == degree {
-            // `value` holds degree p - 1, `d1` its first derivatives (or zero for p = 1): second derivatives from those.
+            // `value` holds degree p - 1, `d1` its first derivatives (or zero for p = 1): second
+            // derivatives from those.
             differentiate(degree, span, knots, d1, d2);
             differentiate(degree, span, knots, value, d1);
         } else if k + 1 == degree {
@@ -74,7 +78,8 @@ fn fill(degree: usize, span: usize, knots: &[f64], t: f64, value: &mut [f64], d1
     }
 }
 
-/// Raises the values of degree `k - 1` on the span (in `value[..k]`) to degree `k` (in `value[..=k]`), in place.
+/// Raises the values of degree `k - 1` on the span (in `value[..k]`) to degree `k` (in
+/// `value[..=k]`), in place.
 fn raise(k: usize, span: usize, knots: &[f64], t: f64, value: &mut [f64]) {
     let mut saved = 0.0;
     for r in 0..k {
@@ -87,7 +92,8 @@ fn raise(k: usize, span: usize, knots: &[f64], t: f64, value: &mut [f64]) {
     value[k] = saved;
 }
 
-/// From functions of degree `k - 1` (`lower[..k]`, or any derivative of them) to the next derivative of those of degree `k`.
+/// From functions of degree `k - 1` (`lower[..k]`, or any derivative of them) to the next
+/// derivative of those of degree `k`.
 fn differentiate(k: usize, span: usize, knots: &[f64], lower: &[f64], out: &mut [f64]) {
     let mut before = 0.0;
     for r in 0..k {
@@ -102,8 +108,9 @@ fn differentiate(k: usize, span: usize, knots: &[f64], lower: &[f64], out: &mut 
 /// Checks one knot vector for `n` control points.
 ///
 /// # Errors
-/// One sentence that says what is wrong: degree 0, too few points, wrong count, not finite, decreasing, empty domain, or an inner knot
-/// that tears the curve apart (multiplicity above the degree).
+/// One sentence that says what is wrong: degree 0, too few points, wrong count, not finite,
+/// decreasing, empty domain, or an inner knot that tears the curve apart (multiplicity above the
+/// degree).
 pub fn validate_knots(degree: usize, n: usize, knots: &[f64]) -> Result<(), String> {
     if degree == 0 {
         return Err("degree is 0, at least 1 is needed".into());

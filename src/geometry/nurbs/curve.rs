@@ -17,7 +17,8 @@ pub struct NurbsCurve {
 }
 
 impl NurbsCurve {
-    /// Checks that the curve can be evaluated: all other methods may panic or give nonsense on a curve that fails here.
+    /// Checks that the curve can be evaluated: all other methods may panic or give nonsense on a
+    /// curve that fails here.
     ///
     /// # Errors
     /// Knots ([`validate_knots`]), points that are not finite, weights that are not positive.
@@ -39,7 +40,8 @@ impl NurbsCurve {
         Point::from(h.xyz() / h.w)
     }
 
-    /// Point, first and second derivative at `t` (quotient rule, *The NURBS Book* eq. 4.8), mm per unit of the parameter.
+    /// Point, first and second derivative at `t` (quotient rule, *The NURBS Book* eq. 4.8), mm per
+    /// unit of the parameter.
     pub fn derivatives(&self, t: f64) -> (Point, Vector, Vector) {
         let b = Basis::new(self.degree, self.points.len(), &self.knots, t);
         let (mut h, mut h1, mut h2) = (Vector4::zeros(), Vector4::zeros(), Vector4::zeros());
@@ -55,8 +57,8 @@ impl NurbsCurve {
     }
 }
 
-/// Control points farther away are damage, mm: squares of squares of what is nearer do not overflow. (The middle one of a half circle in one piece is
-/// 1e17 radii away.)
+/// Control points farther away are damage, mm: squares of squares of what is nearer do not
+/// overflow. (The middle one of a half circle in one piece is 1e17 radii away.)
 pub const FARTHEST_MM: f64 = 1e50;
 /// Weights beyond these are damage, for the same reason.
 const WEIGHTS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;

@@ -1,16 +1,17 @@
 //! B-splines through given points, and the cutting of B-splines.
 //!
-//! In: grids of homogeneous points `(w x, w y, w z, w)` and the parameters of their rows and columns. Out: curves and
-//! surfaces that pass through them exactly (to rounding). Interpolation is done in homogeneous space, so rational surfaces
-//! with given weights are interpolated too: columns that are interpolated separately with the same parameters fit
-//! together without gaps.
+//! In: grids of homogeneous points `(w x, w y, w z, w)` and the parameters of their rows and
+//! columns. Out: curves and surfaces that pass through them exactly (to rounding). Interpolation is
+//! done in homogeneous space, so rational surfaces with given weights are interpolated too: columns
+//! that are interpolated separately with the same parameters fit together without gaps.
 //!
-//! Two kinds: **clamped** of any degree, knots by averaging (Piegl and Tiller, *The NURBS Book*, eq. 9.8), and **periodic
-//! cubic**, knots at the parameters, C² everywhere ([`PeriodicRows`]). A periodic spline is cut into clamped pieces by inserting
-//! knots (Boehm), which leaves the curve as it was; neighbouring pieces share their end points bit by bit.
+//! Two kinds: **clamped** of any degree, knots by averaging (Piegl and Tiller, *The NURBS Book*,
+//! eq. 9.8), and **periodic cubic**, knots at the parameters, C² everywhere ([`PeriodicRows`]). A
+//! periodic spline is cut into clamped pieces by inserting knots (Boehm), which leaves the curve as
+//! it was; neighbouring pieces share their end points bit by bit.
 //!
-//! Limits: weights are interpolated like coordinates and stay positive only if they vary slowly; [`NurbsCurve`]s and surfaces
-//! with a weight that is not positive are refused.
+//! Limits: weights are interpolated like coordinates and stay positive only if they vary slowly;
+//! [`NurbsCurve`]s and surfaces with a weight that is not positive are refused.
 
 use nalgebra::Vector4;
 
@@ -60,8 +61,8 @@ pub enum FitError {
     Singular,
 }
 
-/// Knots for clamped interpolation at strictly increasing parameters: end knots `degree + 1` fold, inner ones the average of
-/// `degree` successive parameters (The NURBS Book, eq. 9.8).
+/// Knots for clamped interpolation at strictly increasing parameters: end knots `degree + 1` fold,
+/// inner ones the average of `degree` successive parameters (The NURBS Book, eq. 9.8).
 pub fn averaged_knots(params: &[f64], degree: usize) -> Result<Vec<f64>, FitError> {
     check_params(params, degree + 1)?;
     if degree == 0 {
@@ -102,7 +103,8 @@ pub fn interpolate_surface(
     surface_through_rows(&along_u, params_v, degree_v)
 }
 
-/// Control points along u, each a row of points across v: the common form of curves (one column) and surfaces.
+/// Control points along u, each a row of points across v: the common form of curves (one column)
+/// and surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ControlRows {
     /// Degree along u.
@@ -143,11 +145,13 @@ impl ControlRows {
         })
     }
 
-    /// Cuts at `t`, strictly inside the knots' range, or at the knot within rounding of it: both parts describe the same as before on their
-    /// side, and the last row of the first is the first row of the second.
+    /// Cuts at `t`, strictly inside the knots' range, or at the knot within rounding of it: both
+    /// parts describe the same as before on their side, and the last row of the first is the first
+    /// row of the second.
     ///
     /// # Errors
-    /// A cut at an end of the range, or within rounding of one, or outside: one part would be empty.
+    /// A cut at an end of the range, or within rounding of one, or outside: one part would be
+    /// empty.
     pub fn split(&self, t: f64) -> Result<(ControlRows, ControlRows), FitError> {
         let (from, to) = (self.knots[0], self.knots[self.knots.len() - 1]);
         let t = self.nearest_knot(t);
@@ -176,7 +180,8 @@ impl ControlRows {
         self.knots.iter().copied().find(|k| (k - t).abs() <= 1e-12 * span).unwrap_or(t)
     }
 
-    /// Inserts one knot, inside the range and there less than `degree` fold (Boehm; The NURBS Book, eq. 5.15).
+    /// Inserts one knot, inside the range and there less than `degree` fold (Boehm; The NURBS Book,
+    /// eq. 5.15).
     fn insert(&mut self, t: f64) {
         let (p, c) = (self.degree, self.columns);
         let k = self.knots.partition_point(|&x| x <= t) - 1;
@@ -202,8 +207,9 @@ pub fn split_curve(curve: &NurbsCurve, t: f64) -> Result<(NurbsCurve, NurbsCurve
     Ok((curve(a), curve(b)))
 }
 
-/// The ruled surface between two curves of one degree: `v = 0` on `a`, `v = 1` on `b`, each at the same share of its
-/// parameters. The knots of each are inserted into the other, which leaves both curves as they were.
+/// The ruled surface between two curves of one degree: `v = 0` on `a`, `v = 1` on `b`, each at the
+/// same share of its parameters. The knots of each are inserted into the other, which leaves both
+/// curves as they were.
 ///
 /// # Errors
 /// Degrees that differ, curves that are not clamped.
@@ -262,7 +268,8 @@ pub struct PeriodicRows {
 }
 
 impl PeriodicRows {
-    /// Interpolates `n ≥ 3` rows of `columns` points at `params` (`n + 1` of them: the last closes the period).
+    /// Interpolates `n ≥ 3` rows of `columns` points at `params` (`n + 1` of them: the last closes
+    /// the period).
     pub fn interpolate(points: &[Vector4<f64>], columns: usize, params: &[f64]) -> Result<Self, FitError> {
         check_params(params, 4)?;
         let n = params.len() - 1;
@@ -298,11 +305,13 @@ impl PeriodicRows {
         self.params[i.rem_euclid(n) as usize] + period * i.div_euclid(n) as f64
     }
 
-    /// The whole round as one clamped piece from `params[start]` to one period on; its last row is its first, bit by bit.
+    /// The whole round as one clamped piece from `params[start]` to one period on; its last row is
+    /// its first, bit by bit.
     pub fn open(&self, start: usize) -> ControlRows {
         let (n, c) = (self.params.len() - 1, self.columns);
         let s = (start % n) as isize;
-        // Basis function i spans the knots i − 2 … i + 2; unclamped over one period and three more on each side.
+        // Basis function i spans the knots i − 2 … i + 2; unclamped over one period and three more
+        // on each side.
         let knots: Vec<f64> = (s - 3..=s + n as isize + 3).map(|i| self.knot(i)).collect();
         let points = (s - 1..=s + n as isize + 1)
             .flat_map(|i| (0..c).map(move |j| (i.rem_euclid(n as isize)) as usize * c + j))
@@ -315,7 +324,8 @@ impl PeriodicRows {
                 rows.insert(t);
             }
         }
-        // Knots: 3 below, `from` threefold, …, `to` threefold, 3 above. Rows 2 … lie on or between the ends.
+        // Knots: 3 below, `from` threefold, …, `to` threefold, 3 above. Rows 2 … lie on or between
+        // the ends.
         let (a, b) = (rows.knots.partition_point(|&k| k < from), rows.knots.partition_point(|&k| k < to));
         let mut knots = vec![from];
         knots.extend_from_slice(&rows.knots[a..b + 3]);
@@ -327,7 +337,8 @@ impl PeriodicRows {
         ControlRows { degree: 3, knots, columns: c, points }
     }
 
-    /// Clamped pieces between cuts at parameters with the given (increasing) indices: the last piece runs round to the first cut.
+    /// Clamped pieces between cuts at parameters with the given (increasing) indices: the last
+    /// piece runs round to the first cut.
     pub fn pieces(&self, cuts: &[usize]) -> Result<Vec<ControlRows>, FitError> {
         let Some(&first) = cuts.first() else {
             return Err(FitError::Count { what: "cuts", expected: "at least 1".into(), got: 0 });
@@ -348,8 +359,8 @@ impl PeriodicRows {
     }
 }
 
-/// The surface whose rows across v, at every control row along u, pass through the given points at `params_v`: first and last
-/// column stay as they are, bit by bit.
+/// The surface whose rows across v, at every control row along u, pass through the given points at
+/// `params_v`: first and last column stay as they are, bit by bit.
 pub fn surface_through_rows(rows: &ControlRows, params_v: &[f64], degree_v: usize) -> Result<NurbsSurface, FitError> {
     if params_v.len() != rows.columns {
         let expected = format!("{} columns", rows.columns);

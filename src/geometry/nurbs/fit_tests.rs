@@ -141,7 +141,8 @@ proptest! {
     }
 }
 
-/// Curves with knots of their own: the ruled surface has them both as its sides and straight lines between.
+/// Curves with knots of their own: the ruled surface has them both as its sides and straight lines
+/// between.
 #[test]
 fn ruled_surface_between_two_curves() {
     let curve = |n: usize, y: f64| {

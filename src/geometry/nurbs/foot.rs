@@ -3,12 +3,14 @@
 use super::{NurbsCurve, NurbsSurface, SurfaceDerivatives};
 use crate::geometry::{Point, Vector};
 
-/// Where a surface's parameters may run: closed directions wrap, straight directions may be continued, others end.
+/// Where a surface's parameters may run: closed directions wrap, straight directions may be
+/// continued, others end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSpace {
     /// The surface's own range, `[u, v][from, to]`.
     pub domain: [[f64; 2]; 2],
-    /// The range in which feet are sought: the domain, longer where a straight direction is continued.
+    /// The range in which feet are sought: the domain, longer where a straight direction is
+    /// continued.
     pub range: [[f64; 2]; 2],
     /// The surface closes upon itself along u, along v.
     pub closed: [bool; 2],
@@ -42,7 +44,8 @@ impl ParameterSpace {
         self.domain[along][1] - self.domain[along][0]
     }
 
-    /// The parameter pair within the domain (closed directions) or the range (others) that means the same point.
+    /// The parameter pair within the domain (closed directions) or the range (others) that means
+    /// the same point.
     pub fn normal_form(&self, uv: [f64; 2]) -> [f64; 2] {
         let one = |along: usize| {
             let x = uv[along];
@@ -56,7 +59,8 @@ impl ParameterSpace {
         [one(0), one(1)]
     }
 
-    /// The pair that means the same point as `uv` and lies nearest to `near`, along closed directions.
+    /// The pair that means the same point as `uv` and lies nearest to `near`, along closed
+    /// directions.
     pub fn nearest_copy(&self, mut uv: [f64; 2], near: [f64; 2]) -> [f64; 2] {
         for along in 0..2 {
             if self.closed[along] {
@@ -71,7 +75,8 @@ impl ParameterSpace {
 /// A closest point on a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceFoot {
-    /// Parameters; along closed directions they may lie beyond the domain, continuing from the guess.
+    /// Parameters; along closed directions they may lie beyond the domain, continuing from the
+    /// guess.
     pub uv: [f64; 2],
     /// Point and derivatives there.
     pub at: SurfaceDerivatives,
@@ -82,14 +87,16 @@ pub struct SurfaceFoot {
 /// Steps and gradients smaller than this, mm, end the iteration.
 const CONVERGED_MM: f64 = 1e-11;
 
-/// What a squared distance may become in a step without counting as growth: rounding must not stop the last steps.
+/// What a squared distance may become in a step without counting as growth: rounding must not stop
+/// the last steps.
 fn not_more(d2: f64) -> f64 {
     d2 * (1.0 + 1e-13) + 1e-24
 }
 
 impl NurbsSurface {
-    /// A local minimum of the distance to `q`, by Newton from `guess` within the parameter space; where the Hessian is not
-    /// positive definite a Gauss–Newton step, where the distance would grow a shorter one.
+    /// A local minimum of the distance to `q`, by Newton from `guess` within the parameter space;
+    /// where the Hessian is not positive definite a Gauss–Newton step, where the distance would
+    /// grow a shorter one.
     pub fn foot(&self, q: &Point, guess: [f64; 2], space: &ParameterSpace) -> SurfaceFoot {
         let evaluate = |uv: [f64; 2]| {
             let n = space.normal_form(uv);

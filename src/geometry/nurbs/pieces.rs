@@ -1,8 +1,9 @@
-//! NURBS curves and surfaces as Bézier pieces: restricted to a range, raised in degree, brought onto common knots, joined.
+//! NURBS curves and surfaces as Bézier pieces: restricted to a range, raised in degree, brought
+//! onto common knots, joined.
 //!
-//! Control points of a piece are values of the blossom (Ramshaw, *Blossoming: a connect-the-dots approach to splines*, 1987):
-//! exact, and indifferent to whether the knots are clamped. The price is that inner knots become as many as the degree; the
-//! shape stays as smooth as it was.
+//! Control points of a piece are values of the blossom (Ramshaw, *Blossoming: a connect-the-dots
+//! approach to splines*, 1987): exact, and indifferent to whether the knots are clamped. The price
+//! is that inner knots become as many as the degree; the shape stays as smooth as it was.
 
 use nalgebra::Vector4;
 
@@ -107,8 +108,9 @@ pub fn alike(a: &NurbsCurve, b: &NurbsCurve) -> [NurbsCurve; 2] {
     })
 }
 
-/// Valid curves one behind the other as one curve, each as long in the parameter as it was; `None` without curves. The end of a
-/// curve and the begin of the next should be the same point; the former stays.
+/// Valid curves one behind the other as one curve, each as long in the parameter as it was; `None`
+/// without curves. The end of a curve and the begin of the next should be the same point; the
+/// former stays.
 #[must_use]
 pub fn joined(curves: &[NurbsCurve]) -> Option<NurbsCurve> {
     let degree = curves.iter().map(|c| c.degree).max()?;

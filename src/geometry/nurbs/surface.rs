@@ -42,7 +42,8 @@ pub struct SurfaceDerivatives {
     pub dvv: Vector,
 }
 
-/// Principal curvatures of a surface, signed towards `S_u × S_v` (a sphere whose normal points outwards has two of −1/r).
+/// Principal curvatures of a surface, signed towards `S_u × S_v` (a sphere whose normal points
+/// outwards has two of −1/r).
 #[derive(Clone, Copy, Debug)]
 pub struct Principal {
     /// Curvatures, 1/mm, the greater first.
@@ -69,7 +70,8 @@ impl SurfaceDerivatives {
         if size > 0.0 && n.norm() > 1e-10 * size { Some(n.normalize()) } else { None }
     }
 
-    /// The unit normal and the principal curvatures, the greater first: as [`Self::principal`], without directions, for a third of the time.
+    /// The unit normal and the principal curvatures, the greater first: as [`Self::principal`],
+    /// without directions, for a third of the time.
     pub fn bent(&self) -> Option<(Vector, [f64; 2])> {
         let n = self.normal()?;
         let (_, _, [w11, w12, w22]) = self.shape_operator(&n);
@@ -78,7 +80,8 @@ impl SurfaceDerivatives {
         Some((n, [mean + radius, mean - radius]))
     }
 
-    /// An orthonormal tangent frame, the first axis along S_u, and the second form in it: first, mixed, second.
+    /// An orthonormal tangent frame, the first axis along S_u, and the second form in it: first,
+    /// mixed, second.
     #[inline]
     fn shape_operator(&self, n: &Vector) -> (Vector, Vector, [f64; 3]) {
         // e1 along S_u, e2 = n × e1; S_u = a e1, S_v = b e1 + c e2.
@@ -94,8 +97,8 @@ impl SurfaceDerivatives {
         (e1, e2, [w11, w12, w22])
     }
 
-    /// Principal curvatures from the first and second fundamental forms (do Carmo, *Differential Geometry of Curves and
-    /// Surfaces*, 3-3); `None` where there is no normal.
+    /// Principal curvatures from the first and second fundamental forms (do Carmo, *Differential
+    /// Geometry of Curves and Surfaces*, 3-3); `None` where there is no normal.
     pub fn principal(&self) -> Option<Principal> {
         let n = self.normal()?;
         let (e1, e2, [w11, w12, w22]) = self.shape_operator(&n);
@@ -108,7 +111,8 @@ impl SurfaceDerivatives {
 }
 
 impl NurbsSurface {
-    /// The bilinear surface over [0, 1]² through S(0,0), S(0,1), S(1,0), S(1,1), homogeneous; flat where they are.
+    /// The bilinear surface over [0, 1]² through S(0,0), S(0,1), S(1,0), S(1,1), homogeneous; flat
+    /// where they are.
     pub fn bilinear(corners: [Vector4<f64>; 4]) -> Self {
         let knots = vec![0.0, 0.0, 1.0, 1.0];
         NurbsSurface {
@@ -122,10 +126,12 @@ impl NurbsSurface {
         }
     }
 
-    /// Checks that the surface can be evaluated: all other methods may panic or give nonsense on one that fails here.
+    /// Checks that the surface can be evaluated: all other methods may panic or give nonsense on
+    /// one that fails here.
     ///
     /// # Errors
-    /// Knots ([`validate_knots`]), number of points, points that are not finite, weights that are not positive.
+    /// Knots ([`validate_knots`]), number of points, points that are not finite, weights that are
+    /// not positive.
     pub fn validate(&self) -> Result<()> {
         let check = || {
             validate_knots(self.degree_u, self.n_u, &self.knots_u).map_err(|m| format!("along u: {m}"))?;
@@ -154,8 +160,9 @@ impl NurbsSurface {
         Point::from(h.xyz() / h.w)
     }
 
-    /// Point and all first and second derivatives at (u, v): homogeneous sums, then the quotient rule (*The NURBS Book* eq. 4.20).
-    /// Outside the domain the nearest polynomial piece is continued.
+    /// Point and all first and second derivatives at (u, v): homogeneous sums, then the quotient
+    /// rule (*The NURBS Book* eq. 4.20). Outside the domain the nearest polynomial piece is
+    /// continued.
     pub fn derivatives(&self, u: f64, v: f64) -> SurfaceDerivatives {
         let (bu, bv) = self.bases(u, v);
         let mut h = [Vector4::zeros(); 6];

@@ -1,9 +1,11 @@
-//! Curvature of a closed polygon: that of the exact faces where they are known, else by local least squares.
+//! Curvature of a closed polygon: that of the exact faces where they are known, else by local least
+//! squares.
 //!
-//! About each point, cubics `y(s)`, `z(s)` in arc length are fitted to the points of a window, each weighted with the length it
-//! stands for. The window is the widest (found by doubling and halving) on which no point is farther from the fit than the
-//! tolerance: as wide as a turbine's flank allows, as narrow as its trailing edge asks for. With a window of half width
-//! `w` the tolerance leaves an uncertainty of curvature of the order of `10 · tolerance / w²`.
+//! About each point, cubics `y(s)`, `z(s)` in arc length are fitted to the points of a window, each
+//! weighted with the length it stands for. The window is the widest (found by doubling and halving)
+//! on which no point is farther from the fit than the tolerance: as wide as a turbine's flank
+//! allows, as narrow as its trailing edge asks for. With a window of half width `w` the tolerance
+//! leaves an uncertainty of curvature of the order of `10 · tolerance / w²`.
 
 use super::outline::{OnFace, distance};
 
@@ -20,7 +22,8 @@ pub struct Fit {
     pub error_mm: f64,
 }
 
-/// Curvature at every point of a closed polygon of the given perimeter; fits only where the faces say nothing.
+/// Curvature at every point of a closed polygon of the given perimeter; fits only where the faces
+/// say nothing.
 pub fn fit(points: &[[f64; 2]], exact: &[Option<OnFace>], s: &[f64], length: f64, tolerance: f64) -> Fit {
     let ring = Ring { points, s, length };
     let mut out =
@@ -58,7 +61,8 @@ struct Ring<'a> {
 }
 
 impl Ring<'_> {
-    /// The fit over the widest window about point `i`, and its half width; `start` is a guess at that.
+    /// The fit over the widest window about point `i`, and its half width; `start` is a guess at
+    /// that.
     fn widest(&self, i: usize, start: f64, tolerance: f64) -> (Local, f64) {
         let (least, most) = (0.002 * self.length, 0.125 * self.length);
         let mut width = start.clamp(least, most);
@@ -81,7 +85,8 @@ impl Ring<'_> {
         (best, width)
     }
 
-    /// Least-squares cubics over the points within `width` of point `i`, and at least [`LEAST`] on each side.
+    /// Least-squares cubics over the points within `width` of point `i`, and at least [`LEAST`] on
+    /// each side.
     fn local(&self, i: usize, width: f64) -> Local {
         let n = self.points.len();
         let origin = self.points[i];

@@ -11,7 +11,8 @@ pub struct Ends {
     pub at_mm: [[f64; 2]; 2],
     /// Radius, mm.
     pub radius_mm: [f64; 2],
-    /// What the side from the first end to the second and the one back bulge out over the chord, mm².
+    /// What the side from the first end to the second and the one back bulge out over the chord,
+    /// mm².
     pub bulge_mm2: [f64; 2],
 }
 
@@ -51,8 +52,8 @@ struct Edge {
     index: usize,
 }
 
-/// Finds the ends of a closed counter-clockwise polygon: about each end of its greatest extent, the middle of the stretch that
-/// bends at least half as sharply as its sharpest point.
+/// Finds the ends of a closed counter-clockwise polygon: about each end of its greatest extent, the
+/// middle of the stretch that bends at least half as sharply as its sharpest point.
 pub fn find(points: &[[f64; 2]], s: &[f64], length: f64, curvature: &[f64]) -> Ends {
     let (a, b) = farthest(points);
     let ring = Ring { points, s, length, curvature };
@@ -181,9 +182,9 @@ impl Ring<'_> {
     }
 }
 
-/// Diameter of the largest circle inside that touches the polygon at one of up to 400 of its points: for each, a circle that
-/// touches there shrinks until no other point lies inside it. Points within the tolerance of the wall's tangent are its
-/// neighbours and noise.
+/// Diameter of the largest circle inside that touches the polygon at one of up to 400 of its
+/// points: for each, a circle that touches there shrinks until no other point lies inside it.
+/// Points within the tolerance of the wall's tangent are its neighbours and noise.
 pub fn thickness(points: &[[f64; 2]], outward: &[[f64; 2]], tolerance: f64) -> f64 {
     let step = points.len().div_ceil(400).max(1);
     let extent = 2.0 * points.iter().map(|p| distance(*p, points[0])).fold(0.0, f64::max);

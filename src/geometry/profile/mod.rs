@@ -1,6 +1,8 @@
-//! Plane sections of a part as curves: the outlines at a height, their curvature, their two ends and how thick they are.
+//! Plane sections of a part as curves: the outlines at a height, their curvature, their two ends
+//! and how thick they are.
 //!
-//! Everything is in the plane `x = const` of the part's frame: points are (y, z), mm, counter-clockwise seen from the tip.
+//! Everything is in the plane `x = const` of the part's frame: points are (y, z), mm,
+//! counter-clockwise seen from the tip.
 
 pub mod curvature;
 pub mod edges;
@@ -11,7 +13,8 @@ pub use edges::Ends;
 pub use outline::Outline;
 pub use sides::{Names, Sides};
 
-/// How far the smooth curve that curvature is taken from may stay off a section's points where nothing else is asked for, mm.
+/// How far the smooth curve that curvature is taken from may stay off a section's points where
+/// nothing else is asked for, mm.
 pub const TOLERANCE_MM: f64 = 0.002;
 
 /// A closed outline with its arc length and curvature.
@@ -27,7 +30,8 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Measures an outline; the curve that curvature is taken from stays within the tolerance, or twice of what the points are off the part.
+    /// Measures an outline; the curve that curvature is taken from stays within the tolerance, or
+    /// twice of what the points are off the part.
     pub fn of(outline: Outline, tolerance_mm: f64) -> Profile {
         let (s_mm, length_mm) = outline::arc_length(&outline.points);
         let tolerance_mm = tolerance_mm.max(2.0 * outline.off_part_mm);

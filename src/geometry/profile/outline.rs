@@ -10,7 +10,8 @@ pub const POINTS: f64 = 400.0;
 pub const ON_SURFACE_MM: f64 = 1e-8;
 /// Newton's steps; smooth places need three.
 const MOST_STEPS: usize = 12;
-/// A turn between neighbouring points by more than this, besides what curvature explains, is a crease, rad.
+/// A turn between neighbouring points by more than this, besides what curvature explains, is a
+/// crease, rad.
 const CREASE_RAD: f64 = 0.02;
 /// Points on each side of a crease whose curvature is taken from the fit.
 const BESIDE_CREASE: usize = 3;
@@ -82,7 +83,8 @@ struct Bridged {
     open_mm: f64,
 }
 
-/// Joins the end of each chain to the nearest beginning, where that is near; all chains have the material on their left.
+/// Joins the end of each chain to the nearest beginning, where that is near; all chains have the
+/// material on their left.
 fn bridged(mut open: Vec<Loop>) -> Bridged {
     let most_mm = BRIDGED * open.iter().map(Loop::length_mm).sum::<f64>();
     let mut out = Bridged::default();
@@ -146,8 +148,9 @@ pub struct Placed {
     pub off_mm: f64,
 }
 
-/// Newton's method within the section's plane for the point where the surface meets it, `S(u, v) · e_x = x`: each step goes to the
-/// tangent plane of the closest point. Keeps the guess where that leads away (walls along the plane).
+/// Newton's method within the section's plane for the point where the surface meets it,
+/// `S(u, v) · e_x = x`: each step goes to the tangent plane of the closest point. Keeps the guess
+/// where that leads away (walls along the plane).
 pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
     let cap = 10.0 * part.deflection_mm + 1e-3;
     let stays = || {
@@ -173,8 +176,9 @@ pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
     stays()
 }
 
-/// Curvature of the plane section of the face at a point of it: the normal curvature along the section, over the cosine between
-/// the surface's normal and the plane (Meusnier; do Carmo, *Differential Geometry of Curves and Surfaces*, 3-2).
+/// Curvature of the plane section of the face at a point of it: the normal curvature along the
+/// section, over the cosine between the surface's normal and the plane (Meusnier; do Carmo, *Differential
+/// Geometry of Curves and Surfaces*, 3-2).
 fn on_face(part: &Part, foot: &Closest) -> Option<OnFace> {
     let bend = part.curvature_at(foot)?;
     let n = foot.normal;
@@ -185,8 +189,8 @@ fn on_face(part: &Part, foot: &Closest) -> Option<OnFace> {
     Some(OnFace { curvature: -normal_curvature / across, normal: [n.y / across, n.z / across] })
 }
 
-/// Where the section turns more than its faces' curvature says there is a crease, whose curvature no face knows: about it the fit
-/// to the points counts.
+/// Where the section turns more than its faces' curvature says there is a crease, whose curvature
+/// no face knows: about it the fit to the points counts.
 fn forget_creases(o: &mut Outline) {
     let n = o.points.len();
     let crease = |i: usize| {
@@ -205,7 +209,8 @@ fn forget_creases(o: &mut Outline) {
     }
 }
 
-/// Without points that (nearly) repeat the one before them: they carry no information and spoil differences.
+/// Without points that (nearly) repeat the one before them: they carry no information and spoil
+/// differences.
 fn distinct(o: Outline) -> Outline {
     let least = 1e-6 * arc_length(&o.points).1;
     let mut out = Outline { off_part_mm: o.off_part_mm, ..Outline::polygon(Vec::with_capacity(o.points.len())) };

@@ -1,11 +1,14 @@
 //! Leading and trailing edge along an airfoil, named once for all of it.
 //!
-//! In: the ends of its sections along the span. Out: the two edges as polylines, and which side is the suction side.
+//! In: the ends of its sections along the span. Out: the two edges as polylines, and which side is
+//! the suction side.
 //!
-//! An end continues that end of the neighbouring section in whose direction it lies, both seen from the other end: so a blade may twist
-//! through any angle, if only by less than [`MOST_TURN`] from section to section. Sections that are nearly round have no ends
-//! and are passed over. The blunter edge is the leading one, by the mean over all sections of the logarithm of the radii's ratio; of
-//! equal ones (within 2 %) that with the lesser y, then z. The suction side is the one that bulges more over the chord, in sum.
+//! An end continues that end of the neighbouring section in whose direction it lies, both seen from
+//! the other end: so a blade may twist through any angle, if only by less than [`MOST_TURN`] from
+//! section to section. Sections that are nearly round have no ends and are passed over. The blunter
+//! edge is the leading one, by the mean over all sections of the logarithm of the radii's ratio; of
+//! equal ones (within 2 %) that with the lesser y, then z. The suction side is the one that bulges
+//! more over the chord, in sum.
 
 use super::edges::Ends;
 use super::outline::distance;
@@ -19,9 +22,11 @@ const ROUND: f64 = 0.8;
 const EQUAL: f64 = 1.0 / 0.98;
 /// No section counts for more than this ratio of radii: a corner has none.
 const MOST_RATIO: f64 = 10.0;
-/// A section's ends are the airfoil's edges where they lie within this share of the chord from those …
+/// A section's ends are the airfoil's edges where they lie within this share of the chord from
+/// those …
 const NEAR: f64 = 0.25;
-/// … and where its chord is longer than that of the section beside it by no more than this factor, nor shorter.
+/// … and where its chord is longer than that of the section beside it by no more than this factor,
+/// nor shorter.
 const LONGER: f64 = 1.25;
 
 /// Leading and trailing edge of an airfoil along its span.
@@ -31,7 +36,8 @@ pub struct Sides {
     pub leading_edge_mm: Vec<Point>,
     /// Points of the trailing edge at the same heights, blade frame, mm.
     pub trailing_edge_mm: Vec<Point>,
-    /// Whether the suction side follows the leading edge counter-clockwise seen from the tip; else the pressure side does.
+    /// Whether the suction side follows the leading edge counter-clockwise seen from the tip; else
+    /// the pressure side does.
     pub suction_follows_leading: bool,
 }
 
@@ -54,7 +60,8 @@ impl Names {
 }
 
 impl Sides {
-    /// The edges through the ends of sections at these heights, mm, which rise; `None` where there is no section.
+    /// The edges through the ends of sections at these heights, mm, which rise; `None` where there
+    /// is no section.
     pub fn along(sections: &[(f64, Ends)]) -> Option<Sides> {
         let rank = |k: &usize| sections[*k].1.roundness();
         let slenderest = (0..sections.len()).min_by(|a, b| rank(a).total_cmp(&rank(b)))?;
@@ -81,7 +88,8 @@ impl Sides {
         [self.leading_edge_mm.first(), self.leading_edge_mm.last()].map(|p| p.map_or(f64::NAN, |p| p.x))
     }
 
-    /// Leading and trailing edge at a height, (y, z), mm; beyond those where they are known, at the nearest of these.
+    /// Leading and trailing edge at a height, (y, z), mm; beyond those where they are known, at the
+    /// nearest of these.
     pub fn at(&self, x_mm: f64) -> [[f64; 2]; 2] {
         let last = self.leading_edge_mm.len().saturating_sub(1);
         let above = self.leading_edge_mm.partition_point(|p| p.x < x_mm).min(last);
@@ -94,7 +102,8 @@ impl Sides {
         })
     }
 
-    /// What the ends of the sections of one height are, one name for each; `None` for those that are not the airfoil's.
+    /// What the ends of the sections of one height are, one name for each; `None` for those that
+    /// are not the airfoil's.
     pub fn names(&self, x_mm: f64, loops: &[Ends]) -> Vec<Option<Names>> {
         let away: Vec<f64> = loops.iter().map(|ends| self.away(x_mm, ends)).collect();
         let nearest = (0..loops.len()).min_by(|a, b| away[*a].total_cmp(&away[*b]));
@@ -109,7 +118,8 @@ impl Sides {
         (0..loops.len()).map(name).collect()
     }
 
-    /// Whether the ends that were found on a section of the airfoil are not its edges: its outline is folded there, or torn.
+    /// Whether the ends that were found on a section of the airfoil are not its edges: its outline
+    /// is folded there, or torn.
     pub fn are_elsewhere(&self, x_mm: f64, ends: &Ends) -> bool {
         self.away(x_mm, ends) > NEAR
     }
@@ -134,7 +144,8 @@ impl Sides {
     }
 }
 
-/// Appends sections to those that are joined, the ends of each in the order of the last one's, as far as it can be told.
+/// Appends sections to those that are joined, the ends of each in the order of the last one's, as
+/// far as it can be told.
 fn continued<'a>(joined: &mut Vec<(f64, Ends)>, sections: impl Iterator<Item = &'a (f64, Ends)>) {
     for (x_mm, ends) in sections.filter(|(_, ends)| ends.roundness() < ROUND) {
         let Some((_, last)) = joined.last() else { return };
@@ -172,8 +183,8 @@ mod tests {
 
     const HEIGHTS: usize = 33;
 
-    /// Ends of a thin section at a share of the span: its chord is turned by `turn` rad, its first end leans on `radius` mm. Every other
-    /// section gives its ends in the other order.
+    /// Ends of a thin section at a share of the span: its chord is turned by `turn` rad, its first
+    /// end leans on `radius` mm. Every other section gives its ends in the other order.
     fn ends(k: usize, turn: f64, radius: [f64; 2]) -> Ends {
         let (s, c) = turn.sin_cos();
         let middle = [3.0 * s, 0.5 * k as f64];
@@ -183,7 +194,8 @@ mod tests {
         if k.is_multiple_of(2) { own } else { own.exchanged() }
     }
 
-    /// A blade that twists by more than half a turn and whose first end is the blunter only in the lower part of its height.
+    /// A blade that twists by more than half a turn and whose first end is the blunter only in the
+    /// lower part of its height.
     fn twisted(blunter_up_to: f64) -> Vec<(f64, Ends)> {
         let section = |k: usize| {
             let share = k as f64 / (HEIGHTS - 1) as f64;

@@ -13,7 +13,8 @@ use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::triangle::{angle_between, closest_on_segment};
 use crate::geometry::{Point, Vector};
 
-/// Ends of consecutive edges of a loop are the same vertex even if they are this far apart, mm: the file says so.
+/// Ends of consecutive edges of a loop are the same vertex even if they are this far apart, mm: the
+/// file says so.
 const HEAL_MM: f64 = 0.02;
 /// Chords are bisected at most this often.
 const DEEPEST: usize = 12;
@@ -23,7 +24,8 @@ const DEEPEST: usize = 12;
 pub struct EdgeNet {
     /// Points that faces share.
     pub points: Vec<Point>,
-    /// Per edge: its points in order of its parameter; fewer than two where the edge is no longer than the weld tolerance.
+    /// Per edge: its points in order of its parameter; fewer than two where the edge is no longer
+    /// than the weld tolerance.
     pub lines: Vec<EdgeLine>,
     /// All chords.
     pub chords: Vec<Chord>,
@@ -42,8 +44,8 @@ pub struct EdgeLine {
     pub first_chord: u32,
 }
 
-/// Gives every face without loops the boundary of its parameter rectangle: sides that coincide become one seam, sides that
-/// shrink to a point vanish.
+/// Gives every face without loops the boundary of its parameter rectangle: sides that coincide
+/// become one seam, sides that shrink to a point vanish.
 pub fn add_natural_loops(brep: &mut Brep, spaces: &[ParameterSpace]) {
     for f in 0..brep.faces.len() {
         if !brep.faces[f].loops.is_empty() {
@@ -103,7 +105,8 @@ impl Union {
 }
 
 impl EdgeNet {
-    /// Welds vertices, makes coinciding edges one (rewriting the coedges of `brep`), cuts edges into chords.
+    /// Welds vertices, makes coinciding edges one (rewriting the coedges of `brep`), cuts edges
+    /// into chords.
     ///
     /// # Errors
     /// An edge that evaluates to something that is not finite, named by its face.
@@ -126,7 +129,8 @@ impl EdgeNet {
         Ok(net)
     }
 
-    /// Halves the marked chords. Returns which edges changed, and the new number of every old chord of the others.
+    /// Halves the marked chords. Returns which edges changed, and the new number of every old chord
+    /// of the others.
     pub fn split(&mut self, brep: &Brep, marks: &[bool]) -> (Vec<bool>, Vec<u32>) {
         let mut changed = vec![false; self.lines.len()];
         let mut renumbered = vec![0; self.chords.len()];
@@ -324,7 +328,8 @@ fn bisect(
     *before = (to, p, d);
 }
 
-/// Whether one chord between two parameters is near enough; half the deflection is left to the faces.
+/// Whether one chord between two parameters is near enough; half the deflection is left to the
+/// faces.
 fn chord_fits(edge: &Edge, t0: f64, t1: f64, a: (&Point, &Vector), b: (&Point, &Vector), o: &Options) -> bool {
     let near = [0.2, 0.5, 0.8].iter().all(|s| {
         let on = edge.curve.point(t0 + s * (t1 - t0));

@@ -107,7 +107,8 @@ fn bounds_of(rings: &[Ring]) -> [[f64; 2]; 2] {
     b
 }
 
-/// Greatest distance between sides of the rings on the surface and the curves that they stand for, mm.
+/// Greatest distance between sides of the rings on the surface and the curves that they stand for,
+/// mm.
 fn blur(brep: &Brep, face: &Face, net: &EdgeNet, rings: &[Ring], space: &ParameterSpace) -> f64 {
     let mut worst = 0.0f64;
     for ring in rings {
@@ -233,7 +234,8 @@ fn inner_grid(rings: &[Ring], xy: &dyn Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]
     out
 }
 
-/// The triangles within the border: from outside inwards, each crossing of the border changes sides.
+/// The triangles within the border: from outside inwards, each crossing of the border changes
+/// sides.
 fn collect(
     face: &Face,
     cdt: &Cdt,
@@ -280,7 +282,8 @@ fn collect(
             })
         });
         let corners = v.map(|i| known[i].1);
-        // Around a pole a triangle may have the pole twice: no area, and its neighbours meet without it.
+        // Around a pole a triangle may have the pole twice: no area, and its neighbours meet
+        // without it.
         if corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0] {
             let mut uv = v.map(|i| known[i].0);
             for k in 0..3 {
@@ -334,8 +337,8 @@ struct Sag {
     split: Vec<u32>,
 }
 
-/// Distance between triangles and the surface, along the triangles' normals, sampled at their middle and the middles of
-/// their sides.
+/// Distance between triangles and the surface, along the triangles' normals, sampled at their
+/// middle and the middles of their sides.
 fn measure(
     face: &Face,
     space: &ParameterSpace,
@@ -359,7 +362,8 @@ fn measure(
         if worst <= limit_mm {
             continue;
         }
-        // Long chords beside the triangle are to blame, not the grid: its fan cannot get shorter than they are.
+        // Long chords beside the triangle are to blame, not the grid: its fan cannot get shorter
+        // than they are.
         let longest = [0, 1, 2].map(|k| (p[(k + 1) % 3] - p[k]).norm()).into_iter().fold(0.0, f64::max);
         let least = (0.5 * longest).max(2.0 * limit_mm);
         let found = t.corners.iter().filter_map(|id| beside.get(id)).flatten().filter(|c| c.1 > least);

@@ -1,4 +1,5 @@
-//! How densely a face needs points along u and along v: a map of its parameter plane in which one unit is one triangle.
+//! How densely a face needs points along u and along v: a map of its parameter plane in which one
+//! unit is one triangle.
 
 use super::Options;
 use crate::geometry::nurbs::NurbsSurface;
@@ -8,7 +9,8 @@ use crate::geometry::nurbs::foot::ParameterSpace;
 const SAMPLES: usize = 33;
 /// No direction gets more lines than this.
 const MOST_LINES: f64 = 4000.0;
-/// No face gets more cells than this: one that asks for them is damaged or in a wrong unit, and a coarser mesh tells its deflection.
+/// No face gets more cells than this: one that asks for them is damaged or in a wrong unit, and a
+/// coarser mesh tells its deflection.
 const MOST_CELLS: f64 = 2e5;
 
 /// A monotone map of one parameter: piecewise linear, one unit per line of the grid.
@@ -47,7 +49,8 @@ fn interpolate(xs: &[f64], ys: &[f64], x: f64) -> f64 {
     if width > 0.0 { ys[k - 1] + (x - xs[k - 1]) / width * (ys[k] - ys[k - 1]) } else { ys[k] }
 }
 
-/// Both scales over the box of the rings (`[u, v][from, to]`, unrolled); `finer` multiplies all densities.
+/// Both scales over the box of the rings (`[u, v][from, to]`, unrolled); `finer` multiplies all
+/// densities.
 pub fn scales(s: &NurbsSurface, space: &ParameterSpace, bounds: [[f64; 2]; 2], o: &Options, finer: f64) -> [Scale; 2] {
     let line = |along: usize| -> Vec<f64> {
         let [from, to] = bounds[along];
@@ -96,15 +99,16 @@ pub fn scales(s: &NurbsSurface, space: &ParameterSpace, bounds: [[f64; 2]; 2], o
 
 /// Lines per unit of one parameter that its own curvature asks for.
 fn density(length: f64, bend: f64, o: &Options) -> f64 {
-    // Sagitta h² |S_uu · n| / 8 within a third of the deflection; turn h |S_uu · n| / |S_u| within the angle.
+    // Sagitta h² |S_uu · n| / 8 within a third of the deflection; turn h |S_uu · n| / |S_u| within
+    // the angle.
     let sag = (bend / (8.0 * o.deflection_mm / 3.0)).sqrt();
     let turn = if length > 0.0 { bend / (length * o.angle_rad) } else { 0.0 };
     // Around a radius smaller than the deflection the angle says nothing.
     sag.max(turn.min(length / o.deflection_mm))
 }
 
-/// Raises both densities until the twist of a cell, h_u h_v |S_uv · n| / 4, is within a third of the deflection too: first the
-/// direction in which cells are longer, then both alike.
+/// Raises both densities until the twist of a cell, h_u h_v |S_uv · n| / 4, is within a third of
+/// the deflection too: first the direction in which cells are longer, then both alike.
 fn twist(wanted: &mut [f64; 2], length: [f64; 2], extent: [f64; 2], uv: f64, o: &Options) {
     let area = 4.0 * o.deflection_mm / (3.0 * uv) * length[0] * length[1];
     let cell = [0, 1].map(|a| length[a] * extent[a].min(1.0 / wanted[a]));

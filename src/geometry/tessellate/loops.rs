@@ -1,9 +1,10 @@
 //! Loops of edges carried into the parameter plane of their face.
 //!
-//! Every point of a loop is projected onto the surface, starting from the point before it; closed directions run on (unrolled)
-//! instead of jumping back. Where the loop passes a pole (a side of the parameter rectangle that is one point in space) the
-//! ring gets two nodes there, joined along that side. Loops that run round a closed surface come in pairs, or with a
-//! pole, and are joined by a bridge.
+//! Every point of a loop is projected onto the surface, starting from the point before it; closed
+//! directions run on (unrolled) instead of jumping back. Where the loop passes a pole (a side of
+//! the parameter rectangle that is one point in space) the ring gets two nodes there, joined along
+//! that side. Loops that run round a closed surface come in pairs, or with a pole, and are joined
+//! by a bridge.
 
 use super::edges::EdgeNet;
 use super::{NO_CHORD, OWN, Options, face_error};
@@ -111,7 +112,8 @@ impl Seeds {
 /// All rings of a face.
 ///
 /// # Errors
-/// A loop that does not close, whose points do not lie on the surface, or that runs round a closed surface without a partner.
+/// A loop that does not close, whose points do not lie on the surface, or that runs round a closed
+/// surface without a partner.
 pub fn rings_of(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, options: &Options) -> Result<Rings> {
     let face = &brep.faces[f];
     let tolerance = 10.0 * options.weld_mm;
@@ -241,7 +243,8 @@ impl Projector<'_> {
         }
     }
 
-    /// Gives the corners their parameters. Also returns how often the loop runs round the surface along u and v.
+    /// Gives the corners their parameters. Also returns how often the loop runs round the surface
+    /// along u and v.
     fn carry(&self, corners: &[Node], net: &EdgeNet, poles: &mut Vec<(u32, usize)>) -> Result<(Ring, [i64; 2])> {
         let point = |n: &Node| net.points[n.id as usize];
         let start = corners.iter().position(|n| self.pole_at(&point(n)).is_none()).unwrap_or(0);
@@ -252,7 +255,8 @@ impl Projector<'_> {
             let p = point(&node);
             let before = nodes.last().map(|n| n.uv);
             if let (Some(pole), Some(before)) = (self.pole_at(&p), before) {
-                // Two nodes: one where the loop comes from, one where it goes on to (filled in from the next point).
+                // Two nodes: one where the loop comes from, one where it goes on to (filled in from
+                // the next point).
                 node.uv = before;
                 node.uv[pole.fixed] = pole.value;
                 nodes.push(Node { chord: NO_CHORD, seam: false, ..node });
@@ -277,8 +281,9 @@ impl Projector<'_> {
         Ok((Ring { nodes }, turns))
     }
 
-    /// Which way round a pole is free: the way that closes the ring, or for a slit from pole to pole the full round.
-    /// `after` holds the second node at each pole and the parameter that is free there.
+    /// Which way round a pole is free: the way that closes the ring, or for a slit from pole to
+    /// pole the full round. `after` holds the second node at each pole and the parameter that is
+    /// free there.
     fn turn_at_poles(&self, nodes: &mut [Node], after: &[(usize, usize)], turns: &mut [i64; 2]) {
         let Some(&(last, free)) = after.last() else { return };
         let period = self.space.period(free);
@@ -312,7 +317,8 @@ impl Projector<'_> {
                     && turns[1 - along] == 0
                     && wound.is_empty() =>
             {
-                // Files do not agree on the sense of loops: the two have to run against one another.
+                // Files do not agree on the sense of loops: the two have to run against one
+                // another.
                 let second = if other[along] == turns[along] { second.backwards() } else { second };
                 let goal = first.nodes[0].uv;
                 let away = |n: &Node| (self.space.nearest_copy(n.uv, goal)[along] - goal[along]).abs();
@@ -321,7 +327,8 @@ impl Projector<'_> {
                     .unwrap_or(0);
                 let there = second.nodes[k].uv;
                 let to = self.space.nearest_copy(there, goal);
-                // The second ring from its node k once round, beginning opposite the end of the first.
+                // The second ring from its node k once round, beginning opposite the end of the
+                // first.
                 let m = second.nodes.len();
                 let by = to[along] - there[along] + step;
                 let mut back: Vec<Node> = (0..m)

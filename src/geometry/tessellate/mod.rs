@@ -1,19 +1,23 @@
 //! Trimmed NURBS faces to one watertight triangle mesh.
 //!
-//! In: a [`Brep`], a greatest distance between mesh and surfaces. Out: a [`Tessellation`]: the mesh, and for every face the loops
-//! of its trimming curves in its parameter plane, which the exact distance needs.
+//! In: a [`Brep`], a greatest distance between mesh and surfaces. Out: a [`Tessellation`]: the
+//! mesh, and for every face the loops of its trimming curves in its parameter plane, which the
+//! exact distance needs.
 //!
-//! How: every edge is cut into chords once ([`edges`]), and all faces use the same points, so neighbouring faces fit together
-//! by construction. Each loop is carried into the face's parameter plane by projecting its points ([`loops`]); closed surfaces
-//! are unrolled, poles become a side of the loop. The region inside is filled with a grid that is as dense along u and along v as
-//! curvature asks for, separately (long thin triangles along a straight span are wanted), by constrained Delaunay ([`fill`]).
-//! The deflection is then measured inside triangles and the grid refined until it holds.
+//! How: every edge is cut into chords once ([`edges`]), and all faces use the same points, so
+//! neighbouring faces fit together by construction. Each loop is carried into the face's parameter
+//! plane by projecting its points ([`loops`]); closed surfaces are unrolled, poles become a side of
+//! the loop. The region inside is filled with a grid that is as dense along u and along v as
+//! curvature asks for, separately (long thin triangles along a straight span are wanted), by
+//! constrained Delaunay ([`fill`]). The deflection is then measured inside triangles and the grid
+//! refined until it holds.
 //!
-//! Guarantees: no face is dropped; a face that cannot be filled is an error that names it. Triangles wind counter-clockwise seen
-//! from outside by [`crate::geometry::brep::Face::reversed`]. The result does not depend on the number of threads.
+//! Guarantees: no face is dropped; a face that cannot be filled is an error that names it.
+//! Triangles wind counter-clockwise seen from outside by [`crate::geometry::brep::Face::reversed`].
+//! The result does not depend on the number of threads.
 //!
-//! Limits: trimming curves must not cross one another by more than their chords' tolerance; edges count as shared if they are the
-//! same `Edge` or coincide within the weld tolerance.
+//! Limits: trimming curves must not cross one another by more than their chords' tolerance; edges
+//! count as shared if they are the same `Edge` or coincide within the weld tolerance.
 
 pub mod edges;
 pub mod fill;
@@ -39,7 +43,8 @@ pub struct Options {
     pub deflection_mm: f64,
     /// Greatest turn of the normal across one triangle or of the tangent along one chord, rad.
     pub angle_rad: f64,
-    /// End points and edges nearer than this are the same, mm; in small parts only those nearer than [`WELD`] of the part's size.
+    /// End points and edges nearer than this are the same, mm; in small parts only those nearer
+    /// than [`WELD`] of the part's size.
     pub weld_mm: f64,
 }
 
@@ -50,7 +55,8 @@ impl Options {
     }
 }
 
-/// No points farther apart than this share of the part's size are the same: the edges of small blades are as thin as that.
+/// No points farther apart than this share of the part's size are the same: the edges of small
+/// blades are as thin as that.
 const WELD: f64 = 2e-6;
 
 /// No chord at this side of a triangle.
@@ -93,7 +99,8 @@ pub struct Tessellation {
     pub trims: Vec<Trim>,
     /// All chords of all edges.
     pub chords: Vec<Chord>,
-    /// Per triangle and side (corner k to corner k + 1): index into `chords`, or [`NO_CHORD`] inside the face.
+    /// Per triangle and side (corner k to corner k + 1): index into `chords`, or [`NO_CHORD`]
+    /// inside the face.
     pub chord_of: Vec<[u32; 3]>,
     /// Measured distance between mesh and part, with a margin for what lies between samples, mm.
     pub deflection_mm: f64,
@@ -112,8 +119,9 @@ pub(crate) fn face_error(face: &Face, what: &str) -> Error {
 /// Tessellates all faces.
 ///
 /// # Errors
-/// Options that are not positive; curves and surfaces that cannot be evaluated; loops that do not close or do not lie on
-/// their face; a region that cannot be filled: each with the face's name. `Cancelled`.
+/// Options that are not positive; curves and surfaces that cannot be evaluated; loops that do not
+/// close or do not lie on their face; a region that cannot be filled: each with the face's name.
+/// `Cancelled`.
 pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Result<Tessellation> {
     if !(options.deflection_mm > 0.0 && options.angle_rad > 0.0 && options.weld_mm > 0.0) {
         return Err(Error::usage(
@@ -161,7 +169,8 @@ pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Re
     Ok(out)
 }
 
-/// Diameter of the sphere round the middle of the edges' control points, or of the faces' where there are no edges, mm: the same however the part is turned.
+/// Diameter of the sphere round the middle of the edges' control points, or of the faces' where
+/// there are no edges, mm: the same however the part is turned.
 fn size_mm(brep: &Brep) -> f64 {
     let of_edges = brep.edges.iter().flat_map(|e| &e.curve.points);
     let of_faces = brep.faces.iter().flat_map(|f| &f.surface.points).filter(|_| brep.edges.is_empty());

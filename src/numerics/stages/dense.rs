@@ -1,6 +1,7 @@
 //! The small systems of one stage.
 
-/// The inverse of the controls' block of a positive definite matrix whose lower half is given (Gauss and Jordan).
+/// The inverse of the controls' block of a positive definite matrix whose lower half is given
+/// (Gauss and Jordan).
 pub(super) fn invert_controls<const X: usize, const V: usize>(m: &[[f64; V]; V]) -> Option<[[f64; V]; V]> {
     let mut a = *m;
     let mut out = [[0.0; V]; V];
@@ -30,7 +31,8 @@ pub(super) fn invert_controls<const X: usize, const V: usize>(m: &[[f64; V]; V])
     Some(out)
 }
 
-/// The change of the first state that minimises the cost to go: `P x = −p` over its free components.
+/// The change of the first state that minimises the cost to go: `P x = −p` over its free
+/// components.
 pub(super) fn first_state<const X: usize, const V: usize>(
     cost: &[[f64; X]; X],
     side: &[f64; V],

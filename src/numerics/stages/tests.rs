@@ -1,7 +1,8 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
 
-/// A double integrator over `n` steps of length 1/n: state (place, speed), control speed change per unit.
+/// A double integrator over `n` steps of length 1/n: state (place, speed), control speed change per
+/// unit.
 fn integrator(n: usize) -> Vec<Stage<2, 3>> {
     let h = 1.0 / n as f64;
     let mut all = vec![

@@ -1,8 +1,9 @@
-//! The bodies of a part: what hangs together over edges and is closed, with its cavities; what is open is one body together, since sheets may
-//! face each other.
+//! The bodies of a part: what hangs together over edges and is closed, with its cavities; what is
+//! open is one body together, since sheets may face each other.
 //!
-//! They are numbered from 1 in the order of the file's triangles or faces, so that `inspect`, `--body` and a job mean the same. Crumbs, of a
-//! small share of the part's surface, have no number.
+//! They are numbered from 1 in the order of the file's triangles or faces, so that `inspect`,
+//! `--body` and a job mean the same. Crumbs, of a small share of the part's surface, have no
+//! number.
 
 use crate::geometry::Aabb;
 use crate::geometry::mesh::{Mesh, edge_uses, root};

@@ -28,7 +28,8 @@ pub struct FaceModel {
 /// How a table stacks its sections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stacking {
-    /// Unit vector along the line through the middles of the sections, from the first section to the last.
+    /// Unit vector along the line through the middles of the sections, from the first section to
+    /// the last.
     pub line: Vector,
     /// Mean of the sections' unit normals, unit vector, the same hemisphere.
     pub normal: Vector,

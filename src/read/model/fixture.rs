@@ -10,12 +10,12 @@ use crate::geometry::Rigid;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 
-/// Reads a fixture or stock in any format of a model, as a part of triangles alone; mm, in the frame of its file. Without a unit, what the file states, else
-/// mm.
+/// Reads a fixture or stock in any format of a model, as a part of triangles alone; mm, in the
+/// frame of its file. Without a unit, what the file states, else mm.
 ///
 /// # Errors
-/// `InputOutput`: the file cannot be read; the mesh has holes, or its triangles do not wind alike: nobody could say what is
-/// inside it.
+/// `InputOutput`: the file cannot be read; the mesh has holes, or its triangles do not wind alike:
+/// nobody could say what is inside it.
 pub fn fixture(path: &Path, unit: Option<Unit>, observer: &dyn Observer) -> Result<Part> {
     let survey = survey(path, &ModelOptions { unit, ..ModelOptions::default() }, observer)?;
     let d = &survey.diagnosis;
@@ -46,8 +46,8 @@ pub fn fixture(path: &Path, unit: Option<Unit>, observer: &dyn Observer) -> Resu
     Ok(part)
 }
 
-/// Reads a fixture, or the stock, and moves it into the blade frame; `room_mm` is what taper and shank, and what the holder must
-/// keep clear of it.
+/// Reads a fixture, or the stock, and moves it into the blade frame; `room_mm` is what taper and
+/// shank, and what the holder must keep clear of it.
 ///
 /// # Errors
 /// Those of [`fixture`].

@@ -1,4 +1,5 @@
-//! Which reader a file needs: by its content first, by its extension where the content leaves it open.
+//! Which reader a file needs: by its content first, by its extension where the content leaves it
+//! open.
 
 use std::path::Path;
 
@@ -33,7 +34,8 @@ const KNOWN: &str = "STEP (.step, .stp), IGES (.igs, .iges), OBJ (.obj), STL (.s
 /// The mark that some editors and spreadsheets put before UTF-8.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// The bytes behind a byte-order mark, which belongs to no format of models; those of a binary STL, whose header may hold anything, as they are.
+/// The bytes behind a byte-order mark, which belongs to no format of models; those of a binary STL,
+/// whose header may hold anything, as they are.
 pub fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(MARK).filter(|_| binary_stl_length(bytes) != Some(bytes.len())).unwrap_or(bytes)
 }
@@ -41,7 +43,8 @@ pub fn without_mark(bytes: &[u8]) -> &[u8] {
 /// Decides the format of a file from its bytes and name.
 ///
 /// # Errors
-/// `InputOutput`: an empty file, a file whose content contradicts its extension, text in UTF-16, an unknown format.
+/// `InputOutput`: an empty file, a file whose content contradicts its extension, text in UTF-16, an
+/// unknown format.
 pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
     let name = path.display();
     let bytes = without_mark(bytes);
@@ -113,7 +116,8 @@ pub fn binary_stl_length(bytes: &[u8]) -> Option<usize> {
     usize::try_from(u64::from(n) * 50 + 84).ok()
 }
 
-/// Many binary files begin with "solid" too, so the length decides first; ASCII needs a `facet` near the start.
+/// Many binary files begin with "solid" too, so the length decides first; ASCII needs a `facet`
+/// near the start.
 fn stl_kind(bytes: &[u8]) -> Format {
     if binary_stl_length(bytes) == Some(bytes.len()) {
         return Format::StlBinary;

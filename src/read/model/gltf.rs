@@ -1,9 +1,9 @@
-//! glTF 2.0 and GLB, through the crate `gltf`: triangles, strips and fans, indexed or not, of every node of the scene,
-//! placed by the nodes' transforms. Lengths are metres, as the format says. Buffers may be in the GLB, in data URIs, or
-//! in files beside the model.
+//! glTF 2.0 and GLB, through the crate `gltf`: triangles, strips and fans, indexed or not, of every
+//! node of the scene, placed by the nodes' transforms. Lengths are metres, as the format says.
+//! Buffers may be in the GLB, in data URIs, or in files beside the model.
 //!
-//! Limits: skins, morphing and animation are not applied; compressed meshes (extensions that a file requires) are
-//! refused.
+//! Limits: skins, morphing and animation are not applied; compressed meshes (extensions that a file
+//! requires) are refused.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -31,11 +31,12 @@ type Said<T> = std::result::Result<T, String>;
 /// Reads a glTF or GLB.
 ///
 /// # Errors
-/// `InputOutput`: not glTF, buffers that are missing or too short, accessors that do not fit, required extensions that are
-/// not known.
+/// `InputOutput`: not glTF, buffers that are missing or too short, accessors that do not fit,
+/// required extensions that are not known.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let name = path.display();
-    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user gets a sentence.
+    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user
+    // gets a sentence.
     let read = catch_unwind(AssertUnwindSafe(|| read_guarded(path, bytes)))
         .unwrap_or_else(|_| Err("the glTF parser gave up on it".into()));
     read.map_err(|m| {
@@ -233,7 +234,8 @@ impl Scene {
         })
     }
 
-    /// All elements of an accessor, sparse ones replaced; lengths are held against the buffers before memory is taken.
+    /// All elements of an accessor, sparse ones replaced; lengths are held against the buffers
+    /// before memory is taken.
     fn elements<T: Item + Clone>(&self, a: &Accessor) -> Said<Vec<T>> {
         let mut all = match a.view() {
             Some(view) => self.run(&view, a.offset(), a.count(), a.size(), a.index())?,

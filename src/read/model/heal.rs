@@ -1,17 +1,21 @@
-//! Healing of a triangle mesh: what a mesh file has wrong and what can be put right without guessing.
+//! Healing of a triangle mesh: what a mesh file has wrong and what can be put right without
+//! guessing.
 //!
-//! In: a mesh whose coinciding corners are one vertex already. Out: the mesh, and a note for everything that was changed. In
-//! order:
+//! In: a mesh whose coinciding corners are one vertex already. Out: the mesh, and a note for
+//! everything that was changed. In order:
 //!
-//! 1. vertices within a tolerance become one, the tolerance being the user's or the least of a few shares of the size that
-//!    leaves fewer faults;
-//! 2. triangles that repeat another go; pairs that lie on one another back to back between other triangles go both;
-//! 3. triangles without area are flipped away: their longest side's other triangle is cut at their third corner;
+//! 1. vertices within a tolerance become one, the tolerance being the user's or the least of a few
+//!    shares of the size that leaves fewer faults;
+//! 2. triangles that repeat another go; pairs that lie on one another back to back between other
+//!    triangles go both;
+//! 3. triangles without area are flipped away: their longest side's other triangle is cut at their
+//!    third corner;
 //! 4. neighbours are wound alike and every piece outward ([`super::wind`]);
 //! 5. holes up to a size that the user gives are closed ([`crate::geometry::boundary::close`]).
 //!
-//! Guarantees: triangles that have no fault keep their corners. What stays (openings, edges with more than two triangles) is
-//! not an error here: it is in the diagnosis, and whether it matters is decided where the tool is known.
+//! Guarantees: triangles that have no fault keep their corners. What stays (openings, edges with
+//! more than two triangles) is not an error here: it is in the diagnosis, and whether it matters is
+//! decided where the tool is known.
 
 use std::collections::BTreeMap;
 
@@ -20,8 +24,8 @@ use super::wind;
 use crate::geometry::boundary;
 use crate::geometry::mesh::{Mesh, topology, weld};
 
-/// Welding tolerances that are tried where the mesh has faults, as shares of its diagonal: the rounding of single precision and
-/// of files with seven and with five digits.
+/// Welding tolerances that are tried where the mesh has faults, as shares of its diagonal: the
+/// rounding of single precision and of files with seven and with five digits.
 const WELD: [f64; 3] = [1e-7, 1e-6, 1e-5];
 /// A triangle lower than this share of the mesh's diagonal has no area.
 const FLAT: f64 = 1e-9;
@@ -122,8 +126,9 @@ fn welded(mesh: &Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
     closer
 }
 
-/// Drops triangles over the same three vertices as another: repeats always, and both of a pair that is wound against one another
-/// where every side has two more triangles at least (a wall without thickness inside the part). Returns how many.
+/// Drops triangles over the same three vertices as another: repeats always, and both of a pair that
+/// is wound against one another where every side has two more triangles at least (a wall without
+/// thickness inside the part). Returns how many.
 fn drop_repeated(mesh: &mut Mesh) -> usize {
     let mut by_corners: BTreeMap<[u32; 3], Vec<usize>> = BTreeMap::new();
     let mut uses: BTreeMap<(u32, u32), usize> = BTreeMap::new();
@@ -175,8 +180,8 @@ fn retain(mesh: &mut Mesh, keep: &[bool]) -> usize {
 
 /// Flips triangles without area away. Returns how many, and how many stay.
 ///
-/// Such a triangle has its third corner on its longest side: the triangle beyond that side is cut there in two, which take
-/// the place of both. The surface does not change.
+/// Such a triangle has its third corner on its longest side: the triangle beyond that side is cut
+/// there in two, which take the place of both. The surface does not change.
 fn flip_flat(mesh: &mut Mesh) -> (usize, usize) {
     let limit = FLAT * mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
     let mut done = 0;

@@ -83,7 +83,8 @@ fn a_wall_without_thickness_inside_goes() {
     let shift: Vec<u32> = (0..8u32).map(|i| if i < 4 { i + 8 } else { i - 4 }).collect();
     mesh.points.extend(lower.points[..4].iter().map(|p| Point::new(p.x, p.y, -2.0)));
     mesh.triangles.extend(lower.triangles.iter().map(|c| c.map(|v| shift[v as usize])));
-    // The upper side of the lower cube is cut along the other diagonal: make it the same as the floor of the upper one.
+    // The upper side of the lower cube is cut along the other diagonal: make it the same as the
+    // floor of the upper one.
     let floor: Vec<[u32; 3]> = mesh.triangles[0..2].iter().map(|c| [c[0], c[2], c[1]]).collect();
     mesh.triangles[12 + 2] = floor[0];
     mesh.triangles[12 + 3] = floor[1];
@@ -98,7 +99,8 @@ fn a_wall_without_thickness_inside_goes() {
 
 #[test]
 fn triangles_without_area_are_merged_into_their_neighbours() {
-    // A vertex on the middle of one edge: one side of the edge is split there, the other gets a flat triangle in between.
+    // A vertex on the middle of one edge: one side of the edge is split there, the other gets a
+    // flat triangle in between.
     let mut mesh = cube();
     let [a, b, c] = mesh.triangles[0];
     let middle = nalgebra::center(&mesh.points[a as usize], &mesh.points[b as usize]);

@@ -15,7 +15,8 @@ const OPENINGS: usize = 5;
 /// Faces of one area that are listed.
 const FACES: usize = 16;
 
-/// A report for people: bodies, faces, unit, box, openings, area, volume, axis, regions with reasons, or why none were found.
+/// A report for people: bodies, faces, unit, box, openings, area, volume, axis, regions with
+/// reasons, or why none were found.
 pub fn inspect_text(survey: &Survey) -> String {
     let mut out = Lines::default();
     let d = &survey.diagnosis;
@@ -66,7 +67,8 @@ fn kind(body: &Body) -> String {
     wheel.or_else(|| recognise::looks_like_airfoil(&body.mesh)).map_or_else(String::new, |k| format!(": {k}"))
 }
 
-/// By about how much a figure is wrong, if anything that its last digit shows: an estimate, not a bound.
+/// By about how much a figure is wrong, if anything that its last digit shows: an estimate, not a
+/// bound.
 fn about(error: f64, unit: &str) -> String {
     if error > 5e-4 { format!(", error about {error:.1e} {unit}") } else { String::new() }
 }

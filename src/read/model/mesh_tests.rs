@@ -1,4 +1,5 @@
-//! PLY and glTF: the same blade from every layout, damaged files with their sentences, mutations of good files.
+//! PLY and glTF: the same blade from every layout, damaged files with their sentences, mutations of
+//! good files.
 #![allow(clippy::unwrap_used)]
 
 use std::fmt::Write;
@@ -48,8 +49,8 @@ enum Kind {
     Fans,
 }
 
-/// The JSON and the buffer of a glTF: the mesh in metres, under a node that is turned, shifted and scaled with a child that
-/// undoes it but for a quarter turn about z.
+/// The JSON and the buffer of a glTF: the mesh in metres, under a node that is turned, shifted and
+/// scaled with a child that undoes it but for a quarter turn about z.
 fn gltf_parts(mesh: &Mesh, kind: Kind, uri: Option<&str>) -> (String, Vec<u8>) {
     let metres = |p: &Point| [p.x, p.y, p.z].map(|x| (x * 0.001 * 0.5) as f32);
     let mut bin = Vec::new();

@@ -1,14 +1,17 @@
 //! Model files to a [`Blade`]: reading, units, healing, recognition.
 //!
-//! In: a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections. Out: the whole part in the blade frame in mm, the
-//! blade frame, the regions, and a diagnosis. Formats are told apart by content first ([`mod@format`]); each reader gives either exact faces or loose
-//! triangles, and everything after that is common, so a further format is one file and one arm of a `match`.
+//! In: a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections. Out: the whole part in the
+//! blade frame in mm, the blade frame, the regions, and a diagnosis. Formats are told apart by
+//! content first ([`mod@format`]); each reader gives either exact faces or loose triangles, and
+//! everything after that is common, so a further format is one file and one arm of a `match`.
 //!
-//! [`survey()`] tells what is in a file whatever its state; [`load`] goes on to a blade for planning.
+//! [`survey()`] tells what is in a file whatever its state; [`load`] goes on to a blade for
+//! planning.
 //!
-//! Guarantees: neighbouring triangles of a mesh wind alike, closed pieces outward; a damaged file is an error of kind
-//! `InputOutput` with a sentence that says what and where, never a panic. Limits: one blade per file. An open part is read;
-//! [`openings::check`] decides whether an opening matters for the tool.
+//! Guarantees: neighbouring triangles of a mesh wind alike, closed pieces outward; a damaged file
+//! is an error of kind `InputOutput` with a sentence that says what and where, never a panic.
+//! Limits: one blade per file. An open part is read; [`openings::check`] decides whether an opening
+//! matters for the tool.
 
 pub mod bodies;
 pub mod faces;
@@ -59,9 +62,9 @@ use format::Format;
 pub use inspect::inspect_text;
 pub use survey::Survey;
 
-/// Faces that do not share their edges are joined where the edges are this near to each other, mm: a few times the
-/// precision that CAD systems write, far below what a cutter leaves; then, where edges are still open, as near as vertices of a
-/// loop may be.
+/// Faces that do not share their edges are joined where the edges are this near to each other, mm:
+/// a few times the precision that CAD systems write, far below what a cutter leaves; then, where
+/// edges are still open, as near as vertices of a loop may be.
 const SEW_MM: [f64; 2] = [0.005, 0.02];
 
 /// What the user may say about a model.
@@ -71,13 +74,16 @@ pub struct ModelOptions {
     pub unit: Option<Unit>,
     /// Blade axis from root to tip, any length, model frame; `None`: found.
     pub axis: Option<[f64; 3]>,
-    /// The body to look for the blade on, from 1, as [`bodies`] numbers them; `None`: all of the part.
+    /// The body to look for the blade on, from 1, as [`bodies`] numbers them; `None`: all of the
+    /// part.
     pub body: Option<u32>,
-    /// Greatest distance between exact faces and the mesh made of them, mm; more for parts of some metres.
+    /// Greatest distance between exact faces and the mesh made of them, mm; more for parts of some
+    /// metres.
     pub deflection_mm: f64,
     /// Vertices of a mesh this near to one another are the same, mm; `None`: found.
     pub weld_mm: Option<f64>,
-    /// Holes of a mesh up to this extent are closed, mm; `None`: none. Openings between exact faces stay, and that is noted.
+    /// Holes of a mesh up to this extent are closed, mm; `None`: none. Openings between exact faces
+    /// stay, and that is noted.
     pub close_holes_mm: Option<f64>,
     /// Heights between which the airfoil lies, mm along the blade axis; `None`: found.
     pub airfoil_mm: Option<[f64; 2]>,
@@ -98,8 +104,8 @@ impl ModelOptions {
 
 impl Default for ModelOptions {
     fn default() -> Self {
-        // A hundredth is well below usual form tolerances and keeps a blade at some 100 000 triangles; contact and
-        // distance are refined on the exact faces anyway.
+        // A hundredth is well below usual form tolerances and keeps a blade at some 100 000
+        // triangles; contact and distance are refined on the exact faces anyway.
         ModelOptions {
             unit: None,
             axis: None,
@@ -115,11 +121,12 @@ impl Default for ModelOptions {
     }
 }
 
-/// Reads a model for planning. What the openings of a part mean for the tool is asked later, where the tool is known
-/// ([`openings::check`]).
+/// Reads a model for planning. What the openings of a part mean for the tool is asked later, where
+/// the tool is known ([`openings::check`]).
 ///
 /// # Errors
-/// Those of [`survey()`]. `InputOutput`: no blade was recognised; the size can be no blade's; the part has no volume.
+/// Those of [`survey()`]. `InputOutput`: no blade was recognised; the size can be no blade's; the
+/// part has no volume.
 pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
     load_bytes(path, &file_bytes(path)?, options, observer)
 }
@@ -139,8 +146,8 @@ pub fn load_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &
 /// Reads a model and tells what is in it, whatever its state.
 ///
 /// # Errors
-/// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body. `Usage`: a deflection or axis that
-/// makes no sense.
+/// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body.
+/// `Usage`: a deflection or axis that makes no sense.
 pub fn survey(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
     survey_bytes(path, &file_bytes(path)?, options, observer)
 }
@@ -154,7 +161,8 @@ pub fn file_bytes(path: &Path) -> Result<Vec<u8>> {
         .map_err(|e| Error::io(Stage::Model, format!("{} cannot be read: {e}", path.display())).caused_by(e))
 }
 
-/// As [`survey()`], from the bytes of the file; its name decides where the bytes leave the format open.
+/// As [`survey()`], from the bytes of the file; its name decides where the bytes leave the format
+/// open.
 ///
 /// # Errors
 /// As [`survey()`].
@@ -182,7 +190,8 @@ pub fn survey_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer:
     Ok(survey)
 }
 
-/// Box around points of all edges; of the poles of all faces where there is no edge (a sphere without trimming).
+/// Box around points of all edges; of the poles of all faces where there is no edge (a sphere
+/// without trimming).
 fn edge_box(brep: &Brep) -> Option<Aabb> {
     let on_edge = |e: &crate::geometry::brep::Edge| {
         [0.0, 0.25, 0.5, 0.75, 1.0].map(|s| e.curve.point(e.t[0] + s * (e.t[1] - e.t[0])))

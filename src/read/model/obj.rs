@@ -1,8 +1,10 @@
-//! Wavefront OBJ, through `tobj`. Groups and objects become the mesh's groups; texture, normals, materials, points and lines are ignored; polygons
-//! are cut into triangles from their first corner.
+//! Wavefront OBJ, through `tobj`. Groups and objects become the mesh's groups; texture, normals,
+//! materials, points and lines are ignored; polygons are cut into triangles from their first
+//! corner.
 //!
-//! `tobj` is given what a mesh is made of only ([`bare`]): it takes a line of three points for a triangle, divides vertices by their weights, and
-//! refuses colours or texture coordinates of an unusual number. Where it refuses the rest, a second look names the damaged line ([`damage`]).
+//! `tobj` is given what a mesh is made of only ([`bare`]): it takes a line of three points for a
+//! triangle, divides vertices by their weights, and refuses colours or texture coordinates of an
+//! unusual number. Where it refuses the rest, a second look names the damaged line ([`damage`]).
 
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,13 +19,15 @@ const UNNAMED: &str = "unnamed_object";
 /// Reads an OBJ.
 ///
 /// # Errors
-/// `InputOutput`, with the line: a vertex without three numbers, a face with what is no corner or with a vertex that is not there.
+/// `InputOutput`, with the line: a vertex without three numbers, a face with what is no corner or
+/// with a vertex that is not there.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let (bare, weighted) = bare(&text);
     let options =
         tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
-    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user gets a sentence.
+    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user
+    // gets a sentence.
     let parsed = catch_unwind(AssertUnwindSafe(|| {
         tobj::load_obj_buf(&mut bare.as_bytes(), &options, |_| Ok((Vec::new(), Default::default())))
     }));
@@ -53,8 +57,10 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
-/// The lines that a mesh is made of: vertices with their three coordinates, faces with the numbers of their vertices, names of groups. And how many vertices have a weight: a fourth number that is the last, and not 1. The format has it for rational curves and surfaces,
-/// whose control points are not divided by it either; polygons have no use for it. More numbers are colours.
+/// The lines that a mesh is made of: vertices with their three coordinates, faces with the numbers
+/// of their vertices, names of groups. And how many vertices have a weight: a fourth number that is
+/// the last, and not 1. The format has it for rational curves and surfaces, whose control points
+/// are not divided by it either; polygons have no use for it. More numbers are colours.
 fn bare(text: &str) -> (String, usize) {
     let mut out = String::with_capacity(text.len());
     let mut weighted = 0;
@@ -80,7 +86,8 @@ fn bare(text: &str) -> (String, usize) {
     (out, weighted)
 }
 
-/// What is the matter with a file that the parser refused, with the first line that is damaged; in the parser's words where no line is.
+/// What is the matter with a file that the parser refused, with the first line that is damaged; in
+/// the parser's words where no line is.
 fn damage(path: &Path, text: &str, said: &str) -> Error {
     let vertices = text.lines().filter(|l| l.split_ascii_whitespace().next() == Some("v")).count();
     let mut before = 0;
@@ -119,7 +126,8 @@ fn vertex<'a>(words: impl Iterator<Item = &'a str>) -> Option<()> {
     p.iter().all(|w| w.parse::<f64>().is_ok()).then_some(())
 }
 
-/// The vertex that a corner (`7`, `7/1`, `7//3`, `7/1/3`; negative: counted back from the last one) names, from 0.
+/// The vertex that a corner (`7`, `7/1`, `7//3`, `7/1/3`; negative: counted back from the last one)
+/// names, from 0.
 fn corner(word: &str, vertices: usize) -> Option<u32> {
     let number: i64 = word.split('/').next()?.parse().ok()?;
     let from_0 = if number < 0 { number.checked_add(vertices as i64)? } else { number - 1 };
@@ -179,7 +187,8 @@ mod tests {
         assert_eq!(named, (vec!["Tip end".into(), "hub".into()], vec![0, 0, 1]));
     }
 
-    /// What `tobj` would make something else of: a line of three points, colours of some vertices only, texture of one coordinate, materials between faces.
+    /// What `tobj` would make something else of: a line of three points, colours of some vertices
+    /// only, texture of one coordinate, materials between faces.
     #[test]
     fn what_a_mesh_has_no_use_for_changes_nothing() {
         let plain = soup(&format!("{SQUARE}g hub\nf 1 2 3 4\n")).unwrap();

@@ -1,15 +1,16 @@
 //! Whether the openings of a part matter for the tool.
 //!
-//! In: a blade whose mesh may be open, the tool, and the heights of the ball centre. The rule: the ball centre moves between two
-//! heights along the blade axis; with B fixed and any θ, the tool with its holder then fills a band of heights, widened by the
-//! clearances ([`Reach`]). An opening
+//! In: a blade whose mesh may be open, the tool, and the heights of the ball centre. The rule: the
+//! ball centre moves between two heights along the blade axis; with B fixed and any θ, the tool
+//! with its holder then fills a band of heights, widened by the clearances ([`Reach`]). An opening
 //!
 //! * none of whose heights lies in the band cannot be met by any part of the tool: a warning;
-//! * in the band, but so narrow that the ball on it sinks by less than [`SINK_MM`] (w² / 8R for the width w), does not show: a
-//!   warning;
+//! * in the band, but so narrow that the ball on it sinks by less than [`SINK_MM`] (w² / 8R for the
+//!   width w), does not show: a warning;
 //! * else an error that says where.
 //!
-//! Nothing is said of what an opening hides: surface that is missing far from the tool is missing for the clearance checks too.
+//! Nothing is said of what an opening hides: surface that is missing far from the tool is missing
+//! for the clearance checks too.
 
 use crate::artifact::blade::Blade;
 use crate::error::{Error, Result, Stage};
@@ -17,7 +18,8 @@ use crate::geometry::Point;
 use crate::geometry::boundary::openings;
 use crate::tool::Tool;
 
-/// A ball that sinks into an opening by less than this goes on as if it were closed, mm: half the usual chord tolerance.
+/// A ball that sinks into an opening by less than this goes on as if it were closed, mm: half the
+/// usual chord tolerance.
 const SINK_MM: f64 = 0.0005;
 
 /// Heights that any part of the tool can take, whatever θ.
@@ -34,7 +36,8 @@ impl Reach {
     pub fn new(tool: &Tool, centres_x_mm: [f64; 2], b_rad: f64, clearance_mm: f64) -> Reach {
         let r = tool.radius_mm;
         let (sin, cos) = (b_rad.sin(), b_rad.cos().abs());
-        // A circle of radius r about the axis at height z over the centre spans z sin B ± r cos B; the ball spans ± R.
+        // A circle of radius r about the axis at height z over the centre spans z sin B ± r cos B;
+        // the ball spans ± R.
         let spans = tool.segments().into_iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
         let (lo, hi) = spans.fold((-r, r), |(lo, hi), (z, r)| (lo.min(z * sin - r * cos), hi.max(z * sin + r * cos)));
         let [a, b] = centres_x_mm;
@@ -50,7 +53,8 @@ impl Reach {
 /// Judges all openings of the part; returns warnings.
 ///
 /// # Errors
-/// `InputOutput`: openings that the tool can meet, with their number, the widest and its place in the model frame.
+/// `InputOutput`: openings that the tool can meet, with their number, the widest and its place in
+/// the model frame.
 pub fn check(blade: &Blade, reach: &Reach) -> Result<Vec<String>> {
     let mesh = &blade.part.mesh;
     let [lo, hi] = reach.x_mm;

@@ -1,7 +1,8 @@
 //! Exact faces turned so that neighbours agree and bodies face outward.
 //!
-//! Which way a face looks is known once it is tessellated: its triangles are wound by [`Face::reversed`](crate::geometry::brep::Face::reversed), all alike. The mesh is
-//! wound ([`super::wind`]), and a face whose triangles were turned by that is turned too.
+//! Which way a face looks is known once it is tessellated: its triangles are wound by
+//! [`Face::reversed`](crate::geometry::brep::Face::reversed), all alike. The mesh is wound
+//! ([`super::wind`]), and a face whose triangles were turned by that is turned too.
 
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;

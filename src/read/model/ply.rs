@@ -1,8 +1,9 @@
 //! PLY, ASCII and binary of either byte order.
 //!
-//! A reader of ours: the format is small, and what a file promises in its header is held against what is there before
-//! memory is taken. Read are `x`, `y`, `z` of the element `vertex`, the lists `vertex_indices` (or `vertex_index`) of
-//! the element `face`, polygons cut into fans, and `tristrips`; all other elements and properties are passed over.
+//! A reader of ours: the format is small, and what a file promises in its header is held against
+//! what is there before memory is taken. Read are `x`, `y`, `z` of the element `vertex`, the lists
+//! `vertex_indices` (or `vertex_index`) of the element `face`, polygons cut into fans, and
+//! `tristrips`; all other elements and properties are passed over.
 
 use std::path::Path;
 
@@ -84,8 +85,8 @@ enum Layout {
 /// Reads a PLY.
 ///
 /// # Errors
-/// `InputOutput`: a header that is not PLY's, an end before all that the header promises, faces that name vertices that
-/// are not there.
+/// `InputOutput`: a header that is not PLY's, an end before all that the header promises, faces
+/// that name vertices that are not there.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let (layout, elements, body) = header(bytes).map_err(|m| {
         Error::io(Stage::Model, format!("{} cannot be read as PLY: {m}", path.display()))

@@ -1,11 +1,13 @@
 //! Faces and triangles as their file has them, where sewing and healing changed them.
 //!
-//! Sewing gives two edges that lie beside one another one course, so a face ends up to the sewing distance before, or beyond, the
-//! edge that its file gives it, and slivers and repeated faces go. Welding moves corners of triangles. The tool is to spare what was
-//! published, so what was changed stays beside the part ([`Part::with_published`]): distances are to both.
+//! Sewing gives two edges that lie beside one another one course, so a face ends up to the sewing
+//! distance before, or beyond, the edge that its file gives it, and slivers and repeated faces go.
+//! Welding moves corners of triangles. The tool is to spare what was published, so what was changed
+//! stays beside the part ([`Part::with_published`]): distances are to both.
 //!
-//! In: the faces as read and as sewn; triangles as read and as healed. Out: those that differ by more than [`MOVED_MM`]. Which do
-//! is measured on the result, not taken from what sewing says of itself.
+//! In: the faces as read and as sewn; triangles as read and as healed. Out: those that differ by
+//! more than [`MOVED_MM`]. Which do is measured on the result, not taken from what sewing says of
+//! itself.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +21,8 @@ use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point, Rigid};
 use crate::observe::Observer;
 
-/// What moved by less than this counts as not moved, mm: half of what a tessellation takes for one edge.
+/// What moved by less than this counts as not moved, mm: half of what a tessellation takes for one
+/// edge.
 pub const MOVED_MM: f64 = 5e-4;
 /// Places at which an edge is compared.
 const PLACES: usize = 9;
@@ -111,7 +114,8 @@ impl Published {
         )
     }
 
-    /// The faces with what exact distances need, in another frame; the names of faces of which none can be made.
+    /// The faces with what exact distances need, in another frame; the names of faces of which none
+    /// can be made.
     ///
     /// # Errors
     /// `Cancelled`.
@@ -158,7 +162,8 @@ pub struct Prepared {
     pub without: Vec<String>,
 }
 
-/// How far the edges of a face lie from the edges of the same face after sewing, at the farthest place that was looked at.
+/// How far the edges of a face lie from the edges of the same face after sewing, at the farthest
+/// place that was looked at.
 fn moved(original: &Brep, face: &Face, sewn: &Brep, same: &Face, boxes: &[Aabb]) -> (f64, Option<Point>) {
     let now: Vec<usize> = same.loops.iter().flatten().map(|c| c.edge).collect();
     let mut worst = (0.0, None);
@@ -170,7 +175,8 @@ fn moved(original: &Brep, face: &Face, sewn: &Brep, same: &Face, boxes: &[Aabb])
             let p = edge.at(k as f64 / (PLACES - 1) as f64);
             let near = now.iter().filter(|n| distance_to(&boxes[**n], &p) <= NEAR_MM);
             let off = near.map(|n| foot(&sewn.edges[*n].curve, sewn.edges[*n].t, &p).1).fold(f64::INFINITY, f64::min);
-            // An edge that lies near none of the others has been left out with its loop; by how much does not matter.
+            // An edge that lies near none of the others has been left out with its loop; by how
+            // much does not matter.
             let off = if off.is_finite() { off } else { NEAR_MM };
             if off > worst.0 {
                 worst = (off, Some(p));
@@ -189,8 +195,9 @@ fn distance_to(b: &Aabb, p: &Point) -> f64 {
     (0..3).map(|k| (b.min[k] - p[k]).max(p[k] - b.max[k]).max(0.0).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Triangles that healing changed, as the file has them: those with a corner that is no corner any more, where it lies more than
-/// [`MOVED_MM`] off the healed mesh. Triangles that lost only their like lie on it.
+/// Triangles that healing changed, as the file has them: those with a corner that is no corner any
+/// more, where it lies more than [`MOVED_MM`] off the healed mesh. Triangles that lost only their
+/// like lie on it.
 pub fn triangles(read: &Mesh, healed: &Mesh) -> Option<Mesh> {
     if read.points == healed.points {
         return None;

@@ -1,10 +1,12 @@
 //! Faces that cannot be meshed as the file trims them.
 //!
-//! In: exact faces as read. Out: the part, what sewing joined, and what was done to get there. Faces are sewn and meshed; where that
-//! fails, it is tried with less: a smaller sewing distance first (it may have joined the two sides of a sharp edge), then finer
-//! chords too (boundaries nearer to one another than the deflection cross where chords are coarse). Else each face is tried
-//! alone; one that fails is taken with its natural boundary where its edges run along that (its trimming then says nothing
-//! more), and is left out otherwise. A part with a face left out is open there and is refused for planning.
+//! In: exact faces as read. Out: the part, what sewing joined, and what was done to get there.
+//! Faces are sewn and meshed; where that fails, it is tried with less: a smaller sewing distance
+//! first (it may have joined the two sides of a sharp edge), then finer chords too (boundaries
+//! nearer to one another than the deflection cross where chords are coarse). Else each face is
+//! tried alone; one that fails is taken with its natural boundary where its edges run along that
+//! (its trimming then says nothing more), and is left out otherwise. A part with a face left out is
+//! open there and is refused for planning.
 
 use super::published::Published;
 use super::sew;
@@ -113,7 +115,8 @@ fn alone(brep: &Brep, face: Face) -> Brep {
     Brep { faces: vec![face], edges: brep.edges.clone() }
 }
 
-/// Whether all edges of the face lie on the boundary of its surface's parameter rectangle, and cover it.
+/// Whether all edges of the face lie on the boundary of its surface's parameter rectangle, and
+/// cover it.
 fn along_boundary(brep: &Brep, face: &Face) -> bool {
     let [[u0, u1], [v0, v1]] = face.surface.domain();
     let at = |k: usize| k as f64 / SAMPLES as f64;
@@ -127,7 +130,8 @@ fn along_boundary(brep: &Brep, face: &Face) -> bool {
         edges.extend((0..=SAMPLES).map(|k| e.curve.point(e.t[0] + at(k) * (e.t[1] - e.t[0]))));
     }
     let Some(b) = crate::geometry::Aabb::around(&boundary) else { return false };
-    // Samples of either are apart by a share of the boundary's length; between them it is taken as straight.
+    // Samples of either are apart by a share of the boundary's length; between them it is taken as
+    // straight.
     let tolerance = ALONG * b.diagonal_mm() + 2.0 * b.diagonal_mm() / SAMPLES as f64;
     let near = |p: &Point, set: &[Point]| set.iter().any(|q| (p - q).norm() < tolerance);
     !edges.is_empty() && edges.iter().all(|p| near(p, &boundary)) && boundary.iter().all(|p| near(p, &edges))

@@ -6,7 +6,8 @@ use std::fmt::Write;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid};
 
-/// A small generator of the xorshift family (Marsaglia, *Xorshift RNGs*, 2003): the same files on every run.
+/// A small generator of the xorshift family (Marsaglia, *Xorshift RNGs*, 2003): the same files on
+/// every run.
 pub struct Random(pub u64);
 
 impl Random {
@@ -22,7 +23,8 @@ impl Random {
 /// Points around one section.
 const AROUND: usize = 96;
 
-/// A blade along +z: root block 40 × 16 up to z = 30, platform 60 × 30 up to z = 40, a twisted airfoil to z = 120.
+/// A blade along +z: root block 40 × 16 up to z = 30, platform 60 × 30 up to z = 40, a twisted
+/// airfoil to z = 120.
 pub fn blade() -> Mesh {
     let mut rings = vec![
         rectangle(40.0, 16.0, 0.0),
@@ -50,7 +52,8 @@ fn rectangle(length: f64, width: f64, z: f64) -> Vec<Point> {
         .collect()
 }
 
-/// A cambered profile with rounded edges, twisted by 0.4 rad and shrunk by a quarter from foot to tip.
+/// A cambered profile with rounded edges, twisted by 0.4 rad and shrunk by a quarter from foot to
+/// tip.
 fn airfoil(share: f64) -> Vec<Point> {
     let (turn, scale) = (0.4 * (share - 0.3), 36.0 * (1.0 - 0.25 * share));
     (0..AROUND)

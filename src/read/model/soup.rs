@@ -87,7 +87,8 @@ impl Soup {
         Ok(healed)
     }
 
-    /// The mesh in mm in which exactly coinciding corners are one vertex, and how many triangles lost a corner by that and were left out.
+    /// The mesh in mm in which exactly coinciding corners are one vertex, and how many triangles
+    /// lost a corner by that and were left out.
     pub fn welded(&self, mm_per_unit: f64) -> (Mesh, usize) {
         let count = self.triangles.len();
         let mut mesh = Mesh::default();
@@ -106,8 +107,9 @@ impl Soup {
     }
 }
 
-/// Numbers of points by their coordinates: a table with open addresses, half of them free at least. Welding is most of what reading a
-/// binary STL takes, and a general map takes twice as long for it.
+/// Numbers of points by their coordinates: a table with open addresses, half of them free at least.
+/// Welding is most of what reading a binary STL takes, and a general map takes twice as long for
+/// it.
 struct Index {
     slots: Vec<u32>,
 }
@@ -140,7 +142,8 @@ impl Index {
     }
 }
 
-/// The low bits of the result depend on all bits: the steps of SplitMix64 (Steele, Lea, Flood 2014).
+/// The low bits of the result depend on all bits: the steps of SplitMix64 (Steele, Lea, Flood
+/// 2014).
 fn mixed(bits: [u64; 3]) -> u64 {
     bits.into_iter().fold(0, |hash, word| {
         let mut z = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -1,9 +1,11 @@
-//! STEP (ISO 10303-21), through `step-io`: bodies, their placements and the length unit, to one B-rep in mm.
+//! STEP (ISO 10303-21), through `step-io`: bodies, their placements and the length unit, to one
+//! B-rep in mm.
 //!
-//! Every solid, shell and loose face becomes faces of one [`Brep`], each as often as the assembly places it. Edges keep
-//! their identity: two faces that name the same `EDGE_CURVE` share one edge, which is what makes the tessellation
-//! watertight. A face that cannot be converted exactly is an error that names it; so are entities that the reader had to
-//! drop where faces are missing because of them.
+//! Every solid, shell and loose face becomes faces of one [`Brep`], each as often as the assembly
+//! places it. Edges keep their identity: two faces that name the same `EDGE_CURVE` share one edge,
+//! which is what makes the tessellation watertight. A face that cannot be converted exactly is an
+//! error that names it; so are entities that the reader had to drop where faces are missing because
+//! of them.
 
 mod edges;
 mod patch;
@@ -36,7 +38,8 @@ const DEEPEST: usize = 64;
 /// # Errors
 /// `InputOutput`: not STEP, no faces, faces or edges that cannot be read or converted.
 pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
-    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user gets a sentence.
+    // Last resort around a parser that is not ours: whatever it meets in a damaged file, the user
+    // gets a sentence.
     catch_unwind(AssertUnwindSafe(|| read_guarded(path, bytes, unit))).unwrap_or_else(|_| {
         Err(Error::io(Stage::Model, format!("{} is damaged: the STEP parser gave up on it", path.display())))
     })
@@ -160,7 +163,8 @@ impl Placed<'_> {
     }
 }
 
-/// All bodies with their placements: those of the product structure, mapped items, and whatever belongs to neither.
+/// All bodies with their placements: those of the product structure, mapped items, and whatever
+/// belongs to neither.
 fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<Placed<'m>> {
     let (mut products, mut mapped) = (Vec::new(), Vec::new());
     let mut assembled = false;
@@ -173,8 +177,9 @@ fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<Placed<'m>> {
     for item in scene.all_mapped_instances().filter(|i| !children.contains(&i.key())) {
         place_mapped(&item, Matrix4::identity(), 0, &mut mapped);
     }
-    // Some writers place a component both ways: the second way then only adds what the first does not reach. Without
-    // an assembly a component's own definition is its template, so mapped items come first.
+    // Some writers place a component both ways: the second way then only adds what the first does
+    // not reach. Without an assembly a component's own definition is its template, so mapped items
+    // come first.
     let (mut out, others) = if assembled { (products, mapped) } else { (mapped, products) };
     let bare = scene
         .all_solids()
@@ -364,7 +369,8 @@ fn kind_of(kind: &StepKind) -> SurfaceKind {
     }
 }
 
-/// A control point in the file's frame and unit to a homogeneous one in mm where the assembly puts it.
+/// A control point in the file's frame and unit to a homogeneous one in mm where the assembly puts
+/// it.
 fn pole(p: &[f64; 3], weight: f64, mm: f64, to: &Matrix4<f64>) -> Vector4<f64> {
     let q = to * Vector4::new(p[0], p[1], p[2], 1.0);
     Vector4::new(q.x * mm * weight, q.y * mm * weight, q.z * mm * weight, weight)

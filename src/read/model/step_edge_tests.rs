@@ -1,4 +1,5 @@
-//! Edges of every kind of curve, in STEP files written by hand: a flat face between a curve from (0, 0, 0) to (4, 0, 0) and the line back.
+//! Edges of every kind of curve, in STEP files written by hand: a flat face between a curve from
+//! (0, 0, 0) to (4, 0, 0) and the line back.
 #![allow(clippy::unwrap_used)]
 
 use std::path::Path;
@@ -13,7 +14,8 @@ use crate::observe::Silent;
 const A: [f64; 3] = [0.0, 0.0, 0.0];
 const B: [f64; 3] = [4.0, 0.0, 0.0];
 
-/// The file whose face is bounded by `curve`, and by straight lines from vertex to vertex back to the first.
+/// The file whose face is bounded by `curve`, and by straight lines from vertex to vertex back to
+/// the first.
 fn sheet(curve: impl Fn(&mut Sheet) -> usize, sense: bool, vertices: &[[f64; 3]]) -> String {
     let mut sheet = Sheet::default();
     let frame = sheet.frame([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
@@ -196,7 +198,8 @@ fn a_closed_spline_whose_beginning_lies_on_the_edge() {
     check("the other way", &sheet(closed, false, &[A, B]), on_circle, [2., 2., 0.]);
 }
 
-/// A closed spline cut at two vertices a hundredth apart, one of them its own beginning but for rounding: nearly all of it, and the hundredth.
+/// A closed spline cut at two vertices a hundredth apart, one of them its own beginning but for
+/// rounding: nearly all of it, and the hundredth.
 #[test]
 fn a_closed_spline_cut_beside_its_beginning() {
     for sense in [true, false] {
@@ -231,7 +234,8 @@ fn a_closed_spline_cut_beside_its_beginning() {
     }
 }
 
-/// A closed spline between two vertices of which one lies a hundredth off it, beside the other: the edge is the whole curve.
+/// A closed spline between two vertices of which one lies a hundredth off it, beside the other: the
+/// edge is the whole curve.
 #[test]
 fn a_closed_spline_between_vertices_in_one_place() {
     let mut s = Sheet::default();

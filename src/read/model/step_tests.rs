@@ -1,4 +1,5 @@
-//! STEP files written by hand: a bar and a round, with units, placements, seams, flipped flags and damage.
+//! STEP files written by hand: a bar and a round, with units, placements, seams, flipped flags and
+//! damage.
 #![allow(clippy::unwrap_used)]
 
 use std::fmt::Write;
@@ -109,7 +110,8 @@ impl Sheet {
         self.add(format!("MANIFOLD_SOLID_BREP('body',#{shell})"))
     }
 
-    /// Faces of a bar of size 10 × 4 × 60 from the origin; `sense` tells for each whether its plane faces outward.
+    /// Faces of a bar of size 10 × 4 × 60 from the origin; `sense` tells for each whether its plane
+    /// faces outward.
     pub(super) fn bar(&mut self, sense: [bool; 6]) -> Vec<usize> {
         let size = [10.0, 4.0, 60.0];
         let corners: Vec<([f64; 3], usize)> = (0..8)
@@ -155,12 +157,14 @@ impl Sheet {
             .collect()
     }
 
-    /// Faces of a round of radius 3 and height 60 whose seam lies at `angle`, circles running with or against the edge.
+    /// Faces of a round of radius 3 and height 60 whose seam lies at `angle`, circles running with
+    /// or against the edge.
     pub(super) fn round(&mut self, angle: f64, same_sense: bool) -> Vec<usize> {
         let (c, s) = (3.0 * angle.cos(), 3.0 * angle.sin());
         let ends = [0.0, 60.0].map(|z| ([c, s, z], self.vertex([c, s, z])));
         let circles = [0.0, 60.0].map(|z| {
-            // Against: the circle's own axis points down, so that the edge still runs counter-clockwise seen from above.
+            // Against: the circle's own axis points down, so that the edge still runs
+            // counter-clockwise seen from above.
             let axis = if same_sense { 1.0 } else { -1.0 };
             let frame = self.frame([0., 0., z], [0., 0., axis], [1., 0., 0.]);
             self.add(format!("CIRCLE('',#{frame},3.0)"))
@@ -310,7 +314,8 @@ fn faces_without_shared_edges_are_sewn() {
     let model = sheet.add(format!("SHELL_BASED_SURFACE_MODEL('',(#{shell}))"));
     let mut s = shape(&sheet.file("mm", &[model])).unwrap();
     assert!(s.brep.faces.len() >= 6);
-    // The other faces of the bars are loose; what counts is that every coinciding pair of single edges is joined.
+    // The other faces of the bars are loose; what counts is that every coinciding pair of single
+    // edges is joined.
     s.brep.faces.truncate(6);
     let sewn = sew::sew(&mut s.brep, &[1e-3]);
     assert_eq!((sewn.joined, sewn.open, s.brep.edges.len()), (12, 0, 12));
@@ -347,8 +352,8 @@ fn bad_step_files_are_refused_with_a_sentence() {
     refused(&good.replace("60.0", "1.0E300"), &["test.step", "face"]);
 }
 
-/// Every control point of a surface that is read is a number that one can reckon with: sums of squares of others overflow, and what is not a
-/// number is neither inside nor outside.
+/// Every control point of a surface that is read is a number that one can reckon with: sums of
+/// squares of others overflow, and what is not a number is neither inside nor outside.
 #[test]
 fn control_points_out_of_all_bounds_are_refused() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/models/compressor_twist.step");

@@ -1,7 +1,7 @@
 //! STL, binary and ASCII.
 //!
-//! Our own reader of this small format: ASCII numbers keep double precision, keywords may be in any case, several
-//! solids become groups, and a file that ends early is an error that says where.
+//! Our own reader of this small format: ASCII numbers keep double precision, keywords may be in any
+//! case, several solids become groups, and a file that ends early is an error that says where.
 
 use std::path::Path;
 
@@ -50,7 +50,8 @@ pub fn read_binary(path: &Path, bytes: &[u8]) -> Result<Soup> {
 /// Reads an ASCII STL.
 ///
 /// # Errors
-/// `InputOutput`: a line that does not fit the format (with its number), or an end before `endsolid`.
+/// `InputOutput`: a line that does not fit the format (with its number), or an end before
+/// `endsolid`.
 pub fn read_ascii(path: &Path, bytes: &[u8]) -> Result<Soup> {
     let name = path.display();
     let text = String::from_utf8_lossy(bytes);

@@ -1,9 +1,9 @@
 //! Everything that can be said of a model file, whether or not a plan can be made from it.
 //!
-//! In: loose triangles or exact faces from a reader. Out: a [`Survey`]: the part in the model frame, the diagnosis, and either the
-//! blade that was recognised or why there is none. A part that is open, that has edges with more than two triangles, that is
-//! badly wound or in several pieces is surveyed like any other. What a plan needs beyond that is asked by
-//! [`Survey::into_blade`].
+//! In: loose triangles or exact faces from a reader. Out: a [`Survey`]: the part in the model
+//! frame, the diagnosis, and either the blade that was recognised or why there is none. A part that
+//! is open, that has edges with more than two triangles, that is badly wound or in several pieces
+//! is surveyed like any other. What a plan needs beyond that is asked by [`Survey::into_blade`].
 
 use std::path::Path;
 
@@ -33,7 +33,8 @@ use crate::observe::{Observer, Warning};
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
 const NO_VOLUME: f64 = 1e-9;
 
-/// Faces are meshed no finer than this share of the part's diagonal: the triangles of a blade of a hundred metres would fill the memory.
+/// Faces are meshed no finer than this share of the part's diagonal: the triangles of a blade of a
+/// hundred metres would fill the memory.
 const FINEST: f64 = 2e-6;
 
 /// What is in a model file.
@@ -52,7 +53,8 @@ pub struct Survey {
     pub deflection_mm: f64,
     /// Names of faces or groups, in the order of their numbers from 1.
     pub face_names: Vec<String>,
-    /// Why no plan may be made although a blade may have been found: a unit that was guessed, a part without volume.
+    /// Why no plan may be made although a blade may have been found: a unit that was guessed, a
+    /// part without volume.
     pub obstacle: Option<Error>,
     /// Bodies of the part, by their numbers from 1; empty where it is one piece.
     pub bodies: Vec<Body>,
@@ -88,7 +90,8 @@ impl Survey {
         let mut found = self.found?;
         let blade_from_model = found.model_from_blade.inverse();
         let part = match self.part.brep {
-            // Exact faces and mesh are made again in the blade frame, so that neither carries the rounding of the other's motion.
+            // Exact faces and mesh are made again in the blade frame, so that neither carries the
+            // rounding of the other's motion.
             Some(brep) => Part::from_brep(brep.moved(&blade_from_model), self.deflection_mm, observer)?,
             None => Part::from_mesh(std::mem::take(&mut found.mesh)),
         };
@@ -161,7 +164,8 @@ pub fn from_faces(
     let (mut part, rescued) = rescue::part(shape.brep, deflection_mm, &SEW_MM, observer)?;
     diagnosis.notes.extend(rescued.sewn.notes());
     diagnosis.notes.extend(rescued.notes);
-    // In a wrong unit the tolerances of sewing and meshing are wrong, and that may be all that is the matter.
+    // In a wrong unit the tolerances of sewing and meshing are wrong, and that may be all that is
+    // the matter.
     obstacle = obstacle.or(rescued.obstacle.map(|e| match doubt {
         Some(doubt) => e.advise(format!("{doubt}; if it is right, check the face and write the model again")),
         None => e,
@@ -342,7 +346,8 @@ fn is_wheel(wheel: &Wheel) -> Error {
         .advise("export one blade with its piece of the hub")
 }
 
-/// What was recognised on a body, with the mesh of the whole part; an error with the bodies to choose from.
+/// What was recognised on a body, with the mesh of the whole part; an error with the bodies to
+/// choose from.
 fn on_whole(found: Result<Recognised>, own: Option<&Body>, mesh: &Mesh, bodies: &[Body]) -> Result<Recognised> {
     match found {
         Ok(mut found) => {
@@ -379,8 +384,9 @@ fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<Strin
     ))
 }
 
-/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings are closed for the search;
-/// but not those of sheets that face each other, whose sections are joined where their ends are near.
+/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings
+/// are closed for the search; but not those of sheets that face each other, whose sections are
+/// joined where their ends are near.
 fn recognised(
     mesh: &Mesh,
     face_names: &[String],

@@ -1,8 +1,9 @@
 //! Units: their names, whether a part's size can be a blade's, and what is taken where it cannot.
 //!
-//! A file that names no unit is taken in mm, as mesh files usually are. Where the part would then have a size that no blade has,
-//! whatever the file declares, the unit in which it has a blade's size is taken instead: for looking at the file
-//! ([`Guess::Other`]), with the reason; a plan is refused until the unit is told, since a part of the wrong scale is scrap.
+//! A file that names no unit is taken in mm, as mesh files usually are. Where the part would then
+//! have a size that no blade has, whatever the file declares, the unit in which it has a blade's
+//! size is taken instead: for looking at the file ([`Guess::Other`]), with the reason; a plan is
+//! refused until the unit is told, since a part of the wrong scale is scrap.
 
 use std::path::Path;
 
@@ -10,7 +11,8 @@ use crate::artifact::blade::{Diagnosis, Unit};
 use crate::error::{Error, Stage};
 use crate::geometry::Aabb;
 
-/// Sizes (largest side of the box) that blades have, mm: below or above, the unit is probably wrong.
+/// Sizes (largest side of the box) that blades have, mm: below or above, the unit is probably
+/// wrong.
 const USUAL_MM: [f64; 2] = [3.0, 5000.0];
 /// Sizes for which no plan can make sense, mm.
 const POSSIBLE_MM: [f64; 2] = [0.5, 500_000.0];
@@ -43,7 +45,8 @@ pub fn name(unit: Unit) -> &'static str {
     }
 }
 
-/// What is said of the unit where the file names none and mm is taken; `size`: longest side, file units.
+/// What is said of the unit where the file names none and mm is taken; `size`: longest side, file
+/// units.
 pub fn unnamed(size: Option<f64>) -> String {
     match size {
         Some(s) if (USUAL_MM[0]..=USUAL_MM[1]).contains(&s) => {
@@ -79,7 +82,8 @@ pub enum Guess {
 }
 
 impl Guess {
-    /// Writes what was found into the diagnosis; the unit to go on with, and why no plan may be made.
+    /// Writes what was found into the diagnosis; the unit to go on with, and why no plan may be
+    /// made.
     pub fn take(self, unit: Unit, diagnosis: &mut Diagnosis) -> (Unit, Option<Error>) {
         match self {
             Guess::Fits => (unit, None),
@@ -103,16 +107,18 @@ impl Guess {
     }
 }
 
-/// The unit with which a part of `size` file units would be of a blade's size, if another than `unit` does.
+/// The unit with which a part of `size` file units would be of a blade's size, if another than
+/// `unit` does.
 fn likely(size: f64, unit: Unit) -> Option<Unit> {
     let fits = |u: Unit| (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&(size * u.mm()));
     // Metres are what simulation programs write, so they come first.
     [Unit::M, Unit::Mm, Unit::Inch, Unit::Cm].into_iter().find(|&u| u != unit && fits(u))
 }
 
-/// What is said of a blade whose length over its mean chord is that of a wind turbine's blade, and so is its length if the file's
-/// numbers are metres: such models are drawn in metres, whatever the file says, and nothing else in the file tells. Nothing is planned then before
-/// the user has told the unit.
+/// What is said of a blade whose length over its mean chord is that of a wind turbine's blade, and
+/// so is its length if the file's numbers are metres: such models are drawn in metres, whatever the
+/// file says, and nothing else in the file tells. Nothing is planned then before the user has told
+/// the unit.
 pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: Source) -> Option<String> {
     let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
     let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
@@ -205,7 +211,8 @@ mod tests {
             slender(117.0, 4.0, Unit::Mm, Source::Declared)
                 .is_some_and(|n| n.contains("117.0 m") && n.contains("--unit m,"))
         );
-        // As long, but a usual blade; slender, but of no such length; the user knows; it is in metres.
+        // As long, but a usual blade; slender, but of no such length; the user knows; it is in
+        // metres.
         assert!(slender(117.0, 40.0, Unit::Mm, Source::Assumed).is_none());
         assert!(slender(600.0, 30.0, Unit::Mm, Source::Assumed).is_none());
         assert!(slender(117.0, 4.0, Unit::Mm, Source::Told).is_none());

@@ -1,9 +1,10 @@
 //! Triangles of a mesh file wound alike: neighbours agree, and every piece has its normals outward.
 //!
-//! Across edges with two triangles the sense is carried on. A closed piece encloses a positive volume when its normals point
-//! outward; an open one is judged as if its openings were closed by cones to their common middle, and left as the file has it
-//! where that encloses next to nothing (a sheet). A piece that the file winds inward and that lies wholly inside another closed
-//! piece is a cavity and stays inward.
+//! Across edges with two triangles the sense is carried on. A closed piece encloses a positive
+//! volume when its normals point outward; an open one is judged as if its openings were closed by
+//! cones to their common middle, and left as the file has it where that encloses next to nothing (a
+//! sheet). A piece that the file winds inward and that lies wholly inside another closed piece is a
+//! cavity and stays inward.
 
 use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::geometry::part::Part;
@@ -110,7 +111,8 @@ fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
     out
 }
 
-/// Volume of a piece, mm³; of an open one with its openings closed by cones to their middle, 0 for a sheet.
+/// Volume of a piece, mm³; of an open one with its openings closed by cones to their middle, 0 for
+/// a sheet.
 fn signed_volume(mesh: &Mesh, piece: &Piece) -> f64 {
     let corners = |t: usize| mesh.corners(t);
     let apex = if piece.closed { corners(piece.triangles[0])[0] } else { middle_of_openings(mesh, piece) };

@@ -37,8 +37,8 @@ pub enum Way {
     Down,
 }
 
-/// How the words of a line bend on their way, under polynomial interpolation: coefficients of `p²` to `p⁵`, `p` going from 0 to 1 over the line. That of
-/// `p` is what brings a word to its end.
+/// How the words of a line bend on their way, under polynomial interpolation: coefficients of `p²`
+/// to `p⁵`, `p` going from 0 to 1 over the line. That of `p` is what brings a word to its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bend {
     /// X, Y, Z, mm.
@@ -73,13 +73,15 @@ pub struct Block {
     pub bend: Option<Bend>,
     /// How fast.
     pub feed: Feed,
-    /// Linear words are positions of the machine's axes, whatever the program's coordinates are otherwise.
+    /// Linear words are positions of the machine's axes, whatever the program's coordinates are
+    /// otherwise.
     pub machine: bool,
     /// The tool's length is added to Z: G43.
     pub tool_length: bool,
     /// Tool-centre-point control is on.
     pub centre_point: bool,
-    /// The line that fixed X, Y, Z to the table as it stood there; `None`: to the table as it stands at 0.
+    /// The line that fixed X, Y, Z to the table as it stood there; `None`: to the table as it
+    /// stands at 0.
     pub fixed_by: Option<usize>,
     /// Tool calls before it.
     pub tool_calls: usize,
@@ -105,7 +107,8 @@ pub struct Script {
     pub calls: Vec<Call>,
     /// Its work offset: 54 for `G54`.
     pub frame: Option<u32>,
-    /// Diameters and corner radii of the cutters that it says it was computed for, mm, and their lines.
+    /// Diameters and corner radii of the cutters that it says it was computed for, mm, and their
+    /// lines.
     pub cutters: Vec<(usize, [f64; 2])>,
     /// The line that ends it.
     pub end: Option<usize>,
@@ -121,7 +124,8 @@ impl Script {
 }
 
 impl Block {
-    /// A straight move to a place in the program's coordinates, its words as they stand, under tool-centre-point control, before any tool call.
+    /// A straight move to a place in the program's coordinates, its words as they stand, under
+    /// tool-centre-point control, before any tool call.
     pub(super) fn straight(line: usize, place: Place, feed: Feed) -> Self {
         Block {
             line,

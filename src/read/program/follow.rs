@@ -1,9 +1,11 @@
 //! The machine moved through a program's blocks.
 //!
-//! The state is where the machine's axes stand. A block in machine axes moves them straight; a block under tool-centre-point control
-//! moves the programmed point straight over the part and the rotary axes evenly, in the blade frame or, where the control fixes its frame to the table when
-//! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed; under polynomial interpolation every word goes as its polynomial says. What the program has not said yet is not known
-//! (`NaN`), save for the rotary axes, which begin at 0.
+//! The state is where the machine's axes stand. A block in machine axes moves them straight; a
+//! block under tool-centre-point control moves the programmed point straight over the part and the
+//! rotary axes evenly, in the blade frame or, where the control fixes its frame to the table when
+//! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed; under
+//! polynomial interpolation every word goes as its polynomial says. What the program has not said
+//! yet is not known (`NaN`), save for the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
 
@@ -59,19 +61,21 @@ pub struct Moved {
     pub line: usize,
     /// What the columns of X, Y, Z in `from` and `to` are.
     pub words: Programmed,
-    /// Before it, in the order of [`Machine::axes`]: rotary axes, rad, over all turns; in place of X, Y, Z tip or ball centre in the blade
-    /// frame where `words` say so, mm.
+    /// Before it, in the order of [`Machine::axes`]: rotary axes, rad, over all turns; in place of
+    /// X, Y, Z tip or ball centre in the blade frame where `words` say so, mm.
     pub from: Axes,
     /// After it.
     pub to: Axes,
-    /// Coefficients of `p²` to `p⁵` of each, `p` being the share of the move; `None`: every one moves evenly.
+    /// Coefficients of `p²` to `p⁵` of each, `p` being the share of the move; `None`: every one
+    /// moves evenly.
     pub bend: Option<Axes<[f64; 4]>>,
     /// Time it takes, s; `None`: rapid.
     pub seconds: Option<f64>,
 }
 
 impl Moved {
-    /// Whether the whole move is known: false where the program has not said yet where an axis stands.
+    /// Whether the whole move is known: false where the program has not said yet where an axis
+    /// stands.
     pub fn known(&self) -> bool {
         self.from.iter().chain(self.to.iter()).all(|v| v.is_finite())
     }
@@ -131,14 +135,15 @@ fn axes(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Axes {
 /// Follows the moves. What a move comes from is `NaN` where the program has not said it.
 ///
 /// # Errors
-/// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame before tool-centre-point control is on.
+/// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame
+/// before tool-centre-point control is on.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
     let mut follower = Follower { bench, stands: at_first(bench.machine), said: None, fixed: None };
     blocks.iter().map(|b| follower.step(b)).collect()
 }
 
-/// As [`follow`], with a tool for each tool call, in their order: the moves with each. What comes before the first call is with the first tool, and a
-/// tool stays until the next is called.
+/// As [`follow`], with a tool for each tool call, in their order: the moves with each. What comes
+/// before the first call is with the first tool, and a tool stays until the next is called.
 ///
 /// # Errors
 /// As [`follow`], and where there are not as many tool calls as tools.
@@ -174,7 +179,8 @@ struct Follower<'a> {
     bench: &'a Bench<'a>,
     /// Positions of the machine's axes.
     stands: Axes,
-    /// The programmed point, as long as it is the program's own: not taken back from the axes, so that it keeps its digits.
+    /// The programmed point, as long as it is the program's own: not taken back from the axes, so
+    /// that it keeps its digits.
     said: Option<[f64; 3]>,
     /// The line that fixed the frame to the table, and the frame: to the blade frame.
     fixed: Option<(usize, Rigid)>,
@@ -207,7 +213,8 @@ impl Follower<'_> {
             Place::Vector { point, axis } => {
                 let axis = self.blade_from_program().rotation * Vector::from(axis);
                 let machine = self.bench.machine;
-                // Along the first rotary axis any position of that would do: it stays where the tool stands so already.
+                // Along the first rotary axis any position of that would do: it stays where the
+                // tool stands so already.
                 let stays = || axis.angle(&machine.axis_at(&stands)) < ALONG_RAD;
                 let near = machine.rotary_of_axis(&axis, &stands).or_else(|| stays().then_some(stands));
                 let reached = near.ok_or_else(|| {
@@ -294,7 +301,8 @@ impl Follower<'_> {
         Some(out)
     }
 
-    /// Whether positions of the first rotary axis mean the shorter way to them; Klartext says so itself (`M126`).
+    /// Whether positions of the first rotary axis mean the shorter way to them; Klartext says so
+    /// itself (`M126`).
     fn shortest_way(&self) -> bool {
         self.bench.language.shortest_way && self.bench.language.grammar == Grammar::Gcode
     }

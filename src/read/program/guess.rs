@@ -11,8 +11,9 @@ pub struct Guess {
     pub why: &'static str,
 }
 
-/// Tells how a text is to be read, by words that only one family of controls has. A G code program without a word for tool-centre-point
-/// control is taken to be in positions of the machine's axes. `None`: no line of it looks like a program.
+/// Tells how a text is to be read, by words that only one family of controls has. A G code program
+/// without a word for tool-centre-point control is taken to be in positions of the machine's axes.
+/// `None`: no line of it looks like a program.
 pub fn guess(text: &str) -> Option<Guess> {
     let mut axes = false;
     let mut shortest_way = false;

@@ -1,15 +1,17 @@
 //! Programs read: from the text to blocks, and from blocks to what the machine does.
 //!
-//! **In**: the text of a program and its [`Language`]; for the machine's moves a [`Bench`]. **Out**: a [`Script`] of [`Block`]s, and one
-//! [`Moved`] for each move. Each reader (`gcode`, `heidenhain`, `apt`) keeps the control's modal state; [`follow`] moves the machine through
-//! the blocks; [`guess`] tells the language of a text whose writer is not known.
+//! **In**: the text of a program and its [`Language`]; for the machine's moves a [`Bench`]. **Out**:
+//! a [`Script`] of [`Block`]s, and one [`Moved`] for each move. Each reader (`gcode`, `heidenhain`,
+//! `apt`) keeps the control's modal state; [`follow`] moves the machine through the blocks;
+//! [`guess`] tells the language of a text whose writer is not known.
 //!
-//! **Guarantees**: a word that is neither acted on nor known to be harmless is refused with its line. The readers share nothing with the
-//! writers of programs.
+//! **Guarantees**: a word that is neither acted on nor known to be harmless is refused with its
+//! line. The readers share nothing with the writers of programs.
 //!
-//! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed
-//! vectors as the rotary axes that reach them. `G43.4` and `G43.5` fix X, Y, Z to the table as it stands where they come on, as their
-//! manuals say; all other controls to the table as it stands at 0.
+//! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing
+//! of the control's own), programmed vectors as the rotary axes that reach them. `G43.4` and
+//! `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals say; all
+//! other controls to the table as it stands at 0.
 //!
 //! **Fails** with kind `Usage` and the line.
 

@@ -100,7 +100,8 @@ fn apt() {
 
 #[test]
 fn steps_and_polynomials_of_g_code() {
-    // The example of the manual: end, coefficients of p² and p³, PL the length of the interval; what is left of p brings it to its end.
+    // The example of the manual: end, coefficients of p² and p³, PL the length of the interval;
+    // what is left of p brings it to its end.
     let b = gcode(
         "N10 G1 X0 Y0 Z0 F600\nN11 UPATH POLY PO[X]=(1, 2.5, 0.7) PO[Y]=(0.3,1,3.2) PL=1.5\nX2 A=PO(10,4)\nG1 X3",
     )

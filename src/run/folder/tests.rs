@@ -55,7 +55,8 @@ fn manifest_of(out: &Path) -> Manifest {
     serde_json::from_str(&fs::read_to_string(out.join(manifest::FILE)).unwrap()).unwrap()
 }
 
-/// Every file that the manifest names is there with that content, and is all that there is but for what is `foreign`.
+/// Every file that the manifest names is there with that content, and is all that there is but for
+/// what is `foreign`.
 fn is_true(out: &Path, foreign: &[&str]) {
     let told = manifest_of(out).outputs;
     for (name, hash) in &told {

@@ -1,4 +1,5 @@
-//! Signs that are swapped: after gouges or touches all over, or no contact at all, the same program with the other sign of B, and with the other sense of A.
+//! Signs that are swapped: after gouges or touches all over, or no contact at all, the same program
+//! with the other sign of B, and with the other sense of A.
 
 use super::legs::Legs;
 use super::report::{Limit, LineCheck, Worst};
@@ -10,7 +11,8 @@ use crate::read::program::{Bench, Moved};
 /// A sign that is wrong is so all over: with a smaller share of bad legs it is not to blame.
 const WIDESPREAD: f64 = 0.05;
 
-/// A check for each sign whose swapping leaves neither gouge nor touch: it fails, since that is what is wrong.
+/// A check for each sign whose swapping leaves neither gouge nor touch: it fails, since that is
+/// what is wrong.
 ///
 /// # Errors
 /// As [`Legs::new`].

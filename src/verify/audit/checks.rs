@@ -14,7 +14,8 @@ use crate::verify::sweep::Sweep;
 const A_FEW: usize = 200;
 /// Distances of the ball in rapids are told up to this, mm.
 const FAR_MM: f64 = 1000.0;
-/// A feed may ask for this many times the velocity of an axis: words are rounded, and short lines are over within milliseconds.
+/// A feed may ask for this many times the velocity of an axis: words are rounded, and short lines
+/// are over within milliseconds.
 const OVER_VELOCITY: f64 = 1.1;
 /// Rounding of positions at the end of a travel, mm or rad.
 const ROUNDING: f64 = 1e-9;
@@ -63,7 +64,8 @@ pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     check
 }
 
-/// A place where the way begins inside the part, and how deep the ball is there: from then on distances to the surface tell nothing.
+/// A place where the way begins inside the part, and how deep the ball is there: from then on
+/// distances to the surface tell nothing.
 fn inside(scene: &Scene) -> Option<(usize, f64)> {
     let legs = &scene.legs.legs;
     let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == Kind::Gap);
@@ -252,7 +254,8 @@ pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<Li
     theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
 }
 
-/// Move, least and greatest position of each axis in it, in order; positions that are not known are left out.
+/// Move, least and greatest position of each axis in it, in order; positions that are not known are
+/// left out.
 type Reached = Vec<Vec<(usize, f64, f64)>>;
 
 fn reached(scene: &Scene) -> Reached {
@@ -304,8 +307,8 @@ pub(super) fn share_bad(scene: &Scene) -> f64 {
     bad.len() as f64 / looked.max(1) as f64
 }
 
-/// Whether there is contact but neither gouge nor touch, for trying another motion. Looks at a few places first: most motions that are wrong are so
-/// nearly everywhere.
+/// Whether there is contact but neither gouge nor touch, for trying another motion. Looks at a few
+/// places first: most motions that are wrong are so nearly everywhere.
 pub(super) fn clean(scene: &Scene) -> bool {
     let wanted = scene.legs.of(Kind::Cut);
     let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.stands.get(i).map(|s| s.centre));

@@ -9,7 +9,8 @@ use crate::read::program::{Bench, Moved};
 
 /// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
 const OFF_MM: f64 = 0.0002;
-/// How far the gauge line may be off a leg on which the rotary axes do not turn evenly, mm: below what the checks of clearance resolve.
+/// How far the gauge line may be off a leg on which the rotary axes do not turn evenly, mm: below
+/// what the checks of clearance resolve.
 const OFF_GAUGE_MM: f64 = 0.001;
 /// The same as the first in rapids, mm.
 const OFF_RAPID_MM: f64 = 0.01;
@@ -102,7 +103,8 @@ impl Legs {
         self.legs.iter().map(|l| l.kind == kind).collect()
     }
 
-    /// Turns about the blade axis at each place, counted from the first place at a feed that `touches`, where there is one.
+    /// Turns about the blade axis at each place, counted from the first place at a feed that
+    /// `touches`, where there is one.
     pub fn turns(&self, touches: impl Fn(&Point) -> bool) -> Vec<u32> {
         let angle = |c: &Point| c.z.atan2(c.y);
         let mut turned = vec![0.0f64; self.stands.len()];

@@ -1,10 +1,12 @@
 //! A program judged by itself: no plan, whoever wrote it.
 //!
-//! **In**: the text of an NC program, how its words are meant ([`Bench`]: dialect, zero, tool, machine), the [`Blade`].
-//! **Out**: an [`Audit`]: checks, each with the worst place by line of the program, turn and point of the model.
+//! **In**: the text of an NC program, how its words are meant ([`Bench`]: dialect, zero, tool,
+//! machine), the [`Blade`]. **Out**: an [`Audit`]: checks, each with the worst place by line of the
+//! program, turn and point of the model.
 //!
-//! The text is read by [`crate::read::program::read`], the machine is moved through it ([`crate::read::program::follow`]), and the motion is cut into
-//! [`legs`] short enough that the ball centre goes straight, θ and B evenly. Then
+//! The text is read by [`crate::read::program::read`], the machine is moved through it
+//! ([`crate::read::program::follow`]), and the motion is cut into [`legs`] short enough that the
+//! ball centre goes straight, θ and B evenly. Then
 //!
 //! | check | measured | bound between samples |
 //! | --- | --- | --- |
@@ -19,9 +21,11 @@
 //! | `tool`, `tool-length`, `spindle`, `smoothing` | in feed moves at the part: other tools than the given one, a length offset that is off, another tool's or changed, the spindle off or turning the wrong way, a tolerance of the control's wider than the greater of gouge and scallop allowed | |
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
-//! **Limits**: rapids are taken as straight in whatever the block programs; arcs and splines are not read, polynomials of G code (`POLY`) are; the control's own
-//! smoothing is not known but for its tolerance; accelerations are not judged, since the control slows down where it must. Moves before the program has said
-//! where every axis stands are not looked at, and counted. θ need not grow and nothing is asked of the order of passes.
+//! **Limits**: rapids are taken as straight in whatever the block programs; arcs and splines are
+//! not read, polynomials of G code (`POLY`) are; the control's own smoothing is not known but for
+//! its tolerance; accelerations are not judged, since the control slows down where it must. Moves
+//! before the program has said where every axis stands are not looked at, and counted. θ need not
+//! grow and nothing is asked of the order of passes.
 
 mod blame;
 mod checks;
@@ -55,7 +59,8 @@ pub struct AuditOptions {
     pub scallop_mm: Option<f64>,
     /// The 99th percentile of the scallop may be this many times `scallop_mm`. Default 1.05.
     pub scallop_ratio: f64,
-    /// The 95th percentile of the scallop over one turn may be this many times `scallop_mm`. Default 1.25.
+    /// The 95th percentile of the scallop over one turn may be this many times `scallop_mm`.
+    /// Default 1.25.
     pub turn_ratio: f64,
     /// Stock that is to stay on the part, mm. Default 0.
     pub stock_mm: f64,
@@ -112,8 +117,8 @@ struct Source<'a> {
 /// Judges a program.
 ///
 /// # Errors
-/// `Usage`: the tool is none, a line is not understood (with its number), a move turns too far to be followed, or no feed move is known
-/// from its beginning; `Cancelled`.
+/// `Usage`: the tool is none, a line is not understood (with its number), a move turns too far to
+/// be followed, or no feed move is known from its beginning; `Cancelled`.
 pub fn audit(
     text: &str,
     blade: &Blade,
@@ -135,8 +140,10 @@ fn map(blade: &Blade, options: &AuditOptions, cuts: &[Cut]) -> Option<DeviationM
     options.map_mm.map(|tolerance| deviation::measure(&part, cuts, tolerance))
 }
 
-/// Judges a program of several operations, with a tool for each tool call in their order: an audit of each. The moves from one operation to the next
-/// belong to the first, up to the tool call. What one leaves between its passes is judged by itself; the map, of what all of them together leave, is the last one's.
+/// Judges a program of several operations, with a tool for each tool call in their order: an audit
+/// of each. The moves from one operation to the next belong to the first, up to the tool call. What
+/// one leaves between its passes is judged by itself; the map, of what all of them together leave,
+/// is the last one's.
 ///
 /// # Errors
 /// As [`audit`] of each, and where the program does not call as many tools.
@@ -217,7 +224,8 @@ fn audit_moves(
     Ok((report::report(&scene, checks, &heights), Cut::new(cutting, widest)))
 }
 
-/// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is known from its beginning.
+/// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is
+/// known from its beginning.
 ///
 /// # Errors
 /// As [`audit`] where a move turns too far to be followed.
@@ -234,7 +242,8 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     }))
 }
 
-/// The check `program-travel`: every axis over all moves of a program, rapids, approach and retract among them.
+/// The check `program-travel`: every axis over all moves of a program, rapids, approach and retract
+/// among them.
 ///
 /// # Errors
 /// As [`audit`] where a move turns too far to be followed.
@@ -261,7 +270,8 @@ impl Scene<'_> {
         self.sweep_of(self.legs.of(kind))
     }
 
-    /// The ball swept over the feed moves along the part: without approach and retract, which are no passes.
+    /// The ball swept over the feed moves along the part: without approach and retract, which are
+    /// no passes.
     fn passes(&self) -> Sweep {
         let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
         let touching: Vec<bool> =

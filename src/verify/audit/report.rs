@@ -47,7 +47,8 @@ pub struct Audit {
     pub feed_moves: usize,
     /// Rapids.
     pub rapids: usize,
-    /// Moves that begin or end where the program has not said yet that an axis stands: not looked at.
+    /// Moves that begin or end where the program has not said yet that an axis stands: not looked
+    /// at.
     pub unknown_moves: usize,
     /// Turns about the blade axis.
     pub turns: u32,
@@ -153,13 +154,15 @@ impl Scene<'_> {
         line.and_then(|n| self.text.lines().nth(n.checked_sub(1)?)).map(|l| l.trim().to_owned())
     }
 
-    /// Tells the spans of the legs that break a limit, and of the leg of the worst value, which may break it between its places.
+    /// Tells the spans of the legs that break a limit, and of the leg of the worst value, which may
+    /// break it between its places.
     pub(super) fn tell_spans(&self, check: &mut LineCheck, legs: &[usize], worst: usize) {
         let moved = |leg: &usize| self.legs.legs.get(*leg).map(|l| l.moved);
         (check.spans, check.span_count) = self.spans(legs.iter().chain([&worst]).filter_map(moved).collect());
     }
 
-    /// Moves that break a limit, as spans of such that follow one another, in order; at most [`MOST_SPANS`], and how many there are.
+    /// Moves that break a limit, as spans of such that follow one another, in order; at most
+    /// [`MOST_SPANS`], and how many there are.
     pub(super) fn spans(&self, mut moves: Vec<usize>) -> (Vec<Span>, usize) {
         moves.sort_unstable();
         let mut all: Vec<(Span, usize)> = Vec::new();

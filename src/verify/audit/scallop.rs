@@ -1,11 +1,14 @@
 //! What a program leaves standing between its passes.
 //!
-//! At samples of the surface, the height at which the normal meets the swept ball, as in [`super::super::scallop`]. Nothing is known of
-//! how the passes lie, so a sample counts where it lies *between* passes: the places of the swept centres nearest to its ball centre are
-//! on both sides of it. The strip beyond the outermost passes has one on one side only. Places beside the beginning or the end of a pass do not count either: there the
-//! ball comes down or goes up, and beyond is nothing to be cut.
+//! At samples of the surface, the height at which the normal meets the swept ball, as in
+//! [`super::super::scallop`]. Nothing is known of how the passes lie, so a sample counts where it
+//! lies *between* passes: the places of the swept centres nearest to its ball centre are on both
+//! sides of it. The strip beyond the outermost passes has one on one side only. Places beside the
+//! beginning or the end of a pass do not count either: there the ball comes down or goes up, and
+//! beyond is nothing to be cut.
 //!
-//! One turn that is too wide may be a small share of the part, so the height is judged turn by turn too.
+//! One turn that is too wide may be a small share of the part, so the height is judged turn by turn
+//! too.
 
 use rayon::prelude::*;
 
@@ -82,7 +85,8 @@ pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
     Heights { sorted }
 }
 
-/// Legs within so much way of the beginning or the end of a pass: there the ball comes down or goes up on a lead, and beyond it nothing is to be cut.
+/// Legs within so much way of the beginning or the end of a pass: there the ball comes down or goes
+/// up on a lead, and beyond it nothing is to be cut.
 fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
     let n = sweep.centres.len().saturating_sub(1);
     let mut out = vec![false; n];
@@ -99,8 +103,8 @@ fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
     out
 }
 
-/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its two sides are apart; `None` where one of them is near
-/// the end of a pass.
+/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its
+/// two sides are apart; `None` where one of them is near the end of a pass.
 fn between(sweep: &Sweep, q: &Point, reach_mm: f64, ends: &[bool]) -> Option<(usize, f64)> {
     let mut near: Vec<(f64, usize, Point)> =
         sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();

@@ -1,4 +1,5 @@
-//! Small programs as others might write them; faults of all dialects are planted in the tests of the posts.
+//! Small programs as others might write them; faults of all dialects are planted in the tests of
+//! the posts.
 #![allow(clippy::unwrap_used)]
 
 use super::*;
@@ -21,7 +22,8 @@ fn find<'a>(audit: &'a Audit, name: &str) -> &'a LineCheck {
     audit.checks.iter().find(|c| c.check.name == name).unwrap()
 }
 
-/// Over the top of the cylinder (radius 20) along x, B = 0: the tip is at height 20, the gauge line 140 mm above it.
+/// Over the top of the cylinder (radius 20) along x, B = 0: the tip is at height 20, the gauge line
+/// 140 mm above it.
 fn along(height: f64) -> String {
     format!("G90 G94 G0 A0 B0 S6000 M3\nG0 X1410 Y0 Z300\nG1 Z{height} F500\nG1 X1450\nG0 Z300\nM30\n")
 }
@@ -66,7 +68,8 @@ fn b_may_move_and_rapids_are_looked_at() {
 
 #[test]
 fn the_zero_may_be_turned_and_moved() {
-    // In the CAD model's frame, as the sample's blade has it: tool tips under tool-centre-point control.
+    // In the CAD model's frame, as the sample's blade has it: tool tips under tool-centre-point
+    // control.
     let tip = Language { programmed: Programmed::Tip, ..ISO };
     let blade = sample::blade();
     let block = |x: f64| {

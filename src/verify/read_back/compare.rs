@@ -14,7 +14,8 @@ use crate::machine::{Machine, Pose};
 use crate::read::program::Moved;
 use crate::tool::Tool;
 
-/// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may do.
+/// Greatest distance of the ball centre after a line from the plan's path, mm: what rounding may
+/// do.
 const CENTRE_MM: f64 = 0.001;
 /// Rounding moves a place of a polynomial line along the path by no more, mm.
 const ROUNDED_MM: f64 = 0.0001;
@@ -24,13 +25,15 @@ const DIRECTION_DEG: f64 = 0.001;
 const TIME: f64 = 0.001;
 /// Greatest relative difference of the time of a line.
 const FEED: f64 = 0.02;
-/// Times of lines are told apart from here on, s: places are rounded, and with them the times at which the plan is there.
+/// Times of lines are told apart from here on, s: places are rounded, and with them the times at
+/// which the plan is there.
 const MOMENT_S: f64 = 0.01;
 /// A line that comes this near to the first or last location ends there, mm.
 const AT_END_MM: f64 = 0.05;
 /// Places looked at within a move, its end among them.
 const WITHIN: usize = 8;
-/// Plan moves looked ahead for the one that a place belongs to: lines may be left out where locations round to one.
+/// Plan moves looked ahead for the one that a place belongs to: lines may be left out where
+/// locations round to one.
 const AHEAD: usize = 12;
 
 /// A worst value, with the line and the cutter location.
@@ -177,8 +180,9 @@ impl Comparison<'_> {
             (0..=WITHIN).map(|k| m.pose(k as f64 / WITHIN as f64, self.tool, self.machine)).collect();
         let mut here = at;
         for (k, pose) in poses.iter().enumerate().skip(1) {
-            // Within a line the ball may be off along the path by as much as across it, and θ may change fast along the path: the
-            // angle to the nearest place's would tell of that. At ends only rounding is left.
+            // Within a line the ball may be off along the path by as much as across it, and θ may
+            // change fast along the path: the angle to the nearest place's would tell of that. At
+            // ends only rounding is left.
             let on = if m.bend.is_some() {
                 let (on, angle_deg) = self.locate_on_curve(pose, here);
                 self.centre.take(on.distance_mm, m.line, on.row);
@@ -212,7 +216,8 @@ impl Comparison<'_> {
         here
     }
 
-    /// How far a line turns against the plan: the same axis may be reached the other way round, or a turn later.
+    /// How far a line turns against the plan: the same axis may be reached the other way round, or
+    /// a turn later.
     fn turn(&mut self, m: &Moved, on: OnPath, poses: &[Pose]) {
         let cone = self.cone(on.row);
         let angle = |p: &Pose| about(&cone, p);
@@ -250,8 +255,9 @@ impl Comparison<'_> {
         best
     }
 
-    /// The place of the plan's path, from plan move `from` on, with the least of distance and angle together, each over its limit: rounding
-    /// moves a place along the path as well, and where θ turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
+    /// The place of the plan's path, from plan move `from` on, with the least of distance and angle
+    /// together, each over its limit: rounding moves a place along the path as well, and where θ
+    /// turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
     fn locate_pose(&self, pose: &Pose, from: usize) -> OnPath {
         let rows = self.motion.rows();
         let mut best = (f64::INFINITY, OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY });
@@ -282,7 +288,8 @@ impl Comparison<'_> {
         best.1
     }
 
-    /// As [`Comparison::locate_pose`], θ following the schedule's curve; with the angle between the tool axis and the planned one there, degrees.
+    /// As [`Comparison::locate_pose`], θ following the schedule's curve; with the angle between the
+    /// tool axis and the planned one there, degrees.
     fn locate_on_curve(&self, pose: &Pose, from: usize) -> (OnPath, f64) {
         let near = self.locate(&pose.centre, from).row;
         let last = self.motion.rows().len().saturating_sub(2);
@@ -293,7 +300,8 @@ impl Comparison<'_> {
         places.min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(none)
     }
 
-    /// Places of a plan move: the one nearest to the centre, and that moved along by what the angle of the tool axis asks for.
+    /// Places of a plan move: the one nearest to the centre, and that moved along by what the angle
+    /// of the tool axis asks for.
     fn place_on_curve(&self, pose: &Pose, row: usize) -> [(OnPath, f64); 2] {
         let (a, b) = (&self.motion.rows()[row].stand, &self.motion.rows()[row + 1].stand);
         let at = |share: f64| self.motion.curved(row, share).unwrap_or(*a);

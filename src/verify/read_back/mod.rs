@@ -1,7 +1,8 @@
 //! Programs read back: from the text to what the machine does, and that against the plan.
 //!
-//! **In**: a [`Program`], the [`Plan`] it was posted from, [`Tool`], [`Machine`]. **Out**: [`Check`]s. [`crate::read::program`] reads the
-//! text and moves the machine through it. Neither room shares anything with the writers of programs.
+//! **In**: a [`Program`], the [`Plan`] it was posted from, [`Tool`], [`Machine`]. **Out**:
+//! [`Check`]s. [`crate::read::program`] reads the text and moves the machine through it. Neither
+//! room shares anything with the writers of programs.
 //!
 //! | check | measured |
 //! | --- | --- |
@@ -20,9 +21,11 @@
 //!
 //! A word that is neither acted on nor known to be harmless is refused with its line.
 //!
-//! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing of the control's own), programmed vectors as the rotary axes that reach
-//! them. `G43.4` and `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals say; all other controls to the table as it stands at 0. Approach and
-//! retract at a feed are read, not judged: the way that they take is judged with the plan (`lead-clearance`).
+//! **Limits**: axes move evenly from line to line, or on the polynomials of the line (no smoothing
+//! of the control's own), programmed vectors as the rotary axes that reach them. `G43.4` and
+//! `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals say; all
+//! other controls to the table as it stands at 0. Approach and retract at a feed are read, not
+//! judged: the way that they take is judged with the plan (`lead-clearance`).
 
 mod compare;
 mod setting;
@@ -56,8 +59,8 @@ pub struct Operation<'a> {
     pub tool: &'a Tool,
 }
 
-/// As [`read_back`], of a program with a tool call for each operation: every one against its own plan, and all rapids, those from one operation to
-/// the next among them.
+/// As [`read_back`], of a program with a tool call for each operation: every one against its own
+/// plan, and all rapids, those from one operation to the next among them.
 ///
 /// # Errors
 /// As [`read_back`], and where the program does not call as many tools as there are operations.
@@ -89,8 +92,9 @@ pub fn read_back_each(
     Ok(out)
 }
 
-/// What the operations of a text are written with: tool number and spindle speed of each as given, the rest as the text says it. To be kept with the
-/// text, which may be another when it is read back.
+/// What the operations of a text are written with: tool number and spindle speed of each as given,
+/// the rest as the text says it. To be kept with the text, which may be another when it is read
+/// back.
 pub fn asked(text: &str, language: Language, operations: impl Iterator<Item = (u32, f64)>) -> Vec<Asked> {
     // What cannot be read says nothing; reading it back tells why.
     let script = read(text, language).unwrap_or_default();

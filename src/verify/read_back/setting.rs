@@ -1,4 +1,5 @@
-//! What a program sets beside its motion: that it ends, tool, length offset, spindle, how far the control may leave the path, work offset.
+//! What a program sets beside its motion: that it ends, tool, length offset, spindle, how far the
+//! control may leave the path, work offset.
 
 use crate::artifact::program::{Asked, LengthOffset, Program, Setting, Turning};
 use crate::artifact::report::Check;
@@ -93,7 +94,8 @@ pub(in crate::verify) fn own<'a>(
     out.into_iter()
 }
 
-/// Moves of a program of others: those that are known to cut, and all of them; `tolerance_mm`: how far the control may leave the path.
+/// Moves of a program of others: those that are known to cut, and all of them; `tolerance_mm`: how
+/// far the control may leave the path.
 pub(in crate::verify) fn theirs<'a>(
     script: &'a Script,
     blocks: &'a [Block],
@@ -162,7 +164,8 @@ fn in_words(length: LengthOffset) -> String {
     }
 }
 
-/// The length of the tool: on wherever a point over the part is programmed, of the tool that was called, and the same all over.
+/// The length of the tool: on wherever a point over the part is programmed, of the tool that was
+/// called, and the same all over.
 fn lengths<'a>(script: &Script, cuts: impl Iterator<Item = &'a Block>, asked: Option<LengthOffset>) -> Finding {
     let mut first: Option<(usize, LengthOffset)> = None;
     let wrong = cuts.filter(|b| !b.machine).filter_map(|b| {

@@ -1,6 +1,7 @@
 //! The words of a program's text against what its control reads: `program-words`.
 //!
-//! Looks at the text alone, token by token, so that it holds for lines that no reader makes a move of as well.
+//! Looks at the text alone, token by token, so that it holds for lines that no reader makes a move
+//! of as well.
 
 use crate::artifact::program::{Grammar, Program, WordRange};
 use crate::artifact::report::Check;
@@ -32,7 +33,8 @@ fn outside(value: &str, range: &WordRange) -> Option<String> {
         .then(|| format!("has {digits} digits after the point, the control reads {}", range.decimals))
 }
 
-/// Addresses and values of a line, comments left out: `X1.5`, `A=DC(3)` as A and 3, `FEDRAT/300,MMPM` as FEDRAT and 300.
+/// Addresses and values of a line, comments left out: `X1.5`, `A=DC(3)` as A and 3,
+/// `FEDRAT/300,MMPM` as FEDRAT and 300.
 fn words(line: &str, grammar: Grammar) -> Vec<(String, &str)> {
     let code = match grammar {
         Grammar::Apt => line.split("$$").next().unwrap_or(""),

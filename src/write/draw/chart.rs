@@ -1,4 +1,5 @@
-//! A plot with axes, curves, a band, marks, bars and coloured dots as SVG, on white for paper and slides.
+//! A plot with axes, curves, a band, marks, bars and coloured dots as SVG, on white for paper and
+//! slides.
 
 use std::fmt::Write;
 
@@ -168,7 +169,8 @@ fn path_of(points: &mut dyn Iterator<Item = &[f64; 2]>, x: &Scale, y: &Scale) ->
 }
 
 impl Chart {
-    /// Least and greatest of a coordinate of all that is drawn; a little more on either side where `pad`.
+    /// Least and greatest of a coordinate of all that is drawn; a little more on either side where
+    /// `pad`.
     fn extent(&self, axis: usize, pad: f64) -> [f64; 2] {
         let band = self.band.iter().flat_map(|(a, b)| a.iter().chain(b));
         let curves = self.curves.iter().flat_map(|c| &c.points).chain(band).map(|p| p[axis]);

@@ -1,7 +1,7 @@
 //! The one scale of colours, for values from low to high.
 //!
-//! Viridis (van der Walt and Smith, released under CC0): lightness grows evenly all along, so it is read alike with any colour
-//! vision and in black and white.
+//! Viridis (van der Walt and Smith, released under CC0): lightness grows evenly all along, so it is
+//! read alike with any colour vision and in black and white.
 
 /// Evenly spaced stops, sRGB, low to high.
 pub const STOPS: [[u8; 3]; 11] = [

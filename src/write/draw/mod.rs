@@ -1,9 +1,10 @@
 //! The one chart engine, and the plots that are made with it: SVG and PNG files for papers and
 //! slides, drawings inside pages, small pictures of families.
 //!
-//! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as PNG ([`png()`]), whose letters are those of DejaVu
-//! Sans (Bitstream Vera licence: free to use and to embed) from the crate `dejavu`; so a picture is the same on any machine. Nothing is thinned but the
-//! scallop map.
+//! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as
+//! PNG ([`png()`]), whose letters are those of DejaVu Sans (Bitstream Vera licence: free to use and
+//! to embed) from the crate `dejavu`; so a picture is the same on any machine. Nothing is thinned
+//! but the scallop map.
 
 pub(crate) mod chart;
 pub mod colour;
@@ -52,7 +53,8 @@ pub struct PlotInput<'a> {
     pub sections: &'a [Section],
 }
 
-/// File names without their ending, and SVG texts: S–θ plot and axes of the turn, histogram and map of the scallop, the middle section.
+/// File names without their ending, and SVG texts: S–θ plot and axes of the turn, histogram and map
+/// of the scallop, the middle section.
 ///
 /// # Errors
 /// `Usage` where the plan has no such turn.
@@ -117,7 +119,8 @@ fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Char
     }
 }
 
-/// One panel of an axis: position, velocity, acceleration or jerk over the time from the turn's start.
+/// One panel of an axis: position, velocity, acceleration or jerk over the time from the turn's
+/// start.
 fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: usize, kind: usize) -> Chart {
     let (turning, own_axis) = (input.machine.turning_axis(), &input.machine.axes()[axis]);
     let scale = own_axis.scale();
@@ -226,7 +229,8 @@ fn section(s: &Section) -> Vec<Chart> {
 /// An SVG text as a PNG file, `width` pixels wide.
 ///
 /// # Errors
-/// `Usage` where the width is 0 or larger than 20 000; `InputOutput` where the picture cannot be drawn or encoded.
+/// `Usage` where the width is 0 or larger than 20 000; `InputOutput` where the picture cannot be
+/// drawn or encoded.
 pub fn png(svg: &str, width: u32) -> Result<Vec<u8>> {
     let bad = |e: String| Error::io(Stage::Preview, format!("a plot cannot be drawn as PNG: {e}"));
     if !(1..=20_000).contains(&width) {

@@ -1,8 +1,9 @@
 //! Where the time of an operation goes: the one place that counts it.
 //!
-//! Feed moves take their way over their feed, the motion on leads and path its planned times, rapids the time of the slowest axis under its own velocity and
-//! acceleration: a trapezoid, or a triangle where it is short. Not counted is what no file says: the tool change, and the way from wherever the
-//! machine stood to over the part.
+//! Feed moves take their way over their feed, the motion on leads and path its planned times,
+//! rapids the time of the slowest axis under its own velocity and acceleration: a trapezoid, or a
+//! triangle where it is short. Not counted is what no file says: the tool change, and the way from
+//! wherever the machine stood to over the part.
 
 use std::f64::consts::TAU;
 
@@ -38,8 +39,8 @@ fn planned(run: &Run) -> [f64; 3] {
     [begins - first.unwrap_or(begins), ends - begins, last - ends]
 }
 
-/// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by places one after another, the approach feed to the feed height, the
-/// plunge feed from there on.
+/// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by
+/// places one after another, the approach feed to the feed height, the plunge feed from there on.
 fn outside(run: &Run, end: &End, by: &[Axes]) -> f64 {
     let (o, height) = (run.options, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
@@ -63,7 +64,8 @@ pub(super) fn up(run: &Run) -> usize {
     z
 }
 
-/// The rotary axes back to where the program began with them: at `begun`, or at the first location's.
+/// The rotary axes back to where the program began with them: at `begun`, or at the first
+/// location's.
 fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&Axes>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;

@@ -6,17 +6,21 @@
 //! file_begin  header (warnings within)  notes  start  turn_in …  approach  plunge  cutting  turn cut …  cutting_end  leave  retract  unwind  end  file_end
 //! ```
 //!
-//! In a program of several operations all from `header` to `unwind` comes once for each, with `operation_end` between two.
-//! `start` sees the safe position over the first location, `approach` the feed height, `plunge` the first location, `cut` (once
-//! for each move) every location after it, `turn` (before the first cut of each turn) its number and the place where it begins, `leave` the feed height over the last location, `retract` the safe position over
-//! it, `unwind` the first location again. With `turn_in` the table stands at 0 in `start` and behind `unwind`, and `turn_in` is written for each place on the way
-//! from there to the safe position. A line beginning with `; ` is a comment; any other is a block. `{key}` stands for a value and
-//! `{key:3}` for one with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the
-//! value before are left out for the keys in `modal`. The line `{look_ahead}` in `start` stands for all lines of `look_ahead`, `{look_ahead_end}` in
-//! `retract` for those of `look_ahead_end`; both are left out where the job says `post.look_ahead = false`.
+//! In a program of several operations all from `header` to `unwind` comes once for each, with
+//! `operation_end` between two. `start` sees the safe position over the first location, `approach`
+//! the feed height, `plunge` the first location, `cut` (once for each move) every location after
+//! it, `turn` (before the first cut of each turn) its number and the place where it begins, `leave`
+//! the feed height over the last location, `retract` the safe position over it, `unwind` the first
+//! location again. With `turn_in` the table stands at 0 in `start` and behind `unwind`, and
+//! `turn_in` is written for each place on the way from there to the safe position. A line beginning
+//! with `; ` is a comment; any other is a block. `{key}` stands for a value and `{key:3}` for one
+//! with three digits after the point; the keys are those of [`KEYS`]. Words that repeat the value
+//! before are left out for the keys in `modal`. The line `{look_ahead}` in `start` stands for all
+//! lines of `look_ahead`, `{look_ahead_end}` in `retract` for those of `look_ahead_end`; both are
+//! left out where the job says `post.look_ahead = false`.
 //!
-//! `[ranges]` is what the control reads in its words: the writer keeps within it, or says where it cannot, and the program's text is held against it
-//! once more when it is read back.
+//! `[ranges]` is what the control reads in its words: the writer keeps within it, or says where it
+//! cannot, and the program's text is held against it once more when it is read back.
 //!
 //! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`: see [`super::polynomial`].
 

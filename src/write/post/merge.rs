@@ -1,8 +1,9 @@
 //! Moves joined where they are shorter in time than the control can read.
 //!
-//! Under inverse time `F = 1/Δt` has a greatest value, so a line takes at least `60/F` seconds. A move that would take less is joined with the
-//! next, as long as all that is left out stays within the chord tolerance of the line that remains. Where it would not, nothing is
-//! clamped: a stretched line would be another motion than the one that was checked.
+//! Under inverse time `F = 1/Δt` has a greatest value, so a line takes at least `60/F` seconds. A
+//! move that would take less is joined with the next, as long as all that is left out stays within
+//! the chord tolerance of the line that remains. Where it would not, nothing is clamped: a
+//! stretched line would be another motion than the one that was checked.
 
 use super::moves::{Move, ball_centre};
 use super::{Dialect, Run};
@@ -56,7 +57,8 @@ pub(super) fn joined(run: &Run, dialect: &Dialect, moves: Vec<Move>, least_s: f6
     Ok(kept.into_iter().map(|k| moves[k]).collect())
 }
 
-/// Whether the straight move from the first to the last keeps to all that is between them, and they to it.
+/// Whether the straight move from the first to the last keeps to all that is between them, and they
+/// to it.
 fn close(run: &Run, dialect: &Dialect, moves: &[Move]) -> bool {
     let (Some(from), Some(to)) = (moves.first(), moves.last()) else { return true };
     if moves.len() <= 2 {

@@ -1,30 +1,37 @@
 //! NC programs from checked plans.
 //!
-//! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a [`Program`], plain ASCII text.
+//! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a
+//! [`Program`], plain ASCII text.
 //!
-//! A dialect is a *post file* (TOML, [`PostFile`]): eleven are built in ([`crate::artifact::program::Control`]), an own one needs no
-//! recompiling. Three kinds of coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with tool-centre-point
-//! control, or positions of the machine's axes. With `B` fixed the tool axis lies on a cone, so rotary axes are written as positions
-//! where there is a choice; vectors are written for controls that turn them into rotary positions line by line.
+//! A dialect is a *post file* (TOML, [`PostFile`]): eleven are built in
+//! ([`crate::artifact::program::Control`]), an own one needs no recompiling. Three kinds of
+//! coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with
+//! tool-centre-point control, or positions of the machine's axes. With `B` fixed the tool axis lies
+//! on a cone, so rotary axes are written as positions where there is a choice; vectors are written
+//! for controls that turn them into rotary positions line by line.
 //!
 //! ## Feed
-//! Where the control knows inverse time, every cutting line carries `F = 1 / Δt` (`G93`, 1/min) with `Δt` from the plan's times, so
-//! that the control needs no notion of what a feed means for a line that turns and moves at once. Otherwise F is the way of the
-//! programmed point, as it is rounded, over `Δt`. Where `Δt` is shorter than the control can read, moves are joined as long as the chord tolerance
-//! is kept, and where it would not be, that is an error: time is never stretched in silence.
+//! Where the control knows inverse time, every cutting line carries `F = 1 / Δt` (`G93`, 1/min)
+//! with `Δt` from the plan's times, so that the control needs no notion of what a feed means for a
+//! line that turns and moves at once. Otherwise F is the way of the programmed point, as it is
+//! rounded, over `Δt`. Where `Δt` is shorter than the control can read, moves are joined as long as
+//! the chord tolerance is kept, and where it would not be, that is an error: time is never
+//! stretched in silence.
 //!
 //! ## Approach and retract
-//! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times: they are written like cuts. Before and after them, or
-//! from and to the path itself where there is no room for an arc, straight along the tool axis, from and to a distance at which a plane perpendicular to the tool axis separates the
-//! whole tool from a sphere around the part centred on the axis of `A`: there `A` may turn freely. The way is clear
-//! wherever the tool is clear at its end, because the tool nowhere narrows towards the spindle (where a holder does,
-//! the header says so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
-//! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most `R (1 − cos τ)`
-//! wider than the tool itself, which is less than any sensible clearance.
+//! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times:
+//! they are written like cuts. Before and after them, or from and to the path itself where there is
+//! no room for an arc, straight along the tool axis, from and to a distance at which a plane
+//! perpendicular to the tool axis separates the whole tool from a sphere around the part centred on
+//! the axis of `A`: there `A` may turn freely. The way is clear wherever the tool is clear at its
+//! end, because the tool nowhere narrows towards the spindle (where a holder does, the header says
+//! so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
+//! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most
+//! `R (1 − cos τ)` wider than the tool itself, which is less than any sensible clearance.
 //!
 //! ## Several operations
-//! [`join`] writes finished plans one after another, each whole: a program of operations is as true as its parts, and the moves between them are
-//! those of every beginning and end.
+//! [`join`] writes finished plans one after another, each whole: a program of operations is as true
+//! as its parts, and the moves between them are those of every beginning and end.
 //!
 //! Limits: no tool radius compensation. [`crate::verify::read_back`] reads every program back.
 
@@ -132,7 +139,8 @@ impl PostOptions {
 /// `Usage` where there is no such turn.
 pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan>> {
     let Some(turn) = options.from_turn else { return Ok(Cow::Borrowed(plan)) };
-    // Locations keep the numbers of their turns: what has been cut off already, with a lead-in of its own, stays as it is.
+    // Locations keep the numbers of their turns: what has been cut off already, with a lead-in of
+    // its own, stays as it is.
     if turn > 1 && plan.toolpath.locations.first().is_some_and(|l| l.turn as usize + 1 == turn) {
         return Ok(Cow::Borrowed(plan));
     }
@@ -146,9 +154,10 @@ pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan
 /// Writes a checked plan in a dialect.
 ///
 /// # Errors
-/// `Usage` where an option is out of range or the plan is none (no locations, rows that do not match, numbers that are
-/// not finite, times that do not grow) or a block is too long; `Infeasible` where the contact at an end of the path lies above the ball's
-/// equator, so that the tool cannot leave along its axis.
+/// `Usage` where an option is out of range or the plan is none (no locations, rows that do not
+/// match, numbers that are not finite, times that do not grow) or a block is too long; `Infeasible`
+/// where the contact at an end of the path lies above the ball's equator, so that the tool cannot
+/// leave along its axis.
 pub fn post(
     dialect: &Dialect,
     plan: &Verified<Plan>,
@@ -171,11 +180,13 @@ pub struct Operation<'a> {
     pub options: &'a PostOptions,
 }
 
-/// Writes checked plans of one part on one machine as one program: each with its header, tool call, approach, retract and unwinding. Operations
-/// are numbered from `first`; that of a program which goes on after a break is not 1.
+/// Writes checked plans of one part on one machine as one program: each with its header, tool call,
+/// approach, retract and unwinding. Operations are numbered from `first`; that of a program which
+/// goes on after a break is not 1.
 ///
 /// # Errors
-/// Those of [`post`] of each; `Usage` where there is none, or two with the same tool number have different tools.
+/// Those of [`post`] of each; `Usage` where there is none, or two with the same tool number have
+/// different tools.
 pub fn join(
     dialect: &Dialect,
     operations: &[Operation],
@@ -253,7 +264,8 @@ struct Run<'a> {
     ends: [End; 2],
 }
 
-/// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the first or last location.
+/// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the
+/// first or last location.
 #[derive(Clone, Copy, Debug)]
 struct End {
     /// Where the tool stands there.
@@ -271,7 +283,8 @@ impl Run<'_> {
     fn axes_at(&self, end: &End, lift_mm: f64) -> Axes {
         self.machine.place(&end.stand.lifted(lift_mm), Some(&end.near), self.tool.length_mm())
     }
-    /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool axes are on one cone about that.
+    /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool
+    /// axes are on one cone about that.
     fn turns_the_blade_alone(&self) -> bool {
         self.machine.turns_the_blade() && self.plan.toolpath.cones.same().is_some_and(|c| c.is_about_blade())
     }
@@ -281,7 +294,8 @@ impl Run<'_> {
     }
 }
 
-/// The outer ends of the leads, or first and last location where they are straight, with their safe positions.
+/// The outer ends of the leads, or first and last location where they are straight, with their safe
+/// positions.
 fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
     moves::well_formed(plan)?;
     let sphere = sphere_on_axis(blade);
@@ -318,7 +332,8 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
     ])
 }
 
-/// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto itself.
+/// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto
+/// itself.
 fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
     let points = &blade.part.mesh.points;
     let (lo, hi) = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.x), hi.max(p.x)));
@@ -326,7 +341,8 @@ fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
     (centre, points.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max))
 }
 
-/// How far the tool can go along its axis from a location before a linear axis meets the end of its travel, mm.
+/// How far the tool can go along its axis from a location before a linear axis meets the end of its
+/// travel, mm.
 fn travel_along(machine: &Machine, stand: &Stand, near: &Axes, gauge: f64) -> f64 {
     let [from, to] = [*stand, stand.lifted(1.0)].map(|s| machine.place(&s, Some(near), gauge));
     let mut reach = f64::INFINITY;

@@ -1,10 +1,11 @@
-//! The cutting moves, the same for all dialects: cutter locations, and between them as many more as the control's own
-//! interpolation asks for.
+//! The cutting moves, the same for all dialects: cutter locations, and between them as many more as
+//! the control's own interpolation asks for.
 //!
-//! Between two lines a control moves every word evenly: the programmed point goes straight, and `A` turns evenly. The ball centre then
-//! leaves the straight way between two cutter locations: under tool-centre-point control by tip by at most `R (1 − cos(Δθ/2))`, and
-//! with positions of machine axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where that is
-//! more than the chord tolerance of the path, the move is written in equal parts.
+//! Between two lines a control moves every word evenly: the programmed point goes straight, and `A`
+//! turns evenly. The ball centre then leaves the straight way between two cutter locations: under
+//! tool-centre-point control by tip by at most `R (1 − cos(Δθ/2))`, and with positions of machine
+//! axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where
+//! that is more than the chord tolerance of the path, the move is written in equal parts.
 
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
@@ -18,7 +19,8 @@ use super::polynomial::Bend;
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
 
-/// Where five axes move at once: the tool axis within a line is within this of the plan's, rad (0.01 degrees).
+/// Where five axes move at once: the tool axis within a line is within this of the plan's, rad
+/// (0.01 degrees).
 const ASKEW_RAD: f64 = 1.7e-4;
 
 /// The end of a cutting move.
@@ -26,7 +28,8 @@ const ASKEW_RAD: f64 = 1.7e-4;
 pub(super) struct Move {
     /// Where the tool stands.
     pub(super) stand: Stand,
-    /// Where the plan's axes stand at the row beside it: of several ways to bring the tool there the nearest is taken.
+    /// Where the plan's axes stand at the row beside it: of several ways to bring the tool there
+    /// the nearest is taken.
     pub(super) near: Axes,
     /// Time, s.
     pub(super) t_s: f64,
@@ -92,7 +95,8 @@ pub(super) fn well_formed(plan: &Plan) -> Result<()> {
     Ok(())
 }
 
-/// Feed as text with at least six digits that count where the control reads as many; `None`: it is out of the control's range.
+/// Feed as text with at least six digits that count where the control reads as many; `None`: it is
+/// out of the control's range.
 pub(super) fn feed_word(f: f64, range: &WordRange) -> Option<String> {
     // What is over by the last digits of a division is within.
     let f = if f > range.greatest && f < range.greatest * (1.0 + 1e-9) { range.greatest } else { f };
@@ -132,7 +136,8 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
     Ok(out)
 }
 
-/// In how many equal parts a move has to be written: the deviation falls with the square of their number.
+/// In how many equal parts a move has to be written: the deviation falls with the square of their
+/// number.
 fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
     // Half of the tolerance: the other half is for the rounding of words and the path's own chords.
     let allowed = 0.5 * run.plan.toolpath.chord_mm.max(1e-6);
@@ -140,7 +145,8 @@ fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
     (mid / allowed).sqrt().ceil().clamp(1.0, 1e9) as usize
 }
 
-/// Distance, halfway, of the ball centre as the control moves it from halfway between two locations.
+/// Distance, halfway, of the ball centre as the control moves it from halfway between two
+/// locations.
 fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     let middle = nalgebra::center(&a.stand.centre, &b.stand.centre);
     let radius = run.tool.radius_mm;
@@ -163,7 +169,8 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     }
 }
 
-/// The ball centre at a share of the move from one place to another, as the control moves it: every word evenly.
+/// The ball centre at a share of the move from one place to another, as the control moves it: every
+/// word evenly.
 pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
     let (radius, gauge) = (run.tool.radius_mm, run.tool.length_mm());
     let centre = a.stand.centre + (b.stand.centre - a.stand.centre) * share;
@@ -196,8 +203,8 @@ fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
     run.machine.axis_at(&mean(&p, &q))
 }
 
-/// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes then leave the cone. In mm of the chord tolerance,
-/// [`ASKEW_RAD`] being half of it.
+/// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes
+/// then leave the cone. In mm of the chord tolerance, [`ASKEW_RAD`] being half of it.
 fn askew_mm(run: &Run, a: &Move, b: &Move) -> f64 {
     if run.turns_the_blade_alone() {
         return 0.0;

@@ -1,21 +1,25 @@
 //! Cuts as polynomials, for controls that interpolate them (`POLY` of the Siemens 840D).
 //!
-//! From a cutter location to the next the plan's ball centre goes straight and evenly with the arc length, and θ follows the schedule's curve
-//! θ(S). Every word of a block, the coordinates of the programmed point and the rotary axes, is a function `w(p)` of the share `p` of that
-//! way. It is written as
+//! From a cutter location to the next the plan's ball centre goes straight and evenly with the arc
+//! length, and θ follows the schedule's curve θ(S). Every word of a block, the coordinates of the
+//! programmed point and the rotary axes, is a function `w(p)` of the share `p` of that way. It is
+//! written as
 //!
 //! ```text
 //! w(p) = w₀ + (w₁ − w₀ − Σ aₖ) p + Σ aₖ pᵏ,   k = 2 … degree,   p from 0 to 1
 //! ```
 //!
-//! with `w₀` where the block before ended: only the end `w₁` and the `aₖ` are programmed. They are those of the polynomial through `w` at the
-//! extremes of the Chebyshev polynomial of that degree, ends among them. Where `A` turns with θ and the schedule's piece is a cubic in S, the
-//! polynomial of A is that cubic itself; the tip, which the turning tool axis carries about the ball, is met to what [`OFF_MM`] says. Where
-//! a word is farther off, the block is parted at a joint of the curve's pieces, or halved on a long turn. With `p` up to 1, rounding of the `aₖ` counts no
-//! more than that of the ends.
+//! with `w₀` where the block before ended: only the end `w₁` and the `aₖ` are programmed. They are
+//! those of the polynomial through `w` at the extremes of the Chebyshev polynomial of that degree,
+//! ends among them. Where `A` turns with θ and the schedule's piece is a cubic in S, the polynomial
+//! of A is that cubic itself; the tip, which the turning tool axis carries about the ball, is met
+//! to what [`OFF_MM`] says. Where a word is farther off, the block is parted at a joint of the
+//! curve's pieces, or halved on a long turn. With `p` up to 1, rounding of the `aₖ` counts no more
+//! than that of the ends.
 //!
-//! **Not carried**: corners of the path of ball centres at the locations stay, since the straight moves between them are what was checked; θ on
-//! leads goes evenly from row to row as it was planned.
+//! **Not carried**: corners of the path of ball centres at the locations stay, since the straight
+//! moves between them are what was checked; θ on leads goes evenly from row to row as it was
+//! planned.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -38,7 +42,8 @@ const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
 
-/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X, Y, Z being the programmed point.
+/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X,
+/// Y, Z being the programmed point.
 pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + 'a;
 
 /// Solves for the coefficients of a degree.
@@ -58,7 +63,8 @@ impl Fit {
         Some(Fit { degree, inverse: matrix.try_inverse()?, at })
     }
 
-    /// Coefficients of `p²` and on, from a word's values at `at` less the straight way between its ends.
+    /// Coefficients of `p²` and on, from a word's values at `at` less the straight way between its
+    /// ends.
     fn solve(&self, off_straight: Vec<f64>) -> [f64; 4] {
         let solved = &self.inverse * DVector::from_vec(off_straight);
         std::array::from_fn(|k| if k + 2 <= self.degree { solved[k] } else { 0.0 })

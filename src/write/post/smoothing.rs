@@ -1,15 +1,17 @@
 //! How far the control may leave the programmed path for the sake of speed.
 //!
-//! What a control smooths away it may take off the part. Where the post file says in which steps the control computes (`resolution_mm`), the tolerance
-//! is therefore what the checks leave of the gouge limit,
+//! What a control smooths away it may take off the part. Where the post file says in which steps
+//! the control computes (`resolution_mm`), the tolerance is therefore what the checks leave of the
+//! gouge limit,
 //!
 //! ```text
 //! room = limit − gouge found − ½ chord tolerance
 //! ```
 //!
-//! in whole steps: less than a step cannot be kept, so it is one at least, and the header says where that is more than there is room for. Half of the chord
-//! tolerance is what lines may be off the path already. Where the tool tip is programmed, a tool axis that is off by δ takes the ball centre along by `R δ`: what the
-//! tolerance leaves of the room bounds that too.
+//! in whole steps: less than a step cannot be kept, so it is one at least, and the header says
+//! where that is more than there is room for. Half of the chord tolerance is what lines may be off
+//! the path already. Where the tool tip is programmed, a tool axis that is off by δ takes the ball
+//! centre along by `R δ`: what the tolerance leaves of the room bounds that too.
 
 use super::Run;
 use super::dialect::PostFile;
@@ -74,7 +76,8 @@ mod tests {
             let (blade, tool, machine) = (&blade, &tool, &machine);
             of(&Run { number: 1, plan, report, forced: false, blade, tool, machine, options, ends }, file)
         };
-        // Limit 0.003, chord 0.0004: 0.003 - 0.00087 - 0.0002 leaves one step of a micrometre, and 0.93 µm for the tool axis.
+        // Limit 0.003, chord 0.0004: 0.003 - 0.00087 - 0.0002 leaves one step of a micrometre, and
+        // 0.93 µm for the tool axis.
         let s = with(0.00087, &options, &siemens);
         assert!((s.mm - 0.001).abs() < 1e-12 && s.beyond_mm == 0.0, "{s:?}");
         let off_mm = s.axis_deg.to_radians() * tool.radius_mm;

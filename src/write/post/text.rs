@@ -43,7 +43,8 @@ impl Fixed {
         let one = 10i64.pow(u32::try_from(self.decimals).unwrap_or(6));
         Fixed { units: self.units.rem_euclid(range * one), decimals: self.decimals }
     }
-    /// The number as text: `plus` puts a sign before what is not negative, `trim` takes zeros off the end.
+    /// The number as text: `plus` puts a sign before what is not negative, `trim` takes zeros off
+    /// the end.
     pub(super) fn text(self, plus: bool, trim: bool) -> String {
         let sign = match self.units {
             u if u < 0 => "-",
@@ -63,7 +64,8 @@ impl Fixed {
     }
 }
 
-/// Printable ASCII only, so that no control chokes and no text can end a comment; signs that our own texts use are spelt out.
+/// Printable ASCII only, so that no control chokes and no text can end a comment; signs that our
+/// own texts use are spelt out.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -80,8 +82,8 @@ pub(super) fn ascii(text: &str) -> String {
     out
 }
 
-/// ASCII text in pieces of at most `room` characters, parted at a space where there is one in the second half of a piece; one piece at
-/// least.
+/// ASCII text in pieces of at most `room` characters, parted at a space where there is one in the
+/// second half of a piece; one piece at least.
 fn wrapped(text: &str, room: usize) -> Vec<&str> {
     let mut out = Vec::new();
     let mut rest = text;

@@ -1,8 +1,10 @@
-//! Turning in, for controls that fix X Y Z to the table as it stands when tool-centre-point control comes on (Fanuc's manuals of `G43.4` and `G43.5`). It comes
-//! on with the table at 0, where the frame of the control is the blade frame; only then the table turns to the first location.
+//! Turning in, for controls that fix X Y Z to the table as it stands when tool-centre-point control
+//! comes on (Fanuc's manuals of `G43.4` and `G43.5`). It comes on with the table at 0, where the
+//! frame of the control is the blade frame; only then the table turns to the first location.
 //!
-//! It turns under the end of travel in Z, where the linear axes stand still from step to step. Within a step the control moves the programmed point
-//! straight over the part: the linear axes leave their place by the sagitta of its way round the table, and come back.
+//! It turns under the end of travel in Z, where the linear axes stand still from step to step.
+//! Within a step the control moves the programmed point straight over the part: the linear axes
+//! leave their place by the sagitta of its way round the table, and come back.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -20,10 +22,12 @@ const STRAY: f64 = 0.5;
 const ROUNDING_MM: f64 = 1e-9;
 /// Places within a step that are looked at.
 const WITHIN: usize = 8;
-/// Most steps: none strays by more than 0.01 mm then on a way of a metre's radius. Where that still leaves travel, the program's checks find it.
+/// Most steps: none strays by more than 0.01 mm then on a way of a metre's radius. Where that still
+/// leaves travel, the program's checks find it.
 const MOST_STEPS: usize = 1000;
 
-/// Axis positions one after another: where tool-centre-point control comes on, the ends of the steps, the safe position over the first location.
+/// Axis positions one after another: where tool-centre-point control comes on, the ends of the
+/// steps, the safe position over the first location.
 pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
     let first = &run.ends[0];
     let safe = run.axes_at(first, first.safe_mm);
@@ -48,8 +52,9 @@ pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
     steps(n).chain([safe]).collect()
 }
 
-/// Whether the linear axes, at a share of the way between two places on which the programmed point goes straight over the part, are near the one where they stand at
-/// both ends, and within their travel.
+/// Whether the linear axes, at a share of the way between two places on which the programmed point
+/// goes straight over the part, are near the one where they stand at both ends, and within their
+/// travel.
 fn keeps(run: &Run, programmed: Programmed, ends: &[Axes], share: f64, stray_mm: f64) -> bool {
     let (machine, gauge) = (run.machine, run.tool.length_mm());
     let lift_mm = if programmed == Programmed::Tip { run.tool.radius_mm } else { 0.0 };
@@ -70,8 +75,8 @@ fn keeps(run: &Run, programmed: Programmed, ends: &[Axes], share: f64, stray_mm:
 }
 
 impl Run<'_> {
-    /// Whole turns of the first rotary axis that a program drops: all dialects begin in the same one, from 0 on. None where it has ends of travel and
-    /// stands where it is told. Rad.
+    /// Whole turns of the first rotary axis that a program drops: all dialects begin in the same
+    /// one, from 0 on. None where it has ends of travel and stands where it is told. Rad.
     pub(super) fn turns_before_rad(&self) -> f64 {
         let turning = self.machine.turning_axis();
         if self.machine.axes()[turning].limits.travel.is_some() {

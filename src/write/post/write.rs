@@ -297,8 +297,8 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// All cutting lines. A move whose words would all repeat those before is left out; its time goes to the next, so the
-    /// whole time is kept.
+    /// All cutting lines. A move whose words would all repeat those before is left out; its time
+    /// goes to the next, so the whole time is kept.
     fn cuts(&mut self) -> Result<()> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
@@ -391,8 +391,9 @@ impl<'a> Writer<'a> {
         Ok(out)
     }
 
-    /// When a line ends. Polynomials are parted where their curve wants it, also so short in time that the control reads no F as large; they cannot be joined
-    /// again, so such a line takes the least time there is and the next has that much less: the whole time is kept.
+    /// When a line ends. Polynomials are parted where their curve wants it, also so short in time
+    /// that the control reads no F as large; they cannot be joined again, so such a line takes the
+    /// least time there is and the next has that much less: the whole time is kept.
     fn no_sooner(&self, since: f64, t_s: f64) -> f64 {
         let file = &self.dialect.file;
         match (file.poly_degree, file.feed) {
@@ -401,7 +402,8 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// F of a cutting line between two places and times, `before` being the first as it is rounded: so that the line takes its time to the control too.
+    /// F of a cutting line between two places and times, `before` being the first as it is rounded:
+    /// so that the line takes its time to the control too.
     fn feed_word(
         &self,
         before: Option<Axes<Fixed>>,
@@ -467,7 +469,8 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// A word of the second rotary axis that the machine has not, or that stands still and need not be told again.
+    /// A word of the second rotary axis that the machine has not, or that stands still and need not
+    /// be told again.
     fn left_out(&self, word: &Word) -> bool {
         let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
         let none = self.leaning().is_none();

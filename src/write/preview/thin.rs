@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 
-/// The mesh with at most `budget` triangles, and the grid's cell where it had to be thinned, mm. Vertices of one cell
-/// become their mean; triangles that collapse go away (Rossignac and Borrel 1993).
+/// The mesh with at most `budget` triangles, and the grid's cell where it had to be thinned, mm.
+/// Vertices of one cell become their mean; triangles that collapse go away (Rossignac and Borrel
+/// 1993).
 pub(super) fn thinned(mesh: &Mesh, budget: usize) -> (Mesh, Option<f64>) {
     let Some(bounds) = mesh.aabb() else { return (mesh.clone(), None) };
     if mesh.triangles.len() <= budget {

@@ -25,7 +25,8 @@ impl Values {
         Values { key, name, unit, of, range: if lo <= hi { [lo, hi] } else { [0.0, 0.0] } }
     }
 
-    /// Where the value of a location lies between the least and the greatest, 0 to 1; ½ where all are alike.
+    /// Where the value of a location lies between the least and the greatest, 0 to 1; ½ where all
+    /// are alike.
     pub fn share(&self, row: usize) -> f64 {
         let v = self.of.get(row).copied().unwrap_or(f64::NAN);
         let [lo, hi] = self.range;
@@ -39,9 +40,11 @@ impl Values {
     }
 }
 
-/// All quantities, in the order in which they are offered: turn, scallop, width of the channel, feed, axis acceleration.
+/// All quantities, in the order in which they are offered: turn, scallop, width of the channel,
+/// feed, axis acceleration.
 ///
-/// * *scallop*: the ridge measured between this turn and the next, at the nearest place of the turn where one was measured;
+/// * *scallop*: the ridge measured between this turn and the next, at the nearest place of the turn
+///   where one was measured;
 /// * *acceleration*: of the axis that is nearest to its limit there, as a share of that limit.
 pub fn all(plan: &Plan, machine: &Machine, checks: Option<&CheckReport>) -> Vec<Values> {
     let locations = &plan.toolpath.locations;
@@ -70,7 +73,8 @@ pub fn all(plan: &Plan, machine: &Machine, checks: Option<&CheckReport>) -> Vec<
     ]
 }
 
-/// The ridge nearest along the path, of the same turn and no farther than twice the rows between two ridges.
+/// The ridge nearest along the path, of the same turn and no farther than twice the rows between
+/// two ridges.
 fn scallop(plan: &Plan, checks: Option<&CheckReport>) -> Vec<f64> {
     let locations = &plan.toolpath.locations;
     let mut out = vec![f64::NAN; locations.len()];

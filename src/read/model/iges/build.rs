@@ -1,4 +1,5 @@
-//! The B-rep as it grows: which entities are bodies, where they are placed, and how much the file may make of itself.
+//! The B-rep as it grows: which entities are bodies, where they are placed, and how much the file
+//! may make of itself.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,5 @@
-//! Curves of IGES as NURBS: 100 arc, 102 composite, 104 conic, 106 polyline, 110 line, 112 polynomial spline, 126 NURBS.
+//! Curves of IGES as NURBS: 100 arc, 102 composite, 104 conic, 106 polyline, 110 line, 112
+//! polynomial spline, 126 NURBS.
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -114,7 +115,8 @@ fn chain(points: &[Vector4<f64>]) -> NurbsCurve {
     NurbsCurve { degree: 1, knots, points: points.to_vec() }
 }
 
-/// An arc of the ellipse `(a cos φ, b sin φ, z)` about a centre from one angle to a greater one, in segments of at most 90°.
+/// An arc of the ellipse `(a cos φ, b sin φ, z)` about a centre from one angle to a greater one, in
+/// segments of at most 90°.
 fn ellipse(centre: [f64; 2], radii: [f64; 2], z: f64, [from, to]: [f64; 2]) -> (NurbsCurve, usize) {
     let segments = arc_segments(to - from);
     let step = (to - from) / segments as f64;
@@ -140,7 +142,8 @@ pub fn arc_segments(angle: f64) -> usize {
     ((angle / std::f64::consts::FRAC_PI_2 - 1e-9).ceil() as usize).clamp(1, 4)
 }
 
-/// 100: counter-clockwise from start to end in a plane of constant z; a full circle where both are the same.
+/// 100: counter-clockwise from start to end in a plane of constant z; a full circle where both are
+/// the same.
 fn arc(p: &mut Params) -> Result<Curve> {
     let z = p.real()?;
     let [cx, cy, sx, sy] = [p.real()?, p.real()?, p.real()?, p.real()?];
@@ -174,7 +177,8 @@ fn conic(p: &mut Params) -> Result<NurbsCurve> {
         }
         return Ok(ellipse([0.0; 2], radii, z, [from, to]).0);
     }
-    // One rational quadratic: the middle pole where the tangents meet, its weight from the form (The NURBS Book, 7.3).
+    // One rational quadratic: the middle pole where the tangents meet, its weight from the form
+    // (The NURBS Book, 7.3).
     let form = |p: [f64; 3], q: [f64; 3]| {
         a * p[0] * q[0]
             + 0.5 * b * (p[0] * q[1] + p[1] * q[0])
@@ -229,7 +233,8 @@ fn polynomial(p: &mut Params) -> Result<NurbsCurve> {
         for axis in 0..3 {
             let bezier = monomial_to_bezier([p.real()?, p.real()?, p.real()?, p.real()?], h);
             for (q, x) in piece.iter_mut().zip(bezier) {
-                // A plane spline has its constant z in the first coefficient, and anything in the others.
+                // A plane spline has its constant z in the first coefficient, and anything in the
+                // others.
                 q[axis] = if axis == 2 && dimensions == 2 { bezier[0] } else { x };
             }
         }
@@ -268,7 +273,8 @@ fn nurbs(p: &mut Params) -> Result<NurbsCurve> {
     whole.validate().map_err(|m| p.error(format!("is damaged: {}", m.message)))?;
     let [from, to] = whole.domain();
     let (a, b) = (p.optional()?.unwrap_or(from), p.optional()?.unwrap_or(to));
-    // Rounding in the file is no reason to cut; ends beyond the domain or the wrong way round are not believed.
+    // Rounding in the file is no reason to cut; ends beyond the domain or the wrong way round are
+    // not believed.
     let least = 1e-9 * (to - from);
     let range = [if a > from + least { a } else { from }, if b < to - least { b } else { to }];
     let clamped = whole.knots[0] == from && whole.knots[n + degree] == to;

@@ -1,4 +1,5 @@
-//! The records of an IGES file: global section, directory, and the parameters of an entity with readable errors.
+//! The records of an IGES file: global section, directory, and the parameters of an entity with
+//! readable errors.
 
 use std::path::Path;
 
@@ -83,8 +84,8 @@ impl<'a> File<'a> {
         Ok(File { path, global, entities, parameters, bytes: bytes.len() })
     }
 
-    /// Control points that a model of this file's size can need: a file that names one large curve or surface again and again
-    /// must not fill the memory.
+    /// Control points that a model of this file's size can need: a file that names one large curve
+    /// or surface again and again must not fill the memory.
     pub fn most_poles(&self) -> usize {
         200_000 + 4 * self.bytes
     }
@@ -112,7 +113,8 @@ impl<'a> File<'a> {
         let mut text = Vec::new();
         for line in lines.iter().take(count) {
             text.extend_from_slice(line);
-            // Without a count the record ends with its delimiter; texts that contain one are rare enough.
+            // Without a count the record ends with its delimiter; texts that contain one are rare
+            // enough.
             if e.count == 0 && line.contains(&self.global.record_delimiter) {
                 break;
             }
@@ -276,7 +278,8 @@ fn entry(one: &[u8], two: &[u8], line: usize) -> std::result::Result<Entity, Str
     let status: Vec<u8> =
         one.get(64..72).unwrap_or_default().iter().map(|b| if *b == b' ' { b'0' } else { *b }).collect();
     let pair = |k: usize| status.get(2 * k..2 * k + 2).unwrap_or(b"00");
-    // Lines are counted from 1; what points before the first is caught when the parameters are read.
+    // Lines are counted from 1; what points before the first is caught when the parameters are
+    // read.
     let first = usize::try_from(field(one, 1)? - 1).unwrap_or(usize::MAX);
     Ok(Entity {
         kind,
@@ -291,7 +294,8 @@ fn entry(one: &[u8], two: &[u8], line: usize) -> std::result::Result<Entity, Str
     })
 }
 
-/// The delimiters come first and are written in themselves: `1H,,1H;,` or, for the usual ones, `,,`.
+/// The delimiters come first and are written in themselves: `1H,,1H;,` or, for the usual ones,
+/// `,,`.
 fn read_global(text: &[u8]) -> std::result::Result<Global, String> {
     let (parameter, after) = delimiter(text, b',', b',')?;
     let after = after.strip_prefix(&[parameter]).unwrap_or(after);

@@ -1,5 +1,5 @@
-//! Curves that are not NURBS by nature, fitted within a stated bound: curves in the parameter plane of a surface carried into
-//! space, and curves run by their length.
+//! Curves that are not NURBS by nature, fitted within a stated bound: curves in the parameter plane
+//! of a surface carried into space, and curves run by their length.
 
 use super::param::ParamMap;
 use crate::geometry::Point;
@@ -7,7 +7,8 @@ use crate::geometry::nurbs::NurbsCurve;
 use crate::geometry::nurbs::fit::interpolate_curve;
 use crate::geometry::nurbs::pieces::joined;
 
-/// Greatest distance between a fitted curve and what it stands for, mm: a tenth of what the tessellation welds.
+/// Greatest distance between a fitted curve and what it stands for, mm: a tenth of what the
+/// tessellation welds.
 pub const FIT_MM: f64 = 1e-5;
 /// A fit with more points than this is cut in two instead.
 const MOST_POINTS: usize = 256;
@@ -16,7 +17,8 @@ const DEEPEST: usize = 14;
 /// A curve that needs more pieces than this is noise.
 const MOST_PIECES: usize = 400;
 
-/// Curves over consecutive ranges within [`FIT_MM`] of `at`; `None` where it jumps or is not finite.
+/// Curves over consecutive ranges within [`FIT_MM`] of `at`; `None` where it jumps or is not
+/// finite.
 pub fn fit(at: &dyn Fn(f64) -> Point, range: [f64; 2]) -> Option<Vec<NurbsCurve>> {
     let mut out = Vec::new();
     split_fit(at, range, 0, &mut out)?;

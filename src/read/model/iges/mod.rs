@@ -1,18 +1,22 @@
 //! IGES 5.3 (and what older versions share with it) to one B-rep in mm.
 //!
-//! In: the text of a file. Out: a [`FaceModel`], as from STEP: every solid (186), shell (514), trimmed or bounded face (144, 143,
-//! bounded 108), subfigure instance (408, 430) and bare surface becomes faces of one [`Brep`](crate::geometry::brep::Brep). Faces of
-//! solids share their edges; loose ones do not and are joined by [`super::sew`].
+//! In: the text of a file. Out: a [`FaceModel`], as from STEP: every solid (186), shell (514),
+//! trimmed or bounded face (144, 143, bounded 108), subfigure instance (408, 430) and bare surface
+//! becomes faces of one [`Brep`](crate::geometry::brep::Brep). Faces of solids share their edges;
+//! loose ones do not and are joined by [`super::sew`].
 //!
-//! * [`text`]: lines, sections, free-format parameters. [`file`](mod@file): global section, directory, transforms.
-//! * [`curves`], [`surfaces`]: geometry as NURBS, exact; [`param`] keeps track of how the file's parameters run.
-//! * [`trims`], [`solids`]: faces with their loops. Curves in space are preferred; those in the parameter plane are carried through
-//!   the surface, within [`fit::FIT_MM`].
+//! * [`text`]: lines, sections, free-format parameters. [`file`](mod@file): global section,
+//!   directory, transforms.
+//! * [`curves`], [`surfaces`]: geometry as NURBS, exact; [`param`] keeps track of how the file's
+//!   parameters run.
+//! * [`trims`], [`solids`]: faces with their loops. Curves in space are preferred; those in the
+//!   parameter plane are carried through the surface, within [`fit::FIT_MM`].
 //! * [`build`]: which entities are bodies, and where.
 //!
-//! Guarantees: a damaged file is an error that names the entity by its directory line; memory stays in proportion to the
-//! file's size. Limits: offset curves and surfaces (130, 140), parametric-spline surfaces of other than cubic form, CSG and the compressed and binary
-//! forms of IGES are refused; annotation, colours, names and properties are passed over.
+//! Guarantees: a damaged file is an error that names the entity by its directory line; memory stays
+//! in proportion to the file's size. Limits: offset curves and surfaces (130, 140),
+//! parametric-spline surfaces of other than cubic form, CSG and the compressed and binary forms of
+//! IGES are refused; annotation, colours, names and properties are passed over.
 
 pub mod build;
 pub mod curves;

@@ -1,7 +1,8 @@
 //! Parameters as IGES defines them against those of our NURBS.
 //!
-//! Arcs in IGES run with the angle; as rational quadratics they do not. Inside a segment of half angle `h` the angle `φ` from
-//! its middle and the parameter `x` in [0, 1] belong together by `2x − 1 = tan(φ/2) / tan(h/2)`.
+//! Arcs in IGES run with the angle; as rational quadratics they do not. Inside a segment of half
+//! angle `h` the angle `φ` from its middle and the parameter `x` in [0, 1] belong together by
+//! `2x − 1 = tan(φ/2) / tan(h/2)`.
 
 /// One stretch of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]

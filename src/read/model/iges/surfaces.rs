@@ -1,8 +1,9 @@
-//! Surfaces of IGES: 108 and 190 planes, 114 polynomial, 118 ruled, 120 of revolution, 122 tabulated cylinder, 128 NURBS,
-//! 192 cylinder, 194 cone, 196 sphere, 198 torus.
+//! Surfaces of IGES: 108 and 190 planes, 114 polynomial, 118 ruled, 120 of revolution, 122
+//! tabulated cylinder, 128 NURBS, 192 cylinder, 194 cone, 196 sphere, 198 torus.
 //!
-//! Surfaces without end (planes, cylinders, cones) become NURBS as large as the loops on them need. All but ruled
-//! surfaces by arc length (118, form 0, of curves whose parameter is not their length) are exact.
+//! Surfaces without end (planes, cylinders, cones) become NURBS as large as the loops on them need.
+//! All but ruled surfaces by arc length (118, form 0, of curves whose parameter is not their
+//! length) are exact.
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -48,7 +49,8 @@ pub struct Patch {
     pub space: ParameterSpace,
 }
 
-/// A surface of elementary geometry in a frame: z its axis, x where angles begin; lengths in file units.
+/// A surface of elementary geometry in a frame: z its axis, x where angles begin; lengths in file
+/// units.
 pub struct Elementary {
     form: Form,
     /// Frame to model, mm.
@@ -88,8 +90,8 @@ impl Carrier {
         }
     }
 
-    /// The surface as NURBS, large enough for these points where it has no end of its own; `None` where there are too few of
-    /// them to tell.
+    /// The surface as NURBS, large enough for these points where it has no end of its own; `None`
+    /// where there are too few of them to tell.
     pub fn nurbs(&self, points: &[Point]) -> Option<NurbsSurface> {
         match &self.shape {
             Shape::Patch(p) => Some(p.surface.clone()),
@@ -211,7 +213,8 @@ fn polynomial(p: &mut Params) -> Result<Mapped> {
     Ok(own_parameters(NurbsSurface { degree_u: 3, degree_v: 3, knots_u, knots_v, n_u, n_v, points }))
 }
 
-/// 118: straight lines between two curves, of equal parameter (form 1) or equal length from the start (form 0).
+/// 118: straight lines between two curves, of equal parameter (form 1) or equal length from the
+/// start (form 0).
 fn ruled(file: &File, form: i64, p: &mut Params, to: &Matrix4<f64>) -> Result<Mapped> {
     let (first, second) = (p.target()?, p.target()?);
     let (against, _developable) = (p.int()?, p.optional()?);
@@ -219,7 +222,8 @@ fn ruled(file: &File, form: i64, p: &mut Params, to: &Matrix4<f64>) -> Result<Ma
     let (a, map) = unit(curve(file, first, to)?);
     let (b, other) = unit(curve(file, second, to)?);
     let b = if against == 1 { super::super::sew::backwards(&b) } else { b };
-    // Lines and single arcs run evenly with their length: with like spans they need no other parameter.
+    // Lines and single arcs run evenly with their length: with like spans they need no other
+    // parameter.
     let even = |e: &Entity| matches!(e.kind, 100 | 110);
     let unfit = || p.error("has a rail that cannot be fitted");
     let (a, b, map) = if map == other && (form != 0 || (even(first) && even(second))) {
@@ -329,7 +333,8 @@ fn frame(origin: &Point, z: &Vector, x: Option<Vector>) -> Matrix4<f64> {
     Matrix4::from_columns(&[x.push(0.0), y.push(0.0), z.push(0.0), origin.coords.push(1.0)])
 }
 
-/// 190 to 198: a point, an axis, lengths, and for the forms with parameters of their own a direction where angles begin.
+/// 190 to 198: a point, an axis, lengths, and for the forms with parameters of their own a
+/// direction where angles begin.
 fn elementary(file: &File, e: &Entity, p: &mut Params, to: &Matrix4<f64>) -> Result<Carrier> {
     let triple = |of: &Entity, kind: u32| -> Result<[f64; 3]> {
         if of.kind != kind {

@@ -1,7 +1,8 @@
 //! The text of an IGES file: lines of 80 columns in five sections, and parameters in free format.
 //!
-//! In: bytes. Out: [`Sections`], the lines of each section without their sequence columns, and [`values`], the parameters of
-//! one record. Lines may be shorter than 80 columns where trailing blanks were cut off, and end in LF, CR LF or nothing.
+//! In: bytes. Out: [`Sections`], the lines of each section without their sequence columns, and
+//! [`values`], the parameters of one record. Lines may be shorter than 80 columns where trailing
+//! blanks were cut off, and end in LF, CR LF or nothing.
 
 /// Column of the section letter, from 0.
 const LETTER: usize = 72;
@@ -30,7 +31,8 @@ pub struct Sections<'a> {
     pub parameters: Vec<&'a [u8]>,
 }
 
-/// Whether the bytes begin like an IGES file: `S` in column 73 of the first line, a sequence number after it.
+/// Whether the bytes begin like an IGES file: `S` in column 73 of the first line, a sequence number
+/// after it.
 pub fn is_iges(bytes: &[u8]) -> bool {
     lines(&bytes[..bytes.len().min(4096)]).next().is_some_and(|l| letter(l) == Some(b'S'))
 }
@@ -53,7 +55,8 @@ fn letter(line: &[u8]) -> Option<u8> {
 /// Sorts the lines of a file into sections.
 ///
 /// # Errors
-/// A sentence: a line without a section letter, a binary or compressed file, a file without directory or parameters.
+/// A sentence: a line without a section letter, a binary or compressed file, a file without
+/// directory or parameters.
 pub fn sections(bytes: &[u8]) -> Result<Sections<'_>, String> {
     let mut out = Sections::default();
     let mut terminated = false;

@@ -1,7 +1,8 @@
 //! Trimmed faces: 144 with 142, 143 with 141, bounded planes 108, and bare surfaces.
 //!
-//! Curves in space are taken where the file has them and they lie on the surface; else curves in the parameter plane are carried
-//! through the surface: exactly along its parameter lines, within [`super::fit::FIT_MM`] elsewhere.
+//! Curves in space are taken where the file has them and they lie on the surface; else curves in
+//! the parameter plane are carried through the surface: exactly along its parameter lines, within
+//! [`super::fit::FIT_MM`] elsewhere.
 
 use nalgebra::Matrix4;
 
@@ -115,8 +116,8 @@ fn bounded_plane(build: &mut Build, e: &Entity, to: &Matrix4<f64>) -> Result<()>
     finish(build, e, &c, vec![walk], false)
 }
 
-/// One boundary: the curve in space (with whether it is walked backwards) if it lies on the surface, else those in the
-/// parameter plane.
+/// One boundary: the curve in space (with whether it is walked backwards) if it lies on the
+/// surface, else those in the parameter plane.
 pub fn boundary(
     build: &mut Build,
     owner: &Entity,
@@ -172,7 +173,8 @@ fn length(at: &dyn Fn(f64) -> Point, [a, b]: [f64; 2]) -> f64 {
     points.windows(2).map(|w| (w[1] - w[0]).norm()).sum()
 }
 
-/// A curve of the parameter plane carried through the surface; nothing where it ends up as a point (a pole).
+/// A curve of the parameter plane carried through the surface; nothing where it ends up as a point
+/// (a pole).
 fn carried(c: &Carrier, flat: &NurbsCurve) -> Option<Walk> {
     let mut walk = Vec::new();
     for range in smooth_ranges(flat) {
@@ -211,7 +213,8 @@ fn smooth_ranges(c: &NurbsCurve) -> Vec<[f64; 2]> {
     at.windows(2).map(|w| [w[0], w[1]]).collect()
 }
 
-/// The exact parameter line of a surface, where a stretch of a curve in the parameter plane is a piece of one.
+/// The exact parameter line of a surface, where a stretch of a curve in the parameter plane is a
+/// piece of one.
 fn along_parameter(p: &Patch, flat: &NurbsCurve, range: [f64; 2]) -> Option<(Edge, bool)> {
     let poles: Vec<[f64; 2]> = part(flat, range).points.iter().map(|q| p.ours([q.x / q.w, q.y / q.w])).collect();
     let domain = p.space.domain;

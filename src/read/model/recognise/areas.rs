@@ -1,7 +1,8 @@
 //! Which triangle belongs to what: airfoil, fillet, platform, root, tip.
 //!
-//! By height along the blade axis, by the side a triangle faces, and, so that things beside the airfoil are told from it, by the
-//! boxes of the airfoil's sections. Faces of a B-rep that belong to one area by nearly all of their surface are taken whole.
+//! By height along the blade axis, by the side a triangle faces, and, so that things beside the
+//! airfoil are told from it, by the boxes of the airfoil's sections. Faces of a B-rep that belong
+//! to one area by nearly all of their surface are taken whole.
 
 use std::collections::BTreeMap;
 
@@ -16,12 +17,14 @@ const FACES_TIP: f64 = 0.7;
 const WIDER: f64 = 0.05;
 /// The platform's top is this share of the part deep: it may be crowned or slanted.
 const DEEP: f64 = 0.02;
-/// A quarter of a circle is beside its chord by up to a fifth of the chord; more, since places have a distance.
+/// A quarter of a circle is beside its chord by up to a fifth of the chord; more, since places have
+/// a distance.
 const ARC: f64 = 0.35;
 /// A face belongs to an area as a whole where this share of its surface does.
 const WHOLE: f64 = 0.9;
 
-/// The area of each triangle of a mesh of the part in the blade frame. `whole_faces`: the mesh's faces are faces of a B-rep.
+/// The area of each triangle of a mesh of the part in the blade frame. `whole_faces`: the mesh's
+/// faces are faces of a B-rep.
 pub fn areas(mesh: &Mesh, found: &Recognised, whole_faces: bool) -> Vec<Area> {
     let mut out: Vec<Area> = (0..mesh.triangles.len())
         .map(|t| {
@@ -65,7 +68,8 @@ fn area(found: &Recognised, p: &Point, n_x: f64) -> Area {
     }
 }
 
-/// Whether a point lies on a fillet whose foot climbs: beside the chord of the fillet's arc at one of the places where it is known.
+/// Whether a point lies on a fillet whose foot climbs: beside the chord of the fillet's arc at one
+/// of the places where it is known.
 fn on_climbing_fillet(found: &Recognised, p: &Point) -> bool {
     found.fillet.iter().any(|[top, foot]| {
         let chord = foot - top;
@@ -125,7 +129,8 @@ mod tests {
     use crate::geometry::Rigid;
     use crate::read::model::recognise::Heights;
 
-    /// One small triangle at each place, facing along each normal; every triangle is a face of its own.
+    /// One small triangle at each place, facing along each normal; every triangle is a face of its
+    /// own.
     fn found(at: &[([f64; 3], [f64; 3])], platform: Option<f64>, fillet: Option<[f64; 2]>) -> Recognised {
         let mut mesh = Mesh::default();
         for (k, (p, n)) in at.iter().enumerate() {
@@ -184,7 +189,8 @@ mod tests {
         for ((p, n, want), got) in places.iter().zip(&got) {
             assert_eq!(got, want, "at {p:?} facing {n:?}");
         }
-        // Without a platform the same faces are root, without a fillet the airfoil goes down to its foot.
+        // Without a platform the same faces are root, without a fillet the airfoil goes down to its
+        // foot.
         let got = areas_of(&found(&at, None, None), false);
         assert_eq!([got[1], got[3]], [Area::Airfoil, Area::Root]);
     }

@@ -1,12 +1,14 @@
 //! Ends of a blade: smooth patches of the surface, bounded by creases, that close it like a lid.
 //!
-//! A blade that is cut off at its tip, or at both ends, has a patch there that faces along the blade axis and is as large as the
-//! last section. Directions across the chord have none, however much their sections look like an airfoil.
+//! A blade that is cut off at its tip, or at both ends, has a patch there that faces along the
+//! blade axis and is as large as the last section. Directions across the chord have none, however
+//! much their sections look like an airfoil.
 //!
-//! Of an airfoil alone, both ends have the outline of an airfoil, whatever surfaces they lie on: planes, a hub and a casing, a
-//! cone. The line from the middle of one to that of the other is the way from root to tip without a single section being cut
-//! ([`end_to_end`]), so it holds where sections square to any direction are cut short by the ends: blades that lean, are swept, or
-//! turn from axial to radial.
+//! Of an airfoil alone, both ends have the outline of an airfoil, whatever surfaces they lie on:
+//! planes, a hub and a casing, a cone. The line from the middle of one to that of the other is the
+//! way from root to tip without a single section being cut ([`end_to_end`]), so it holds where
+//! sections square to any direction are cut short by the ends: blades that lean, are swept, or turn
+//! from axial to radial.
 
 use std::collections::BTreeMap;
 
@@ -32,13 +34,14 @@ const SHARE: [f64; 2] = [0.002, 0.25];
 /// A patch whose mean normal is at least this long is a plane.
 const PLANE: f64 = 1.0 - 1e-6;
 
-/// The outline of an airfoil's end is at least this much like an airfoil: more than a bar with square ends, less than a blunt
-/// trailing edge leaves.
+/// The outline of an airfoil's end is at least this much like an airfoil: more than a bar with
+/// square ends, less than a blunt trailing edge leaves.
 const OUTLINE: f64 = 0.5;
-/// An airfoil's end faces along the line from end to end within this angle, degrees: more than any lean that was met.
+/// An airfoil's end faces along the line from end to end within this angle, degrees: more than any
+/// lean that was met.
 const ASLANT_DEG: f64 = 70.0;
-/// Surface between the ends over that of a straight wall between their outlines: more where the blade is swept and bulges between
-/// them, far more where there is a platform or root besides.
+/// Surface between the ends over that of a straight wall between their outlines: more where the
+/// blade is swept and bulges between them, far more where there is a platform or root besides.
 const WALL: [f64; 2] = [0.6, 1.6];
 
 /// A nearly flat patch.
@@ -52,7 +55,8 @@ pub struct Patch {
     outline: Option<Shape>,
 }
 
-/// The nearly flat patches of the mesh that creases bound, largest first. `sides`: [`crate::geometry::mesh::edge_uses`] of its triangles.
+/// The nearly flat patches of the mesh that creases bound, largest first. `sides`:
+/// [`crate::geometry::mesh::edge_uses`] of its triangles.
 pub fn patches(mesh: &Mesh, sides: &[EdgeUse]) -> Vec<Patch> {
     let cos = CREASE_DEG.to_radians().cos();
     bounded(mesh, sides, |a, b| mesh.normal(a as usize).dot(&mesh.normal(b as usize)) > cos)
@@ -135,9 +139,11 @@ pub struct Ends {
     pub flat: bool,
 }
 
-/// The ends of an airfoil alone: two patches with an airfoil's outline that face away from each other, and between which there is about as
-/// much surface as a wall from one outline to the other has. They are sought between creases, else among faces or groups of the file: a
-/// fillet that runs out into its end leaves no crease. `sides`: [`crate::geometry::mesh::edge_uses`] of the triangles. `None`: there are none.
+/// The ends of an airfoil alone: two patches with an airfoil's outline that face away from each
+/// other, and between which there is about as much surface as a wall from one outline to the other
+/// has. They are sought between creases, else among faces or groups of the file: a fillet that runs
+/// out into its end leaves no crease. `sides`: [`crate::geometry::mesh::edge_uses`] of the
+/// triangles. `None`: there are none.
 pub fn end_to_end(mesh: &Mesh, sides: &[EdgeUse], patches: &[Patch]) -> Option<Ends> {
     let area_mm2 = mesh.area_mm2();
     ends(area_mm2, patches)
@@ -174,8 +180,8 @@ pub fn directions(patches: &[Patch]) -> Vec<Vector> {
     patches.iter().take(TRIED).map(|p| p.normal).collect()
 }
 
-/// Normals of patches that are planes, largest first, and whether another such patch has the same one, in either sense, within
-/// this angle, degrees.
+/// Normals of patches that are planes, largest first, and whether another such patch has the same
+/// one, in either sense, within this angle, degrees.
 pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
     let planes: Vec<&Patch> = patches.iter().filter(|p| p.flatness > PLANE).collect();
     let common = |k: usize, n: &Vector| {
@@ -184,8 +190,8 @@ pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
     planes.iter().enumerate().map(|(k, p)| (p.normal, common(k, &p.normal))).collect()
 }
 
-/// The common normal of two planes that close both ends of the run and lean from its direction by more than `lean_deg`, but by less
-/// than [`MOST_LEAN_DEG`]; `None` where there are none.
+/// The common normal of two planes that close both ends of the run and lean from its direction by
+/// more than `lean_deg`, but by less than [`MOST_LEAN_DEG`]; `None` where there are none.
 pub fn slanted_ends(patches: &[Patch], run: &Run, common_deg: f64, lean_deg: f64) -> Option<Vector> {
     let (first, last) = (run.links.first()?, run.links.last()?);
     let middle = &run.links[run.links.len() / 2].shape;
@@ -240,7 +246,8 @@ mod tests {
     use crate::read::model::recognise::run;
     use crate::sample;
 
-    /// The cylinder of the samples has two lids, planes across its axis, and a wall that is not flat.
+    /// The cylinder of the samples has two lids, planes across its axis, and a wall that is not
+    /// flat.
     #[test]
     fn a_cylinder_has_two_lids_across_its_axis_and_none_across_others() {
         let mesh = sample::blade().part.mesh;

@@ -1,11 +1,14 @@
 //! What the airfoil's wall meets the platform in: a fillet or an edge.
 //!
-//! From places round sections of the airfoil the surface is followed down, triangle by triangle, in the plane of the blade axis and of the
-//! wall's normal there, until the way has bent outwards by [`BENT_DEG`]. Where one edge of the mesh has most of that turning the two meet in
-//! an edge; where it is shared out they meet in a fillet, however coarse the facets. The places vote, two thirds decide. Nothing is asked of the
-//! platform's shape, so a hub along which the foot climbs is judged like a flat one. Works in the blade frame.
+//! From places round sections of the airfoil the surface is followed down, triangle by triangle, in
+//! the plane of the blade axis and of the wall's normal there, until the way has bent outwards by
+//! [`BENT_DEG`]. Where one edge of the mesh has most of that turning the two meet in an edge; where
+//! it is shared out they meet in a fillet, however coarse the facets. The places vote, two thirds
+//! decide. Nothing is asked of the platform's shape, so a hub along which the foot climbs is judged
+//! like a flat one. Works in the blade frame.
 //!
-//! Limits: a fillet of one or two facets cannot be told from a chamfer, and nothing is said of it; one smaller than [`TINY`] is an edge.
+//! Limits: a fillet of one or two facets cannot be told from a chamfer, and nothing is said of it;
+//! one smaller than [`TINY`] is an edge.
 
 use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::geometry::slice::Loop;
@@ -15,7 +18,8 @@ use crate::geometry::{Point, Vector};
 const WAYS: u32 = 256;
 /// A way that has turned outwards by this has left the wall.
 const BENT_DEG: f64 = 45.0;
-/// What is within this share of the section's length to either side of that place belongs to the turn.
+/// What is within this share of the section's length to either side of that place belongs to the
+/// turn.
 const NEAR: f64 = 0.05;
 /// Edges of the mesh nearer to one another than this share of the section's length are one.
 const TINY: f64 = 1e-3;
@@ -74,8 +78,8 @@ struct Bend {
     share: f64,
 }
 
-/// Judges the turn below sections of the airfoil, each with its height, mm. `platform_mm`: height of the platform, or its lowest where the
-/// foot climbs.
+/// Judges the turn below sections of the airfoil, each with its height, mm. `platform_mm`: height
+/// of the platform, or its lowest where the foot climbs.
 pub fn joint(mesh: &Mesh, sections: &[(f64, Loop)], platform_mm: f64) -> Joint {
     let across = Across::new(mesh);
     let mut asked = 0;
@@ -143,8 +147,8 @@ impl Across {
         Across(out)
     }
 
-    /// The way down from a point of a triangle, in the plane of the axis and of `out`, until it leaves these heights or comes to an edge of the
-    /// surface.
+    /// The way down from a point of a triangle, in the plane of the axis and of `out`, until it
+    /// leaves these heights or comes to an edge of the surface.
     fn way(&self, mesh: &Mesh, from: u32, p: &Point, out: &Vector, [low, high]: [f64; 2]) -> Vec<Point> {
         let side_of = Vector::x().cross(out);
         let height = |v: u32| (mesh.points[v as usize] - p).dot(&side_of);
@@ -180,7 +184,8 @@ impl Across {
 
 /// The first turn outwards of a way.
 fn bend(way: &[Point], out: &Vector, length_mm: f64) -> Option<Bend> {
-    // Direction of each step, 0 down the axis, growing outwards, and the place and way done at its end.
+    // Direction of each step, 0 down the axis, growing outwards, and the place and way done at its
+    // end.
     let (mut angle, mut ends, mut done): (Vec<f64>, Vec<Point>, Vec<f64>) = Default::default();
     let mut sum = 0.0;
     for w in way.windows(2) {
@@ -238,7 +243,8 @@ mod tests {
         }
     }
 
-    /// A blade on a platform with a fillet of this radius in so many facets, or with an edge (no facets): rows of (outwards, height), mm.
+    /// A blade on a platform with a fillet of this radius in so many facets, or with an edge (no
+    /// facets): rows of (outwards, height), mm.
     fn rows(radius_mm: f64, facets: usize) -> Vec<(f64, f64)> {
         let fillet = (1..facets).map(|k| {
             let (s, c) = (std::f64::consts::FRAC_PI_2 * k as f64 / facets as f64).sin_cos();
@@ -253,7 +259,8 @@ mod tests {
         out
     }
 
-    /// The closed part of these rows; the platform climbs by `slope` along the chord, the tip stays level.
+    /// The closed part of these rows; the platform climbs by `slope` along the chord, the tip stays
+    /// level.
     fn part(rows: &[(f64, f64)], slope: f64) -> Mesh {
         let mut mesh = Mesh::default();
         for (off, x) in rows {

@@ -1,8 +1,9 @@
 //! The blade axis as the user gave it: the run along it, and what speaks against it.
 //!
-//! In: the mesh, the axis, perhaps the faces that the user named. Out: the run along it, and a sentence where the search without an axis
-//! settles on another one: the opposite, so that the helix would go round the airfoil's free end, or one far away along which
-//! sections look far more like an airfoil. What the user gave stands in any case.
+//! In: the mesh, the axis, perhaps the faces that the user named. Out: the run along it, and a
+//! sentence where the search without an axis settles on another one: the opposite, so that the
+//! helix would go round the airfoil's free end, or one far away along which sections look far more
+//! like an airfoil. What the user gave stands in any case.
 
 use super::run::{self, Run};
 use super::search::{self, Found};
@@ -12,7 +13,8 @@ use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
 use crate::read::model::faces::Stacking;
 
-/// Directions farther apart than this are not the same axis, degrees; the search has rivals from the same angle on.
+/// Directions farther apart than this are not the same axis, degrees; the search has rivals from
+/// the same angle on.
 const APART_DEG: f64 = 35.0;
 /// An axis far from the one found is told where it scores less than this share of it.
 const FAR_LESS: f64 = 0.5;
@@ -32,7 +34,8 @@ pub struct Given {
 /// The run along `axis`; `faces`: as for [`run::along`].
 ///
 /// # Errors
-/// `Usage`: an axis of no length. `InputOutput`: no sections along it that continue, with the cause.
+/// `Usage`: an axis of no length. `InputOutput`: no sections along it that continue, with the
+/// cause.
 pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Option<&Stacking>) -> Result<Given> {
     let v = Vector::from(axis);
     let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
@@ -99,8 +102,9 @@ pub(super) fn nothing(mesh: &Mesh, directions: &[Vector], faces: Option<&[bool]>
     faces.and_then(|f| beside_named(mesh, directions, f)).unwrap_or_else(no_blade)
 }
 
-/// Why no airfoil lies on the faces that were named: the direction whose sections run on them for longest, and what else these run on.
-/// `None` where a part has one face only, so that naming others is no help.
+/// Why no airfoil lies on the faces that were named: the direction whose sections run on them for
+/// longest, and what else these run on. `None` where a part has one face only, so that naming
+/// others is no help.
 fn beside_named(mesh: &Mesh, directions: &[Vector], faces: &[bool]) -> Option<Error> {
     let numbers = |of: &mut dyn Iterator<Item = usize>| of.map(|k| (k + 1).to_string()).collect::<Vec<_>>();
     let named = numbers(&mut (0..faces.len()).filter(|k| faces[*k]));

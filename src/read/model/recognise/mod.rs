@@ -1,15 +1,17 @@
 //! Finds the blade axis and the regions of a part from its mesh.
 //!
-//! In: a mesh in the model frame, mm, closed or two sheets that face each other; perhaps the axis, if the user gave it, or the line
-//! along which a table stacks its sections. Out: the blade frame and the [`Heights`] of
-//! the regions; of the part in that frame, the [`crate::artifact::region::Regions`] themselves ([`pieces`]). Every candidate direction is cut at
-//! [`run::HEIGHTS`] heights; the chain of loops that looks most like an airfoil for longest, and that does not itself point
-//! another way, wins ([`search`]). Regions are then sought along the axis ([`mod@regions`]), and each triangle gets its area
-//! ([`mod@areas`]).
+//! In: a mesh in the model frame, mm, closed or two sheets that face each other; perhaps the axis,
+//! if the user gave it, or the line along which a table stacks its sections. Out: the blade frame
+//! and the [`Heights`] of the regions; of the part in that frame, the
+//! [`crate::artifact::region::Regions`] themselves ([`pieces`]). Every candidate direction is cut
+//! at [`run::HEIGHTS`] heights; the chain of loops that looks most like an airfoil for longest, and
+//! that does not itself point another way, wins ([`search`]). Regions are then sought along the
+//! axis ([`mod@regions`]), and each triangle gets its area ([`mod@areas`]).
 //!
-//! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the sampling of heights,
-//! and up to the preference for datum directions); where the geometry leaves the axis open, a doubt says so. Limits: one airfoil; a
-//! wheel or several blades alike are refused.
+//! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the
+//! sampling of heights, and up to the preference for datum directions); where the geometry leaves
+//! the axis open, a doubt says so. Limits: one airfoil; a wheel or several blades alike are
+//! refused.
 
 pub mod areas;
 pub mod caps;
@@ -36,7 +38,8 @@ use run::Run;
 
 /// Below this mean likeness the sections are steady but not airfoils, …
 const DOUBTFUL: f64 = 0.25;
-/// … below this one the part is refused unless the user says where the blade is: a cube cut aslant comes to 0.27, …
+/// … below this one the part is refused unless the user says where the blade is: a cube cut aslant
+/// comes to 0.27, …
 const HARDLY: f64 = 0.35;
 /// … and below this one they carry something besides an airfoil.
 const PARTLY: f64 = 0.55;
@@ -50,7 +53,8 @@ pub struct Heights {
     pub airfoil_x_mm: [f64; 2],
     /// Top of the platform on the airfoil's side, where there is a platform.
     pub platform_x_mm: Option<f64>,
-    /// Foot and top of the fillet between airfoil and platform, where there is one that heights bound.
+    /// Foot and top of the fillet between airfoil and platform, where there is one that heights
+    /// bound.
     pub fillet_x_mm: Option<[f64; 2]>,
     /// How each was found, one sentence each.
     pub reasons: Vec<String>,
@@ -70,9 +74,11 @@ pub struct Recognised {
     pub against: Option<String>,
     /// Why this is hardly a blade: no section looks like an airfoil.
     pub unlike: Option<String>,
-    /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z, blade frame, mm.
+    /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z,
+    /// blade frame, mm.
     pub outline: Vec<(f64, [f64; 4])>,
-    /// Upper and lower ends of a fillet at places round the airfoil, blade frame, where its foot climbs; else empty.
+    /// Upper and lower ends of a fillet at places round the airfoil, blade frame, where its foot
+    /// climbs; else empty.
     pub fillet: Vec<[Point; 2]>,
 }
 
@@ -82,7 +88,8 @@ pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
     (found.run.likeness >= PARTLY).then(|| format!("an airfoil along {}", words(&found.run.direction)))
 }
 
-/// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the part comes from one.
+/// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the
+/// part comes from one.
 ///
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
@@ -156,8 +163,8 @@ fn no_blade() -> Error {
     .advise("close the part, or name what is the airfoil: its axis from root to tip (--axis), its faces (--faces airfoil=…)")
 }
 
-/// Blade frame: x along the run's direction with x = direction · model point, origin on the mean centroid of the airfoil,
-/// which is returned too (in the run's own frame).
+/// Blade frame: x along the run's direction with x = direction · model point, origin on the mean
+/// centroid of the airfoil, which is returned too (in the run's own frame).
 fn frame(run: &Run) -> (Rigid, [f64; 2]) {
     let rotation = run::frame_along(&run.direction).rotation;
     let n = run.links.len().max(1) as f64;

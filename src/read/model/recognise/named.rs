@@ -1,4 +1,5 @@
-//! What the user says about regions: faces by number or name, heights. It takes the place of what was found.
+//! What the user says about regions: faces by number or name, heights. It takes the place of what
+//! was found.
 
 use super::super::ModelOptions;
 use super::Heights;
@@ -6,8 +7,8 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 
-/// One flag for each face that the user named; `None` where none was named. A number counts from 1; a name is that of a face or
-/// group, in any case.
+/// One flag for each face that the user named; `None` where none was named. A number counts from 1;
+/// a name is that of a face or group, in any case.
 ///
 /// # Errors
 /// `Usage`: a number or name that no face has.

@@ -1,4 +1,5 @@
-//! The regions of a part: for each area its faces or facets, the curves that bound it, and the names of its sides.
+//! The regions of a part: for each area its faces or facets, the curves that bound it, and the
+//! names of its sides.
 
 use super::areas::{areas, of_faces};
 use super::sides::sides;

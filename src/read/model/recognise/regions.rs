@@ -13,9 +13,11 @@ use crate::geometry::slice::{Loop, slice};
 const FILLET_AREA: f64 = 2.2;
 /// … and this much (length) before it counts as something else.
 const FILLET_LENGTH: f64 = 1.3;
-/// A loop smaller than this share (area) of the airfoil's is cut by a slanted or rounded end of the part.
+/// A loop smaller than this share (area) of the airfoil's is cut by a slanted or rounded end of the
+/// part.
 const CUT_SHORT: f64 = 0.8;
-/// A loop at the airfoil's place that is larger by this factor, in area or length, is a platform or hub.
+/// A loop at the airfoil's place that is larger by this factor, in area or length, is a platform or
+/// hub.
 const PLATFORM: f64 = 1.2;
 
 /// What bounds the airfoil at one end.
@@ -28,8 +30,8 @@ struct End {
     shape: Shape,
 }
 
-/// Finds the regions, and the fillet where it climbs along the foot so that no heights bound it; `run` was found along the blade axis (its
-/// heights are blade x).
+/// Finds the regions, and the fillet where it climbs along the foot so that no heights bound it;
+/// `run` was found along the blade axis (its heights are blade x).
 pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Heights, Option<Foot>)> {
     let (first, last) = (run.links.first()?, run.links.last()?);
     let step = (run.part_mm[1] - run.part_mm[0]) / HEIGHTS as f64;
@@ -121,7 +123,8 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
     let (mut good, mut shape) = (from_mm, *reference);
     let mut bad = None;
     let mut part_ends = false;
-    // A fillet and what remains of the part lie within; the bound only guards against endless walks.
+    // A fillet and what remains of the part lie within; the bound only guards against endless
+    // walks.
     for _ in 0..4 * HEIGHTS {
         let x = good + 0.25 * step;
         if x <= part_mm[0] || x >= part_mm[1] {
@@ -178,10 +181,12 @@ fn airfoil_loop(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, reference: &Shape) -> Opt
         .min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
-/// Heights over which the wall leans as a fillet does: from the platform up to where its lean is that of the airfoil above.
+/// Heights over which the wall leans as a fillet does: from the platform up to where its lean is
+/// that of the airfoil above.
 ///
-/// The lean is the mean of the normal's component along the axis round the airfoil's loop. On a fillet of radius r it is
-/// 1 − h/r at height h, so the top is found a share [`LEAN`] of r too low, which is added.
+/// The lean is the mean of the normal's component along the axis round the airfoil's loop. On a
+/// fillet of radius r it is 1 − h/r at height h, so the top is found a share [`LEAN`] of r too low,
+/// which is added.
 fn leaning(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], reference: &Shape) -> Option<[f64; 2]> {
     let length = airfoil_mm[1] - airfoil_mm[0];
     let lean = |x: f64| -> Option<f64> {
@@ -238,9 +243,11 @@ fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &Shape) -> Option
         .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
 }
 
-/// Top of the platform: the height at which most surface near `x_mm` faces the tip, or `x_mm` where none does.
+/// Top of the platform: the height at which most surface near `x_mm` faces the tip, or `x_mm` where
+/// none does.
 ///
-/// A fillet hides the platform from sections until its very foot; the platform's own triangles tell it exactly.
+/// A fillet hides the platform from sections until its very foot; the platform's own triangles tell
+/// it exactly.
 fn platform_top(mesh: &Mesh, x_mm: f64, step: f64) -> f64 {
     let (lo, hi) = (x_mm - 0.5 * step, x_mm + 1e-6 * step);
     let mut facing: Vec<(f64, f64)> = (0..mesh.triangles.len())

@@ -1,24 +1,28 @@
 //! What a model that was drawn in its rotor's frame says of the blade axis.
 //!
-//! Designers of blades work in the frame of the machine: its shaft is a coordinate axis through the origin. Two marks of it are
-//! looked for. Hub, casing and the ends of airfoils are surfaces of revolution, so all their normals meet the shaft ([`shaft`]).
-//! And a blade stands off the shaft along a radius, usually a coordinate axis, which is then the only one along which the part does not reach
-//! back to the origin ([`radius`]). Parts drawn about themselves have neither mark.
+//! Designers of blades work in the frame of the machine: its shaft is a coordinate axis through the
+//! origin. Two marks of it are looked for. Hub, casing and the ends of airfoils are surfaces of
+//! revolution, so all their normals meet the shaft ([`shaft`]). And a blade stands off the shaft
+//! along a radius, usually a coordinate axis, which is then the only one along which the part does
+//! not reach back to the origin ([`radius`]). Parts drawn about themselves have neither mark.
 
 use crate::geometry::mesh::Mesh;
 
 /// A normal meets an axis where their distance is less than this share of the radius.
 const MEETS: f64 = 0.005;
-/// Surfaces square to the shaft are left out (cosine): planes of any part are surfaces of revolution about any normal.
+/// Surfaces square to the shaft are left out (cosine): planes of any part are surfaces of
+/// revolution about any normal.
 const SQUARE: f64 = 0.99;
 /// A shaft's surfaces of revolution have at least this share of the part's surface …
 const SHARE: f64 = 0.02;
 /// … and this many times that of either other axis.
 const TIMES: f64 = 5.0;
-/// A part stands clear of the origin along an axis where its gap is more than this share of its extent.
+/// A part stands clear of the origin along an axis where its gap is more than this share of its
+/// extent.
 const CLEAR: f64 = 0.1;
 
-/// The coordinate axis, 0 to 2, about which hub, casing or ends are surfaces of revolution; `None` where none or several are.
+/// The coordinate axis, 0 to 2, about which hub, casing or ends are surfaces of revolution; `None`
+/// where none or several are.
 pub fn shaft(mesh: &Mesh) -> Option<usize> {
     let mut share = [0.0f64; 3];
     for t in 0..mesh.triangles.len() {
@@ -39,7 +43,8 @@ pub fn shaft(mesh: &Mesh) -> Option<usize> {
     (0..3).find(|&k| share[k] > SHARE * total && (0..3).all(|other| other == k || share[k] > TIMES * share[other]))
 }
 
-/// The coordinate axis, 0 to 2, along which alone the part stands clear of the origin; `None` where it does along none or several.
+/// The coordinate axis, 0 to 2, along which alone the part stands clear of the origin; `None` where
+/// it does along none or several.
 pub fn radius(mesh: &Mesh) -> Option<usize> {
     let b = mesh.aabb()?;
     let clear = |k: &usize| b.min[*k].max(-b.max[*k]) > CLEAR * (b.max[*k] - b.min[*k]);
@@ -78,7 +83,8 @@ mod tests {
     #[test]
     fn a_casing_has_its_shaft_and_a_radius() {
         assert_eq!((shaft(&casing()), radius(&casing())), (Some(0), Some(2)));
-        // Beside its shaft it is round about nothing; and then it stands clear of the origin along two axes.
+        // Beside its shaft it is round about nothing; and then it stands clear of the origin along
+        // two axes.
         let mut aside = casing();
         aside.points.iter_mut().for_each(|p| p.y += 60.0);
         assert_eq!((shaft(&aside), radius(&aside)), (None, None));

@@ -1,4 +1,5 @@
-//! The airfoil along a direction: the chain of section loops, one per height, that looks most like an airfoil for longest.
+//! The airfoil along a direction: the chain of section loops, one per height, that looks most like
+//! an airfoil for longest.
 
 use nalgebra::{Matrix3, UnitQuaternion};
 
@@ -15,13 +16,15 @@ pub const LOOSENESS: f64 = 0.2;
 /// Likeness that any steady loop has: keeps plain prisms recognisable when nothing better is there.
 const FLOOR: f64 = 0.01;
 
-/// A chain that reaches an end of the part within this share of the part's length ends freely, as a blade does at its
-/// tip, and scores up to double; one that stays farther away gains less, and nothing beyond [`INSIDE`].
+/// A chain that reaches an end of the part within this share of the part's length ends freely, as a
+/// blade does at its tip, and scores up to double; one that stays farther away gains less, and
+/// nothing beyond [`INSIDE`].
 const FREE_END: f64 = 0.03;
 /// See [`FREE_END`].
 const INSIDE: f64 = 0.15;
 
-/// The normals tell the airfoil's direction where their mean square along it is less by this than along the one tried.
+/// The normals tell the airfoil's direction where their mean square along it is less by this than
+/// along the one tried.
 const CLEAR: f64 = 0.04;
 /// Measures of two airfoils of a part differ by less than this ratio.
 const ALIKE: f64 = 0.75;
@@ -49,8 +52,8 @@ pub struct Run {
     pub part_mm: [f64; 2],
     /// Sections from low to high; empty where nothing continues.
     pub links: Vec<Link>,
-    /// `share` times `free`, less for normals along the direction, for areas that sway, and for sections whose middles or
-    /// normals say that the airfoil runs another way.
+    /// `share` times `free`, less for normals along the direction, for areas that sway, and for
+    /// sections whose middles or normals say that the airfoil runs another way.
     pub score: f64,
     /// Airfoil-like surface that the chain sweeps over the whole surface.
     pub share: f64,
@@ -68,7 +71,8 @@ pub struct Run {
     pub stack: Vector,
     /// Middle of the chain, frame of the mesh.
     pub middle: Point,
-    /// Whether beyond its low and its high end there are sections larger than the chain's last one: a platform, hub or shroud.
+    /// Whether beyond its low and its high end there are sections larger than the chain's last one:
+    /// a platform, hub or shroud.
     pub body: [bool; 2],
     /// Another chain along the direction that looks like this one, apart from it.
     pub twin: bool,
@@ -89,12 +93,14 @@ pub fn frame_along(direction: &Vector) -> Rigid {
     Rigid::from_parts(nalgebra::Translation3::identity(), UnitQuaternion::from_rotation_matrix(&rotation))
 }
 
-/// Right-handed axes: x along the direction, y along the model axis least aligned with it (the first of equals).
+/// Right-handed axes: x along the direction, y along the model axis least aligned with it (the
+/// first of equals).
 fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
     let x = direction.normalize();
     let mut least = 0;
     for k in 1..3 {
-        // Equal within rounding counts as equal, so that a quarter turn of the model keeps the choice stable.
+        // Equal within rounding counts as equal, so that a quarter turn of the model keeps the
+        // choice stable.
         if x[k].abs() < x[least].abs() - 1e-9 {
             least = k;
         }
@@ -105,8 +111,8 @@ fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
     (x, y, x.cross(&y))
 }
 
-/// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain. `faces`: the faces (one flag each) that
-/// loops must lie on to count; `None`: any.
+/// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain. `faces`: the
+/// faces (one flag each) that loops must lie on to count; `None`: any.
 pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
     let frame = frame_along(direction);
     // Without what sections do not ask for: a part is cut along dozens of directions.
@@ -122,7 +128,8 @@ pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
     run
 }
 
-/// Whether a second chain looks like the first, beside it or farther along than a snubber is thick: another airfoil.
+/// Whether a second chain looks like the first, beside it or farther along than a snubber is thick:
+/// another airfoil.
 fn twin(sections: &Sections, step: f64, chain: &[(usize, usize)]) -> bool {
     let other = best_chain(sections, step, chain);
     let (Some(a), Some(b)) = (span(chain), span(&other)) else { return false };
@@ -156,7 +163,8 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>)
         let xs = corners.map(|i| turned.points[i as usize].x);
         let lo = xs[0].min(xs[1]).min(xs[2]);
         let hi = xs[0].max(xs[1]).max(xs[2]);
-        // The planes from the lowest to the highest corner, and a little more, so that rounding loses none: most triangles lie between two.
+        // The planes from the lowest to the highest corner, and a little more, so that rounding
+        // loses none: most triangles lie between two.
         let place = |x: f64| (x - part_mm[0]) / step - 0.5;
         let from = (place(lo) - 1e-6).ceil().max(0.0);
         let to = (place(hi) + 1e-6).floor();
@@ -217,8 +225,8 @@ fn lies_on(mesh: &Mesh, l: &Loop, faces: &[bool]) -> bool {
     on >= ON_FACES * all
 }
 
-/// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j of section i. Loops in
-/// `without` do not count.
+/// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j
+/// of section i. Loops in `without` do not count.
 fn best_chain(sections: &Sections, step: f64, without: &[(usize, usize)]) -> Vec<(usize, usize)> {
     let mut best: Vec<Vec<(f64, Option<usize>)>> = Vec::with_capacity(sections.len());
     let mut end: Option<(usize, usize, f64)> = None;
@@ -297,7 +305,8 @@ fn summarise(
     if least_normal.dot(direction) < 0.0 {
         least_normal = -least_normal;
     }
-    // From root to tip the area of an airfoil grows or shrinks steadily; cut aslant it rises and falls.
+    // From root to tip the area of an airfoil grows or shrinks steadily; cut aslant it rises and
+    // falls.
     let areas: Vec<f64> = chain.iter().map(|&(i, j)| sections[i].1[j].1.area_mm2).collect();
     let mean = areas.iter().sum::<f64>() / areas.len().max(1) as f64;
     let change = areas.first().zip(areas.last()).map_or(0.0, |(a, b)| (a - b).abs());
@@ -310,7 +319,8 @@ fn summarise(
         chain.iter().map(|&(i, j)| Link { height_mm: sections[i].0, shape: sections[i].1[j].1 }).collect();
     let (middle, stack) = stacking(direction, &links);
     let body = bodies(sections, chain);
-    // What the chain itself says of the airfoil's direction: its middles, and its normals where they say much.
+    // What the chain itself says of the airfoil's direction: its middles, and its normals where
+    // they say much.
     let aside = (excess / CLEAR).clamp(0.0, 1.0) * (1.0 - least_normal.dot(direction).powi(2));
     let agrees = stack.dot(direction).powi(2) * (1.0 - aside);
     let steady = (1.0 - 4.0 * along).max(0.0) / (1.0 + sway).sqrt();
@@ -344,7 +354,8 @@ fn bodies(sections: &Sections, chain: &[(usize, usize)]) -> [bool; 2] {
     [larger(&sections[..low], chain.first()), larger(&sections[high..], chain.last())]
 }
 
-/// Middle of the sections and unit vector of the line through their middles (least squares over the height).
+/// Middle of the sections and unit vector of the line through their middles (least squares over the
+/// height).
 fn stacking(direction: &Vector, links: &[Link]) -> (Point, Vector) {
     let n = links.len().max(1) as f64;
     let at = |l: &Link| Vector::new(l.height_mm, l.shape.centroid[0], l.shape.centroid[1]);

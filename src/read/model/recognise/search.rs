@@ -1,16 +1,17 @@
 //! The blade axis: the direction along which sections look like an airfoil for longest.
 //!
-//! In: the part's mesh; perhaps the line along which a table stacks its sections. Out: the best [`Run`], its sense from root to
-//! tip, why, and a doubt where the geometry does not decide.
+//! In: the part's mesh; perhaps the line along which a table stacks its sections. Out: the best
+//! [`Run`], its sense from root to tip, why, and a doubt where the geometry does not decide.
 //!
-//! Candidates are the coordinate axes, principal axes of the surface and of its normals, and the normals of flat patches. Each good
-//! run proposes two better directions: that in which its normals have the least share, and the line through the middles of its
-//! sections. A direction that its own run contradicts scores less ([`run`]), so what wins is (nearly) a fixed point, and a cut
-//! aslant through the same airfoil is no rival. A datum direction near the winner, coordinate axis or normal of flat faces, is
-//! taken for it, as blades are drawn and mounted along datum directions.
+//! Candidates are the coordinate axes, principal axes of the surface and of its normals, and the
+//! normals of flat patches. Each good run proposes two better directions: that in which its normals
+//! have the least share, and the line through the middles of its sections. A direction that its own
+//! run contradicts scores less ([`run`]), so what wins is (nearly) a fixed point, and a cut aslant
+//! through the same airfoil is no rival. A datum direction near the winner, coordinate axis or
+//! normal of flat faces, is taken for it, as blades are drawn and mounted along datum directions.
 //!
-//! What sections leave open, two other marks may decide: the ends of an airfoil alone ([`caps::end_to_end`]), and where a part stands in
-//! its rotor ([`rotor`]).
+//! What sections leave open, two other marks may decide: the ends of an airfoil alone
+//! ([`caps::end_to_end`]), and where a part stands in its rotor ([`rotor`]).
 
 use nalgebra::Matrix3;
 use rayon::prelude::*;
@@ -25,8 +26,8 @@ use crate::read::model::faces::Stacking;
 
 /// A datum direction within this angle of the best one is taken without further ado, degrees …
 const SNAP_DEG: f64 = 3.0;
-/// … and a coordinate axis, or the common normal of two flat patches, within this angle where it scores at least
-/// [`DATUM_SCORE`] of the best.
+/// … and a coordinate axis, or the common normal of two flat patches, within this angle where it
+/// scores at least [`DATUM_SCORE`] of the best.
 const DATUM_DEG: f64 = 15.0;
 /// See [`DATUM_DEG`].
 const DATUM_SCORE: f64 = 0.65;
@@ -37,16 +38,18 @@ const COMMON_DEG: f64 = 0.5;
 const COVERED: f64 = 0.4;
 /// A lid at an end of the run is worth this much of its score.
 const LID: f64 = 1.0;
-/// A direction farther than this from the chosen one, degrees, that scores this share of it, is told to the user.
+/// A direction farther than this from the chosen one, degrees, that scores this share of it, is
+/// told to the user.
 const RIVAL_DEG: f64 = 35.0;
 /// See [`RIVAL_DEG`].
 const RIVAL: f64 = 0.5;
-/// The same where the chosen direction is a radius on which the part stands off its shaft: what lies nearer cuts the same blade aslant.
+/// The same where the chosen direction is a radius on which the part stands off its shaft: what
+/// lies nearer cuts the same blade aslant.
 const LEANS_DEG: f64 = 60.0;
 /// Two runs with measures within this ratio, in different places, are two airfoils.
 const ALIKE: f64 = 0.8;
-/// Where the middles of the sections run farther than this from the direction of the sections, degrees, the blade leans so much
-/// that either may be meant.
+/// Where the middles of the sections run farther than this from the direction of the sections,
+/// degrees, the blade leans so much that either may be meant.
 const LEAN_DEG: f64 = 25.0;
 /// Rounds in which runs propose better directions.
 const ROUNDS: usize = 4;
@@ -65,10 +68,12 @@ pub struct Found {
     pub doubt: Option<String>,
 }
 
-/// The best run of all candidates, its sense from root to tip, and why. `faces`: as for [`run::along`].
+/// The best run of all candidates, its sense from root to tip, and why. `faces`: as for
+/// [`run::along`].
 ///
 /// # Errors
-/// `InputOutput`: no direction along which sections continue; several airfoils; nothing like an airfoil.
+/// `InputOutput`: no direction along which sections continue; several airfoils; nothing like an
+/// airfoil.
 pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     let sides = edge_uses(&mesh.triangles);
     let patches = caps::patches(mesh, &sides);
@@ -192,8 +197,8 @@ fn best(runs: &[Run]) -> Option<usize> {
         .filter(|&i| runs[i].score > 0.0)
 }
 
-/// Where the best run is oblique, one nearly along a coordinate axis that scores nearly as much: blades are drawn along datum
-/// directions. The oblique one stays its rival.
+/// Where the best run is oblique, one nearly along a coordinate axis that scores nearly as much:
+/// blades are drawn along datum directions. The oblique one stays its rival.
 fn drawn(runs: &[Run], top: usize) -> usize {
     let along = |i: usize| nearest_axis(&runs[i].direction).1 < DATUM_DEG;
     if along(top) {
@@ -242,10 +247,12 @@ fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vec
             return (runs.len() - 1, why);
         }
     }
-    // Farther away only where the sections across the axis do not say that the blade runs aslant to it.
+    // Farther away only where the sections across the axis do not say that the blade runs aslant to
+    // it.
     let lean_deg = |r: &Run| r.stack.dot(&r.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
     let straight = |at: usize| lean_deg(&runs[at]) < 2.0 * lean_deg(&runs[top]) + SNAP_DEG;
-    // … or where flat faces along or across it say that the part is drawn along it and the blade leans.
+    // … or where flat faces along or across it say that the part is drawn along it and the blade
+    // leans.
     let aligned = caps::flat_normals(patches, COMMON_DEG).iter().any(|(n, _)| {
         let along = n.dot(&axis).abs();
         along < COMMON_DEG.to_radians().sin() || along > COMMON_DEG.to_radians().cos()
@@ -270,9 +277,9 @@ fn between_deg(a: &Vector, b: &Vector) -> f64 {
     (a.dot(b) / (a.norm() * b.norm())).abs().clamp(0.0, 1.0).acos().to_degrees()
 }
 
-/// Whether the blade stands along the first run rather than along the second, whose sections are cut short by its ends: along the
-/// first they are so less, and look like an airfoil over as much of the surface. Normals are not asked, since those of a wide blade with
-/// much twist say little.
+/// Whether the blade stands along the first run rather than along the second, whose sections are
+/// cut short by its ends: along the first they are so less, and look like an airfoil over as much
+/// of the surface. Normals are not asked, since those of a wide blade with much twist say little.
 fn stands(radius: &Run, chosen: &Run, patches: &[Patch]) -> bool {
     if fading(chosen, caps::lids(patches, chosen)).is_none() || radius.covered() < chosen.covered() {
         return false;
@@ -288,8 +295,9 @@ const STANDS: f64 = 0.8;
 /// … and the farthest that this one may be, degrees.
 const STANDS_DEG: f64 = 30.0;
 
-/// Why the chosen axis is not certain; `None` where it is. Two marks that do not come from sections make it certain against other
-/// directions: the line from one end of an airfoil to the other, and a radius on which the part stands off its shaft.
+/// Why the chosen axis is not certain; `None` where it is. Two marks that do not come from sections
+/// make it certain against other directions: the line from one end of an airfoil to the other, and
+/// a radius on which the part stands off its shaft.
 fn doubted(
     mesh: &Mesh,
     runs: &[Run],
@@ -320,8 +328,8 @@ struct Other {
     sense: Option<(bool, String)>,
 }
 
-/// The line to take where the blade leans; also where both ends of an airfoil are known, curved or askew, and no section square to
-/// the direction comes near them. `None`: neither.
+/// The line to take where the blade leans; also where both ends of an airfoil are known, curved or
+/// askew, and no section square to the direction comes near them. `None`: neither.
 fn aslant(run: &Run, patches: &[Patch], ends: Option<Ends>) -> Option<Other> {
     const WHY: &str = "the line from the middle of one end to that of the other";
     let sense = |e: Ends| {
@@ -349,8 +357,9 @@ fn aslant(run: &Run, patches: &[Patch], ends: Option<Ends>) -> Option<Other> {
 /// Where one end of an airfoil is larger than the other by this factor it is the root's.
 const TAPERS: f64 = 1.5;
 
-/// The best run far from the chosen one, in words, where it scores nearly as much as what is near the chosen one. Not along the
-/// shaft of the rotor where that is known and the chosen one stands off it: the flow runs there, and no blade.
+/// The best run far from the chosen one, in words, where it scores nearly as much as what is near
+/// the chosen one. Not along the shaft of the rotor where that is known and the chosen one stands
+/// off it: the flow runs there, and no blade.
 fn rival(runs: &[Run], chosen: usize, near_deg: f64, shaft: Option<Vector>) -> Option<String> {
     let axis = runs[chosen].direction;
     let off = |r: &&Run, d: &Vector, deg: f64| between_deg(&r.direction, d) > deg;
@@ -368,7 +377,8 @@ fn rival(runs: &[Run], chosen: usize, near_deg: f64, shaft: Option<Vector>) -> O
     })
 }
 
-/// What is said where sections fade out towards the ends, with no flat end and nothing larger that closes the airfoil there.
+/// What is said where sections fade out towards the ends, with no flat end and nothing larger that
+/// closes the airfoil there.
 fn fading(run: &Run, lids: usize) -> Option<String> {
     let length = run.part_mm[1] - run.part_mm[0];
     let (first, last) = (run.links.first()?, run.links.last()?);
@@ -394,7 +404,8 @@ fn slanted(run: &Run, patches: &[Patch]) -> Option<String> {
     ))
 }
 
-/// Share of the part's length that sections may be cut short by slanted ends before the axis is doubted.
+/// Share of the part's length that sections may be cut short by slanted ends before the axis is
+/// doubted.
 const FADED: f64 = 0.25;
 
 /// What is said of a blade whose sections are far from square to its length.
@@ -438,7 +449,8 @@ fn refuse_wheels(runs: &[Run], chosen: usize) -> Result<()> {
     .advise("export one blade with its platform, or give the blade's axis with --axis"))
 }
 
-/// Directions to try: coordinate axes, principal axes of the surface, eigenvectors of its normals' covariance.
+/// Directions to try: coordinate axes, principal axes of the surface, eigenvectors of its normals'
+/// covariance.
 fn candidates(mesh: &Mesh) -> Vec<Vector> {
     let mut out = vec![Vector::x(), Vector::y(), Vector::z()];
     let (mut area, mut centre) = (0.0, Vector::zeros());
@@ -468,7 +480,8 @@ fn candidates(mesh: &Mesh) -> Vec<Vector> {
     out
 }
 
-/// Surface beyond one end of the airfoil that is more by this share of the whole than that beyond the other is a platform or root …
+/// Surface beyond one end of the airfoil that is more by this share of the whole than that beyond
+/// the other is a platform or root …
 const BODY_BEYOND: f64 = 0.2;
 /// … and by this share may come from the shape of the ends.
 const LITTLE_BEYOND: f64 = 0.05;
@@ -502,7 +515,8 @@ fn root_is_high(mesh: &Mesh, run: &Run) -> (bool, String) {
     if big - small > BODY_BEYOND * total {
         return (above > below, beyond());
     }
-    // An airfoil alone is drawn upwards from the origin, or where it stands in its rotor, whose axis passes the origin.
+    // An airfoil alone is drawn upwards from the origin, or where it stands in its rotor, whose
+    // axis passes the origin.
     let [lo, hi] = run.part_mm;
     let room = AT_ORIGIN * (hi - lo);
     if lo > -room || hi < room {

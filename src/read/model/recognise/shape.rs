@@ -1,7 +1,7 @@
 //! Measures of a section loop: how much it looks like an airfoil.
 //!
-//! An airfoil is slender, ends in two edges thinner than its middle, and has at most one deep hollow (its concave
-//! side). Platforms, roots and discs fail at least one of these.
+//! An airfoil is slender, ends in two edges thinner than its middle, and has at most one deep
+//! hollow (its concave side). Platforms, roots and discs fail at least one of these.
 
 use crate::geometry::slice::Loop;
 
@@ -71,7 +71,8 @@ impl Shape {
         self
     }
 
-    /// Whether this loop continues the other one a small step along the axis: area, perimeter and place change little.
+    /// Whether this loop continues the other one a small step along the axis: area, perimeter and
+    /// place change little.
     pub fn continues(&self, other: &Shape, looseness: f64) -> bool {
         let near = |a: f64, b: f64| a.max(b) < (1.0 + looseness) * a.min(b);
         let shift = (self.centroid[0] - other.centroid[0]).hypot(self.centroid[1] - other.centroid[1]);
@@ -109,7 +110,8 @@ fn moments(points: &[[f64; 2]], area: f64) -> Option<([f64; 2], [f64; 2])> {
     Some(([o[0] + c[0], o[1] + c[1]], [angle.cos(), angle.sin()]))
 }
 
-/// Number of pockets between the loop and its convex hull that are deeper than [`HOLLOW`] of the hull's extent.
+/// Number of pockets between the loop and its convex hull that are deeper than [`HOLLOW`] of the
+/// hull's extent.
 fn hollows(points: &[[f64; 2]]) -> usize {
     let hull = hull(points);
     if hull.len() < 3 {
@@ -169,8 +171,9 @@ fn hull(points: &[[f64; 2]]) -> Vec<usize> {
     chain
 }
 
-/// Width near both ends, the greater, over the greatest width across the main axis on the way. Near an end the width is taken
-/// across the direction in which the loop runs there: a cambered airfoil ends aslant.
+/// Width near both ends, the greater, over the greatest width across the main axis on the way. Near
+/// an end the width is taken across the direction in which the loop runs there: a cambered airfoil
+/// ends aslant.
 fn bluntness(points: &[[f64; 2]], axis: [f64; 2]) -> f64 {
     let (lo, hi) = range(points, axis);
     let extent = hi - lo;
@@ -206,7 +209,8 @@ fn bluntness(points: &[[f64; 2]], axis: [f64; 2]) -> f64 {
     ends[0].max(ends[1]) / widest
 }
 
-/// Least and greatest stretch of a loop that tells in which direction it ends, as a share of its extent.
+/// Least and greatest stretch of a loop that tells in which direction it ends, as a share of its
+/// extent.
 const RUN_OUT: [f64; 2] = [0.12, 0.3];
 
 /// Least and greatest place along a direction.
@@ -215,7 +219,8 @@ fn range(points: &[[f64; 2]], axis: [f64; 2]) -> (f64, f64) {
     places.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)))
 }
 
-/// Middle of those segments of the loop whose first point is wanted, weighted by length; `None` where there are none.
+/// Middle of those segments of the loop whose first point is wanted, weighted by length; `None`
+/// where there are none.
 fn middle(points: &[[f64; 2]], wanted: impl Fn(&[f64; 2]) -> bool) -> Option<[f64; 2]> {
     let (mut sum, mut length) = ([0.0; 2], 0.0);
     for (i, p) in points.iter().enumerate().filter(|(_, p)| wanted(p)) {
@@ -232,8 +237,8 @@ fn middle(points: &[[f64; 2]], wanted: impl Fn(&[f64; 2]) -> bool) -> Option<[f6
     (length > 0.0).then(|| sum.map(|s| s / length))
 }
 
-/// Total length of the chords across the axis at one place, of those that begin on wanted points: hollow stretches count only what is
-/// material.
+/// Total length of the chords across the axis at one place, of those that begin on wanted points:
+/// hollow stretches count only what is material.
 fn width(points: &[[f64; 2]], axis: [f64; 2], at: f64, wanted: impl Fn(&[f64; 2]) -> bool) -> f64 {
     let along = |p: &[f64; 2]| p[0] * axis[0] + p[1] * axis[1];
     let across = |p: &[f64; 2]| p[1] * axis[0] - p[0] * axis[1];

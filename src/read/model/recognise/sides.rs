@@ -6,11 +6,13 @@ use crate::geometry::part::Part;
 use crate::geometry::profile::outline::outlines;
 use crate::geometry::profile::{Ends, Outline, Profile, Sides, TOLERANCE_MM};
 
-/// Sections that say it: a blade that twists by a right angle turns by some degrees from one to the next.
+/// Sections that say it: a blade that twists by a right angle turns by some degrees from one to the
+/// next.
 const SECTIONS: usize = 33;
 
-/// The edges and sides of the airfoil between two heights, mm; `None` where no section closes. `part`: blade frame; `boxes`: those of
-/// the sections that it was recognised by, with their heights.
+/// The edges and sides of the airfoil between two heights, mm; `None` where no section closes.
+/// `part`: blade frame; `boxes`: those of the sections that it was recognised by, with their
+/// heights.
 pub fn sides(part: &Part, [lo, hi]: [f64; 2], boxes: &[(f64, [f64; 4])]) -> Option<Sides> {
     let height = |k: usize| lo + (hi - lo) * (k as f64 + 0.5) / SECTIONS as f64;
     let ends = |x_mm: f64| -> Option<(f64, Ends)> {

@@ -1,7 +1,8 @@
 //! Sections of parts that are open: chains whose ends lie near each other become loops.
 //!
-//! Two sheets that face each other, pressure and suction side, are cut in two chains with a gap at each edge; a tear is a gap in
-//! one. The nearest two ends are joined first, whichever way their chains run, as long as the gap is small beside them.
+//! Two sheets that face each other, pressure and suction side, are cut in two chains with a gap at
+//! each edge; a tear is a gap in one. The nearest two ends are joined first, whichever way their
+//! chains run, as long as the gap is small beside them.
 
 use crate::geometry::slice::Loop;
 
@@ -10,8 +11,8 @@ const GAP: f64 = 0.15;
 /// More chains than this in one section are no blade's.
 const MOST: usize = 24;
 
-/// Loops with open chains joined where their ends are near; chains that stay open are left out. Every loop is closed; those
-/// joined run counter-clockwise.
+/// Loops with open chains joined where their ends are near; chains that stay open are left out.
+/// Every loop is closed; those joined run counter-clockwise.
 pub fn stitched(loops: Vec<Loop>) -> Vec<Loop> {
     let (mut out, mut open): (Vec<Loop>, Vec<Loop>) = loops.into_iter().partition(|l| l.closed);
     open.retain(|l| l.points.len() >= 2);
@@ -47,8 +48,8 @@ fn empty() -> Loop {
 /// Two chains to join, and which of them to turn round first.
 type Joint = (usize, usize, [bool; 2]);
 
-/// The two chains with the smallest gap that may be closed, lower number first, and which of them to turn round so that the first
-/// ends where the second begins.
+/// The two chains with the smallest gap that may be closed, lower number first, and which of them
+/// to turn round so that the first ends where the second begins.
 fn nearest(open: &[Loop]) -> Option<Joint> {
     let mut best: Option<(f64, Joint)> = None;
     let mut offer = |gap: f64, length: f64, what| {

@@ -1,9 +1,11 @@
 //! Whether a part is a bladed wheel: an impeller, a propeller, a disk with its blades.
 //!
-//! In: the mesh. Out: axis and number of blades. A wheel has the same moments about all lines across its axis, so only a direction in which
-//! they differ can be it. Circles about it on planes across it then pass through the blades one after another: as many passages, at
-//! radii over a good part of the wheel. And turned by one blade of the least that repeats (where long and short blades alternate, two) the blades come to lie on
-//! one another. A hexagon is no wheel of six blades: its corners are too short.
+//! In: the mesh. Out: axis and number of blades. A wheel has the same moments about all lines
+//! across its axis, so only a direction in which they differ can be it. Circles about it on planes
+//! across it then pass through the blades one after another: as many passages, at radii over a good
+//! part of the wheel. And turned by one blade of the least that repeats (where long and short
+//! blades alternate, two) the blades come to lie on one another. A hexagon is no wheel of six
+//! blades: its corners are too short.
 
 use std::f64::consts::{PI, TAU};
 
@@ -158,8 +160,8 @@ fn circles(loops: &[Loop], most_mm: f64) -> Vec<(f64, usize)> {
     radii.into_iter().zip(crossed).map(|(r, c)| (r, c / 2)).collect()
 }
 
-/// The widest range of radii, of one plane, on which circles pass through so many blades; `None` where it is no deeper than the corners of a
-/// polygon.
+/// The widest range of radii, of one plane, on which circles pass through so many blades; `None`
+/// where it is no deeper than the corners of a polygon.
 fn band(passages: &[Vec<(f64, usize)>], blades: usize) -> Option<[f64; 2]> {
     // Without gaps: the corners of a bore and those of the outside are no blades.
     let of = |plane: &Vec<(f64, usize)>| {
@@ -195,7 +197,8 @@ mod tests {
     use super::*;
     use crate::read::model::sample;
 
-    /// A star: a prism about x whose outline has so many spikes from an inner to an outer radius; `short` ones between are half as long.
+    /// A star: a prism about x whose outline has so many spikes from an inner to an outer radius;
+    /// `short` ones between are half as long.
     fn star(spikes: usize, [inner, outer]: [f64; 2], short: bool) -> Mesh {
         let all = if short { 2 * spikes } else { spikes };
         let n = 8 * all;

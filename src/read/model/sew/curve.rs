@@ -21,7 +21,8 @@ pub fn backwards(curve: &NurbsCurve) -> NurbsCurve {
     }
 }
 
-/// A closed curve that begins and ends at the vertex; the curve itself where it does so already or cannot be cut there.
+/// A closed curve that begins and ends at the vertex; the curve itself where it does so already or
+/// cannot be cut there.
 #[must_use]
 pub fn from_vertex(curve: NurbsCurve, vertex: &Point, tolerance_mm: f64) -> NurbsCurve {
     let [t0, t1] = curve.domain();
@@ -34,7 +35,8 @@ pub fn from_vertex(curve: NurbsCurve, vertex: &Point, tolerance_mm: f64) -> Nurb
     }
     let Ok((first, second)) = split_curve(&curve, t) else { return curve };
     let (Some(end), Some(start)) = (second.points.last(), first.points.first()) else { return curve };
-    // Both halves meet at the old start; a common factor of homogeneous points leaves a curve as it is.
+    // Both halves meet at the old start; a common factor of homogeneous points leaves a curve as it
+    // is.
     let scale = end.w / start.w;
     let degree = curve.degree;
     let mut knots = second.knots[..second.knots.len() - 1].to_vec();
@@ -44,8 +46,9 @@ pub fn from_vertex(curve: NurbsCurve, vertex: &Point, tolerance_mm: f64) -> Nurb
     NurbsCurve { degree, knots, points }
 }
 
-/// Parameter and distance of the point of the curve closest to `q`: sampled, then narrowed by golden section about every sample beside which it
-/// may lie. On a closed curve both ends are equally near to what lies beside its beginning.
+/// Parameter and distance of the point of the curve closest to `q`: sampled, then narrowed by
+/// golden section about every sample beside which it may lie. On a closed curve both ends are
+/// equally near to what lies beside its beginning.
 pub fn foot(curve: &NurbsCurve, t: [f64; 2], q: &Point) -> (f64, f64) {
     let at = |k: usize| t[0] + (t[1] - t[0]) * k as f64 / SAMPLES as f64;
     let distance = |t: f64| (curve.point(t) - q).norm();
@@ -90,7 +93,8 @@ pub fn hull(e: &Edge) -> Aabb {
     })
 }
 
-/// What the box of an edge may miss: a few hundredths of its size, however unevenly the parameter runs.
+/// What the box of an edge may miss: a few hundredths of its size, however unevenly the parameter
+/// runs.
 pub fn slack(b: &Aabb) -> f64 {
     0.03 * b.diagonal_mm()
 }
@@ -117,7 +121,8 @@ pub fn coincide(a: &Edge, b: &Edge, tolerance_mm: f64) -> Option<(bool, f64)> {
     }
     // Closed edges: their ends say nothing, so the order of two points on the way does.
     let place = |s: f64| (foot(&b.curve, b.t, &a.at(s)).0 - b.t[0]) / (b.t[1] - b.t[0]);
-    // Over a third of the way round, taken on the short way, so that it does not matter where each begins.
+    // Over a third of the way round, taken on the short way, so that it does not matter where each
+    // begins.
     let step = (place(0.65) - place(0.35)).rem_euclid(1.0);
     Some((step > 0.5, gap_mm))
 }

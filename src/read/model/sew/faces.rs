@@ -14,13 +14,14 @@ use super::{Match, face_of, uses};
 
 /// Sides of a surface that are nearer than this make it closed, mm.
 const CLOSED_MM: f64 = 1e-3;
-/// Edges run along the sides of a parameter rectangle where they are no farther off, and together no longer or shorter, than this share of the sides' length.
+/// Edges run along the sides of a parameter rectangle where they are no farther off, and together
+/// no longer or shorter, than this share of the sides' length.
 const WHOLE: f64 = 1e-6;
 /// Places on an edge that are looked at.
 const PLACES: [f64; 5] = [0.08, 0.3, 0.5, 0.7, 0.92];
 
-/// Gives faces without loops the boundary of their parameter rectangle, so that neighbours can share it. A side that is a point
-/// is left out.
+/// Gives faces without loops the boundary of their parameter rectangle, so that neighbours can
+/// share it. A side that is a point is left out.
 pub fn write_out_natural_loops(brep: &mut Brep) {
     let spaces: Vec<ParameterSpace> = brep.faces.iter().map(|f| ParameterSpace::of(&f.surface, CLOSED_MM)).collect();
     let before = brep.edges.len();
@@ -46,8 +47,8 @@ pub fn drop_short_edges(brep: &mut Brep, tolerance_mm: f64) -> usize {
     dropped
 }
 
-/// Drops faces no wider than the tolerance; their names. Such a face has open edges, each of which runs along others of the same
-/// face, and hardly any area.
+/// Drops faces no wider than the tolerance; their names. Such a face has open edges, each of which
+/// runs along others of the same face, and hardly any area.
 pub fn drop_slivers(brep: &mut Brep, tolerance_mm: f64) -> Vec<String> {
     let uses = uses(brep);
     let sliver = |f: &Face| {
@@ -63,8 +64,9 @@ pub fn drop_slivers(brep: &mut Brep, tolerance_mm: f64) -> Vec<String> {
     remove(brep, &marks)
 }
 
-/// Whether edges run once round the parameter rectangle of a face's surface, which is wider than the tolerance: that of a sphere, there and back
-/// along its seam, lies folded too, and encloses all of it.
+/// Whether edges run once round the parameter rectangle of a face's surface, which is wider than
+/// the tolerance: that of a sphere, there and back along its seam, lies folded too, and encloses
+/// all of it.
 fn is_whole(f: &Face, all: &[&Edge], tolerance_mm: f64) -> bool {
     let mut natural = Brep { faces: vec![Face { loops: Vec::new(), ..f.clone() }], edges: Vec::new() };
     write_out_natural_loops(&mut natural);
@@ -89,8 +91,8 @@ fn folded(all: &[&Edge], tolerance_mm: f64) -> bool {
     })
 }
 
-/// Drops faces that repeat another one: their edges coincide one by one, and what lies between does too. Names of the dropped
-/// and of those that stay.
+/// Drops faces that repeat another one: their edges coincide one by one, and what lies between does
+/// too. Names of the dropped and of those that stay.
 pub fn drop_repeated(brep: &mut Brep, found: &[Match], tolerance_mm: f64) -> Vec<(String, String)> {
     let face_of = face_of(brep);
     let uses = uses(brep);

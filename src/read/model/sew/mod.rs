@@ -1,16 +1,21 @@
-//! Loose faces sewn to one part: edges that faces repeat become shared edges, without which a tessellation has cracks.
+//! Loose faces sewn to one part: edges that faces repeat become shared edges, without which a
+//! tessellation has cracks.
 //!
-//! In: faces whose edges may be shared (solids of STEP and IGES) or not (loose faces, some writers of solids). In this order, for
-//! a tolerance and then for a coarser one where edges are still open:
+//! In: faces whose edges may be shared (solids of STEP and IGES) or not (loose faces, some writers
+//! of solids). In this order, for a tolerance and then for a coarser one where edges are still
+//! open:
 //!
-//! 1. a face without loops gets the boundary of its parameter rectangle; edges shorter than the tolerance go ([`faces`]);
+//! 1. a face without loops gets the boundary of its parameter rectangle; edges shorter than the
+//!    tolerance go ([`faces`]);
 //! 2. slivers (faces no wider than the tolerance) and faces that repeat another go ([`faces`]);
-//! 3. edges that coincide are joined in pairs, those nearest to one another first; two edges of one face only where nothing else
-//!    fits (a seam);
-//! 4. an open edge that passes the end of another open edge is cut there ([`split`]), and 3 is done again (T-junctions).
+//! 3. edges that coincide are joined in pairs, those nearest to one another first; two edges of one
+//!    face only where nothing else fits (a seam);
+//! 4. an open edge that passes the end of another open edge is cut there ([`split`]), and 3 is done
+//!    again (T-junctions).
 //!
-//! Guarantees: only edges that one face uses once are touched; curves are never moved, one of two takes the place of the other, so
-//! that a face's edge may leave its surface by the gap that is reported. Everything that was done is in [`Sewn`].
+//! Guarantees: only edges that one face uses once are touched; curves are never moved, one of two
+//! takes the place of the other, so that a face's edge may leave its surface by the gap that is
+//! reported. Everything that was done is in [`Sewn`].
 //!
 //! [`curve::from_vertex`]: a closed edge begins at its vertex, wherever the file's curve begins, so that loops are continuous.
 
@@ -146,7 +151,8 @@ fn face_of(brep: &Brep) -> Vec<usize> {
     out
 }
 
-/// All pairs of open edges that coincide, those nearest to one another first, pairs within one face last.
+/// All pairs of open edges that coincide, those nearest to one another first, pairs within one face
+/// last.
 pub fn matches(brep: &Brep, tolerance_mm: f64) -> Vec<Match> {
     let face_of = face_of(brep);
     // A sweep along x over the edges' boxes, widened by what samples may miss.

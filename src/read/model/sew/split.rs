@@ -6,8 +6,8 @@ use crate::geometry::brep::{Brep, Coedge, Edge};
 use super::curve::{ends, foot, hull, length, slack};
 use super::open_edges;
 
-/// Cuts every open edge where another one ends on it; the number of edges that were cut. Cutting is exact: the pieces are ranges
-/// of the same curve.
+/// Cuts every open edge where another one ends on it; the number of edges that were cut. Cutting is
+/// exact: the pieces are ranges of the same curve.
 pub fn split_at_ends(brep: &mut Brep, tolerance_mm: f64) -> usize {
     let open = open_edges(brep);
     let mut vertices: Vec<Point> = open.iter().flat_map(|e| ends(&brep.edges[*e])).collect();

@@ -62,7 +62,8 @@ fn loop_ends(brep: &Brep, face: usize) -> Vec<[Point; 2]> {
         .collect()
 }
 
-/// A flat or ruled face between four corners, its edges its own; sides may be cut at shares of their length.
+/// A flat or ruled face between four corners, its edges its own; sides may be cut at shares of
+/// their length.
 fn panel(brep: &mut Brep, name: &str, c: [[f64; 3]; 4], cuts: &[(usize, f64)]) {
     let pole = |p: [f64; 3]| Vector4::new(p[0], p[1], p[2], 1.0);
     let mut one = Vec::new();
@@ -83,7 +84,8 @@ fn panel(brep: &mut Brep, name: &str, c: [[f64; 3]; 4], cuts: &[(usize, f64)]) {
     brep.faces.push(Face { name: name.into(), kind, surface, reversed: false, loops: vec![one] });
 }
 
-/// A box of loose faces from (0, 0, 0) to `size`; the top is moved by `off` along x; the side y = 0 comes in two halves.
+/// A box of loose faces from (0, 0, 0) to `size`; the top is moved by `off` along x; the side y = 0
+/// comes in two halves.
 fn loose_box(size: [f64; 3], off: f64) -> Brep {
     let [x, y, z] = size;
     let mut b = Brep::default();
@@ -97,8 +99,8 @@ fn loose_box(size: [f64; 3], off: f64) -> Brep {
     b
 }
 
-/// The volume that the faces enclose once they are turned alike; area and volume of the turned faces themselves must agree with
-/// those of their triangles.
+/// The volume that the faces enclose once they are turned alike; area and volume of the turned
+/// faces themselves must agree with those of their triangles.
 fn volume(brep: &Brep) -> Option<f64> {
     let options = crate::geometry::tessellate::Options::with_deflection(0.01);
     let t = crate::geometry::tessellate::tessellate(brep, &options, &crate::observe::Silent).unwrap();

@@ -1,13 +1,16 @@
 //! The course of an edge: its curve from the first vertex to the second, as NURBS.
 //!
-//! In: an edge of the file. Out: a curve in mm from vertex to vertex in the edge's sense; nothing where the edge has no length.
+//! In: an edge of the file. Out: a curve in mm from vertex to vertex in the edge's sense; nothing
+//! where the edge has no length.
 //!
-//! `step-io` writes every kind of curve that has an exact NURBS form as such, cut between the vertices: lines, circles, ellipses, parabolas,
-//! hyperbolas, B-splines with and without knots of their own (uniform, quasi-uniform, Bézier), rational ones, polylines, trimmed and
-//! composite curves, and the curve in space of surface, seam and intersection curves. What it does not: closed B-splines between
-//! two vertices of which the way passes the curve's own beginning, vertices in the order against the flag of the sense, edges without
-//! length. These are done here from the whole curve, which is only cut, so that nothing is approximated. Of two courses the one that meets the
-//! vertices better is taken.
+//! `step-io` writes every kind of curve that has an exact NURBS form as such, cut between the
+//! vertices: lines, circles, ellipses, parabolas, hyperbolas, B-splines with and without knots of
+//! their own (uniform, quasi-uniform, Bézier), rational ones, polylines, trimmed and composite
+//! curves, and the curve in space of surface, seam and intersection curves. What it does not:
+//! closed B-splines between two vertices of which the way passes the curve's own beginning,
+//! vertices in the order against the flag of the sense, edges without length. These are done here
+//! from the whole curve, which is only cut, so that nothing is approximated. Of two courses the one
+//! that meets the vertices better is taken.
 
 use nalgebra::Matrix4;
 use step_io::scene::{CurveKind, Edge as StepEdge};
@@ -43,7 +46,8 @@ pub(super) fn course(edge: &StepEdge, mm: f64, to: &Matrix4<f64>) -> Result<Opti
     }
     if one_vertex {
         return match read {
-            // The reader gives closed curves as the file does: from anywhere, and not yet in the edge's sense.
+            // The reader gives closed curves as the file does: from anywhere, and not yet in the
+            // edge's sense.
             Some(c) => {
                 let c = if edge.same_sense() { c } else { backwards(&c) };
                 Ok(Some(from_vertex(c, &start, VERTEX_MM)))
@@ -73,12 +77,14 @@ fn misses(c: &NurbsCurve, start: &Point, end: &Point) -> f64 {
     (c.point(a) - start).norm().max((c.point(b) - end).norm())
 }
 
-/// The part of a curve from one point to another one, walked in the sense of the curve or against it.
+/// The part of a curve from one point to another one, walked in the sense of the curve or against
+/// it.
 fn between(whole: NurbsCurve, along: bool, start: &Point, end: &Point) -> Option<NurbsCurve> {
     let whole = if along { whole } else { backwards(&whole) };
     let [a, b] = whole.domain();
     if (whole.point(a) - whole.point(b)).norm() <= CLOSED_MM {
-        // Round and round: from the first point on, up to the second. A vertex may lie off the curve.
+        // Round and round: from the first point on, up to the second. A vertex may lie off the
+        // curve.
         let off_mm = foot(&whole, [a, b], start).1;
         let round = from_vertex(whole, start, MET_MM.max(2.0 * off_mm));
         let (t, _) = foot(&round, round.domain(), end);

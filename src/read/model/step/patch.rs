@@ -1,7 +1,8 @@
 //! Patches of unbounded surfaces, large enough for their faces.
 //!
-//! `step-io` cuts planes, cylinders, cones and extrusions where the curves of the face's edges end that it can write itself. Edges that it
-//! cannot ([`super::edges`]) may reach farther: the patch is drawn out along its straight lines, which leaves the surface as it is.
+//! `step-io` cuts planes, cylinders, cones and extrusions where the curves of the face's edges end
+//! that it can write itself. Edges that it cannot ([`super::edges`]) may reach farther: the patch
+//! is drawn out along its straight lines, which leaves the surface as it is.
 
 use nalgebra::{Matrix4, Vector4};
 use step_io::StepModel;
@@ -12,12 +13,14 @@ use crate::geometry::brep::SurfaceKind;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::{Point, Vector};
 
-/// Drawn out beyond the points by this share of their reach, so that none lies on the border; cones are not, for their apex.
+/// Drawn out beyond the points by this share of their reach, so that none lies on the border; cones
+/// are not, for their apex.
 const MARGIN: f64 = 1e-3;
 /// Lines of the surface that are looked at for its middle.
 const QUARTERS: usize = 4;
 
-/// A patch of a plane around points, mm; `None` where they lie on a line or the plane's frame is damaged.
+/// A patch of a plane around points, mm; `None` where they lie on a line or the plane's frame is
+/// damaged.
 pub(super) fn of_plane(
     model: &StepModel,
     plane: &m::Plane,

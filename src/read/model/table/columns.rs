@@ -1,7 +1,7 @@
 //! Rows of numbers to points: columns by their names, blocks by what parts them.
 //!
-//! Cylindrical coordinates turn about the axis whose coordinate stands beside them: with `z`, `x = r cos θ` and
-//! `y = r sin θ`; with `x` or `y` the three letters move on in turn.
+//! Cylindrical coordinates turn about the axis whose coordinate stands beside them: with `z`,
+//! `x = r cos θ` and `y = r sin θ`; with `x` or `y` the three letters move on in turn.
 
 use super::header::{Angle, Blocks, Header};
 use crate::geometry::Point;
@@ -53,7 +53,8 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Finds the axis and the coordinate that heights stand for; refuses what is too little or too much.
+    /// Finds the axis and the coordinate that heights stand for; refuses what is too little or too
+    /// much.
     fn complete(&mut self, side: usize, has_heights: bool) -> Result<(), String> {
         let of_side: Vec<Role> =
             self.roles.iter().flatten().filter(|(_, s)| s.is_none_or(|s| s == side)).map(|(r, _)| *r).collect();
@@ -93,7 +94,8 @@ impl Columns {
         self.sides
     }
 
-    /// The point of a row on one side, file units; `height` stands for the coordinate that is missing.
+    /// The point of a row on one side, file units; `height` stands for the coordinate that is
+    /// missing.
     pub fn point(&self, row: &[f64], side: usize, height: f64) -> Point {
         let get = |r: Role| {
             let at = self.roles.iter().position(|c| c.is_some_and(|(x, s)| x == r && s.is_none_or(|s| s == side)));
@@ -257,7 +259,8 @@ pub fn blocks(text: &str, file: &str, header: &Header, columns: usize) -> Result
     }
 }
 
-/// Number of blocks of rows, whatever their columns are, and where there are some the first two rows of different length: line and count.
+/// Number of blocks of rows, whatever their columns are, and where there are some the first two
+/// rows of different length: line and count.
 pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
     let width = |l: &str| match line(l, false) {
         Line::Numbers(row) if row.len() > 1 => row.len(),
@@ -276,7 +279,8 @@ pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
     (starts, uneven)
 }
 
-/// The last three numbers of each row as points, whatever they mean: to see whether they are in order.
+/// The last three numbers of each row as points, whatever they mean: to see whether they are in
+/// order.
 pub fn points(text: &str) -> Vec<Point> {
     let point = |l: &str| match line(l, false) {
         Line::Numbers(row) if row.len() > 1 => {

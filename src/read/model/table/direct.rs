@@ -80,7 +80,8 @@ pub fn detect(bytes: &[u8]) -> Option<Kind> {
     (rows > 3 && 10 * rows >= 6 * lines.len()).then_some(Kind::Numbers)
 }
 
-/// A row of a TurboGrid curve without the marks of leading and trailing edge (`le1`, `te1`) that may stand at its end.
+/// A row of a TurboGrid curve without the marks of leading and trailing edge (`le1`, `te1`) that
+/// may stand at its end.
 fn curve_row(line: &str) -> &str {
     let mut end = line.trim_end();
     while let Some((before, word)) = end.rsplit_once(char::is_whitespace) {

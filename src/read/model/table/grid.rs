@@ -1,14 +1,15 @@
 //! Sections brought to one parametrisation: a grid of points whose columns run along the span.
 //!
-//! Where all sections have as many points and share the round in like proportions, points of one number belong together
-//! and the grid is the table itself. Otherwise each section becomes a spline of its own, cut at its edges, and is
-//! sampled at shares of the length between them.
+//! Where all sections have as many points and share the round in like proportions, points of one
+//! number belong together and the grid is the table itself. Otherwise each section becomes a spline
+//! of its own, cut at its edges, and is sampled at shares of the length between them.
 
 use super::outline::{Outline, steps};
 use crate::geometry::Point;
 use crate::geometry::nurbs::fit::{ControlRows, FitError, PeriodicRows, interpolate_rows};
 
-/// Neighbouring steps of points that belong together grow or shrink from one section to the other by no more than this.
+/// Neighbouring steps of points that belong together grow or shrink from one section to the other
+/// by no more than this.
 const LIKE: f64 = 3.0;
 /// A sharp edge this near to an end of the section, as a share of the perimeter, is of that end.
 const NEAR: f64 = 0.08;
@@ -41,7 +42,8 @@ impl Grid {
         self.rows.first().map_or(0, Vec::len)
     }
 
-    /// Columns of piece `k`, from its anchor to the next, both included; indices run on beyond the last column.
+    /// Columns of piece `k`, from its anchor to the next, both included; indices run on beyond the
+    /// last column.
     pub fn piece(&self, k: usize) -> std::ops::RangeInclusive<usize> {
         let from = self.anchors[k].index;
         let to = self.anchors.get(k + 1).map_or(self.around(), |a| a.index);
@@ -157,7 +159,8 @@ fn alike(outlines: &[Outline]) -> bool {
         let (a, b) = (centred(&w[0]), centred(&w[1]));
         let cost = |shift: usize| (0..n).map(|j| (a[j] - b[(j + shift) % n]).norm_squared()).sum::<f64>();
         let here = cost(0);
-        // A blade may twist by so much that a neighbour fits a little better; another start fits far better.
+        // A blade may twist by so much that a neighbour fits a little better; another start fits
+        // far better.
         (1..n).all(|shift| cost(shift) > 0.5 * here || here == 0.0)
     })
 }
@@ -177,8 +180,8 @@ fn farthest_in_all(outlines: &[Outline]) -> [usize; 2] {
     best.0
 }
 
-/// Anchors from sharp edges and ends, rotated so that those of end 0 come first, and the index that becomes 0. `None` if
-/// edges of the two ends alternate round the section.
+/// Anchors from sharp edges and ends, rotated so that those of end 0 come first, and the index that
+/// becomes 0. `None` if edges of the two ends alternate round the section.
 fn anchors(params: &[f64], sharp: &[usize], ends: [usize; 2]) -> Option<(usize, Vec<Anchor>)> {
     let n = params.len() - 1;
     let apart = |i: usize, j: usize| {
@@ -212,8 +215,8 @@ struct Shape {
     shares: Vec<Vec<f64>>,
 }
 
-/// Sections sampled at shares of the length between edges; each step of the densest section is divided into `parts`. Unless
-/// `sharp`, all edges are taken as round.
+/// Sections sampled at shares of the length between edges; each step of the densest section is
+/// divided into `parts`. Unless `sharp`, all edges are taken as round.
 ///
 /// # Errors
 /// A sentence: sections with different edges.
@@ -290,8 +293,8 @@ fn shape(o: &Outline, ends: [usize; 2], sharp: bool) -> Result<Shape, String> {
     Ok(Shape { pieces, anchors, shares })
 }
 
-/// Control rows of the pieces between anchors; sections are the columns. Without sharp edges the spline is C² all round,
-/// with them it ends at each.
+/// Control rows of the pieces between anchors; sections are the columns. Without sharp edges the
+/// spline is C² all round, with them it ends at each.
 ///
 /// # Errors
 /// See [`FitError`].

@@ -24,7 +24,8 @@ struct HeaderFile {
 #[derive(Clone, Debug, Default, serde::Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Header {
-    /// Files with the points, beside the header; `*` and `?` in names; natural order within each pattern.
+    /// Files with the points, beside the header; `*` and `?` in names; natural order within each
+    /// pattern.
     pub files: Names,
     /// Unit of lengths.
     pub unit: Option<Unit>,
@@ -202,7 +203,8 @@ fn matching(folder: &Path, pattern: &str) -> std::result::Result<Vec<PathBuf>, S
     Ok(found.into_iter().map(|n| dir.join(n)).collect())
 }
 
-/// Whether a name fits a pattern: `*` any text, `?` any character. One pass with a return to the last star.
+/// Whether a name fits a pattern: `*` any text, `?` any character. One pass with a return to the
+/// last star.
 fn glob(pattern: &[char], name: &[char]) -> bool {
     let (mut p, mut n, mut star) = (0, 0, None);
     while n < name.len() {

@@ -1,8 +1,8 @@
 //! Surfaces through a grid of points, and their distance from the points of the table.
 //!
-//! Along the span the surfaces are cubic (of lower degree through two or three sections), with the mean chord length
-//! as parameter; neighbouring surfaces share the control points of their common boundary bit by bit (*The NURBS Book*,
-//! 9.2, global interpolation).
+//! Along the span the surfaces are cubic (of lower degree through two or three sections), with the
+//! mean chord length as parameter; neighbouring surfaces share the control points of their common
+//! boundary bit by bit (*The NURBS Book*, 9.2, global interpolation).
 
 use rayon::prelude::*;
 
@@ -13,7 +13,8 @@ use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::fit::surface_through_rows;
 use crate::geometry::nurbs::foot::ParameterSpace;
 
-/// Samples of a section are made denser until the points of the table are this near, as a share of the tolerance.
+/// Samples of a section are made denser until the points of the table are this near, as a share of
+/// the tolerance.
 const GOAL: f64 = 0.2;
 /// Columns from which the foot of a point is sought.
 const SEEDS: usize = 8;
@@ -69,8 +70,8 @@ pub struct Fitted {
     pub note: Option<String>,
 }
 
-/// The loft through sections that are aligned: through the points themselves where they belong together by number,
-/// through splines of the sections otherwise.
+/// The loft through sections that are aligned: through the points themselves where they belong
+/// together by number, through splines of the sections otherwise.
 ///
 /// # Errors
 /// A sentence: edges that differ, surfaces that cannot be interpolated.
@@ -129,8 +130,8 @@ impl Loft {
         self.distances(&outlines.iter().enumerate().map(probe).collect::<Vec<_>>())
     }
 
-    /// How far a loft through every second point between the anchors is from the points that it leaves out: what the
-    /// surface does between the points of the table.
+    /// How far a loft through every second point between the anchors is from the points that it
+    /// leaves out: what the surface does between the points of the table.
     pub fn without_points(&self) -> Option<FitError> {
         let thin = Loft::through(self.grid.thinned_around()).ok()?;
         let probe = |(row, points): (usize, &Vec<Point>)| Probe {
@@ -183,8 +184,8 @@ impl Loft {
         out
     }
 
-    /// Distance from the surfaces that meet the grid's nearest columns of a row: several, since on a thin blade the nearest
-    /// one may be on the other side.
+    /// Distance from the surfaces that meet the grid's nearest columns of a row: several, since on
+    /// a thin blade the nearest one may be on the other side.
     fn distance(&self, q: &Point, row: usize, v: f64, column: Option<usize>, spaces: &[ParameterSpace]) -> f64 {
         let row = &self.grid.rows[row.min(self.grid.rows.len() - 1)];
         let n = row.len();

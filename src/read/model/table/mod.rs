@@ -1,15 +1,17 @@
 //! Tables of blade sections to a lofted NURBS solid.
 //!
-//! In: points of sections, in files that say themselves what they hold (Tecplot zones, TurboGrid curves, T-Blade3) or with
-//! a header in TOML ([`header`]). Out: two sides, blunt edges where the points have sharp corners, and two caps, closed.
+//! In: points of sections, in files that say themselves what they hold (Tecplot zones, TurboGrid
+//! curves, T-Blade3) or with a header in TOML ([`header`]). Out: two sides, blunt edges where the
+//! points have sharp corners, and two caps, closed.
 //!
-//! The way: rows → blocks ([`columns`], [`direct`]) → closed chains, aligned ([`outline`]) → one grid ([`grid`]) → surfaces
-//! through the grid ([`loft`]) → solid ([`solid`]).
+//! The way: rows → blocks ([`columns`], [`direct`]) → closed chains, aligned ([`outline`]) → one
+//! grid ([`grid`]) → surfaces through the grid ([`loft`]) → solid ([`solid`]).
 //!
-//! Guarantees: the greatest distance of a point of the table from the surface is measured and noted; above the tolerance the
-//! table is refused. What lies between the points is the spline's: how much that matters is measured by leaving every
-//! second point, and every second section, out. Limits: one blade; sections in order from one end to the other; between
-//! 8 and [`MOST_POINTS`] points a section.
+//! Guarantees: the greatest distance of a point of the table from the surface is measured and
+//! noted; above the tolerance the table is refused. What lies between the points is the spline's:
+//! how much that matters is measured by leaving every second point, and every second section, out.
+//! Limits: one blade; sections in order from one end to the other; between 8 and [`MOST_POINTS`]
+//! points a section.
 
 pub mod columns;
 pub mod direct;
@@ -38,11 +40,13 @@ use direct::Kind;
 use header::{Header, Order};
 use outline::Outline;
 
-/// Greatest distance of a point from the surface, mm, if the header says nothing: a tenth of a usual form tolerance.
+/// Greatest distance of a point from the surface, mm, if the header says nothing: a tenth of a
+/// usual form tolerance.
 pub const TOLERANCE_MM: f64 = 0.01;
 /// Most points of a section.
 pub const MOST_POINTS: usize = 5000;
-/// Most points of a table: the search for points that belong together grows with these times those of a section.
+/// Most points of a table: the search for points that belong together grows with these times those
+/// of a section.
 const MOST_TOTAL: usize = 200_000;
 /// Most sections.
 const MOST_SECTIONS: usize = 1000;
@@ -57,10 +61,12 @@ const COLLAPSED: f64 = 1e-3;
 
 type Said<T> = std::result::Result<T, String>;
 
-/// Reads a table: a header in TOML (beside the data or at its top), or a file that says itself what it holds.
+/// Reads a table: a header in TOML (beside the data or at its top), or a file that says itself what
+/// it holds.
 ///
 /// # Errors
-/// `InputOutput` with file and line: what cannot be read, what is no blade, a surface too far from the points.
+/// `InputOutput` with file and line: what cannot be read, what is no blade, a surface too far from
+/// the points.
 pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> {
     let name = path.display().to_string();
     let text = String::from_utf8_lossy(bytes);
@@ -91,7 +97,8 @@ pub fn is_header_file(path: &Path) -> bool {
     text_of(path, files::SHORT).is_ok_and(|text| header::is_header(&text))
 }
 
-/// The data files that a header names; none for other files and where they cannot be found, which [`read`] tells.
+/// The data files that a header names; none for other files and where they cannot be found, which
+/// [`read`] tells.
 pub fn data_files(path: &Path) -> Vec<std::path::PathBuf> {
     if !is_header_file(path) {
         return Vec::new();
@@ -242,7 +249,8 @@ fn outlines(
     Ok(out)
 }
 
-/// Blocks that run along one side and then, with one jump of more than half their size, along the other: two blocks each.
+/// Blocks that run along one side and then, with one jump of more than half their size, along the
+/// other: two blocks each.
 fn split(blocks: Vec<Rows>, flat: Vec<Block>) -> (Vec<Rows>, Vec<Block>) {
     let jump = |b: &Block| {
         let far = 0.5 * extent(&b.points);

@@ -1,4 +1,5 @@
-//! One section as a closed chain of points: joining of sides, edges, direction and order along the span.
+//! One section as a closed chain of points: joining of sides, edges, direction and order along the
+//! span.
 
 use nalgebra::Matrix3;
 
@@ -44,8 +45,8 @@ impl Outline {
         Outline { place: place.to_owned(), table, points, ends: None, gaps: [false; 2] }.checked()
     }
 
-    /// From two sides, each from one edge to the other in either sense. Where their ends meet they are joined; where they do
-    /// not, the gap is a blunt edge.
+    /// From two sides, each from one edge to the other in either sense. Where their ends meet they
+    /// are joined; where they do not, the gap is a blunt edge.
     ///
     /// # Errors
     /// A sentence: too few points.
@@ -142,8 +143,8 @@ impl Outline {
         best.0
     }
 
-    /// Indices of sharp edges: one or two points in a row where the chain turns by more than [`SHARP`] and far more than
-    /// beside them. Three in a row are a round edge with few points.
+    /// Indices of sharp edges: one or two points in a row where the chain turns by more than
+    /// [`SHARP`] and far more than beside them. Three in a row are a round edge with few points.
     pub fn corners(&self) -> Vec<usize> {
         let n = self.points.len();
         let at = |i: usize| self.points[i % n];
@@ -179,7 +180,8 @@ fn met(before: &Point, last: &Point, first: &Point, second: &Point) -> Option<Po
     ((first - last).norm() <= JOIN * step).then(|| nalgebra::center(first, last))
 }
 
-/// Adds `b` to `a`; where the end of `a` is at the start of `b`, the two become their middle. Whether they did.
+/// Adds `b` to `a`; where the end of `a` is at the start of `b`, the two become their middle.
+/// Whether they did.
 fn join(a: &mut Vec<Point>, b: &[Point]) -> bool {
     let middle = match (&a[..], b) {
         ([.., before, last], [first, second, ..]) => met(before, last, first, second),
@@ -206,8 +208,8 @@ fn close(points: &mut Vec<Point>) -> bool {
     middle.is_some()
 }
 
-/// The line through the middles of the sections (least squares), first to last, and the mean of their normals. `None` where
-/// they have no line or no normal.
+/// The line through the middles of the sections (least squares), first to last, and the mean of
+/// their normals. `None` where they have no line or no normal.
 pub fn stacking(outlines: &[Outline]) -> Option<Stacking> {
     let middles: Vec<Vector> = outlines.iter().map(|o| o.centroid().coords).collect();
     let mean = middles.iter().sum::<Vector>() / middles.len().max(1) as f64;
@@ -250,7 +252,8 @@ fn without_repeats(points: &[Point]) -> Vec<Point> {
     out
 }
 
-/// Gives all sections one direction (counter-clockwise seen against the span) and, where the table gave sides, one start.
+/// Gives all sections one direction (counter-clockwise seen against the span) and, where the table
+/// gave sides, one start.
 ///
 /// # Errors
 /// A sentence: sections that coincide or go to and fro along the span.

@@ -1,8 +1,8 @@
 //! Lofted surfaces and two caps to one closed solid.
 //!
-//! A cap whose outline is flat is a plane; otherwise it is ruled between the two sides, and what remains at a blunt edge
-//! is filled between that edge and its chord. Faces are oriented outward for a blade whose sections run
-//! counter-clockwise seen against the span.
+//! A cap whose outline is flat is a plane; otherwise it is ruled between the two sides, and what
+//! remains at a blunt edge is filled between that edge and its chord. Faces are oriented outward
+//! for a blade whose sections run counter-clockwise seen against the span.
 
 use super::loft::Loft;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
@@ -77,8 +77,8 @@ fn line(a: Point, b: Point) -> NurbsCurve {
     NurbsCurve { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], points: vec![a.to_homogeneous(), b.to_homogeneous()] }
 }
 
-/// The chord of a curve with the curve's own degree and knots: its control points stand at the means of knots, which make a
-/// straight line of constant speed.
+/// The chord of a curve with the curve's own degree and knots: its control points stand at the
+/// means of knots, which make a straight line of constant speed.
 fn chord(c: &NurbsCurve) -> NurbsCurve {
     let (p, n) = (c.degree, c.points.len());
     let (from, to) = (c.knots[0], c.knots[c.knots.len() - 1]);
@@ -112,8 +112,8 @@ impl Solid {
         self.brep.faces.push(Face { name, kind, surface, reversed, loops: vec![edges] });
     }
 
-    /// Closes an outline of edges that run round it, counter-clockwise seen against the span; `ends` says of which end of the
-    /// section the start of each is.
+    /// Closes an outline of edges that run round it, counter-clockwise seen against the span;
+    /// `ends` says of which end of the section the start of each is.
     fn cap(&mut self, name: &str, outline: &[usize], ends: &[usize], down: bool) -> Result<(), String> {
         let polygon: Vec<Point> = outline
             .iter()
@@ -139,8 +139,8 @@ impl Solid {
         Ok(())
     }
 
-    /// The way of the main cap across a blunt edge: nothing at a sharp one, the edge itself if it is one straight line,
-    /// else its chord; what lies between is closed by faces of its own.
+    /// The way of the main cap across a blunt edge: nothing at a sharp one, the edge itself if it
+    /// is one straight line, else its chord; what lies between is closed by faces of its own.
     fn blunt(&mut self, name: &str, pieces: &[usize], down: bool) -> Result<Vec<Coedge>, String> {
         let mut chords: Vec<([Point; 2], Vec<Coedge>)> = Vec::with_capacity(pieces.len());
         for &e in pieces {
@@ -151,7 +151,8 @@ impl Solid {
                 chords.push(([a, b], vec![forward(e)]));
                 continue;
             }
-            // The chord is to the left of the edge, so the surface from edge to chord looks along the span.
+            // The chord is to the left of the edge, so the surface from edge to chord looks along
+            // the span.
             let surface = ruled(&curve, &chord(&curve)).map_err(|e| format!("the {name} cannot be closed: {e}"))?;
             let across = self.halves(a, b);
             let mut edges = vec![forward(e)];
@@ -175,7 +176,8 @@ impl Solid {
         Ok(diagonal)
     }
 
-    /// A straight line in two edges: a face between a line and a curve that share both ends needs a point between them.
+    /// A straight line in two edges: a face between a line and a curve that share both ends needs a
+    /// point between them.
     fn halves(&mut self, a: Point, b: Point) -> Vec<Coedge> {
         let middle = nalgebra::center(&a, &b);
         vec![forward(self.edge(line(a, middle))), forward(self.edge(line(middle, b)))]
@@ -193,8 +195,8 @@ fn between(outline: &[usize], from: usize, to: usize) -> Vec<usize> {
     (1..n).map(|k| (from + k) % n).take_while(|&k| k != to).map(|k| outline[k]).collect()
 }
 
-/// The rectangle round a flat polygon, a little larger, with the normal about which the polygon turns; `None` if it is not
-/// flat.
+/// The rectangle round a flat polygon, a little larger, with the normal about which the polygon
+/// turns; `None` if it is not flat.
 fn plane(polygon: &[Point]) -> Option<NurbsSurface> {
     let n = polygon.len();
     let centre = Point::from(polygon.iter().map(|p| p.coords).sum::<Vector>() / n as f64);

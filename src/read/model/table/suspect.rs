@@ -4,7 +4,8 @@ use super::columns::Block;
 use super::outline::Outline;
 use crate::geometry::Point;
 
-/// Points whose chain is longer than this many times their size, and each step longer than this share of it, are in no order.
+/// Points whose chain is longer than this many times their size, and each step longer than this
+/// share of it, are in no order.
 const UNORDERED: (f64, f64) = (8.0, 0.1);
 /// A point stands out where the chain turns by this much at it and turns back beside it, rad.
 const STANDS_OUT: f64 = 0.35;
@@ -36,8 +37,9 @@ impl StandingOut {
 }
 
 impl Outline {
-    /// The point that stands out the most; `None` where none does. At an edge the chain turns and goes on in a new direction; at a point that was
-    /// displaced it turns away before, back at it, and away again behind, to where it was going.
+    /// The point that stands out the most; `None` where none does. At an edge the chain turns and
+    /// goes on in a new direction; at a point that was displaced it turns away before, back at it,
+    /// and away again behind, to where it was going.
     pub fn standing_out(&self) -> Option<StandingOut> {
         let n = self.points.len();
         let normal = self.area().try_normalize(0.0)?;

@@ -1,4 +1,5 @@
-//! Tables of known blades: closed forms, every way to write the same table, damaged ones, mutations.
+//! Tables of known blades: closed forms, every way to write the same table, damaged ones,
+//! mutations.
 #![allow(clippy::unwrap_used)]
 
 use std::f64::consts::{PI, TAU};
@@ -22,7 +23,8 @@ const TWIST: f64 = 0.7;
 /// Distance of the blade from the axis of cylindrical coordinates, mm.
 const OFF: f64 = 100.0;
 
-/// A point of the twisted elliptical cylinder; it stands along +x from `x = OFF`, as blades stand on a wheel that turns about z.
+/// A point of the twisted elliptical cylinder; it stands along +x from `x = OFF`, as blades stand
+/// on a wheel that turns about z.
 fn ideal(phi: f64, share: f64) -> Point {
     let (y, z) = (B * phi.sin(), A * phi.cos());
     let (s, c) = (TWIST * share).sin_cos();
@@ -100,7 +102,8 @@ fn a_twisted_elliptical_cylinder() {
     assert_eq!(shape.brep.faces.len(), 4);
     assert_eq!(shape.brep.faces.iter().filter(|f| f.kind == SurfaceKind::Plane).count(), 2, "both ends are flat");
     assert!(shape.notes[0].contains("within 0.000000 mm"), "{:?}", shape.notes);
-    // The test by leaving out tells the truth: with twice the points the real error is below what it says.
+    // The test by leaving out tells the truth: with twice the points the real error is below what
+    // it says.
     let said = |what: &str, n: usize, m: usize| -> f64 {
         let shape = read_files(&[("blade3d.dat", tblade3(&ideal_sections(n, m)))]).unwrap();
         let note = shape.notes.iter().find(|n| n.contains(what)).unwrap();
@@ -242,8 +245,9 @@ fn sections_with_points_of_their_own() {
     assert!(shape.notes[0].contains("splines of their own"), "{:?}", shape.notes);
 }
 
-/// A profile with a blunt trailing edge: `x = 30 t²`, `y = 3 t (1 − t²/1.5)`, cut at `x = 30` where it is 2 wide; it encloses 72.
-/// `bend` lifts the points of the sections out of their planes, which leaves the volume as it is.
+/// A profile with a blunt trailing edge: `x = 30 t²`, `y = 3 t (1 − t²/1.5)`, cut at `x = 30` where
+/// it is 2 wide; it encloses 72. `bend` lifts the points of the sections out of their planes, which
+/// leaves the volume as it is.
 fn blunt(edge_points: usize, bend: f64) -> String {
     let section = |k: usize| -> Vec<Point> {
         let round =
@@ -274,7 +278,8 @@ fn blunt_edges_are_edges() {
     }
 }
 
-/// Edges with a radius of a few micrometres, and ends that are not flat: the tolerances of a large part would take both sides of an edge for one.
+/// Edges with a radius of a few micrometres, and ends that are not flat: the tolerances of a large
+/// part would take both sides of an edge for one.
 #[test]
 fn a_small_thin_blade_is_closed() {
     for (half_thickness, power) in [(0.05, 1.0), (0.1, 1.5)] {
@@ -384,7 +389,8 @@ fn bad_tables_are_refused_with_a_sentence() {
     );
     refused("t.toml", "[sections]\nfiles = \"none.dat\"\n".into(), &["is not there"]);
     refused("t.toml", "[model]\nfile = \"a.step\"\n".into(), &["t.toml"]);
-    // Ends of sides that nearly meet are joined in their middle: farther from the points than this tolerance.
+    // Ends of sides that nearly meet are joined in their middle: farther from the points than this
+    // tolerance.
     let halves = |gap: f64| -> String {
         let side = |k: usize, at: usize| -> Vec<Point> {
             (0..=32)
@@ -404,7 +410,8 @@ fn bad_tables_are_refused_with_a_sentence() {
     assert!(read_files(&[("a.txt", format!("{}{}", keys.replace("0.0005", "0.01"), halves(0.003)))]).is_ok());
 }
 
-/// A header is told from a job file, and its data files are known, so that a run can keep their hashes.
+/// A header is told from a job file, and its data files are known, so that a run can keep their
+/// hashes.
 #[test]
 fn headers_name_their_files() {
     let folder = tempfile::tempdir().unwrap();

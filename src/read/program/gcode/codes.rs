@@ -1,4 +1,5 @@
-//! What the words other than axes do. Every word that a program may have is in one of these lists; all others are refused.
+//! What the words other than axes do. Every word that a program may have is in one of these lists;
+//! all others are refused.
 
 use super::words::Word;
 use super::{Bare, Centre, Modal, Motion, Said};
@@ -42,8 +43,9 @@ pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut Said) -> Result<()
     Ok(())
 }
 
-/// Names that change neither where the tool goes nor with which tool, in which frame or unit: jerk, feed forward, compressors within the tolerance
-/// that is set, look-ahead, collision detection, messages, and settings at their defaults.
+/// Names that change neither where the tool goes nor with which tool, in which frame or unit: jerk,
+/// feed forward, compressors within the tolerance that is set, look-ahead, collision detection,
+/// messages, and settings at their defaults.
 fn harmless(name: &str) -> bool {
     let plain = [
         "SOFT",
@@ -91,7 +93,8 @@ fn tool(word: &Word) -> Result<String, String> {
     Ok(word.count()?.to_string())
 }
 
-/// `CYCLE832(tolerance, kind, tolerance of the tool axis)`: the tolerance; `None` where it is taken back.
+/// `CYCLE832(tolerance, kind, tolerance of the tool axis)`: the tolerance; `None` where it is taken
+/// back.
 fn high_speed_setting(word: &Word, modal: &Modal) -> Result<Option<f64>, String> {
     let list = word.address.strip_prefix("CYCLE832(").and_then(|l| l.strip_suffix(')')).unwrap_or("?");
     let first = list.split(',').next().unwrap_or("");
@@ -137,7 +140,8 @@ pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut Said) -> Re
         "8" => said.bare = Some(Bare::Ahead),
         // Scaling off; with words it would be another function.
         "50" => said.bare = Some(Bare::Unscaled),
-        // XY plane, no radius, no rotation, no cycle, ends of cycles, revolutions as they are, centres of arcs.
+        // XY plane, no radius, no rotation, no cycle, ends of cycles, revolutions as they are,
+        // centres of arcs.
         "17" | "40" | "69" | "80" | "98" | "99" | "97" | "90.1" | "91.1" => {}
         // Stops at corners, and smoothing by the tolerances of the machine.
         "9" | "60" | "61" | "61.1" | "601" | "602" | "603" | "642" | "643" | "644" | "645" => {}

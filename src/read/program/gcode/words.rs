@@ -42,7 +42,8 @@ pub(super) fn code(line: &str) -> Result<String, String> {
             return Ok(out);
         }
         let close = closing(from).ok_or("a ( without its )")?;
-        // A bracket right after a letter, a digit or = belongs to a word (IC(…), CYCLE832(…), PO[X]=(…)); any other opens a comment.
+        // A bracket right after a letter, a digit or = belongs to a word (IC(…), CYCLE832(…),
+        // PO[X]=(…)); any other opens a comment.
         if before.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '=') {
             out.extend(from[..=close].chars().filter(|c| !c.is_whitespace()));
         }

@@ -43,7 +43,8 @@ fn every_dialect_reads_back_on_a_machine_that_turns_the_other_way() {
         if control != Control::Apt {
             assert!(p.text.contains("B-5.0") || p.text.contains("B=-5.0"), "{control:?}");
         }
-        // The tool leans the same way over the part: the ball touches it, and the tool axis is the plan's.
+        // The tool leans the same way over the part: the ball touches it, and the tool axis is the
+        // plan's.
         let bench =
             program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
         let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
@@ -83,7 +84,8 @@ fn every_dialect_reads_back_on_every_chain() {
             let verified = Verified::for_tests(plan.clone(), sample::report(), false);
             let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
             let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
-            // The small part of the sample stands about anywhere on these machines: rapids are judged with real ones.
+            // The small part of the sample stands about anywhere on these machines: rapids are
+            // judged with real ones.
             let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.name != "program-rapids").collect();
             assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
             let cuts = |l: &&str| (l.contains(" X") || l.contains(" PO[X]")) && l.contains(" F");
@@ -133,7 +135,8 @@ fn a_word_of_an_axis_that_the_machine_has_not_is_named() {
     assert!(program::follow(&blocks, &bench).unwrap_err().message.contains("no axis C"));
 }
 
-/// Manuals fix X, Y, Z to the table as it stands when tool-centre-point control comes on: it stands at 0 then, and turns in by steps that leave no doubt.
+/// Manuals fix X, Y, Z to the table as it stands when tool-centre-point control comes on: it stands
+/// at 0 then, and turns in by steps that leave no doubt.
 #[test]
 fn fanuc_turns_in_under_tool_centre_point_control() {
     let chains = chains().into_iter().map(|(machine, _)| machine);
@@ -174,7 +177,8 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             let axis = start.stand.axis();
             assert!((reached.axis - axis).norm() < 1e-5, "{k} {control:?}");
             assert!((reached.centre - start.stand.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
-            // The same moves where the table has turned before are others, and the read-back tells so.
+            // The same moves where the table has turned before are others, and the read-back tells
+            // so.
             let lines: Vec<&str> = p.text.lines().collect();
             let g43 = lines.iter().position(|l| l.starts_with("G43.")).unwrap();
             let turned =
@@ -187,7 +191,8 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
     }
 }
 
-/// Each location has a cone of its own, whose axis and lean change along the path: the axes, programs and their read-back take it from there.
+/// Each location has a cone of its own, whose axis and lean change along the path: the axes,
+/// programs and their read-back take it from there.
 #[test]
 fn cones_that_change_along_the_path_are_carried_through() {
     use crate::artifact::{Cone, Cones};

@@ -127,7 +127,8 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
     }
 }
 
-/// The program comes along the tool axis to the outer end of the arc, is on the path's tangent where it meets the first location, and leaves likewise.
+/// The program comes along the tool axis to the outer end of the arc, is on the path's tangent
+/// where it meets the first location, and leaves likewise.
 #[test]
 fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
     let plan = sample::with_leads(sample::plan(2, 90));
@@ -149,7 +150,8 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
         let tangent = Vector::new(0.5 / std::f64::consts::TAU, -25.0 * l.normal.z, 25.0 * l.normal.y).normalize();
         let (before, after) = (centres[at] - centres[at - 1], centres[at + 1] - centres[at]);
         assert!(before.angle(&tangent) < 0.04 && after.angle(&tangent) < 0.04, "{before} {after}");
-        // A quarter of the arc's radius off the part, along its normal, and no place of it nearer to the axis than the path.
+        // A quarter of the arc's radius off the part, along its normal, and no place of it nearer
+        // to the axis than the path.
         let off = centres[far].y.hypot(centres[far].z) - 25.0;
         assert!((3.8..5.0).contains(&off), "{off}");
         assert!(centres.iter().all(|c| c.y.hypot(c.z) > 25.0 - 0.02));
@@ -222,7 +224,8 @@ fn names_from_outside_cannot_leave_their_comment() {
 
 #[test]
 fn every_dialect_reads_back_as_the_plan() {
-    // Turns of 12 degrees a line with a small chord tolerance: machine axes need blocks between locations.
+    // Turns of 12 degrees a line with a small chord tolerance: machine axes need blocks between
+    // locations.
     let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
     let bare = sample::plan(3, 30);
     let plans = [sample::with_leads(bare.clone()), bare];

@@ -1,5 +1,5 @@
-//! Faults of known size planted one by one into programs of all dialects; `verify`'s audit, which knows no plan, must find, name and place
-//! each, and find nothing in the programs as they are.
+//! Faults of known size planted one by one into programs of all dialects; `verify`'s audit, which
+//! knows no plan, must find, name and place each, and find nothing in the programs as they are.
 
 use std::f64::consts::{PI, TAU};
 
@@ -98,7 +98,8 @@ impl Shop {
         self.audit(text).checks.into_iter().filter(|c| !c.check.passed).collect()
     }
 
-    /// The text with the lines of a statement that ends in `line` (from 1) changed; blocks are numbered anew where that matters.
+    /// The text with the lines of a statement that ends in `line` (from 1) changed; blocks are
+    /// numbered anew where that matters.
     fn changed(&self, line: usize, change: impl FnOnce(&str) -> Vec<String>) -> String {
         let mut lines: Vec<String> = self.program.text.lines().map(String::from).collect();
         let mut first = line - 1;
@@ -299,8 +300,8 @@ fn a_missing_turn_is_found_and_named() {
     for s in shops(&blade(), &sample_plan(PER_TURN)) {
         let (from, to) = (s.cut(2.0), s.cut(3.0));
         let lines: Vec<String> = s.program.text.lines().map(String::from).collect();
-        // Statements of APT end in these lines.
-        // Where A counts on, one line would make the whole missing turn: the lines behind it are a turn back.
+        // Statements of APT end in these lines. Where A counts on, one line would make the whole
+        // missing turn: the lines behind it are a turn back.
         let counts_on = s.program.language.programmed == crate::artifact::program::Programmed::Machine;
         let back = |i: usize, l: &String| -> String {
             let word = |w: &str| match w.strip_prefix('A').and_then(|v| v.parse::<f64>().ok()) {
@@ -414,7 +415,8 @@ fn a_rapid_through_the_part_is_found() {
 
 #[test]
 fn what_is_planted_is_what_a_clean_part_has_not() {
-    // The part is closed and its volume that of its cylinders: else nothing above would mean anything.
+    // The part is closed and its volume that of its cylinders: else nothing above would mean
+    // anything.
     let volume = part().volume_mm3();
     let expected = PI * (120.0 * 120.0 * 10.0 + 20.0 * 20.0 * 60.0);
     assert!((volume / expected - 1.0).abs() < 2e-4, "{volume} {expected}");

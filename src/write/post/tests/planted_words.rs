@@ -1,5 +1,6 @@
-//! Words planted one by one into programs of every grammar: each decides where the tool goes, with which tool, in which frame or unit, or whether the
-//! program goes on. Each must be refused with its line or be a finding, whoever wrote the program; what is harmless must stay so.
+//! Words planted one by one into programs of every grammar: each decides where the tool goes, with
+//! which tool, in which frame or unit, or whether the program goes on. Each must be refused with
+//! its line or be a finding, whoever wrote the program; what is harmless must stay so.
 
 use super::planted::Shop;
 use super::*;
@@ -324,7 +325,8 @@ impl Bench {
         Ok(checks.into_iter().filter(|c| !c.passed).map(|c| (c.name, line(&c.note))).collect())
     }
 
-    /// Whether what came of a fault is what must come of it, placed behind the middle of the cut where it was planted there.
+    /// Whether what came of a fault is what must come of it, placed behind the middle of the cut
+    /// where it was planted there.
     fn judge(&self, edit: Edit, told: Result<Vec<(String, Option<usize>)>>, must: Told) {
         let who = format!("{:?} {edit:?}: {told:?}, not {must:?}", self.shop.control);
         match (told, must) {

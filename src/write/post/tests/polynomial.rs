@@ -1,4 +1,5 @@
-//! Cuts as polynomials: that they carry the schedule's curve, in no more blocks than straight moves, and that a wrong coefficient is found.
+//! Cuts as polynomials: that they carry the schedule's curve, in no more blocks than straight
+//! moves, and that a wrong coefficient is found.
 
 use super::*;
 use crate::geometry::Vector;
@@ -108,7 +109,8 @@ fn a_wrong_coefficient_is_found_and_placed() {
     let straight = straightened(&good.text);
     let checks = read_back(&Program { text: straight, ..good.clone() }, &plan, &blade, &tool, &machine).unwrap();
     assert!(checks.iter().any(|c| !c.passed && c.name == "program-curve"));
-    // Without a plan: a coefficient that takes the ball 5 µm into the part, halfway, with both ends where they belong.
+    // Without a plan: a coefficient that takes the ball 5 µm into the part, halfway, with both ends
+    // where they belong.
     let m = polynomials(&good, &tool, &machine)[70];
     let inward = -m.pose(0.5, &tool, &machine).centre.coords;
     let inward = Vector::new(0.0, inward.y, inward.z).normalize() * 0.006 / -0.25;

@@ -29,7 +29,8 @@ fn numbers(text: &str, prefix: &str) -> Vec<String> {
     words.iter().filter_map(number).collect()
 }
 
-/// 24 000 locations of 2 ms each: more lines than five digits number, and F over 9999.999 under inverse time.
+/// 24 000 locations of 2 ms each: more lines than five digits number, and F over 9999.999 under
+/// inverse time.
 #[test]
 fn fanuc_keeps_to_five_digits_of_n_and_its_range_of_f() {
     let plan = sample::with_leads(sample::plan(6, 4000));
@@ -78,7 +79,8 @@ fn heidenhain_feeds_have_three_digits_after_the_point() {
     }
 }
 
-/// Under inverse time a control that reads F up to 9999.999 wants 6 ms of each line: moves are joined within the chord tolerance, and refused beyond it.
+/// Under inverse time a control that reads F up to 9999.999 wants 6 ms of each line: moves are
+/// joined within the chord tolerance, and refused beyond it.
 #[test]
 fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
     let own =
@@ -91,7 +93,8 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
     assert!(cuts.len() > 1000 && cuts.len() < 3100, "{}", cuts.len());
     assert!(cuts.iter().all(|f| *f <= 9999.999));
     assert!(failed(&p, &plan).is_empty(), "{:?}", failed(&p, &plan));
-    // With the range of the built-in file nothing need be joined, and what is then over the control's is named with its line.
+    // With the range of the built-in file nothing need be joined, and what is then over the
+    // control's is named with its line.
     let mut wide = program(Control::Iso, plan.clone(), false, &options()).unwrap();
     wide.ranges = p.ranges.clone();
     wide.ranges.get_mut("F").unwrap().decimals = 6;
@@ -105,8 +108,9 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
     assert!(e.kind == ErrorKind::Infeasible && e.message.contains("up to F 9999.999"), "{}", e.message);
 }
 
-/// Lines of the leads take 26 ms, F 2292: a control that reads F up to 2000 gets 30 ms, and the path's first line that much less. The last lines of
-/// the lead-out have none behind them that could be shorter: reading back finds that, so such a program is not written.
+/// Lines of the leads take 26 ms, F 2292: a control that reads F up to 2000 gets 30 ms, and the
+/// path's first line that much less. The last lines of the lead-out have none behind them that
+/// could be shorter: reading back finds that, so such a program is not written.
 #[test]
 fn polynomials_too_short_for_inverse_time_take_from_the_next_or_are_found() {
     let own = Control::SiemensPoly.post_file().replace("greatest = 999999.999", "greatest = 2000.0");
@@ -141,8 +145,9 @@ fn in_thousandths(text: &str) -> String {
     text.lines().map(|l| line(l) + "\n").collect()
 }
 
-/// 47 turns on a control that computes in 0.001 mm and degrees (`INT_INCR_PER_MM`, `INT_INCR_PER_DEG` = 1000): absolute words are off by one rounding
-/// at most, wherever they are; steps of 0.51429 degrees would drift by 0.00029 each.
+/// 47 turns on a control that computes in 0.001 mm and degrees (`INT_INCR_PER_MM`,
+/// `INT_INCR_PER_DEG` = 1000): absolute words are off by one rounding at most, wherever they are;
+/// steps of 0.51429 degrees would drift by 0.00029 each.
 #[test]
 fn siemens_words_never_add_up_to_a_drift() {
     let plan = sample::plan(47, 700);
@@ -158,7 +163,8 @@ fn siemens_words_never_add_up_to_a_drift() {
     let rounded = |p: Program| Program { text: in_thousandths(&p.text), ..p };
     let p = rounded(program(Control::Siemens, plan.clone(), false, &options()).unwrap());
     assert!(worst(&p) <= 0.000_506, "{}", worst(&p));
-    // X Y Z of the tip are rounded as well: 0.0005 mm each, and the ball centre by no more than that and the axis together.
+    // X Y Z of the tip are rounded as well: 0.0005 mm each, and the ball centre by no more than
+    // that and the axis together.
     let centre = checks(&p, &plan).into_iter().find(|c| c.name == "program-centre").unwrap();
     assert!(centre.worst < 0.0005 * 3f64.sqrt() + 5.0 * 0.000_506f64.to_radians() + 1e-5, "{centre:?}");
     let steps = Control::Siemens
@@ -263,7 +269,8 @@ fn time_goes_where_the_header_and_the_figures_say() {
         let rapid = |at: f64| (z.travel.unwrap()[1] - at) / z.velocity + z.velocity / z.acceleration;
         let turned_in = all.iter().take_while(|m| m.seconds.is_none()).filter(|m| m.words == Programmed::Tip);
         let down_s = match control {
-            // From rest to rest: to where tool-centre-point control comes on, step by step, down to the safe position.
+            // From rest to rest: to where tool-centre-point control comes on, step by step, down to
+            // the safe position.
             Control::Fanuc | Control::FanucVector => {
                 let mut places: Vec<Axes> = turned_in.map(|m| m.axes(1.0, &tool, &machine)).collect();
                 assert!(places.len() > 10);
@@ -280,7 +287,8 @@ fn time_goes_where_the_header_and_the_figures_say() {
         let limits = machine.axes()[3].limits;
         let want = turned / limits.velocity + limits.velocity / limits.acceleration;
         match control {
-            // All turns, at 180 degrees a second, the spindle at rest; on a control that rolls over the vector's would be less.
+            // All turns, at 180 degrees a second, the spindle at rest; on a control that rolls over
+            // the vector's would be less.
             Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso | Control::Fanuc | Control::FanucVector => {
                 assert!(turned > 19.0 * std::f64::consts::TAU, "{control:?} {turned}");
                 assert!((c.unwinding_s - want).abs() < 1e-3, "{control:?} {c:?} {want}");

@@ -91,8 +91,8 @@ fn look(kind: Option<SurfaceKind>) -> (&'static str, [f32; 3]) {
     }
 }
 
-/// Unit normal of each corner of each triangle: mean of the triangles around the vertex that are within the crease
-/// angle, weighted by area.
+/// Unit normal of each corner of each triangle: mean of the triangles around the vertex that are
+/// within the crease angle, weighted by area.
 pub(super) fn corner_normals(mesh: &Mesh, crease_cos: f64) -> Vec<[Vector; 3]> {
     let flat: Vec<Vector> = (0..mesh.triangles.len()).map(|t| mesh.normal(t)).collect();
     let mut around: Vec<Vec<u32>> = vec![Vec::new(); mesh.points.len()];
@@ -159,7 +159,8 @@ mod tests {
                     1 => -Vector::x(),
                     _ => Vector::x(),
                 };
-                // Area weights are not the same on both sides of a vertex of a triangulated strip: 4 degrees.
+                // Area weights are not the same on both sides of a vertex of a triangulated strip:
+                // 4 degrees.
                 assert!(n.dot(&want) > 0.9975, "triangle {t}: {n} against {want}");
             }
         }

@@ -16,7 +16,8 @@ use crate::write::draw::colour;
 /// Pixels of the scale; one more at its end for places where the ball does not come.
 const PIXELS: usize = 255;
 
-/// The colours: red for gouges, then the usual scale from nothing left to `highest_mm` left, grey for no value.
+/// The colours: red for gouges, then the usual scale from nothing left to `highest_mm` left, grey
+/// for no value.
 fn pixels(lowest_mm: f64, highest_mm: f64) -> Vec<[u8; 3]> {
     let value = |k: usize| lowest_mm + (highest_mm - lowest_mm) * (k as f64 + 0.5) / PIXELS as f64;
     let red = |depth: f64| [(140.0 + 115.0 * depth.clamp(0.0, 1.0)) as u8, 30, 30];
@@ -27,8 +28,8 @@ fn pixels(lowest_mm: f64, highest_mm: f64) -> Vec<[u8; 3]> {
     (0..PIXELS).map(colour).chain([colour::NONE]).collect()
 }
 
-/// The map in the model frame as the bytes of a `.glb` file; heights from `-highest_mm / 2` (red: gouges) to `highest_mm`, what is beyond
-/// has the colour of the end.
+/// The map in the model frame as the bytes of a `.glb` file; heights from `-highest_mm / 2` (red:
+/// gouges) to `highest_mm`, what is beyond has the colour of the end.
 ///
 /// # Errors
 /// As [`super::gltf()`].

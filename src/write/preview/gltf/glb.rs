@@ -62,7 +62,8 @@ impl Glb {
         })
     }
 
-    /// Floating-point rows of `N` (1, 3 or 4) numbers. `bounds`: write least and greatest values (positions, times).
+    /// Floating-point rows of `N` (1, 3 or 4) numbers. `bounds`: write least and greatest values
+    /// (positions, times).
     fn floats<const N: usize>(
         &mut self,
         rows: &[[f32; N]],
@@ -115,7 +116,8 @@ impl Glb {
         self.accessor(view, indices.len(), ComponentType::U32, Type::Scalar)
     }
 
-    /// A material with a linear base colour; `lit` materials look like dull metal, others are drawn as they are.
+    /// A material with a linear base colour; `lit` materials look like dull metal, others are drawn
+    /// as they are.
     pub(super) fn material(&mut self, name: &str, rgb: [f32; 3], lit: bool) -> Index<Material> {
         self.root.push(Material {
             name: Some(name.into()),
@@ -193,7 +195,8 @@ impl Glb {
         self.root.extensions_used.push("KHR_materials_variants".into());
     }
 
-    /// The materials of a primitive, one for each variant, the first of them where variants are not known.
+    /// The materials of a primitive, one for each variant, the first of them where variants are not
+    /// known.
     pub(super) fn by_variant(mut primitive: Primitive, materials: &[Index<Material>]) -> Primitive {
         let mapping = |(variant, material): (u32, &Index<Material>)| Mapping {
             material: u32::try_from(material.value()).unwrap_or(0),

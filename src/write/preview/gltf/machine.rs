@@ -1,5 +1,6 @@
-//! The machine's moving parts, schematic: a disc for the table, a cylinder and an axle for the head. The machine file knows where
-//! they turn and how far the pivot is, not what they look like; widths here are made up.
+//! The machine's moving parts, schematic: a disc for the table, a cylinder and an axle for the
+//! head. The machine file knows where they turn and how far the pivot is, not what they look like;
+//! widths here are made up.
 
 use gltf_json as json;
 use json::Index;

@@ -1,4 +1,5 @@
-//! What the schedule is made from, at its places: limits of the channel as fans, the axis at base points, altered points.
+//! What the schedule is made from, at its places: limits of the channel as fans, the axis at base
+//! points, altered points.
 
 use gltf_json as json;
 use json::Index;
@@ -19,7 +20,8 @@ const FACETS: u32 = 24;
 /// Length of fans and base vectors in ball radii.
 const REACH: f64 = 2.5;
 
-/// Rows at which the channel is shown: the narrowest of each turn (of some, where there are many), the narrowest of all first.
+/// Rows at which the channel is shown: the narrowest of each turn (of some, where there are many),
+/// the narrowest of all first.
 fn chosen(plan: &Plan) -> Vec<usize> {
     let n = plan.toolpath.locations.len().min(plan.channel.rows.len());
     let width = |i: usize| plan.channel.rows[i].theta_max - plan.channel.rows[i].theta_min;
@@ -34,7 +36,8 @@ fn chosen(plan: &Plan) -> Vec<usize> {
     rows
 }
 
-/// The angles that the whole tool may take, as fans about the ball centre; `None` without a channel.
+/// The angles that the whole tool may take, as fans about the ball centre; `None` without a
+/// channel.
 pub(super) fn fans(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
     let rows = chosen(plan);
     let (Some(narrowest), rest) = (rows.first(), rows.get(1..).unwrap_or_default()) else { return Ok(None) };
@@ -86,7 +89,8 @@ fn sectors(
     Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))
 }
 
-/// The tool axis at every turn's base point, from which θ of the turn is counted; `None` without turns.
+/// The tool axis at every turn's base point, from which θ of the turn is counted; `None` without
+/// turns.
 pub(super) fn base_vectors(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
     let mut points = Vec::new();
     for turn in &plan.toolpath.turns {
@@ -105,7 +109,8 @@ pub(super) fn base_vectors(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<
     Ok(Some(mesh_node(glb, "base vectors", vec![lines], note)))
 }
 
-/// Where the curvature of plane sections changes sign, as little octahedra; `None` where it does nowhere.
+/// Where the curvature of plane sections changes sign, as little octahedra; `None` where it does
+/// nowhere.
 pub(super) fn altered_points(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>> {
     let size = 0.12 * scene.tool.radius_mm;
     let mut primitives = Vec::new();

@@ -1,7 +1,7 @@
 //! A glTF 2.0 scene in one binary file (`.glb`): what a run did, for any viewer.
 //!
-//! Below the root node everything is in the model frame in millimetres; the root node scales to metres and turns
-//! the model's +Z up (glTF's +Y). Nodes:
+//! Below the root node everything is in the model frame in millimetres; the root node scales to
+//! metres and turns the model's +Z up (glTF's +Y). Nodes:
 //!
 //! * `workpiece`, moved by the machine's animation:
 //!   * `blade`: one primitive and material for each kind of face, smooth normals up to a crease angle;
@@ -14,13 +14,16 @@
 //!   * `channel`: the angles that the whole tool may take, as fans, at the narrowest place of turns and, orange, of all;
 //!   * `base vectors`: the tool axis at each turn's base point; `altered points`: where the curvature of sections changes sign;
 //!   * `table`: the machine's table, schematic;
-//! * `tool`: origin at the ball centre, +Z towards the spindle, moved by both animations; its parts are nodes of their own (`ball`,
-//!   `taper`, `shank`, `holder 1` …), and so is `head`: spindle and pivot, schematic, true in length only.
+//! * `tool`: origin at the ball centre, +Z towards the spindle, moved by both animations; its parts
+//!   are nodes of their own (`ball`, `taper`, `shank`, `holder 1` …), and so is `head`: spindle and
+//!   pivot, schematic, true in length only.
 //!
-//! Animations: the part fixed, and as on the machine ([`motion`]); real time × the factor in their names.
+//! Animations: the part fixed, and as on the machine ([`motion`]); real time × the factor in their
+//! names.
 //!
-//! **Size**: [`GltfOptions::budget_bytes`] is kept by drawing fewer triangles (vertices clustered on a grid), fewer path points (every so many
-//! locations) and fewer keys, all by the same share; each node says in its `extras` what it shows.
+//! **Size**: [`GltfOptions::budget_bytes`] is kept by drawing fewer triangles (vertices clustered
+//! on a grid), fewer path points (every so many locations) and fewer keys, all by the same share;
+//! each node says in its `extras` what it shows.
 
 mod blade;
 mod deviation;
@@ -49,13 +52,15 @@ use glb::Glb;
 /// How large the file may be and how it is played.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfOptions {
-    /// Most bytes. Default 10 MB. What cannot be left out (a few triangles, two points a turn) may exceed a smaller one.
+    /// Most bytes. Default 10 MB. What cannot be left out (a few triangles, two points a turn) may
+    /// exceed a smaller one.
     pub budget_bytes: usize,
     /// Triangles whose normals differ by more meet at an edge, degrees. Default 30.
     pub crease_deg: f64,
     /// A longer machining time is played faster, to take this long, s. Default 120.
     pub max_play_s: f64,
-    /// Path with its colours and animations: what a viewer with colours and motions of its own leaves out. Default true.
+    /// Path with its colours and animations: what a viewer with colours and motions of its own
+    /// leaves out. Default true.
     pub path_and_motion: bool,
 }
 
@@ -102,7 +107,8 @@ struct Detail {
 }
 
 impl Detail {
-    /// Shares of a budget by what each takes: 30 bytes a triangle, 50 a point of path and contacts, 116 a key.
+    /// Shares of a budget by what each takes: 30 bytes a triangle, 50 a point of path and contacts,
+    /// 116 a key.
     fn of(budget_bytes: usize) -> Self {
         Detail { triangles: budget_bytes / 75, path_points: budget_bytes / 110, keys: (budget_bytes / 1500).min(6000) }
     }
@@ -119,8 +125,8 @@ const TRIES: usize = 6;
 /// The scene as the bytes of a `.glb` file.
 ///
 /// # Errors
-/// `Usage` where a coordinate, angle or time is not a finite number; `InputOutput` where the scene cannot be encoded
-/// (over 4 GiB).
+/// `Usage` where a coordinate, angle or time is not a finite number; `InputOutput` where the scene
+/// cannot be encoded (over 4 GiB).
 pub fn gltf(scene: &Scene) -> Result<Vec<u8>> {
     let budget = scene.options.budget_bytes.max(1);
     let mut detail = Detail::of(budget);
@@ -186,8 +192,8 @@ fn group(glb: &mut Glb, name: &str, children: Vec<Index<Node>>, note: &serde_jso
     glb.node(Node { name: Some(name.into()), children, extras: extras(note), ..empty_node() })
 }
 
-/// The part coloured by what its surface belongs to, one entry of `areas` for each triangle, as the bytes of a `.glb` file. The mesh
-/// is in the model frame, mm, and is not thinned.
+/// The part coloured by what its surface belongs to, one entry of `areas` for each triangle, as the
+/// bytes of a `.glb` file. The mesh is in the model frame, mm, and is not thinned.
 ///
 /// # Errors
 /// As [`gltf()`].

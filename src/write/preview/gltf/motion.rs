@@ -1,9 +1,10 @@
 //! Two animations of the same run: the part fixed, and as on the machine.
 //!
 //! * *part fixed*: the tool moves in the model frame, the workpiece rests;
-//! * *as on the machine*: the table turns the workpiece, the head keeps its direction and its axes carry the ball centre.
-//!   The machine's Z is the model's z (up in a viewer), its X the model's x; the table's axis passes through where the middle of the
-//!   part rests, so that nothing jumps out of sight.
+//! * *as on the machine*: the table turns the workpiece, the head keeps its direction and its axes
+//!   carry the ball centre. The machine's Z is the model's z (up in a viewer), its X the model's x;
+//!   the table's axis passes through where the middle of the part rests, so that nothing jumps out
+//!   of sight.
 
 use gltf_json as json;
 use json::animation::{Animation, Channel, Interpolation, Property, Sampler, Target};
@@ -39,7 +40,8 @@ struct Track {
 impl Track {
     fn push(&mut self, place: &Rigid) -> Result<()> {
         let mut q = *place.rotation.quaternion();
-        // Both signs are the same rotation; the one near the key before is interpolated the short way.
+        // Both signs are the same rotation; the one near the key before is interpolated the short
+        // way.
         if self.last.is_some_and(|l| l.dot(&q) < 0.0) {
             q = -q;
         }
@@ -50,7 +52,8 @@ impl Track {
     }
 }
 
-/// The tool's +Z to its axis: leaning, then turning about the axis of its cone by θ, without any jump.
+/// The tool's +Z to its axis: leaning, then turning about the axis of its cone by θ, without any
+/// jump.
 pub(super) fn attitude(stand: &Stand) -> UnitQuaternion<f64> {
     let turn = UnitQuaternion::from_axis_angle(&Vector::x_axis(), stand.theta) * lean(stand.cone.lean_rad);
     if stand.cone.is_about_blade() {
@@ -61,7 +64,8 @@ pub(super) fn attitude(stand: &Stand) -> UnitQuaternion<f64> {
     UnitQuaternion::from_rotation_matrix(&frame) * turn
 }
 
-/// The angle of the tool axis about the blade axis, which the table of a machine turns the part by, rad.
+/// The angle of the tool axis about the blade axis, which the table of a machine turns the part by,
+/// rad.
 fn about_the_blade(stand: &Stand) -> f64 {
     let a = stand.axis();
     if stand.cone.is_about_blade() { stand.theta } else { a.z.atan2(a.y) }
@@ -82,7 +86,8 @@ fn scene_from_machine(scene: &Scene) -> Rigid {
     Rigid::from_parts((scene.blade.model_from_blade * mid - axis).into(), UnitQuaternion::identity())
 }
 
-/// Both animations; none where there are not two keys. `workpiece` and `tool` are the nodes that move.
+/// Both animations; none where there are not two keys. `workpiece` and `tool` are the nodes that
+/// move.
 pub(super) fn animations(
     glb: &mut Glb,
     plan: &Plan,

@@ -1,7 +1,8 @@
 //! The path's lines with a colouring for each quantity, and the contacts on the part.
 //!
-//! Colours are a texture of one row (or column) of pixels; what a line shows is which texture coordinate its material
-//! reads. Two quantities share a set of coordinates, one along each direction, so five need three sets: all viewers know four.
+//! Colours are a texture of one row (or column) of pixels; what a line shows is which texture
+//! coordinate its material reads. Two quantities share a set of coordinates, one along each
+//! direction, so five need three sets: all viewers know four.
 
 use gltf_json as json;
 use json::Index;
@@ -110,7 +111,8 @@ pub(super) fn png_of(colours: &[[u8; 3]], upright: bool) -> Result<Vec<u8>> {
     Ok(out)
 }
 
-/// The ways of the ball onto the path and off it: the arc of each lead, and the beginning of the straight line along the tool axis; `None` without locations.
+/// The ways of the ball onto the path and off it: the arc of each lead, and the beginning of the
+/// straight line along the tool axis; `None` without locations.
 pub(super) fn leads(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Option<Index<Node>>> {
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let ends = [plan.stand(0), plan.stand(last)];

@@ -148,7 +148,8 @@ fn both_motions_carry_the_tool_to_the_same_place_of_the_part() {
         let want = blade.model_from_blade * plan.toolpath.locations[k].centre;
         let axis = blade.model_from_blade * plan.stand(k).unwrap().axis();
         assert!((at[k] - want).norm() < 1e-4 && (turned[k] * Vector::z() - axis).norm() < 1e-6, "key {k}");
-        // On the machine the head never turns, and part and tool meet at the same place of the part.
+        // On the machine the head never turns, and part and tool meet at the same place of the
+        // part.
         assert!((head[k] * Vector::z() - head[0] * Vector::z()).norm() < 1e-6);
         let in_part = table[k].inverse() * (on_machine[k] - carried[k].coords);
         assert!((in_part - want).norm() < 1e-3, "key {k}: {in_part} {want}");

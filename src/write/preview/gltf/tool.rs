@@ -19,10 +19,12 @@ const AROUND: u32 = 48;
 /// Facets from the tip to where the cone leaves the ball.
 const BALL: u32 = 16;
 
-/// A ring of the profile: height, radius, and the profile's outward normal (along radius, along height).
+/// A ring of the profile: height, radius, and the profile's outward normal (along radius, along
+/// height).
 pub(super) type Ring = [f64; 4];
 
-/// The node with a child for each part of the tool and one for the machine's head, where the path begins.
+/// The node with a child for each part of the tool and one for the machine's head, where the path
+/// begins.
 pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<Node>> {
     let tool = scene.tool;
     let mut children = Vec::new();

@@ -1,4 +1,5 @@
-//! Places that no ball of this radius can reach, as little squares on the part in a colour of their own.
+//! Places that no ball of this radius can reach, as little squares on the part in a colour of their
+//! own.
 
 use gltf_json as json;
 use json::Index;

@@ -1,4 +1,5 @@
-//! What the page's script draws: JSON with lists in a block of numbers ([`super::pack`]). Angles in degrees, lengths in mm, times in s.
+//! What the page's script draws: JSON with lists in a block of numbers ([`super::pack`]). Angles in
+//! degrees, lengths in mm, times in s.
 
 use std::ops::Range;
 
@@ -113,8 +114,8 @@ fn one_turn(
     })
 }
 
-/// Times of a turn, from its start, and for each axis position at the start of each stretch and of velocity, acceleration and jerk the
-/// one of greatest size in it.
+/// Times of a turn, from its start, and for each axis position at the start of each stretch and of
+/// velocity, acceleration and jerk the one of greatest size in it.
 fn motion_of(
     motion: &AxisMotion,
     machine: &Machine,

@@ -1,4 +1,5 @@
-//! Figures of the run as static HTML, all of them from `summary.json`: cards, schedules, kinds of path, comparison, peaks of the axes.
+//! Figures of the run as static HTML, all of them from `summary.json`: cards, schedules, kinds of
+//! path, comparison, peaks of the axes.
 
 use serde_json::Value;
 
@@ -153,7 +154,8 @@ pub(super) fn table(label: &str, head: &[(&str, bool)], body: &str) -> String {
     )
 }
 
-/// The schedule beside the others of the run; paths of other kinds; the comparison over the machine's limits, where there is one.
+/// The schedule beside the others of the run; paths of other kinds; the comparison over the
+/// machine's limits, where there is one.
 pub(super) fn comparison(input: &ReportInput) -> String {
     let mut out = String::new();
     out.push_str(&schedules(input));

@@ -1,17 +1,22 @@
-//! One self-contained page about a run: verdicts, figures, a 3-D view, plots, the job and where it all came from.
+//! One self-contained page about a run: verdicts, figures, a 3-D view, plots, the job and where it
+//! all came from.
 //!
-//! **In**: a [`ReportInput`] of plain references, every part of a run optional. **Out**: HTML text that needs no
-//! network: style, script and data are inside. Tables are static; the 3-D view and the plots are drawn by the script `viewer/dist/viewer.js`,
-//! which is built from `viewer/src` with three.js and uPlot by versions that `viewer/package-lock.json` pins. The bundle is part of the
-//! repository, so building the product needs no npm, and `npm run check` there tells whether it is what its sources make.
+//! **In**: a [`ReportInput`] of plain references, every part of a run optional. **Out**: HTML text
+//! that needs no network: style, script and data are inside. Tables are static; the 3-D view and
+//! the plots are drawn by the script `viewer/dist/viewer.js`, which is built from `viewer/src` with
+//! three.js and uPlot by versions that `viewer/package-lock.json` pins. The bundle is part of the
+//! repository, so building the product needs no npm, and `npm run check` there tells whether it is
+//! what its sources make.
 //!
-//! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the file and the JSON pointer that they were made from
-//! (`data-figure`), and tests compare what is shown with the files. Only the section on the channel's walls counts for itself, in the channel of
-//! `plan.json`.
+//! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the
+//! file and the JSON pointer that they were made from (`data-figure`), and tests compare what is
+//! shown with the files. Only the section on the channel's walls counts for itself, in the channel
+//! of `plan.json`.
 //!
-//! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where they come *nearest*
-//! to the schedule and the *greatest* of its velocities, accelerations and jerks, so nothing that matters is smoothed away. Peaks in tables are
-//! of all cutter locations. The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
+//! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where
+//! they come *nearest* to the schedule and the *greatest* of its velocities, accelerations and
+//! jerks, so nothing that matters is smoothed away. Peaks in tables are of all cutter locations.
+//! The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
 
 mod channel;
 mod data;
@@ -91,7 +96,8 @@ pub fn html(input: &ReportInput) -> Result<String> {
     Ok(page(input, &Payload::of(input)?))
 }
 
-/// The page with a payload that was made before; of the input only what stands in words and tables counts.
+/// The page with a payload that was made before; of the input only what stands in words and tables
+/// counts.
 pub fn page(input: &ReportInput, payload: &Payload) -> String {
     let mut page = String::with_capacity(payload.len() + 1024 * 1024);
     page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");

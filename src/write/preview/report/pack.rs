@@ -1,4 +1,5 @@
-//! Long lists of numbers as one block of 32-bit floating-point numbers in base 64: a third of the size of JSON and read at once.
+//! Long lists of numbers as one block of 32-bit floating-point numbers in base 64: a third of the
+//! size of JSON and read at once.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -11,7 +12,8 @@ pub(super) struct Pack {
 }
 
 impl Pack {
-    /// Adds a list; in the page's JSON it is `{"at": first number, "n": how many}`. Missing values are not a number.
+    /// Adds a list; in the page's JSON it is `{"at": first number, "n": how many}`. Missing values
+    /// are not a number.
     pub(super) fn list(&mut self, values: impl IntoIterator<Item = f64>) -> Value {
         let at = self.bytes.len() / 4;
         for v in values {

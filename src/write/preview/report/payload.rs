@@ -15,14 +15,16 @@ impl Payload {
     /// The payload of a run.
     ///
     /// # Errors
-    /// `InputOutput` where the data cannot be encoded; numbers that are not finite are shown as missing.
+    /// `InputOutput` where the data cannot be encoded; numbers that are not finite are shown as
+    /// missing.
     pub fn of(input: &ReportInput) -> Result<Self> {
         let mut pack = pack::Pack::default();
         let data = serde_json::to_string(&data::payload(input, &mut pack))
             .map_err(|e| Error::io(Stage::Preview, format!("the report's data cannot be encoded: {e}")).caused_by(e))?
             // Inside a script element the text must not contain `</script` or `<!--`.
             .replace('<', "\\u003c");
-        // A coordinate that is not a number leaves the page without its picture, not the user without the page.
+        // A coordinate that is not a number leaves the page without its picture, not the user
+        // without the page.
         Ok(Payload([data, pack.base64(), scene::glb(input).unwrap_or_default()]))
     }
 
@@ -31,7 +33,8 @@ impl Payload {
         let mut rest = page;
         let mut texts = Vec::new();
         for (id, kind) in ELEMENTS {
-            // Words of the page are escaped: its own elements alone look like this, and none of the texts has a `<`.
+            // Words of the page are escaped: its own elements alone look like this, and none of the
+            // texts has a `<`.
             let (_, after) = rest.split_once(&start(id, kind))?;
             let (text, after) = after.split_once('<')?;
             texts.push(text.to_owned());

@@ -14,7 +14,8 @@ const MAP: usize = 12_000;
 pub(super) fn data(input: &ReportInput, pack: &mut Pack) -> Value {
     let Some(checks) = input.checks else { return Value::Null };
     let asked = input.plan.map(|p| p.toolpath.scallop_mm);
-    // The places are sorted by height, so that every so many of them are a fair choice; the highest is always one.
+    // The places are sorted by height, so that every so many of them are a fair choice; the highest
+    // is always one.
     let every = checks.scallop.len().div_ceil(MAP).max(1);
     let mut shown: Vec<&Place> = checks.scallop.iter().rev().step_by(every).collect();
     shown.reverse();

@@ -1,4 +1,5 @@
-//! The 3-D view's data: the scene as glTF without path and motion, and the path with its values, blade frame, mm.
+//! The 3-D view's data: the scene as glTF without path and motion, and the path with its values,
+//! blade frame, mm.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,5 @@
-//! Damaged files: a sentence that says where, never a panic, never more memory than the file's size allows.
+//! Damaged files: a sentence that says where, never a panic, never more memory than the file's size
+//! allows.
 
 use super::shapes::{box_of_144, solid_box};
 use super::sheet::Sheet;

@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use super::sheet::{Sheet, box_sides, list};
 use super::*;
 
-/// Faces of a box, three on planes and three on NURBS (one looks inward), each with lines of its own; half of the loops are
-/// walked clockwise.
+/// Faces of a box, three on planes and three on NURBS (one looks inward), each with lines of its
+/// own; half of the loops are walked clockwise.
 pub fn box_of_144(sheet: &mut Sheet, size: [f64; 3]) -> Vec<usize> {
     let mut faces = Vec::new();
     for (k, corners) in box_sides(size).into_iter().enumerate() {
@@ -37,8 +37,9 @@ fn a_box_of_trimmed_faces() {
     assert!(s.brep.faces[0].name.contains("(D"), "{}", s.brep.faces[0].name);
 }
 
-/// Properties (406) and definitions that nothing places (308) are no shape, wherever they stand and whoever names them: the file reads the
-/// same, with the numbers of the directory lines that it has then.
+/// Properties (406) and definitions that nothing places (308) are no shape, wherever they stand and
+/// whoever names them: the file reads the same, with the numbers of the directory lines that it has
+/// then.
 #[test]
 fn properties_and_unused_definitions_are_passed_over() {
     let size = [10.0, 4.0, 60.0];
@@ -62,7 +63,8 @@ fn properties_and_unused_definitions_are_passed_over() {
         if !before {
             named = extra(&mut sheet);
         }
-        // Behind the parameters of any entity: the number of its notes and their pointers, then of its properties.
+        // Behind the parameters of any entity: the number of its notes and their pointers, then of
+        // its properties.
         for face in &faces {
             sheet.append(*face, format!(",0,2,{},{}", named[0], named[1]));
         }
@@ -179,7 +181,8 @@ fn spheres_and_tori() {
     solid(&sheet.text(), 0.002).measures(2.0 * PI * PI * 10.0 * 9.0, 4.0 * PI * PI * 30.0, 1.2e-3);
 }
 
-/// A sphere as a half circle turned round, trimmed by its seam, up and down again: folded like a sliver, yet the whole of it.
+/// A sphere as a half circle turned round, trimmed by its seam, up and down again: folded like a
+/// sliver, yet the whole of it.
 #[test]
 fn a_sphere_within_its_seam() {
     let r = 20.0;
@@ -222,14 +225,16 @@ fn cylinders_and_cones_without_ends() {
 fn trimming_in_the_parameter_plane_alone() {
     let (r, h) = (3.0, 20.0);
     let mut sheet = Sheet::default();
-    // Ends: a circle of radius 0.25 about the middle of the parameter square of a plane of side 4 r.
+    // Ends: a circle of radius 0.25 about the middle of the parameter square of a plane of side 4
+    // r.
     for z in [0.0, h] {
         let s = 2.0 * r;
         let plane = sheet.bilinear([[-s, -s, z], [s, -s, z], [s, s, z], [-s, s, z]]);
         let circle = sheet.add(100, 0, "0.,0.5,0.5,0.75,0.5,0.75,0.5");
         sheet.trimmed(plane, &[(circle, 0)]);
     }
-    // The wall: a rectangle in (generatrix, angle), of which the seam and both circles are parameter lines.
+    // The wall: a rectangle in (generatrix, angle), of which the seam and both circles are
+    // parameter lines.
     let (axis, g) = (sheet.line([0.; 3], [0., 0., 1.]), sheet.line([r, 0., -h], [r, 0., 2.0 * h]));
     let wall = sheet.add(120, 0, format!("{axis},{g},0.,{TAU:?}"));
     let (lo, hi) = (1.0 / 3.0, 2.0 / 3.0);
@@ -248,7 +253,8 @@ fn trimming_in_the_parameter_plane_alone() {
 
 #[test]
 fn angles_of_the_file_are_not_our_parameters() {
-    // A third of a cylinder's wall: the angles at which it is trimmed must be met although our parameter runs otherwise.
+    // A third of a cylinder's wall: the angles at which it is trimmed must be met although our
+    // parameter runs otherwise.
     let mut sheet = Sheet::default();
     let (axis, g) = (sheet.line([0.; 3], [0., 0., 1.]), sheet.line([3.0, 0., 0.], [3.0, 0., 9.0]));
     let wall = sheet.add(120, 0, format!("{axis},{g},0.,{TAU:?}"));

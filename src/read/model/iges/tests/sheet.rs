@@ -80,7 +80,8 @@ impl Sheet {
         let d = n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
         self.add(108, 0, format!("{},0,0.,0.,0.,0.", list(&[n[0], n[1], n[2], d])))
     }
-    /// A trimmed face from a surface and boundaries, each (curve in the parameter plane, curve in space; 0 for none).
+    /// A trimmed face from a surface and boundaries, each (curve in the parameter plane, curve in
+    /// space; 0 for none).
     pub fn trimmed(&mut self, surface: usize, boundaries: &[(usize, usize)]) -> usize {
         let ids: Vec<usize> = boundaries
             .iter()
