@@ -4,7 +4,7 @@ use super::{Baseline, Setup, leads, schedules};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
-use crate::artifact::{AxisMotion, Channel, Lead, Plan, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Channel, Cones, Lead, Plan, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
@@ -49,7 +49,8 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;
     }
     let mut toolpath = match known.toolpath {
-        Some(t) => t,
+        // How turns lie does not depend on the lean: it may be another by now.
+        Some(t) => t.with_cones(Cones::about_blade(setup.job.machine.b_deg.to_radians())),
         None => timed(observer, Stage::Path, || path_as_asked(setup, observer))?,
     };
     if until == Some(Stage::Path) {
