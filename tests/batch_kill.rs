@@ -2,7 +2,7 @@
 //! undisturbed run.
 //!
 //! `just kill`, or
-//! `BLADEWRIGHT_RUNS=100 cargo nextest run --release --run-ignored only --no-capture --test batch_kill`.
+//! The long form is `just kill`.
 
 mod families;
 

@@ -1,4 +1,5 @@
-//! Every stage on models/prism.step against its closed form: a stadium (60 × 20, straight sides of 40)
+//! Every stage on models/prism.step against its closed form: a stadium (60 × 20, straight sides of
+//! 40)
 //! standing on a platform with a fillet of R 6, cut with a ball of R 4 above the fillet.
 
 use std::f64::consts::{PI, TAU};

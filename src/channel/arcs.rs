@@ -154,7 +154,8 @@ impl ArcSet {
     }
 }
 
-/// Arcs of θ within -π..=π on which `off + m cos(θ − psi)` lies in `range`; `m >= 0`, `psi` within -π..=π.
+/// Arcs of θ within -π..=π on which `off + m cos(θ − psi)` lies in `range`; `m >= 0`, `psi` within
+/// -π..=π.
 /// `by` says what the range's lower and upper end come from.
 pub(super) fn push_arcs(off: f64, m: f64, psi: f64, range: (f64, f64), by: (Witness, Witness), out: &mut Vec<Arc>) {
     let (below, above) = (range.0 <= off - m, range.1 >= off + m);

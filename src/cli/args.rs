@@ -274,7 +274,8 @@ pub struct Channel {
     /// What is to be looked at.
     #[command(flatten)]
     pub job: Job,
-    /// Width at the narrowest place against B: from, to and step in degrees; without a value -20,45,2.5.
+    /// Width at the narrowest place against B: from, to and step in degrees; without a value
+    /// -20,45,2.5.
     #[arg(
         long,
         value_name = "FROM,TO,STEP",

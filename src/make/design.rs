@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::{CubicSpline, Ends};
 
-/// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along +z:
+/// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along
+/// +z:
 /// root below, tip above.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

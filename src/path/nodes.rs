@@ -307,7 +307,8 @@ impl March<'_> {
     }
 
     /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the
-    /// turn around two. Between two sides with the angle 2β between the ways to them, that is to (1 +
+    /// turn around two. Between two sides with the angle 2β between the ways to them, that is to (1
+    /// +
     /// cos β)/2 of the stepover from each: half of it from what both leave.
     fn not_too_far(&self, chain: &Overrun, [from, to]: [usize; 2], touch: Touch) -> Option<Touch> {
         let level = self.across.level;

@@ -23,18 +23,29 @@
 //!   ball gains and loses its feed. The pipeline, which knows the machine, compares the candidates
 //!   with the other kinds.
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
-//!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards by a margin.
-//!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary acceleration.
-//!   3. *Decoupling*: at every base point θ stands still for a short stretch, at a share of the hull's width there (less an
-//!      inset) at which the level stretch stays in the channel. Published is the forward limit, the greatest such angle
-//!      (`base_angle = "forward-limit"`): where the channel is wide, θ has then run ahead as far as it may, and every turn
+//!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards
+//!      by a margin.
+//!   2. *Straight line*: where one fits from end to end it is the answer, with zero rotary
+//!      acceleration.
+//!   3. *Decoupling*: at every base point θ stands still for a short stretch, at a share of the
+//!      hull's width there (less an
+//!      inset) at which the level stretch stays in the channel. Published is the forward limit, the
+//!      greatest such angle
+//!      (`base_angle = "forward-limit"`): where the channel is wide, θ has then run ahead as far as
+//!      it may, and every turn
 //!      begins with a long wait. The first turn is free at its start, the last at its end.
-//!   4. *Linear schedule*: per turn the taut string (`taut` module) between its ends inside walls moved inwards once
-//!      more; then key points whose removal blunts the corners are dropped where their neighbours can be joined.
-//!   5. *Corners*: two cubic Béziers with doubled inner control points (`bezier` module). Their height ε is limited
-//!      by the distance of the two half segments from the wall on the curve's side and by half the length of either
-//!      segment (the whole length next to a base point, where no other corner needs it). S is divided by the length
-//!      of the turn and θ by 100 full turns, since angles depend on the scales: the bisector is then the mean slope.
+//!   4. *Linear schedule*: per turn the taut string (`taut` module) between its ends inside walls
+//!      moved inwards once
+//!      more; then key points whose removal blunts the corners are dropped where their neighbours
+//!      can be joined.
+//!   5. *Corners*: two cubic Béziers with doubled inner control points (`bezier` module). Their
+//!      height ε is limited
+//!      by the distance of the two half segments from the wall on the curve's side and by half the
+//!      length of either
+//!      segment (the whole length next to a base point, where no other corner needs it). S is
+//!      divided by the length
+//!      of the turn and θ by 100 full turns, since angles depend on the scales: the bisector is
+//!      then the mean slope.
 //!   6. *Choice*: the share and the insets of 3 and 4 and the length of the level stretch come from
 //!      a short fixed list. The choice is the one that the weakest rotary axis can follow best at
 //!      the programmed feed. Its cost is the greater of the peaks of velocity and acceleration,

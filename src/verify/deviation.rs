@@ -26,7 +26,8 @@
 //! of triangles with a corner where the ball does not come.
 //!
 //! Where normals turn so fast that `sin φ` has no bound below 1 (an edge sharper than the shortest
-//! triangle), a height along the normal has none either: the line may miss every ball. There the *distance*
+//! triangle), a height along the normal has none either: the line may miss every ball. There the
+//! *distance*
 //! `g` to the swept ball is bounded instead. It changes by no more than one goes along the part, so
 //! in such a triangle
 //!

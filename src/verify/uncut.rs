@@ -122,7 +122,8 @@ mod tests {
         let path = along_the_corner(radius, opening, scallop);
         let target = Allowed::new(&part, 0.0);
         let (places, cell) = measure(&target, &Sweep::new(&path), scallop, 40_000);
-        // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w² +
+        // The ball touches each wall this far from the corner, and a point w farther in is sqrt(w²
+        // +
         // R²) from its centre.
         let touches = radius / (0.5f64 * f64::to_radians(opening)).tan();
         let least = UNCUT * scallop;

@@ -177,7 +177,8 @@ pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
 }
 
 /// Curvature of the plane section of the face at a point of it: the normal curvature along the
-/// section, over the cosine between the surface's normal and the plane (Meusnier; do Carmo, *Differential
+/// section, over the cosine between the surface's normal and the plane (Meusnier; do Carmo,
+/// *Differential
 /// Geometry of Curves and Surfaces*, 3-2).
 fn on_face(part: &Part, foot: &Closest) -> Option<OnFace> {
     let bend = part.curvature_at(foot)?;

@@ -1,6 +1,7 @@
 //! Programs read: from the text to blocks, and from blocks to what the machine does.
 //!
-//! **In**: the text of a program and its [`Language`]; for the machine's moves a [`Bench`]. **Out**:
+//! **In**: the text of a program and its [`Language`]; for the machine's moves a [`Bench`].
+//! **Out**:
 //! a [`Script`] of [`Block`]s, and one [`Moved`] for each move. Each reader (`gcode`, `heidenhain`,
 //! `apt`) keeps the control's modal state; [`follow`] moves the machine through the blocks;
 //! [`guess`] tells the language of a text whose writer is not known.

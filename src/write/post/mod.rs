@@ -80,7 +80,8 @@ pub struct PostOptions {
     pub plunge_feed_mm_min: f64,
     /// Feed height over the first and last location, along the tool axis, mm. Default 5.
     pub feed_height_mm: f64,
-    /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default 20.
+    /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default
+    /// 20.
     pub safe_clearance_mm: f64,
     /// Tolerance the control may smooth positions by, mm; `None`: as the post file has it.
     pub smoothing_mm: Option<f64>,

@@ -17,7 +17,8 @@
 //! takes the place of the other, so that a face's edge may leave its surface by the gap that is
 //! reported. Everything that was done is in [`Sewn`].
 //!
-//! [`curve::from_vertex`]: a closed edge begins at its vertex, wherever the file's curve begins, so that loops are continuous.
+//! [`curve::from_vertex`]: a closed edge begins at its vertex, wherever the file's curve begins, so
+//! that loops are continuous.
 
 pub mod curve;
 pub mod faces;

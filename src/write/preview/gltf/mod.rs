@@ -4,15 +4,21 @@
 //! metres and turns the model's +Z up (glTF's +Y). Nodes:
 //!
 //! * `workpiece`, moved by the machine's animation:
-//!   * `blade`: one primitive and material for each kind of face, smooth normals up to a crease angle;
-//!   * `path`: ball centres, one `LINE_STRIP` a turn; its material is chosen by `KHR_materials_variants`: coloured by turn, scallop,
-//!     width of the channel, feed or axis acceleration, dark for the least value and bright for the greatest (the values stand in the
+//!   * `blade`: one primitive and material for each kind of face, smooth normals up to a crease
+//!     angle;
+//!   * `path`: ball centres, one `LINE_STRIP` a turn; its material is chosen by
+//!     `KHR_materials_variants`: coloured by turn, scallop,
+//!     width of the channel, feed or axis acceleration, dark for the least value and bright for the
+//!     greatest (the values stand in the
 //!     node's `extras`);
-//!   * `leads`: ball centres of lead-in and lead-out, and the beginning of the straight way along the tool axis;
+//!   * `leads`: ball centres of lead-in and lead-out, and the beginning of the straight way along
+//!     the tool axis;
 //!   * `cutter contacts`: where the ball touches the part;
 //!   * `uncut`, where there is any: what no ball of this radius can reach, red;
-//!   * `channel`: the angles that the whole tool may take, as fans, at the narrowest place of turns and, orange, of all;
-//!   * `base vectors`: the tool axis at each turn's base point; `altered points`: where the curvature of sections changes sign;
+//!   * `channel`: the angles that the whole tool may take, as fans, at the narrowest place of turns
+//!     and, orange, of all;
+//!   * `base vectors`: the tool axis at each turn's base point; `altered points`: where the
+//!     curvature of sections changes sign;
 //!   * `table`: the machine's table, schematic;
 //! * `tool`: origin at the ball centre, +Z towards the spindle, moved by both animations; its parts
 //!   are nodes of their own (`ball`, `taper`, `shank`, `holder 1` …), and so is `head`: spindle and
