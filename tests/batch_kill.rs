@@ -1,8 +1,7 @@
 //! Slow suite: families killed at random moments and started again leave the bytes of an
 //! undisturbed run.
 //!
-//! `just kill`, or
-//! The long form is `just kill`.
+//! `just kill`.
 
 mod families;
 
