@@ -15,7 +15,7 @@ use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{Cones, ToolPart};
+use crate::artifact::{CheckId, Cones, ToolPart};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -228,9 +228,9 @@ fn differences(rows: &[Axes], t: &[f64]) -> Vec<Axes> {
 
 /// A report of two passed checks.
 pub fn report() -> CheckReport {
-    let check = |name: &str, worst, limit: f64| Check {
-        name: name.into(),
-        quantity: format!("worst {name}"),
+    let check = |id: CheckId, worst, limit: f64| Check {
+        quantity: format!("worst {id}"),
+        id,
         worst,
         limit,
         unit: "mm".into(),
@@ -241,7 +241,7 @@ pub fn report() -> CheckReport {
         note: "made up".into(),
     };
     CheckReport {
-        checks: vec![check("gouge", 0.0005, 0.003), check("scallop", 0.0101, 0.0105)],
+        checks: vec![check(CheckId::Gouge, 0.0005, 0.003), check(CheckId::Scallop, 0.0101, 0.0105)],
         scallop_max_mm: 0.0101,
         scallop_p99_mm: 0.0100,
         scallop_p95_mm: 0.0099,

@@ -1,13 +1,14 @@
 //! What the checks found.
 
-use super::{Blade, Plan};
+use super::{Blade, CheckId, Plan};
 use crate::geometry::{Point, Vector};
 
 /// One check.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Check {
-    /// Name, e.g. `gouge`.
-    pub name: String,
+    /// Which check; files hold its name, e.g. `gouge`.
+    #[serde(rename = "name")]
+    pub id: CheckId,
     /// What was measured, in words, with its unit.
     pub quantity: String,
     /// Worst value found.
@@ -31,10 +32,10 @@ pub struct Check {
 impl Check {
     /// A check without a place, passed where the worst value is at most its limit. What is not
     /// finite is worse than everything.
-    pub fn at_most(name: &str, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Self {
+    pub fn at_most(id: CheckId, quantity: &str, worst: f64, limit: f64, unit: &str, note: String) -> Self {
         let worst = if worst.is_finite() { worst } else { f64::MAX };
         Check {
-            name: name.into(),
+            id,
             quantity: quantity.into(),
             worst,
             limit,

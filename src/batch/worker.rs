@@ -206,7 +206,7 @@ fn finding(report: &CheckReport) -> Option<String> {
     };
     // Limits are products of options: 1.05 × 0.1 is to be read as 0.105.
     let limit = (c.limit * 1e9).round() / 1e9;
-    Some(format!("{}: {} is {:.6} {}, limit {limit}{others}", c.name, c.quantity, c.worst, c.unit))
+    Some(format!("{}: {} is {:.6} {}, limit {limit}{others}", c.id, c.quantity, c.worst, c.unit))
 }
 
 /// The files of a folder with the hashes of their content.

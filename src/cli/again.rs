@@ -37,7 +37,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.name, amount(c.worst), c.unit, limit(c.limit), c.unit);
+        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.id, amount(c.worst), c.unit, limit(c.limit), c.unit);
     }
     print_failed(&report);
     folder.add_json("verify.json", &report)?;
@@ -186,7 +186,7 @@ pub(super) fn finding(c: &Check, place: &str) {
     let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
     sayln!(
         "finding: {}: {} is {} {}, limit {}{at}{turn}{place}; {}",
-        c.name,
+        c.id,
         c.quantity,
         amount(c.worst),
         c.unit,

@@ -136,7 +136,7 @@ fn tell(audit: &Audit) {
     );
     for LineCheck { check: c, .. } in &audit.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
-        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.name, amount(c.worst), c.unit, limit(c.limit), c.unit);
+        sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.id, amount(c.worst), c.unit, limit(c.limit), c.unit);
     }
     audit.checks.iter().filter(|c| !c.check.passed).for_each(finding);
 }

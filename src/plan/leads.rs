@@ -74,7 +74,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
             Verdict::Failed(rejected) => {
                 let bad = rejected.report().checks.iter().filter(|c| !c.passed);
                 found = bad
-                    .map(|c| format!("{} {:.6}, limit {:.6}", c.name, c.worst, c.limit))
+                    .map(|c| format!("{} {:.6}, limit {:.6}", c.id, c.worst, c.limit))
                     .collect::<Vec<_>>()
                     .join("; ");
             }

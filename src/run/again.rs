@@ -15,8 +15,8 @@ use std::path::Path;
 use super::inputs::{self, Loaded};
 use super::manifest::{self, Input, Manifest};
 use super::{reuse, settle, tables};
-use crate::artifact::Plan;
 use crate::artifact::report::Check;
+use crate::artifact::{CheckId, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job;
@@ -117,20 +117,20 @@ fn text_of(out: &Path, name: &str) -> Option<String> {
 /// The plan with what others read of it, and what is not as the plan has it.
 fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
     let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, setup.machine.axes())];
-    let names = [("table-cutter-locations", "cutter_locations.csv"), ("table-axes", "axes.csv")];
-    let texts = names.map(|(_, file)| text_of(out, file));
+    let names = [(CheckId::TableCutterLocations, "cutter_locations.csv"), (CheckId::TableAxes, "axes.csv")];
+    let texts = names.each_ref().map(|(_, file)| text_of(out, file));
     let mut read = plan.clone();
     let locations = texts[0].as_deref().map(|t| tables::read_cutter_locations(t, &setup.blade, &mut read));
     // A table that cannot be read is reported below.
     let plan = if locations.is_some_and(|l| l.is_ok()) { read } else { plan };
     let checks = std::array::from_fn(|k| {
-        let (name, file) = names[k];
+        let (id, file) = names[k].clone();
         let difference = match &texts[k] {
             Some(text) => tables::difference(text, &wanted[k]),
             None => tables::Difference { count: 1, first: "it is missing, or no text".into() },
         };
         let note = if difference.count == 0 { file.to_owned() } else { format!("{file}, {}", difference.first) };
-        count(name, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
+        count(id, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
     });
     (plan, checks)
 }
@@ -140,7 +140,7 @@ fn outputs(out: &Path, kept: Option<&Manifest>) -> Check {
     let quantity = "files that are missing or not as the run left them";
     let Some(kept) = kept else {
         let note = "manifest.json is missing or damaged: what the run left cannot be told";
-        return count("files", quantity, 1, note.into());
+        return count(CheckId::Files, quantity, 1, note.into());
     };
     let short = |hash: &str| hash.chars().take(12).collect::<String>();
     let mut wrong = Vec::new();
@@ -153,7 +153,7 @@ fn outputs(out: &Path, kept: Option<&Manifest>) -> Check {
             Ok(_) => {}
         }
     }
-    count("files", quantity, wrong.len(), wrong.join("; "))
+    count(CheckId::Files, quantity, wrong.len(), wrong.join("; "))
 }
 
 /// Inputs that changed since.
@@ -170,10 +170,10 @@ fn changed(now: &[Input], kept: Option<&Manifest>) -> Check {
     if now.len() != before.len() && kept.is_some() {
         wrong.push(format!("the job names {} input files, manifest.json {}", now.len(), before.len()));
     }
-    count("inputs", quantity, wrong.len(), wrong.join("; "))
+    count(CheckId::Inputs, quantity, wrong.len(), wrong.join("; "))
 }
 
 /// A check that nothing was found.
-fn count(name: &str, quantity: &str, found: usize, note: String) -> Check {
-    Check::at_most(name, quantity, found as f64, 0.0, "", note)
+fn count(id: CheckId, quantity: &str, found: usize, note: String) -> Check {
+    Check::at_most(id, quantity, found as f64, 0.0, "", note)
 }

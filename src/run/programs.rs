@@ -3,7 +3,7 @@
 use super::RunFolder;
 use crate::artifact::program::Control;
 use crate::artifact::report::Check;
-use crate::artifact::{Plan, Program};
+use crate::artifact::{CheckId, Plan, Program};
 use crate::error::Result;
 use crate::plan::{Setup, leads};
 use crate::read::program::{Guess, guess};
@@ -129,10 +129,10 @@ fn other(
 /// A program that a control would not understand either, or that nobody can judge.
 fn unreadable(file_name: &str, why: String) -> Check {
     let quantity = format!("{file_name}: lines that cannot be read");
-    Check::at_most("program-readable", &quantity, 1.0, 0.0, "lines", format!("{file_name}: {why}"))
+    Check::at_most(CheckId::ProgramReadable, &quantity, 1.0, 0.0, "lines", format!("{file_name}: {why}"))
 }
 
 fn absent(file_name: &str) -> Check {
     let note = format!("{file_name} is not in the folder, the job asks for it: write it with `post`, or plan again");
-    Check::at_most("program-absent", "programs that the job asks for and that are not there", 1.0, 0.0, "", note)
+    Check::at_most(CheckId::ProgramAbsent, "programs that the job asks for and that are not there", 1.0, 0.0, "", note)
 }

@@ -131,7 +131,7 @@ impl<'a> Earlier<'a> {
     /// The checks of that run, without those of its programs.
     pub(super) fn checks(&self) -> Option<Checks> {
         let mut report: CheckReport = serde_json::from_slice(&self.file("verify.json")?).ok()?;
-        report.checks.retain(|c| !c.name.starts_with("program-"));
+        report.checks.retain(|c| !c.id.is_of_program());
         Some(Checks { report, seal: self.before.seal.clone()? })
     }
 }

@@ -19,7 +19,7 @@ use super::options::VerifyOptions;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, PathKind, Turn};
-use crate::artifact::{Blade, Cone, Plan, Toolpath};
+use crate::artifact::{Blade, CheckId, Cone, Plan, Toolpath};
 
 /// What a plan holds of its job. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,7 +106,7 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
         }
     }
     let quantity = "values of the plan that are not those of the job";
-    Check::at_most("job", quantity, wrong.len() as f64, 0.0, "", wrong.join("; "))
+    Check::at_most(CheckId::Job, quantity, wrong.len() as f64, 0.0, "", wrong.join("; "))
 }
 
 /// Heights of a turn's ball centres: least, mean, greatest.
@@ -125,7 +125,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let (Some(first), Some(last)) = (path.turns.first(), path.turns.last()) else {
         let note = "plan.json has no turns".into();
         let asked_mm = asked.end_mm.map_or(asked.radius_mm, |end| asked.start_mm - end);
-        return Check::at_most("job-region", quantity, asked_mm, 0.0, unit, note);
+        return Check::at_most(CheckId::JobRegion, quantity, asked_mm, 0.0, unit, note);
     };
     let climbs = asked.direction == Direction::Climb;
     let (upper, lower) = if climbs { (first, last) } else { (last, first) };
@@ -177,7 +177,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let worst = found.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let (over, row, says) = worst.unwrap_or_default();
     let note = if over > 0.0 { says } else { format!("heights {hi:.3} to {lo:.3}: {}", path.end_reason) };
-    let check = Check::at_most("job-region", quantity, over.max(0.0), 0.0, unit, note);
+    let check = Check::at_most(CheckId::JobRegion, quantity, over.max(0.0), 0.0, unit, note);
     check.at_location(row, plan, blade)
 }
 
@@ -203,5 +203,5 @@ fn feed(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
     let quantity = "greatest feed of the ball centre, from locations and times";
     let row = worst.1.saturating_sub(plan.leads[0].centres.len()).min(plan.toolpath.locations.len().saturating_sub(1));
     let note = format!("the job asks for at most {}", asked.feed_mm_min);
-    Check::at_most("job-feed", quantity, worst.0, limit, "mm/min", note).at_location(row, plan, blade)
+    Check::at_most(CheckId::JobFeed, quantity, worst.0, limit, "mm/min", note).at_location(row, plan, blade)
 }

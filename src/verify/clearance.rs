@@ -14,7 +14,7 @@ use super::apart::Apart;
 use super::options::VerifyOptions;
 use super::solid::Moving;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan, Stand, Toolpath};
+use crate::artifact::{Blade, CheckId, Plan, Stand, Toolpath};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::tool::Segment;
@@ -377,11 +377,11 @@ pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &Verif
 
 fn judge(a: &Apart, kept: &Kept, limit: f64, plan: &Plan, blade: &Blade) -> Check {
     let near = &kept.near;
-    let (name, quantity) = match (a.obstacle, a.is_holder) {
-        (None, false) => ("clearance", "the tool without its ball to the part".to_owned()),
-        (None, true) => ("holder-clearance", "the tool without its ball to the part".to_owned()),
-        (Some(o), false) => ("obstacle-clearance", format!("taper and shank to {}", o.name)),
-        (Some(o), true) => ("obstacle-clearance", format!("holder to {}", o.name)),
+    let (id, quantity) = match (a.obstacle, a.is_holder) {
+        (None, false) => (CheckId::Clearance, "the tool without its ball to the part".to_owned()),
+        (None, true) => (CheckId::HolderClearance, "the tool without its ball to the part".to_owned()),
+        (Some(o), false) => (CheckId::ObstacleClearance, format!("taper and shank to {}", o.name)),
+        (Some(o), true) => (CheckId::ObstacleClearance, format!("holder to {}", o.name)),
     };
     let quantity = format!("least distance of {quantity}, between locations too");
     let who = a.segments.get(near.segment).map_or_else(String::new, |s| s.part.to_string());
@@ -399,6 +399,6 @@ fn judge(a: &Apart, kept: &Kept, limit: f64, plan: &Plan, blade: &Blade) -> Chec
         row: point.map(|_| near.row),
         turn: point.map(|_| plan.toolpath.locations[near.row].turn),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(name, &quantity, kept.least_mm, limit, "mm", note)
+        ..Check::at_most(id, &quantity, kept.least_mm, limit, "mm", note)
     }
 }

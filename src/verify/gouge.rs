@@ -13,8 +13,8 @@ use rayon::prelude::*;
 
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
-use crate::artifact::Blade;
 use crate::artifact::report::Check;
+use crate::artifact::{Blade, CheckId};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 
@@ -172,7 +172,7 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         row: Some(g.segment),
         turn: sweep.turns.get(g.segment).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most("gouge", quantity, bound, options.gouge_mm, "mm", note)
+        ..Check::at_most(CheckId::Gouge, quantity, bound, options.gouge_mm, "mm", note)
     };
     (check, g)
 }

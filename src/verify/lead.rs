@@ -13,7 +13,7 @@ use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, Blade, Cone, Lead, Obstacle, Plan, Stand};
+use crate::artifact::{Axes, Blade, CheckId, Cone, Lead, Obstacle, Plan, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
@@ -162,15 +162,15 @@ fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
         worst.map_or(("", 0, 0.0, None), |(n, r, g)| (*n, r, g.bound_mm.max(g.found_mm).max(0.0), Some(g.centre)));
     let limit = room.options.gouge_mm;
     let quantity = "depth of the ball in the part on the ways onto the path and off it";
-    let check = Check::at_most("lead-gouge", quantity, bound, limit, "mm", name.to_owned());
+    let check = Check::at_most(CheckId::LeadGouge, quantity, bound, limit, "mm", name.to_owned());
     at(check, row, centre, plan, room.blade)
 }
 
 fn nearest(ways: &[(&str, usize, Way)], a: &Apart, plan: &Plan, room: &Room) -> Check {
-    let name = match (a.obstacle, a.is_holder) {
-        (None, false) => "lead-clearance",
-        (None, true) => "lead-holder-clearance",
-        (Some(_), _) => "lead-obstacle",
+    let id = match (a.obstacle, a.is_holder) {
+        (None, false) => CheckId::LeadClearance,
+        (None, true) => CheckId::LeadHolderClearance,
+        (Some(_), _) => CheckId::LeadObstacle,
     };
     let limit = room.options.least_clearance(a.asked_mm);
     let found = ways.iter().map(|(which, row, way)| (*which, *row, way.least(a, limit, room)));
@@ -181,7 +181,7 @@ fn nearest(ways: &[(&str, usize, Way)], a: &Apart, plan: &Plan, room: &Room) -> 
     let what = kept.map_or_else(String::new, |k| a.named(k.face));
     let quantity = "least distance of the tool without its ball on the ways onto the path and off it";
     let note = format!("{which}: {who} to {what}, nowhere less than {worst:.6}; asked for {}", a.asked_mm);
-    let check = Check { passed: worst >= limit, ..Check::at_most(name, quantity, worst, limit, "mm", note) };
+    let check = Check { passed: worst >= limit, ..Check::at_most(id, quantity, worst, limit, "mm", note) };
     at(check, row, kept.map(|k| k.near.point), plan, room.blade)
 }
 
@@ -199,7 +199,7 @@ fn placed(plan: &Plan, room: &Room) -> Check {
         }
     }
     let quantity = "distance of ball centre and gauge line that the axes give from the leads";
-    Check::at_most("lead-axes", quantity, worst, 1e-6, "mm", String::new())
+    Check::at_most(CheckId::LeadAxes, quantity, worst, 1e-6, "mm", String::new())
 }
 
 /// How far an axis leaves its travel on the leads.
@@ -211,7 +211,7 @@ fn within_travel(plan: &Plan, room: &Room) -> Check {
     let quantity = "how far an axis leaves its travel on the leads";
     let note = worst.map_or(String::new(), |w| format!("axis {}", w.axis.name));
     // Rounding of positions.
-    Check { passed: over <= 1e-9, ..Check::at_most("lead-travel", quantity, over * scale, 0.0, unit, note) }
+    Check { passed: over <= 1e-9, ..Check::at_most(CheckId::LeadTravel, quantity, over * scale, 0.0, unit, note) }
 }
 
 /// Velocity and acceleration of every axis from the rows of the leads to those next to them on the
@@ -240,7 +240,7 @@ fn within_limits(plan: &Plan, room: &Room) -> Check {
     }
     let limit = 1.0 + room.options.limit_tolerance;
     let quantity = "greatest share of an axis' velocity or acceleration on the leads";
-    Check::at_most("lead-limits", quantity, worst.0, limit, "", worst.1)
+    Check::at_most(CheckId::LeadLimits, quantity, worst.0, limit, "", worst.1)
 }
 
 #[cfg(test)]

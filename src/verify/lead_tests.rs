@@ -1,5 +1,6 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
+use crate::artifact::CheckId;
 use crate::geometry::mesh::Mesh;
 use crate::machine::AxisLimits;
 use crate::sample;
@@ -28,8 +29,8 @@ fn failing(plan: &Plan, blade: &Blade) -> Vec<Check> {
     check(plan, &room).into_iter().filter(|c| !c.passed).collect()
 }
 
-fn only(found: &[Check], name: &str) -> Check {
-    assert!(found.len() == 1 && found[0].name == name, "{found:#?}");
+fn only(found: &[Check], id: CheckId) -> Check {
+    assert!(found.len() == 1 && found[0].id == id, "{found:#?}");
     found[0].clone()
 }
 
@@ -52,8 +53,11 @@ fn what_is_planted_in_a_lead_is_found_and_named() {
     let found = failing(&clean, &with_needle([end, end - x * 0.3 + side, end - x * 0.3 - side]));
     // So near to the ball it is also nearer to the taper than the clearance that is asked for,
     // which it does not touch.
-    assert!(found.iter().all(|c| c.name == "lead-gouge" || c.name == "lead-clearance" && c.worst > 0.0), "{found:#?}");
-    let g = only(&found.into_iter().filter(|c| c.name == "lead-gouge").collect::<Vec<_>>(), "lead-gouge");
+    assert!(
+        found.iter().all(|c| c.id == CheckId::LeadGouge || c.id == CheckId::LeadClearance && c.worst > 0.0),
+        "{found:#?}"
+    );
+    let g = only(&found.into_iter().filter(|c| c.id == CheckId::LeadGouge).collect::<Vec<_>>(), CheckId::LeadGouge);
     assert!((0.015..0.03).contains(&g.worst) && g.note == "lead-out", "{g:?}");
     // One that reaches 0.1 mm into the second holder stage on the straight line only.
     let outer = clean.leads[0].stands(clean.toolpath.cone(0)).next().unwrap();
@@ -61,16 +65,16 @@ fn what_is_planted_in_a_lead_is_found_and_named() {
     let out = axis.cross(&Vector::x()).normalize();
     let reach = c + axis * 140.0 + out * 29.9;
     let blade = with_needle([reach, reach + out * 9.0 + Vector::x() * 0.05, reach + out * 9.0 - Vector::x() * 0.05]);
-    let h = only(&failing(&clean, &blade), "lead-holder-clearance");
+    let h = only(&failing(&clean, &blade), CheckId::LeadHolderClearance);
     assert!((h.worst + 0.1).abs() < 0.02 && h.note.contains("lead-in: holder 2"), "{h:?}");
     let mut moved = clean.clone();
     moved.leads[0].motion.position[3][1] += 0.001;
-    let a = only(&failing(&moved, &sample::blade()), "lead-axes");
+    let a = only(&failing(&moved, &sample::blade()), CheckId::LeadAxes);
     assert!((a.worst - 0.001).abs() < 1e-9);
     let mut fast = clean.clone();
     let shift = fast.leads[1].motion.t_s[0];
     fast.leads[1].motion.t_s.iter_mut().for_each(|t| *t = shift + (*t - shift) * 0.01);
-    assert!(only(&failing(&fast, &sample::blade()), "lead-limits").note.contains("axis "));
+    assert!(only(&failing(&fast, &sample::blade()), CheckId::LeadLimits).note.contains("axis "));
 }
 
 #[test]
@@ -113,8 +117,8 @@ fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     let whole = sample::with_leads(sample::plan(3, 360));
     let mut report = sample::report();
     report.checks.retain(|c| c.passed);
-    let kept = report.checks[0].name.clone();
-    report.checks.push(Check::at_most("lead-gouge", "of the whole", 9.0, 10.0, "mm", String::new()));
+    let kept = report.checks[0].id.clone();
+    report.checks.push(Check::at_most(CheckId::LeadGouge, "of the whole", 9.0, 10.0, "mm", String::new()));
     let verified = Verified::for_tests(whole.clone(), report, false);
     let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
     let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
@@ -122,18 +126,20 @@ fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     let left = sample::with_leads(whole.from_turn(1).unwrap());
     assert!(left.leads[0].is_arc());
     let found = restart(&verified, left.clone(), &room).unwrap();
-    let named = |name: &str| found.report().checks.iter().filter(|c| c.name == name).collect::<Vec<_>>();
-    assert_eq!(named(&kept).len(), 1);
+    let named = |id: CheckId| found.report().checks.iter().filter(|c| c.id == id).collect::<Vec<_>>();
+    assert_eq!(named(kept).len(), 1);
     assert!(
-        named("lead-gouge").len() == 1 && named("lead-gouge")[0].worst < 0.004 && named("lead-gouge")[0].row == Some(0)
+        named(CheckId::LeadGouge).len() == 1
+            && named(CheckId::LeadGouge)[0].worst < 0.004
+            && named(CheckId::LeadGouge)[0].row == Some(0)
     );
-    assert!(named("axes-centre").len() == 1 && named("axes-centre")[0].passed);
+    assert!(named(CheckId::AxesCentre).len() == 1 && named(CheckId::AxesCentre)[0].passed);
     // A lead that goes through the part is found.
     let mut deep = left.clone();
     let inwards = deep.toolpath.locations[0].normal * 1.0;
     deep.leads[0].centres.iter_mut().for_each(|c| *c -= inwards);
     let Verdict::Failed(bad) = restart(&verified, deep, &room).unwrap() else { panic!("no finding") };
-    assert!(bad.report().checks.iter().any(|c| c.name == "lead-gouge" && !c.passed && c.worst > 0.5));
+    assert!(bad.report().checks.iter().any(|c| c.id == CheckId::LeadGouge && !c.passed && c.worst > 0.5));
     // Evidence is for the plan that was checked, to the bit.
     let mut moved = left.clone();
     moved.toolpath.locations[7].centre.x += 1e-12;

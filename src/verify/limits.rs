@@ -12,7 +12,7 @@
 
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, Blade, Plan};
+use crate::artifact::{Axes, AxisCheck, Blade, CheckId, Plan};
 use crate::machine::{Axis, Machine};
 use crate::tool::Tool;
 
@@ -37,14 +37,14 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, 
     for (axis, Axis { limits: limit, .. }) in machine.axes().iter().enumerate() {
         let travel = limit.travel.map(|[lo, hi]| {
             let over = |q: &Axes| (lo - q[axis]).max(q[axis] - hi);
-            ("travel", "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
+            (AxisCheck::Travel, "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
         });
         let (v, a) = (velocities(plan, axis), accelerations(plan, axis));
         let v = worst(v.iter().map(|v| v.abs()));
         let a = worst(a.iter().map(|a| a.abs()));
         let dynamic = [
-            ("velocity", "greatest velocity, from positions and times", v, limit.velocity),
-            ("acceleration", "greatest acceleration, from positions and times", a, limit.acceleration),
+            (AxisCheck::Velocity, "greatest velocity, from positions and times", v, limit.velocity),
+            (AxisCheck::Acceleration, "greatest acceleration, from positions and times", a, limit.acceleration),
         ];
         for (kind, quantity, found, limit) in travel.into_iter().chain(dynamic) {
             checks.push(judge(axis, kind, quantity, found, limit, plan, blade, machine, options));
@@ -84,7 +84,7 @@ fn where_it_goes(axis: usize, plan: &Plan, machine: &Machine) -> String {
 #[allow(clippy::too_many_arguments)]
 fn judge(
     axis: usize,
-    kind: &str,
+    kind: AxisCheck,
     quantity: &str,
     found: Worst,
     limit: f64,
@@ -96,23 +96,23 @@ fn judge(
     let own = &machine.axes()[axis];
     let (name, scale) = (&own.name, own.scale());
     let per = match kind {
-        "travel" => "",
-        "velocity" => "/s",
-        _ => "/s²",
+        AxisCheck::Travel => "",
+        AxisCheck::Velocity => "/s",
+        AxisCheck::Acceleration => "/s²",
     };
     let unit = format!("{}{per}", own.unit());
     // Rounding of positions, and the limits' own units.
-    let slack = if kind == "travel" { 1e-9 } else { options.limit_tolerance * limit };
-    let row = if kind == "acceleration" { found.row + 1 } else { found.row };
+    let slack = if kind == AxisCheck::Travel { 1e-9 } else { options.limit_tolerance * limit };
+    let row = if kind == AxisCheck::Acceleration { found.row + 1 } else { found.row };
     let worst = match found.value {
         f64::NEG_INFINITY => 0.0, // nothing to difference: two rows have no acceleration
         v if v.is_finite() => v * scale,
         _ => f64::MAX,
     };
-    let (check_name, quantity) = (format!("{}-{kind}", name.to_lowercase()), format!("axis {name}: {quantity}"));
-    let worst = if kind == "travel" { worst.max(0.0) } else { worst };
-    let note = if kind == "travel" { where_it_goes(axis, plan, machine) } else { String::new() };
-    let check = Check::at_most(&check_name, &quantity, worst, limit * scale, &unit, note);
+    let (id, quantity) = (CheckId::axis(name, kind), format!("axis {name}: {quantity}"));
+    let worst = if kind == AxisCheck::Travel { worst.max(0.0) } else { worst };
+    let note = if kind == AxisCheck::Travel { where_it_goes(axis, plan, machine) } else { String::new() };
+    let check = Check::at_most(id, &quantity, worst, limit * scale, &unit, note);
     Check { passed: found.value <= limit + slack, ..check }.at_location(row, plan, blade)
 }
 
@@ -121,7 +121,7 @@ fn forward_in_time(plan: &Plan, blade: &Blade) -> Check {
     let t = &plan.motion.t_s;
     let back = worst(t.windows(2).map(|w| w[0] - w[1]));
     let quantity = "greatest step back in time, seconds (negative: all steps are forward)";
-    let check = Check::at_most("time", quantity, back.value, 0.0, "s", String::new());
+    let check = Check::at_most(CheckId::Time, quantity, back.value, 0.0, "s", String::new());
     Check { passed: back.value < 0.0, ..check }.at_location(back.row, plan, blade)
 }
 
@@ -136,18 +136,24 @@ fn placed(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &
         p.axis.cross(&a).norm().atan2(p.axis.dot(&a)).to_degrees()
     });
     let axis = worst(turned);
-    let check = |name: &str, quantity: &str, found: Worst, limit: f64, unit: &str| {
-        Check::at_most(name, quantity, found.value, limit, unit, String::new()).at_location(found.row, plan, blade)
+    let check = |id: CheckId, quantity: &str, found: Worst, limit: f64, unit: &str| {
+        Check::at_most(id, quantity, found.value, limit, unit, String::new()).at_location(found.row, plan, blade)
     };
     let limit = options.angle_tolerance_deg;
     [
         check(
-            "axes-centre",
+            CheckId::AxesCentre,
             "distance of the ball centre that the axes give from the cutter location",
             centre,
             1e-6,
             "mm",
         ),
-        check("axes-direction", "angle between the tool axis that the axes give and a(θ), degrees", axis, limit, "deg"),
+        check(
+            CheckId::AxesDirection,
+            "angle between the tool axis that the axes give and a(θ), degrees",
+            axis,
+            limit,
+            "deg",
+        ),
     ]
 }

@@ -36,7 +36,7 @@ pub fn restart(whole: &Verified<Plan>, left: Plan, room: &Room) -> Result<Verdic
     let mut report = whole.report().clone();
     let mut fresh = lead::check(&left, room);
     fresh.extend(limits::check(&left, room.blade, room.tool, room.machine, room.options));
-    report.checks.retain(|c| !c.name.starts_with("lead-") && fresh.iter().all(|f| f.name != c.name));
+    report.checks.retain(|c| !c.id.is_of_lead() && fresh.iter().all(|f| f.id != c.id));
     report.checks.extend(fresh);
     Ok(Verdict::of(left, report))
 }

@@ -21,7 +21,7 @@ use super::samples;
 use super::sweep::Sweep;
 use super::uncut;
 use crate::artifact::report::{Check, Place};
-use crate::artifact::{Blade, CheckReport, Plan};
+use crate::artifact::{Blade, CheckId, CheckReport, Plan};
 use crate::error::Stage;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
@@ -212,12 +212,12 @@ pub(super) fn check(
         observer.warn(Warning { stage: Stage::Verify, message });
     }
     let limit = options.scallop_ratio * options.scallop_mm;
-    let judge = |name: &str, quantity: &str, sorted: &[Height], enough: bool| {
+    let judge = |id: CheckId, quantity: &str, sorted: &[Height], enough: bool| {
         let p99 = percentile(sorted, 0.99);
         let at = sorted.last();
         let point = at.map(|h| blade.model_from_blade * h.point);
         Check {
-            name: name.into(),
+            id,
             quantity: quantity.into(),
             worst: p99,
             limit,
@@ -236,12 +236,12 @@ pub(super) fn check(
         }
     };
     let quantity = "99th percentile of the height left over the part in the machined band";
-    report.checks.push(judge("scallop", quantity, &samples, !samples.is_empty()));
+    report.checks.push(judge(CheckId::Scallop, quantity, &samples, !samples.is_empty()));
     let quantity = "99th percentile of the ridges between neighbouring turns";
     // On a mesh the edges between facets bend each ridge by more than the scallop; the samples
     // above judge there.
     if blade.part.brep.is_some() {
-        report.checks.push(judge("ridge", quantity, &ridges, true));
+        report.checks.push(judge(CheckId::Ridge, quantity, &ridges, true));
     }
     let published = published_depths(part, sweep);
     report.checks.push(ray_gouge(blade, sweep, lowest, samples.len(), &published, options));
@@ -303,6 +303,6 @@ fn ray_gouge(
         row: deepest.map(|h| h.row),
         turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most("gouge-surface", quantity, depth, options.gouge_mm, "mm", note)
+        ..Check::at_most(CheckId::GougeSurface, quantity, depth, options.gouge_mm, "mm", note)
     }
 }

@@ -1,7 +1,7 @@
 //! The schedule: θ never turns back and stays inside the channel at every cutter location.
 
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
+use crate::artifact::{Blade, CheckId, Plan};
 
 use super::VerifyOptions;
 
@@ -19,7 +19,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<
     let (worst, before) = greatest((0..theta.len() - 1).map(back));
     let count = (0..theta.len() - 1).filter(|&i| back(i) > limit).count();
     let quantity = "greatest step of θ against the direction of travel, degrees";
-    let reversal = Check::at_most("theta-reversal", quantity, worst, limit, "deg", format!("{count} reversals"));
+    let reversal = Check::at_most(CheckId::ThetaReversal, quantity, worst, limit, "deg", format!("{count} reversals"));
     let reversal = reversal.at_location(before + 1, plan, blade);
     let outside = |i: usize| {
         let row = &plan.channel.rows[i];
@@ -30,6 +30,6 @@ pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<
     let note =
         if worst > limit { format!("between {:?} and {:?}", binds.binds_min, binds.binds_max) } else { String::new() };
     let quantity = "how far θ lies outside the channel, degrees";
-    let channel = Check::at_most("theta-channel", quantity, worst, limit, "deg", note);
+    let channel = Check::at_most(CheckId::ThetaChannel, quantity, worst, limit, "deg", note);
     vec![reversal, channel.at_location(row, plan, blade)]
 }

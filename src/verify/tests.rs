@@ -169,7 +169,7 @@ fn run(plan: Plan, blade: &Blade, options: &VerifyOptions) -> Verdict<Plan> {
 }
 
 fn find<'a>(report: &'a CheckReport, name: &str) -> &'a Check {
-    report.checks.iter().find(|c| c.name == name).unwrap()
+    report.checks.iter().find(|c| c.id == name.parse().unwrap()).unwrap()
 }
 
 /// The same plan a hundred times slower, so that no axis meets its limits.
@@ -178,15 +178,15 @@ fn slowly(mut plan: Plan) -> Plan {
     plan
 }
 
-fn failed(report: &CheckReport) -> Vec<&str> {
-    report.checks.iter().filter(|c| !c.passed).map(|c| c.name.as_str()).collect()
+fn failed(report: &CheckReport) -> Vec<String> {
+    report.checks.iter().filter(|c| !c.passed).map(|c| c.id.to_string()).collect()
 }
 
 #[test]
 fn a_clean_plan_passes_with_the_closed_form_figures() {
     let verdict = run(plan(5, 720, 0.0, helix), &blade(cylinder(), Rigid::identity()), &options());
     let report = verdict.report();
-    assert_eq!(failed(report), Vec::<&str>::new(), "{report:#?}");
+    assert_eq!(failed(report), Vec::<String>::new(), "{report:#?}");
     let h = |x: f64| BALL - (BALL * BALL - x * x).sqrt();
     let ridge = h(PITCH / 2.0);
     assert!((report.ridge_max_mm - ridge).abs() < 2e-5 && (report.ridge_p05_mm - ridge).abs() < 2e-5 * 20.0);
@@ -349,7 +349,7 @@ fn axis_limits_exceeded_are_found_and_placed() {
     let blade = blade(cylinder(), Rigid::identity());
     let limits = VerifyOptions { gouge_mm: 0.01, ..options() };
     let clean = plan(3, 180, 0.0, helix);
-    assert_eq!(failed(run(clean.clone(), &blade, &limits).report()), Vec::<&str>::new());
+    assert_eq!(failed(run(clean.clone(), &blade, &limits).report()), Vec::<String>::new());
     // One interval in a fifth of its time: A turns five times as fast, and jumps to it and back.
     let mut p = clean.clone();
     let step = p.motion.t_s[301] - p.motion.t_s[300];
@@ -363,7 +363,7 @@ fn axis_limits_exceeded_are_found_and_placed() {
     // Velocity columns are not trusted.
     p.motion = clean.motion.clone();
     p.motion.velocity = vec![Axes::from([1e9; 5]); p.motion.velocity.len()];
-    assert_eq!(failed(run(p, &blade, &limits).report()), Vec::<&str>::new());
+    assert_eq!(failed(run(p, &blade, &limits).report()), Vec::<String>::new());
     // Far outside the stroke of X, and not where the plan says.
     let mut p = clean.clone();
     for q in &mut p.motion.position {
@@ -379,7 +379,7 @@ fn axis_limits_exceeded_are_found_and_placed() {
     assert_eq!(find(&report, "axes-direction").row, Some(40));
     let mut p = plan(3, 180, 0.0, helix);
     p.motion.t_s[9] = p.motion.t_s[8];
-    assert!(failed(run(p, &blade, &limits).report()).contains(&"time"));
+    assert!(failed(run(p, &blade, &limits).report()).contains(&"time".to_owned()));
 }
 
 #[test]

@@ -18,7 +18,7 @@ use super::asked::Asked;
 use super::clearance;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan, Stand};
+use crate::artifact::{Blade, CheckId, Plan, Stand};
 
 /// Rows that are looked at along the path.
 const EVENLY: usize = 160;
@@ -94,7 +94,7 @@ fn rows(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
     }
     let quantity = "rows of the channel that cannot be";
     let note = wrong.first().map_or(String::new(), |(k, says)| format!("plan.json, channel row {k}: {says}"));
-    let check = Check::at_most("plan-channel", quantity, wrong.len() as f64, 0.0, "", note);
+    let check = Check::at_most(CheckId::PlanChannel, quantity, wrong.len() as f64, 0.0, "", note);
     match wrong.first() {
         Some((row, _)) => check.at_location(*row, plan, blade),
         None => check,
@@ -164,6 +164,6 @@ fn clear(plan: &Plan, blade: &Blade, apart: &[Apart]) -> Check {
     let worst = found.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let quantity = "how much is missing of the clearance between the walls of the channel, at places along the path";
     let (missing, row, note) = worst.unwrap_or((0.0, 0, format!("{} rows, {ANGLES} angles each", rows.len())));
-    let check = Check::at_most("channel-clear", quantity, missing, clearance::TOUCH_MM, "mm", note);
+    let check = Check::at_most(CheckId::ChannelClear, quantity, missing, clearance::TOUCH_MM, "mm", note);
     if missing > 0.0 { check.at_location(row, plan, blade) } else { check }
 }

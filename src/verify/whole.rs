@@ -24,7 +24,7 @@ use rayon::prelude::*;
 
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::CutterLocation;
-use crate::artifact::{AxisMotion, Blade, Plan};
+use crate::artifact::{AxisMotion, Blade, CheckId, Plan};
 use crate::geometry::Point;
 use crate::machine::Machine;
 
@@ -77,9 +77,9 @@ impl Found {
         }
     }
 
-    fn check(self, name: &str, quantity: &str, plan: &Plan, blade: &Blade) -> Check {
+    fn check(self, id: CheckId, quantity: &str, plan: &Plan, blade: &Blade) -> Check {
         let (row, note) = self.first.map_or((None, String::new()), |(row, says)| (Some(row), says));
-        let check = Check::at_most(name, quantity, self.count as f64, 0.0, "", note);
+        let check = Check::at_most(id, quantity, self.count as f64, 0.0, "", note);
         match row {
             Some(row) => check.at_location(row, plan, blade),
             None => check,
@@ -116,7 +116,7 @@ fn turns(plan: &Plan, blade: &Blade) -> Check {
         found.number(k + 1, "s_mm", pair[1].s_mm, pair[0].s_mm + step, LENGTH_MM * (1.0 + step));
     }
     let quantity = "locations whose turn or length is not what follows from turns and ball centres";
-    found.check("plan-turns", quantity, plan, blade)
+    found.check(CheckId::PlanTurns, quantity, plan, blade)
 }
 
 /// Contacts and normals.
@@ -139,7 +139,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
         format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
     };
     let note = path.locations.get(worst.1).filter(|_| worst.0 > CONTACT_MM).map_or(String::new(), says);
-    Check::at_most("plan-contacts", quantity, worst.0, CONTACT_MM, "mm", note).at_location(worst.1, plan, blade)
+    Check::at_most(CheckId::PlanContacts, quantity, worst.0, CONTACT_MM, "mm", note).at_location(worst.1, plan, blade)
 }
 
 /// All rows of the motion, leads and path, and the ball centre at each.
@@ -187,7 +187,7 @@ fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
         found.add(0, || {
             format!("plan.json: {n} times, but {lengths:?} feeds, velocities, accelerations, jerks and centres")
         });
-        return found.check("plan-motion", quantity, plan, blade);
+        return found.check(CheckId::PlanMotion, quantity, plan, blade);
     }
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let row = |k: usize| k.saturating_sub(plan.leads[0].centres.len()).min(last);
@@ -251,5 +251,5 @@ fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
         let want = (centres[k] - centres[k - 1]).norm() / (m.t_s[k] - m.t_s[k - 1]);
         found.number(row(k), "feed_mm_s", m.feed[k], want, FEED * want);
     }
-    found.check("plan-motion", quantity, plan, blade)
+    found.check(CheckId::PlanMotion, quantity, plan, blade)
 }

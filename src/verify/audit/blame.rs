@@ -4,6 +4,7 @@
 use super::legs::Legs;
 use super::report::{Limit, LineCheck, Worst};
 use super::{Scene, checks};
+use crate::artifact::CheckId;
 use crate::error::Result;
 use crate::machine::Machine;
 use crate::read::program::{Bench, Moved};
@@ -31,7 +32,7 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
             let quantity = format!(
                 "with the other sign of {name} there is contact, and neither gouge nor touch: {name} has the wrong sign in the program, or in the machine file"
             );
-            out.push(blamed(scene, "b-sign", &quantity, |m| m.to[leaning] != 0.0));
+            out.push(blamed(scene, CheckId::BSign, &quantity, |m| m.to[leaning] != 0.0));
         }
     }
     if well(scene, scene.moves, &machine.clone().with_axis_reversed(turning))? {
@@ -40,7 +41,7 @@ pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
         let quantity = format!(
             "with the other sense of {first} there is contact, and neither gouge nor touch: {first} turns the other way than {says} of the machine file says"
         );
-        out.push(blamed(scene, "a-sense", &quantity, |m| m.to[turning] != 0.0));
+        out.push(blamed(scene, CheckId::ASense, &quantity, |m| m.to[turning] != 0.0));
     }
     Ok(out)
 }
@@ -74,8 +75,8 @@ fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
     Ok(checks::clean(&other))
 }
 
-fn blamed(scene: &Scene, name: &str, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
-    let limit = Limit { name: name.into(), quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
+fn blamed(scene: &Scene, id: CheckId, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
+    let limit = Limit { id, quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
     let moved = scene.moves.iter().position(says);
     scene.judged(limit, &Worst { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
 }

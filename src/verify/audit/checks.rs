@@ -4,6 +4,7 @@ use super::legs::Kind;
 use super::report::{Limit, LineCheck, Worst};
 use super::{Scene, Source};
 use crate::artifact::program::Programmed;
+use crate::artifact::{AxisCheck, CheckId};
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::{self, Gouge};
@@ -26,7 +27,7 @@ pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
     let along: Vec<usize> = (0..cut.len()).filter(|i| passes.counts(*i)).collect();
     let share = along.len() as f64 / cut.iter().filter(|c| **c).count().max(1) as f64;
     let limit = Limit {
-        name: "contact".into(),
+        id: CheckId::Contact,
         quantity: "share of the feed legs in which the ball is at the part, greater than the limit".into(),
         limit: 0.0,
         unit: "",
@@ -48,7 +49,7 @@ pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
     let limit = Limit {
-        name: "gouge".into(),
+        id: CheckId::Gouge,
         quantity: "depth of the swept ball in the part at a feed".into(),
         limit: options.gouge_mm,
         unit: "mm",
@@ -114,10 +115,10 @@ fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
 pub(super) fn clearances(scene: &Scene) -> Vec<LineCheck> {
     let [cutter, holder] = scene.bench.tool.cutter_and_holder();
     let wanted = scene.legs.of(Kind::Cut);
-    let groups = [("clearance", "taper and shank", cutter), ("holder-clearance", "the holder", holder)];
-    let check = |(name, what, segments): (&str, &str, Vec<Segment>)| {
+    let groups = [(CheckId::Clearance, "taper and shank", cutter), (CheckId::HolderClearance, "the holder", holder)];
+    let check = |(id, what, segments): (CheckId, &str, Vec<Segment>)| {
         let limit = Limit {
-            name: name.into(),
+            id,
             quantity: format!("least distance of {what} to the part at a feed"),
             limit: 0.0,
             unit: "mm",
@@ -135,7 +136,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
         return None;
     }
     let limit = || Limit {
-        name: "rapid".into(),
+        id: CheckId::Rapid,
         quantity: "least distance of the whole tool to the part in rapids".into(),
         limit: 0.0,
         unit: "mm",
@@ -177,7 +178,7 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
         let limit = Limit {
-            name: format!("{}-travel", name.to_lowercase()),
+            id: CheckId::axis(name, AxisCheck::Travel),
             quantity: format!("how far axis {name} leaves its travel"),
             limit: 0.0,
             unit: own.unit(),
@@ -218,7 +219,7 @@ pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
         let worst = list.iter().copied().reduce(|best, v| if v.1 > best.1 { v } else { best })?;
         let (scale, unit) = (own.scale(), if own.is_rotary() { "deg/s" } else { "mm/s" });
         let limit = Limit {
-            name: format!("{}-velocity", own.name.to_lowercase()),
+            id: CheckId::axis(&own.name, AxisCheck::Velocity),
             quantity: format!("velocity of axis {} that a programmed feed asks for", own.name),
             limit: allowed * scale,
             unit,
@@ -250,7 +251,7 @@ pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<Li
     let at_part = source.blocks.iter().zip(&cuts).filter(|(_, cut)| **cut).map(|(b, _)| b);
     let tolerance_mm = scene.options.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
     let theirs = read_back::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
-    let end = source.last.then(|| read_back::end(source.script));
+    let end = source.last.then(|| read_back::end(CheckId::End, source.script));
     theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
 }
 

@@ -41,9 +41,9 @@ use rayon::prelude::*;
 
 use super::deviation::{self, Cut};
 use super::sweep::Sweep;
-use crate::artifact::Blade;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
+use crate::artifact::{Blade, CheckId};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
@@ -89,6 +89,9 @@ impl Default for AuditOptions {
         }
     }
 }
+
+/// Checks after whose failure signs are tried.
+const AWRY: [CheckId; 4] = [CheckId::Contact, CheckId::Gouge, CheckId::Clearance, CheckId::HolderClearance];
 
 /// Everything the checks look at.
 struct Scene<'a> {
@@ -213,10 +216,7 @@ fn audit_moves(
     let heights = scallop::heights(&scene, &passes);
     checks.extend(scallop::checks(&scene, &heights));
     step(4)?;
-    if checks
-        .iter()
-        .any(|c| !c.check.passed && ["contact", "gouge", "clearance", "holder-clearance"].contains(&&*c.check.name))
-    {
+    if checks.iter().any(|c| !c.check.passed && AWRY.contains(&c.check.id)) {
         checks.extend(blame::signs(&scene)?);
     }
     step(5)?;
@@ -238,7 +238,7 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     let found = checks::rapid(&scene);
     Ok(found.map(|f| {
         let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
-        Check { name: "program-rapids".into(), note: format!("{line}{}", f.check.note), ..f.check }
+        Check { id: CheckId::ProgramRapids, note: format!("{line}{}", f.check.note), ..f.check }
     }))
 }
 
@@ -260,7 +260,7 @@ pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
         let note = if f.check.passed { String::new() } else { format!("{line}{}", f.check.note) };
         let quantity =
             if f.check.passed { "how far an axis leaves its travel".into() } else { f.check.quantity.clone() };
-        Check { name: "program-travel".into(), quantity, note, ..f.check }
+        Check { id: CheckId::ProgramTravel, quantity, note, ..f.check }
     }))
 }
 

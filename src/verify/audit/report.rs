@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::Scene;
 use super::legs::Kind;
 use super::scallop::Heights;
+use crate::artifact::CheckId;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
@@ -93,7 +94,7 @@ pub(super) struct Worst {
 
 /// How a check is called and judged.
 pub(super) struct Limit {
-    pub name: String,
+    pub id: CheckId,
     pub quantity: String,
     pub limit: f64,
     pub unit: &'static str,
@@ -115,7 +116,7 @@ impl Scene<'_> {
         let value = if worst.value.is_finite() { worst.value } else { f64::MAX };
         LineCheck {
             check: Check {
-                name: limit.name,
+                id: limit.id,
                 quantity: limit.quantity,
                 worst: value,
                 limit: limit.limit,
@@ -136,7 +137,7 @@ impl Scene<'_> {
     /// What a program sets beside its motion, as a check placed in its text.
     pub(super) fn set(&self, found: Finding) -> LineCheck {
         let limit = Limit {
-            name: found.name.into(),
+            id: found.id,
             quantity: found.quantity.into(),
             limit: found.limit,
             unit: found.unit,

@@ -15,6 +15,7 @@ use rayon::prelude::*;
 use super::Scene;
 use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
+use crate::artifact::CheckId;
 use crate::geometry::Point;
 use crate::verify::samples::{self, Sample};
 use crate::verify::scallop::{REACH_SLACK, lift};
@@ -125,15 +126,15 @@ pub(super) fn checks(scene: &Scene, heights: &Heights) -> Vec<LineCheck> {
         return Vec::new();
     };
     let usual = median_gap(all);
-    let limit = |name: &str, quantity: String, value: f64, ratio: f64| Limit {
-        name: name.into(),
+    let limit = |id: CheckId, quantity: String, value: f64, ratio: f64| Limit {
+        id,
         quantity,
         limit: ratio * asked,
         unit: "mm",
         passed: value <= ratio * asked,
     };
     let quantity = "99th percentile of the height left between passes".to_owned();
-    let whole = limit("scallop", quantity, p99.height_mm, scene.options.scallop_ratio);
+    let whole = limit(CheckId::Scallop, quantity, p99.height_mm, scene.options.scallop_ratio);
     let note = format!(
         "{} places, highest {:.6}, median {:.6}; the place given is the highest{}",
         all.len(),
@@ -144,7 +145,7 @@ pub(super) fn checks(scene: &Scene, heights: &Heights) -> Vec<LineCheck> {
     let mut out = vec![scene.judged(whole, &scene.on_leg(p99.height_mm, highest.leg, Some(highest.point)), note)];
     if let Some((turn, p95, top)) = worst_turn(scene, all) {
         let quantity = "95th percentile of the height left between passes over one turn".to_owned();
-        let limit = limit("scallop-turn", quantity, p95.height_mm, scene.options.turn_ratio);
+        let limit = limit(CheckId::ScallopTurn, quantity, p95.height_mm, scene.options.turn_ratio);
         let note = format!("turn {turn}, highest {:.6}{}", top.height_mm, passes(&p95, usual));
         let mut check = scene.judged(limit, &scene.on_leg(p95.height_mm, top.leg, Some(top.point)), note);
         check.check.turn = Some(turn);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
+use crate::artifact::CheckId;
 use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::machine::Machine;
 use crate::observe::Silent;
@@ -19,7 +20,7 @@ fn run(text: &str, language: Language, zero: Zero) -> Result<Audit> {
 }
 
 fn find<'a>(audit: &'a Audit, name: &str) -> &'a LineCheck {
-    audit.checks.iter().find(|c| c.check.name == name).unwrap()
+    audit.checks.iter().find(|c| c.check.id == name.parse().unwrap()).unwrap()
 }
 
 /// Over the top of the cylinder (radius 20) along x, B = 0: the tip is at height 20, the gauge line
@@ -39,7 +40,7 @@ fn machine_axes_work_offsets_and_tool_lengths() {
     assert!((gouge.check.worst - 0.01).abs() < 0.001 && gouge.line == Some(3), "{gouge:?}");
     assert_eq!(gouge.block.as_deref(), Some("G1 Z159.99 F500"));
     // Neither sign of B nor sense of A would mend it.
-    assert!(!deep.checks.iter().any(|c| c.check.name == "b-sign" || c.check.name == "a-sense"));
+    assert!(!deep.checks.iter().any(|c| c.check.id == CheckId::BSign || c.check.id == CheckId::ASense));
     // The same with a work offset, and with the length to the tip by G43.
     let offset = Zero { axes_mm: [1400.0, 0.0, 100.0], ..Zero::default() };
     let text = along(60.0).replace("X14", "X").replace("Z300", "Z200");

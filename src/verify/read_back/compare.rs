@@ -7,7 +7,7 @@ use nalgebra::Vector4;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Cone, Motion, Plan, Stand};
+use crate::artifact::{Blade, CheckId, Cone, Motion, Plan, Stand};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
@@ -108,25 +108,31 @@ pub(super) fn checks(
     let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
     let chord_mm = plan.toolpath.chord_mm;
     let curve = c.curve.map(|worst| {
-        ("program-curve", "tool axis within a polynomial line off the schedule's curve", worst, DIRECTION_DEG, "deg")
+        (
+            CheckId::ProgramCurve,
+            "tool axis within a polynomial line off the schedule's curve",
+            worst,
+            DIRECTION_DEG,
+            "deg",
+        )
     });
     [
-        ("program-centre", "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
+        (CheckId::ProgramCentre, "ball centre after a line off the planned path", c.centre, CENTRE_MM, "mm"),
         (
-            "program-direction",
+            CheckId::ProgramDirection,
             "tool axis off the planned one, or turned to it another way round",
             c.direction,
             DIRECTION_DEG,
             "deg",
         ),
-        ("program-chord", "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
-        ("program-missing", "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
-        ("program-feed", "relative difference of the time of a line", c.feed, FEED, ""),
-        ("program-time", "relative difference of the whole time", off, TIME, ""),
+        (CheckId::ProgramChord, "ball centre within a line off the planned path", c.chord, chord_mm, "mm"),
+        (CheckId::ProgramMissing, "cutter location off the program's path", c.missing, chord_mm.max(CENTRE_MM), "mm"),
+        (CheckId::ProgramFeed, "relative difference of the time of a line", c.feed, FEED, ""),
+        (CheckId::ProgramTime, "relative difference of the whole time", off, TIME, ""),
     ]
     .into_iter()
     .chain(curve)
-    .map(|(name, quantity, worst, limit, unit)| {
+    .map(|(id, quantity, worst, limit, unit)| {
         let at = c.motion.rows().get(worst.row);
         let point = at.map(|r| blade.model_from_blade * r.stand.centre);
         let last = plan.toolpath.locations.len().saturating_sub(1);
@@ -140,7 +146,7 @@ pub(super) fn checks(
             row: Some(worst.row.saturating_sub(before).min(last)),
             turn: plan.toolpath.locations.get(worst.row.saturating_sub(before).min(last)).map(|l| l.turn),
             point_mm: point.map(|p| [p.x, p.y, p.z]),
-            ..Check::at_most(name, quantity, worst.value, limit, unit, note)
+            ..Check::at_most(id, quantity, worst.value, limit, unit, note)
         }
     })
     .collect()

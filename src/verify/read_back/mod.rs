@@ -36,7 +36,7 @@ pub(super) use setting::{Finding, end, theirs};
 use super::audit;
 use crate::artifact::program::{Asked, Language, Program};
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, Plan};
+use crate::artifact::{Blade, CheckId, Plan};
 use crate::error::Result;
 use crate::machine::Machine;
 use crate::read::program::{Bench, Zero, follow_each, read};
@@ -74,7 +74,7 @@ pub fn read_back_each(
     let (language, zero) = (program.language, Zero::default());
     let benches: Vec<Bench> = operations.iter().map(|o| Bench { language, zero, tool: o.tool, machine }).collect();
     let moves = follow_each(&script.blocks, &benches)?;
-    let mut out = vec![setting::end(&script).of_own(program)];
+    let mut out = vec![setting::end(CheckId::ProgramEnd, &script).of_own(program)];
     let mut rest = &script.blocks[..];
     for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
         let (blocks, later) = rest.split_at(moves.len().min(rest.len()));

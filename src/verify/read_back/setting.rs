@@ -1,6 +1,7 @@
 //! What a program sets beside its motion: that it ends, tool, length offset, spindle, how far the
 //! control may leave the path, work offset.
 
+use crate::artifact::CheckId;
 use crate::artifact::program::{Asked, LengthOffset, Program, Setting, Turning};
 use crate::artifact::report::Check;
 use crate::read::program::{Block, Call, Feed, Script};
@@ -18,8 +19,8 @@ const CUTTER_MM: f64 = 0.01;
 /// A check, with its line.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::verify) struct Finding {
-    /// Name, without what it is of.
-    pub name: &'static str,
+    /// Which check.
+    pub id: CheckId,
     /// What was measured.
     pub quantity: &'static str,
     /// Worst value.
@@ -40,20 +41,20 @@ impl Finding {
         let line = self.line.map(|l| format!(", line {l}")).unwrap_or_default();
         let note = if self.note.is_empty() { String::new() } else { format!("; {}", self.note) };
         let note = format!("{}{line}{note}", program.file_name);
-        Check::at_most(&format!("program-{}", self.name), self.quantity, self.worst, self.limit, self.unit, note)
+        Check::at_most(self.id, self.quantity, self.worst, self.limit, self.unit, note)
     }
 }
 
 /// How many lines are wrong, and what is wrong in the first.
-fn counted(name: &'static str, quantity: &'static str, wrong: impl Iterator<Item = (usize, String)>) -> Finding {
+fn counted(id: CheckId, quantity: &'static str, wrong: impl Iterator<Item = (usize, String)>) -> Finding {
     let mut first = None;
     let count = wrong.map(|w| first.get_or_insert(w).0).count();
     let (line, note) = first.map_or((None, String::new()), |(line, note)| (Some(line), note));
-    Finding { name, quantity, worst: count as f64, limit: 0.0, unit: "lines", line, note }
+    Finding { id, quantity, worst: count as f64, limit: 0.0, unit: "lines", line, note }
 }
 
 /// That a program ends, and that nothing stands behind its end.
-pub(in crate::verify) fn end(script: &Script) -> Finding {
+pub(in crate::verify) fn end(id: CheckId, script: &Script) -> Finding {
     let last = script.blocks.last().map_or(1, |b| b.line);
     let note = |line: &usize| {
         let end = script.end.unwrap_or(0);
@@ -61,7 +62,7 @@ pub(in crate::verify) fn end(script: &Script) -> Finding {
     };
     let none = script.end.is_none().then(|| (last, "the program has no end: the file may be cut off".to_owned()));
     counted(
-        "end",
+        id,
         "lines that a program without its end lacks, or has behind it",
         script.behind.iter().map(note).chain(none),
     )
@@ -83,9 +84,9 @@ pub(in crate::verify) fn own<'a>(
     let rpm = asked.map(|a| a.spindle_rpm);
     let length = asked.map(|a| a.setting.length);
     let mut out = vec![
-        tools(script, blocks, asked.map(|a| a.tool_number), tool),
-        lengths(script, cuts.clone(), length),
-        spindle(cuts.clone(), rpm),
+        tools(CheckId::ProgramTool, script, blocks, asked.map(|a| a.tool_number), tool),
+        lengths(CheckId::ProgramToolLength, script, cuts.clone(), length),
+        spindle(CheckId::ProgramSpindle, cuts.clone(), rpm),
     ];
     if let Some(asked) = asked {
         out.push(smoothing_as_written(cuts.clone(), asked));
@@ -106,7 +107,7 @@ pub(in crate::verify) fn theirs<'a>(
     let widest = cuts.clone().filter_map(|b| b.setting.tolerance_mm.map(|t| (b.line, t)));
     let widest = widest.reduce(|a, b| if b.1 > a.1 { b } else { a });
     let smoothing = Finding {
-        name: "smoothing",
+        id: CheckId::Smoothing,
         quantity: "how far the program lets the control leave the path",
         worst: widest.map_or(0.0, |w| w.1),
         limit: tolerance_mm,
@@ -115,11 +116,16 @@ pub(in crate::verify) fn theirs<'a>(
         note: "the limit is the greater of the gouge and the scallop that are allowed".into(),
     };
     // With another length the tool may be anywhere but at the part.
-    [tools(script, blocks, None, tool), lengths(script, at_feed(blocks), None), spindle(cuts, None), smoothing]
+    [
+        tools(CheckId::Tool, script, blocks, None, tool),
+        lengths(CheckId::ToolLength, script, at_feed(blocks), None),
+        spindle(CheckId::Spindle, cuts, None),
+        smoothing,
+    ]
 }
 
 /// One tool, the one that was asked for, and the one that the file was computed for.
-fn tools(script: &Script, blocks: &[Block], asked: Option<u32>, tool: &Tool) -> Finding {
+fn tools(id: CheckId, script: &Script, blocks: &[Block], asked: Option<u32>, tool: &Tool) -> Finding {
     let name = |call: &Call| call.tool.clone().unwrap_or_else(|| "not named".into());
     let call = |b: &Block| b.tool_calls.checked_sub(1).and_then(|k| script.calls.get(k));
     // Moves in positions of the axes go to and from a change.
@@ -144,7 +150,7 @@ fn tools(script: &Script, blocks: &[Block], asked: Option<u32>, tool: &Tool) -> 
         let same = (d - 2.0 * tool.radius_mm).abs() <= CUTTER_MM && (r - tool.radius_mm).abs() <= CUTTER_MM;
         (!same).then(|| (line, format!("the file was computed for a cutter of diameter {d} and corner radius {r} mm")))
     });
-    counted("tool", "lines with another tool than the one that is given", wrong.chain(other))
+    counted(id, "lines with another tool than the one that is given", wrong.chain(other))
 }
 
 /// As a length offset counts in a line: Siemens takes the first edge where none is said.
@@ -166,7 +172,12 @@ fn in_words(length: LengthOffset) -> String {
 
 /// The length of the tool: on wherever a point over the part is programmed, of the tool that was
 /// called, and the same all over.
-fn lengths<'a>(script: &Script, cuts: impl Iterator<Item = &'a Block>, asked: Option<LengthOffset>) -> Finding {
+fn lengths<'a>(
+    id: CheckId,
+    script: &Script,
+    cuts: impl Iterator<Item = &'a Block>,
+    asked: Option<LengthOffset>,
+) -> Finding {
     let mut first: Option<(usize, LengthOffset)> = None;
     let wrong = cuts.filter(|b| !b.machine).filter_map(|b| {
         let length = counts(b.setting.length, b);
@@ -187,11 +198,11 @@ fn lengths<'a>(script: &Script, cuts: impl Iterator<Item = &'a Block>, asked: Op
         };
         Some((b.line, what))
     });
-    counted("tool-length", "lines at a feed with another length of the tool than its own", wrong)
+    counted(id, "lines at a feed with another length of the tool than its own", wrong)
 }
 
 /// The spindle turns, the way that cutters cut, at a speed that there is.
-fn spindle<'a>(cuts: impl Iterator<Item = &'a Block>, asked: Option<f64>) -> Finding {
+fn spindle<'a>(id: CheckId, cuts: impl Iterator<Item = &'a Block>, asked: Option<f64>) -> Finding {
     let wrong = cuts.filter_map(|b| {
         let what = match (b.setting.turning, b.setting.rpm) {
             (Turning::Off, _) => "the spindle stands".to_owned(),
@@ -208,7 +219,7 @@ fn spindle<'a>(cuts: impl Iterator<Item = &'a Block>, asked: Option<f64>) -> Fin
         };
         Some((b.line, what))
     });
-    counted("spindle", "lines at a feed with the spindle off, the wrong way or at another speed", wrong)
+    counted(id, "lines at a feed with the spindle off, the wrong way or at another speed", wrong)
 }
 
 /// How far the control may leave the path, and how rotary axes go, as the program was written.
@@ -227,7 +238,7 @@ fn smoothing_as_written<'a>(cuts: impl Iterator<Item = &'a Block>, asked: &Asked
         };
         Some((b.line, what))
     });
-    counted("smoothing", "lines in which the control may leave the path further than planned", wrong)
+    counted(CheckId::ProgramSmoothing, "lines in which the control may leave the path further than planned", wrong)
 }
 
 /// The work offset that the program was written in.
@@ -235,7 +246,7 @@ fn frame<'a>(script: &Script, cuts: impl Iterator<Item = &'a Block>, asked: &Ask
     let name = |f: Option<u32>| f.map_or_else(|| "no work offset".to_owned(), |f| format!("G{f}"));
     let what = || format!("{}, written with {}", name(script.frame), name(asked.frame));
     let wrong = cuts.filter(|_| script.frame != asked.frame).map(|b| (b.line, what()));
-    counted("frame", "lines at a feed in another work offset than the one written", wrong)
+    counted(CheckId::ProgramFrame, "lines at a feed in another work offset than the one written", wrong)
 }
 
 /// What an operation is set to where it begins to move at a feed; operations follow tool calls.

@@ -3,6 +3,7 @@
 //! Looks at the text alone, token by token, so that it holds for lines that no reader makes a move
 //! of as well.
 
+use crate::artifact::CheckId;
 use crate::artifact::program::{Grammar, Program, WordRange};
 use crate::artifact::report::Check;
 
@@ -19,7 +20,7 @@ pub(super) fn check(program: &Program) -> Check {
         }
     }
     let note = first.unwrap_or_else(|| program.file_name.clone());
-    Check::at_most("program-words", "words that the control does not read", found as f64, 0.0, "words", note)
+    Check::at_most(CheckId::ProgramWords, "words that the control does not read", found as f64, 0.0, "words", note)
 }
 
 /// What is wrong with a value; `None`: nothing, or it is no number.

@@ -15,6 +15,7 @@
 
 use super::Run;
 use super::dialect::PostFile;
+use crate::artifact::CheckId;
 use crate::artifact::program::Programmed;
 
 /// Step in which a control computes angles, degrees: with its default of 1000 increments a degree.
@@ -38,7 +39,7 @@ pub(super) fn of(run: &Run, file: &PostFile) -> Smoothing {
     let (Some(step), None) = (file.resolution_mm, o.smoothing_mm) else {
         return Smoothing { mm: o.smoothing_mm.unwrap_or(chord_mm) * file.tolerance_factor, ..asked };
     };
-    let gouges = run.report.checks.iter().filter(|c| c.name.starts_with("gouge") && c.unit == "mm");
+    let gouges = run.report.checks.iter().filter(|c| [CheckId::Gouge, CheckId::GougeSurface].contains(&c.id));
     let left = gouges.map(|c| c.limit - c.worst.max(0.0)).fold(f64::INFINITY, f64::min);
     let room = if left.is_finite() { left - 0.5 * chord_mm } else { 0.0 };
     // A millionth more, so that a room of two steps is not one for its last digit.

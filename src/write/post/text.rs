@@ -280,7 +280,7 @@ fn checks(run: &Run, lines: &mut Lines) {
     }
     for c in &run.report.checks {
         let verdict = if c.passed { "ok    " } else { "FAILED" };
-        lines.comment(&format!("  {verdict} {}: {:.6} {u}, limit {:.6} {u}", c.name, c.worst, c.limit, u = c.unit));
+        lines.comment(&format!("  {verdict} {}: {:.6} {u}, limit {:.6} {u}", c.id, c.worst, c.limit, u = c.unit));
     }
 }
 

@@ -1,6 +1,7 @@
 //! Machines whose axes are others than the demo machine's.
 
 use super::*;
+use crate::artifact::CheckId;
 use crate::artifact::program::Programmed;
 use crate::geometry::Vector;
 use crate::machine::{Carries, DEMO_TOML, MachineFile, PositiveA, PositiveB};
@@ -86,7 +87,7 @@ fn every_dialect_reads_back_on_every_chain() {
             let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
             // The small part of the sample stands about anywhere on these machines: rapids are
             // judged with real ones.
-            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.name != "program-rapids").collect();
+            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.id != CheckId::ProgramRapids).collect();
             assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
             let cuts = |l: &&str| (l.contains(" X") || l.contains(" PO[X]")) && l.contains(" F");
             let cutting: Vec<&str> = p.text.lines().filter(cuts).collect();
@@ -185,7 +186,7 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
                 lines[..g43].iter().chain(&["G0 A90"]).chain(&lines[g43..]).map(|l| format!("{l}\n")).collect();
             if k < 2 {
                 let bad = read_back(&Program { text: turned, ..p.clone() }, &plan, &blade, &tool, &machine).unwrap();
-                assert!(bad.iter().any(|c| !c.passed && c.name == "program-missing"), "{k} {control:?}");
+                assert!(bad.iter().any(|c| !c.passed && c.id == CheckId::ProgramMissing), "{k} {control:?}");
             }
         }
     }
@@ -228,13 +229,13 @@ fn cones_that_change_along_the_path_are_carried_through() {
             let verified = Verified::for_tests(plan.clone(), sample::report(), false);
             let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
             let checks = read_back(&p, &plan, &blade, &tool, &machine).unwrap();
-            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.name != "program-rapids").collect();
+            let bad: Vec<_> = checks.iter().filter(|c| !c.passed && c.id != CheckId::ProgramRapids).collect();
             assert!(bad.is_empty(), "{k} {control:?}: {bad:#?}");
             // The same text is not the program of the plan with one cone.
             let mut other = plan.clone();
             other.toolpath = other.toolpath.with_cones(Cones::about_blade(sample::B_RAD));
             let wrong = read_back(&p, &other, &blade, &tool, &machine).unwrap();
-            assert!(wrong.iter().any(|c| !c.passed && c.name == "program-direction"), "{k} {control:?}");
+            assert!(wrong.iter().any(|c| !c.passed && c.id == CheckId::ProgramDirection), "{k} {control:?}");
         }
     }
 }

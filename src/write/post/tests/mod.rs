@@ -232,7 +232,7 @@ fn every_dialect_reads_back_as_the_plan() {
     for (plan, control) in plans.iter().flat_map(|p| Control::ALL.map(|c| (p, c))) {
         let p = program(control, plan.clone(), false, &options()).unwrap();
         for c in read_back(&p, plan, &blade, &tool, &machine).unwrap() {
-            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.id, c.worst, c.unit, c.note);
         }
         let longest = Dialect::built_in(control).unwrap().file.longest_line;
         assert!(p.text.is_ascii() && p.text.lines().all(|l| l.len() <= longest), "{control:?}");
@@ -253,7 +253,7 @@ fn failing(control: Control, plan: &Plan, change: &dyn Fn(&str) -> String) -> Ve
     let mut p = program(control, plan.clone(), false, &options()).unwrap();
     p.text = change(&p.text);
     let checks = read_back(&p, plan, &sample::blade(), &sample::tool(), &Machine::demo().unwrap()).unwrap();
-    checks.into_iter().filter(|c| !c.passed).map(|c| c.name).collect()
+    checks.into_iter().filter(|c| !c.passed).map(|c| c.id.to_string()).collect()
 }
 
 #[test]
@@ -388,7 +388,7 @@ fn a_program_from_a_turn_on_is_the_rest_of_the_whole() {
         assert!(!rest.text.contains("Turn 2 of 4"));
         let left = planned(&plan, &from).unwrap();
         for c in read_back(&rest, &left, &blade, &tool, &machine).unwrap() {
-            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+            assert!(c.passed, "{control:?}: {} is {} {} at {}", c.id, c.worst, c.unit, c.note);
         }
         // Its cutting is that of the whole, to the digit; whole turns of A before it are dropped.
         if control == Control::Linuxcnc {

@@ -38,7 +38,7 @@ impl Two {
         let checks = read_back_each(program, &made, &sample::blade(), &Machine::demo().unwrap()).unwrap();
         assert!(checks.len() >= 12 - 2, "{checks:?}");
         let bad = checks.iter().filter(|c| !c.passed);
-        bad.map(|c| format!("{} {} {}", c.name, c.note.split(';').next().unwrap_or(""), c.worst)).collect()
+        bad.map(|c| format!("{} {} {}", c.id, c.note.split(';').next().unwrap_or(""), c.worst)).collect()
     }
 }
 

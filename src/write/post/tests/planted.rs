@@ -4,6 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
+use crate::artifact::CheckId;
 use crate::artifact::program::Grammar;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
@@ -121,16 +122,16 @@ impl Shop {
     }
 
     fn find<'a>(&self, found: &'a [LineCheck], name: &str) -> &'a LineCheck {
-        let names: Vec<&str> = found.iter().map(|c| c.check.name.as_str()).collect();
+        let names: Vec<String> = found.iter().map(|c| c.check.id.to_string()).collect();
         found
             .iter()
-            .find(|c| c.check.name == name)
+            .find(|c| c.check.id == name.parse().unwrap())
             .unwrap_or_else(|| panic!("{:?}: {name} not in {names:?}", self.control))
     }
 
     fn only(&self, found: &[LineCheck], names: &[&str]) {
-        let got: Vec<&str> = found.iter().map(|c| c.check.name.as_str()).collect();
-        assert!(got.iter().all(|n| names.contains(n)), "{:?}: {got:?}", self.control);
+        let got: Vec<String> = found.iter().map(|c| c.check.id.to_string()).collect();
+        assert!(got.iter().all(|n| names.contains(&n.as_str())), "{:?}: {got:?}", self.control);
     }
 }
 
@@ -289,9 +290,10 @@ fn a_swapped_sign_of_b_is_found_and_named() {
         assert!(
             found
                 .iter()
-                .any(|c| ["contact", "gouge", "clearance", "holder-clearance"].contains(&c.check.name.as_str()))
+                .any(|c| ["contact", "gouge", "clearance", "holder-clearance"]
+                    .contains(&c.check.id.to_string().as_str()))
         );
-        assert!(!found.iter().any(|c| c.check.name == "a-sense"), "{:?}", s.control);
+        assert!(!found.iter().any(|c| c.check.id == CheckId::ASense), "{:?}", s.control);
     }
 }
 

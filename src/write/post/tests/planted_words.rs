@@ -4,6 +4,7 @@
 
 use super::planted::Shop;
 use super::*;
+use crate::artifact::CheckId;
 use crate::error::Result;
 use crate::verify::audit::{Audit, AuditOptions, audit};
 
@@ -311,23 +312,23 @@ impl Bench {
     }
 
     /// Names of what fails, and the line of the first of them, by an audit.
-    fn told_theirs(&self, text: &str) -> Result<Vec<(String, Option<usize>)>> {
+    fn told_theirs(&self, text: &str) -> Result<Vec<(CheckId, Option<usize>)>> {
         let audit = self.theirs(text)?;
-        Ok(audit.checks.into_iter().filter(|c| !c.check.passed).map(|c| (c.check.name, c.line)).collect())
+        Ok(audit.checks.into_iter().filter(|c| !c.check.passed).map(|c| (c.check.id, c.line)).collect())
     }
 
     /// The same by reading the own program back.
-    fn told_own(&self, text: &str) -> Result<Vec<(String, Option<usize>)>> {
+    fn told_own(&self, text: &str) -> Result<Vec<(CheckId, Option<usize>)>> {
         let program = Program { text: text.to_owned(), ..self.shop.program.clone() };
         let s = &self.shop;
         let checks = read_back(&program, &self.plan, &s.blade, &s.tool, &s.machine)?;
         let line = |note: &str| note.split("line ").nth(1)?.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok();
-        Ok(checks.into_iter().filter(|c| !c.passed).map(|c| (c.name, line(&c.note))).collect())
+        Ok(checks.into_iter().filter(|c| !c.passed).map(|c| (c.id, line(&c.note))).collect())
     }
 
     /// Whether what came of a fault is what must come of it, placed behind the middle of the cut
     /// where it was planted there.
-    fn judge(&self, edit: Edit, told: Result<Vec<(String, Option<usize>)>>, must: Told) {
+    fn judge(&self, edit: Edit, told: Result<Vec<(CheckId, Option<usize>)>>, must: Told) {
         let who = format!("{:?} {edit:?}: {told:?}, not {must:?}", self.shop.control);
         match (told, must) {
             (Err(e), Refused) => {
@@ -339,7 +340,8 @@ impl Bench {
                 }
             }
             (Ok(found), Found(name)) => {
-                let (_, line) = found.iter().find(|(n, _)| n == name).unwrap_or_else(|| panic!("{who}"));
+                let (_, line) =
+                    found.iter().find(|(id, _)| *id == name.parse().unwrap()).unwrap_or_else(|| panic!("{who}"));
                 if matches!(edit, Line(_)) {
                     assert!(line.is_some_and(|l| (self.middle..self.middle + 8).contains(&l)), "{who}");
                 }

@@ -2,6 +2,7 @@
 //! moves, and that a wrong coefficient is found.
 
 use super::*;
+use crate::artifact::CheckId;
 use crate::geometry::Vector;
 use crate::observe::Silent;
 use crate::read::program::{self, Bench, Moved, Zero};
@@ -29,7 +30,7 @@ fn the_curve_is_carried_without_loss_and_in_no_more_blocks() {
         let plan = curved(per_piece);
         let p = program(Control::SiemensPoly, plan.clone(), false, &options()).unwrap();
         for c in read_back(&p, &plan, &sample::blade(), &tool, &machine).unwrap() {
-            assert!(c.passed, "{} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+            assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
         }
         let moves = polynomials(&p, &tool, &machine);
         let lines = |control: Control, word: &str| {
@@ -102,13 +103,13 @@ fn a_wrong_coefficient_is_found_and_placed() {
     ] {
         let bad = Program { text: planted(&good.text, line, word, k, by), ..good.clone() };
         let checks = read_back(&bad, &plan, &blade, &tool, &machine).unwrap();
-        let found = checks.iter().find(|c| !c.passed && c.name == name);
+        let found = checks.iter().find(|c| !c.passed && c.id == name.parse().unwrap());
         assert!(found.is_some_and(|c| c.note.contains(&format!("line {line}"))), "{word} {k}: {checks:#?}");
     }
     // A curve that is left out altogether.
     let straight = straightened(&good.text);
     let checks = read_back(&Program { text: straight, ..good.clone() }, &plan, &blade, &tool, &machine).unwrap();
-    assert!(checks.iter().any(|c| !c.passed && c.name == "program-curve"));
+    assert!(checks.iter().any(|c| !c.passed && c.id == CheckId::ProgramCurve));
     // Without a plan: a coefficient that takes the ball 5 µm into the part, halfway, with both ends
     // where they belong.
     let m = polynomials(&good, &tool, &machine)[70];
@@ -117,7 +118,7 @@ fn a_wrong_coefficient_is_found_and_placed() {
     let text = planted(&planted(&good.text, line, "Y", 1, inward.y), line, "Z", 1, inward.z);
     let options = AuditOptions { surface_samples: 500, gouge_mm: 0.004, ..AuditOptions::default() };
     let look = |text: &str| audit(text, &blade, &bench(&good, &tool, &machine), &options, &Silent).unwrap();
-    let gouge = |text: &str| look(text).checks.into_iter().find(|c| c.check.name == "gouge").unwrap();
+    let gouge = |text: &str| look(text).checks.into_iter().find(|c| c.check.id == CheckId::Gouge).unwrap();
     let (before, after) = (gouge(&good.text), gouge(&text));
     assert!(after.line == Some(line) && after.check.worst > before.check.worst + 0.004, "{before:?} {after:?}");
 }
@@ -142,7 +143,7 @@ fn polynomials_are_positions_where_the_axis_counts_on() {
     let p = post(&dialect, &verified, &blade, &tool, &machine, &options()).unwrap();
     assert!(!p.text.lines().any(|l| l.starts_with('N') && l.contains("G91")));
     for c in read_back(&p, &plan, &blade, &tool, &machine).unwrap() {
-        assert!(c.passed, "{} is {} {} at {}", c.name, c.worst, c.unit, c.note);
+        assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
     }
     // At most two coefficients and the end.
     let most = p

@@ -1,8 +1,8 @@
 //! Programs inside what their controls read, and what heads them.
 
 use super::*;
-use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
+use crate::artifact::{Axes, CheckId};
 use crate::machine::Axis;
 use crate::read::program::{self, Bench, Moved, Zero};
 
@@ -11,7 +11,7 @@ fn checks(p: &Program, plan: &Plan) -> Vec<crate::artifact::report::Check> {
 }
 
 fn failed(p: &Program, plan: &Plan) -> Vec<String> {
-    checks(p, plan).into_iter().filter(|c| !c.passed).map(|c| format!("{} {} {}", c.name, c.worst, c.note)).collect()
+    checks(p, plan).into_iter().filter(|c| !c.passed).map(|c| format!("{} {} {}", c.id, c.worst, c.note)).collect()
 }
 
 fn moves(p: &Program) -> Vec<Moved> {
@@ -165,7 +165,7 @@ fn siemens_words_never_add_up_to_a_drift() {
     assert!(worst(&p) <= 0.000_506, "{}", worst(&p));
     // X Y Z of the tip are rounded as well: 0.0005 mm each, and the ball centre by no more than
     // that and the axis together.
-    let centre = checks(&p, &plan).into_iter().find(|c| c.name == "program-centre").unwrap();
+    let centre = checks(&p, &plan).into_iter().find(|c| c.id == CheckId::ProgramCentre).unwrap();
     assert!(centre.worst < 0.0005 * 3f64.sqrt() + 5.0 * 0.000_506f64.to_radians() + 1e-5, "{centre:?}");
     let steps = Control::Siemens
         .post_file()

@@ -33,7 +33,7 @@ fn verdict(input: &ReportInput) -> (&'static str, &'static str, String) {
     if bad == 0 {
         ("good", "✓", format!("All {all} checks passed"))
     } else {
-        let names: Vec<&str> = report.checks.iter().filter(|c| !c.passed).map(|c| c.name.as_str()).collect();
+        let names: Vec<String> = report.checks.iter().filter(|c| !c.passed).map(|c| c.id.to_string()).collect();
         ("bad", "✗", format!("{bad} of {all} checks failed: {}", escape(&names.join(", "))))
     }
 }
@@ -51,7 +51,7 @@ pub(super) fn checks(input: &ReportInput) -> String {
         body.push_str(&format!(
             "<tr><td class=\"{class}\">{word}</td><th scope=\"row\">{}</th><td class=\"n\">{}</td>\
              <td class=\"n\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-            escape(&c.name),
+            escape(&c.id.to_string()),
             figure(&input.verify, &format!("/checks/{k}/worst")),
             figure(&input.verify, &format!("/checks/{k}/limit")),
             escape(&c.unit),
