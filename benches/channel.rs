@@ -294,12 +294,8 @@ fn main() {
     } else {
         &[10_000, 100_000, 200_000, 1_000_000]
     };
-    let options = ChannelOptions {
-        clearance_mm: 0.0,
-        holder_clearance_mm: 0.0,
-        contact_angle_max_rad: std::f64::consts::PI,
-        ..ChannelOptions::default()
-    };
+    let options = ChannelOptions::default()
+        .with(|s| (s.clearance_mm, s.holder_clearance_mm, s.contact_angle_max_deg) = (0.0, 0.0, 180.0));
     let (tool, path) = (tool(), helix(count));
     println!("{count} locations, {} threads", rayon::current_num_threads());
     for &size in sizes {

@@ -251,12 +251,12 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let mut options = PathOptions::new(tool.radius_mm, 0.01);
     let first = path::plan(&blade, &options, &Silent).map_err(|e| e.message)?;
     let length = first.locations.last().map_or(1.0, |l| l.s_mm);
-    options.max_step_mm = (length / LOCATIONS).min(options.max_step_mm);
+    options.settings.max_step_mm = (length / LOCATIONS).min(options.settings.max_step_mm);
     let path = path::plan(&blade, &options, &Silent).map_err(|e| e.message)?;
     let channel = channel::plan(&blade, &tool, &path, &ChannelOptions::default(), &Silent).map_err(|e| e.message)?;
     let machine = Machine::demo().map_err(|e| e.message)?;
     let feed = FeedOptions::new(2000.0, tool.length_mm());
-    let (f, a) = (feed.feed_mm_min / 60.0, machine.axes()[machine.turning_axis()].limits);
+    let (f, a) = (feed.settings.feed_mm_min / 60.0, machine.axes()[machine.turning_axis()].limits);
     let pace = Some(Pace { rate: a.velocity / f, second: a.acceleration / (f * f), standing_mm: 0.0 });
     let _ = writeln!(out, "{}: {} cutter locations, {length:.0} mm", model.display(), path.locations.len());
     let kinds = [
@@ -271,7 +271,7 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     ];
     let _ = writeln!(out, "{:28} {:>10} {:>16} {:>22}", "schedule", "s", "feed, no jerk: s", "feed within jerk: s");
     for (name, kind, measure) in kinds {
-        let options = ScheduleOptions { measure, pace, ..ScheduleOptions::default() };
+        let options = ScheduleOptions { pace, ..ScheduleOptions::default() }.with(|s| s.measure = measure);
         let start = Instant::now();
         let made = match schedule::plan(kind, &path, &channel, &options, &Silent) {
             Ok(s) => s,

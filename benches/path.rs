@@ -46,12 +46,13 @@ fn now(start: &Instant) -> f64 {
 
 /// The helix, with steps such that it has about the number of locations wanted.
 fn helix(out: &mut String, name: &str, blade: &Blade, radius_mm: f64, kind: PathKind) {
-    let mut options = PathOptions { kind, ..PathOptions::new(radius_mm, 0.01) };
+    let mut options = PathOptions::new(radius_mm, 0.01).with(|s| s.kind = kind);
     let [a, b] = blade.regions.airfoil_x_mm();
     options.extent = Extent::heights(Some(b - 0.2 * (b - a)), Some(a + 0.4 * (b - a)));
     let first = path::plan(blade, &options, &Silent);
     if let Ok(p) = &first {
-        options.max_step_mm = (p.locations.last().map_or(1.0, |l| l.s_mm) / LOCATIONS).min(options.max_step_mm);
+        options.settings.max_step_mm =
+            (p.locations.last().map_or(1.0, |l| l.s_mm) / LOCATIONS).min(options.settings.max_step_mm);
     }
     let start = Instant::now();
     match path::plan(blade, &options, &Silent) {

@@ -49,6 +49,7 @@ pub mod run;
 pub(crate) mod sample;
 pub mod schedule;
 pub mod section;
+pub(crate) mod settings;
 pub mod tool;
 pub mod verify;
 pub mod write;

@@ -69,12 +69,8 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
 /// Chords so short that they do not lower the ridges: on these round forms each sags by up to the
 /// tolerance all along.
 fn options(kind: PathKind, region: [f64; 2]) -> PathOptions {
-    PathOptions {
-        kind,
-        chord_mm: 3e-5,
-        extent: Extent::heights(Some(region[0]), Some(region[1])),
-        ..PathOptions::new(RADIUS, SCALLOP)
-    }
+    PathOptions { extent: Extent::heights(Some(region[0]), Some(region[1])), ..PathOptions::new(RADIUS, SCALLOP) }
+        .with(|s| (s.kind, s.chord_mm) = (kind, 3e-5))
 }
 
 /// A closed form: the part, where its path runs, and the signed curvature across it (positive:
@@ -299,7 +295,7 @@ fn departure(form: &Form, a: &Point, b: &Point) -> f64 {
 /// Greatest distance of the straight moves from the surface of ball centres, and the error of the
 /// whole length, mm.
 fn errors(form: &Form, chord_mm: f64, exact_mm: f64) -> (f64, f64) {
-    let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantHeight, [14.0, 6.0]) };
+    let o = options(PathKind::ConstantHeight, [14.0, 6.0]).with(|s| (s.chord_mm, s.max_step_mm) = (chord_mm, 20.0));
     let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
     let worst = path.locations.windows(2).map(|w| departure(form, &w[0].centre, &w[1].centre)).fold(0.0, f64::max);
     let length = path.locations.last().map_or(0.0, |l| l.s_mm);
@@ -328,7 +324,8 @@ fn halving_the_chord_tolerance_brings_turns_of_constant_scallop_nearer() {
     for form in forms().into_iter().skip(2) {
         let chords = [0.004, 0.002, 0.001, 0.0005];
         let found = chords.map(|chord_mm| {
-            let o = PathOptions { chord_mm, max_step_mm: 20.0, ..options(PathKind::ConstantScallop, form.region) };
+            let o = options(PathKind::ConstantScallop, form.region)
+                .with(|s| (s.chord_mm, s.max_step_mm) = (chord_mm, 20.0));
             let path = path::plan(&form.blade, &o, &Silent).expect(form.name);
             let figures = verify::limit(&form.blade, &path, SCALLOP, SAMPLES).expect(form.name);
             let worst =
@@ -348,7 +345,7 @@ fn halving_the_chord_tolerance_brings_turns_of_constant_scallop_nearer() {
 fn conventional_milling_is_the_same_helix_upwards() {
     let blade = leaning(Matrix4::identity());
     let run = |direction| {
-        let o = PathOptions { direction, ..options(PathKind::ConstantHeight, [14.0, 9.0]) };
+        let o = options(PathKind::ConstantHeight, [14.0, 9.0]).with(|s| s.direction = direction);
         let path = path::plan(&blade, &o, &Silent).expect("a path");
         let figures = verify::limit(&blade, &path, SCALLOP, SAMPLES).expect("figures");
         (path, figures)
@@ -378,7 +375,7 @@ fn conventional_milling_is_the_same_helix_upwards() {
 #[test]
 fn stock_stays_on_the_part() {
     let form = forms().remove(0);
-    let o = PathOptions { stock_mm: 0.4, ..options(PathKind::ConstantHeight, [14.0, 4.0]) };
+    let o = options(PathKind::ConstantHeight, [14.0, 4.0]).with(|s| s.stock_mm = 0.4);
     let path = path::plan(&form.blade, &o, &Silent).expect("a path");
     for l in &path.locations {
         assert!(

@@ -11,7 +11,7 @@ use bladewright::read::model::{self, ModelOptions};
 use bladewright::section::{self, SectionOptions};
 
 /// Heights at which a blade is cut; chords turn by few degrees from one to the next.
-const HEIGHTS: usize = 120;
+const HEIGHTS: u32 = 120;
 
 fn load(file: &Path, unit: Option<Unit>) -> Blade {
     model::load(file, &ModelOptions { unit, ..ModelOptions::default() }, &Silent).expect("a blade")
@@ -40,7 +40,7 @@ fn jumps(sections: &[Section]) -> Vec<f64> {
 }
 
 fn all_along(blade: &Blade) -> Vec<Section> {
-    sections(blade, SectionOptions { count: HEIGHTS, ..SectionOptions::default() })
+    sections(blade, SectionOptions::default().with(|s| s.count = HEIGHTS))
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn edges_keep_their_names_and_one_height_alone_has_the_same() {
     // another the blunter.
     let blade = load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("models/compressor_twist.step"), None);
     let all = all_along(&blade);
-    assert_eq!((all.len(), jumps(&all)), (HEIGHTS, vec![]));
+    assert_eq!((all.len(), jumps(&all)), (HEIGHTS as usize, vec![]));
     for whole in all.iter().step_by(7) {
         let heights_mm = vec![whole.x_mm];
         assert_eq!(sections(&blade, SectionOptions { heights_mm, ..SectionOptions::default() })[0], *whole);
@@ -103,8 +103,7 @@ fn corpus_edges_keep_their_names() {
     for (file, unit) in blades {
         let blade = load(&folder.join(file), unit);
         // Where no section closes there is nothing to name.
-        let Ok(all) = section::plan(&blade, &SectionOptions { count: HEIGHTS, ..SectionOptions::default() }, &Silent)
-        else {
+        let Ok(all) = section::plan(&blade, &SectionOptions::default().with(|s| s.count = HEIGHTS), &Silent) else {
             eprintln!("{file}: no section closes");
             continue;
         };

@@ -7,7 +7,8 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// What a folder of `src` may import besides itself, `error` and `observe`; `None`: anything.
+/// What a folder of `src` may import besides itself, `error`, `observe` and `settings`;
+/// `None`: anything.
 fn allowed(room: &str) -> Option<&'static [&'static str]> {
     const STAGE: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine"];
     const READER: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine", "files"];
@@ -22,7 +23,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "lead", "feed", "verify", "write", "job", "plan", "files",
     ];
     Some(match room {
-        "numerics" | "error" | "observe" | "files" => &[],
+        "numerics" | "error" | "observe" | "settings" | "files" => &[],
         "geometry" => &["numerics"],
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
@@ -285,7 +286,7 @@ fn place(path: &Named, module: &[String], known: &HashMap<String, Place>) -> Pla
 /// own unit tests may name any crate.
 fn against(module: &[&str], is_test: bool, text: &str) -> Vec<(usize, String)> {
     // `sample` exists in unit tests only: the compiler keeps it out of the product.
-    const EVERYWHERE: [&str; 6] = ["error", "observe", "Error", "ErrorKind", "Stage", "sample"];
+    const EVERYWHERE: [&str; 7] = ["error", "observe", "settings", "Error", "ErrorKind", "Stage", "sample"];
     let room = module[0];
     let inside: Vec<String> = module.iter().filter(|m| !["lib", "main"].contains(m)).map(|m| (*m).to_owned()).collect();
     let (tokens, mut known, mut found) = (tokens(text), HashMap::new(), Vec::new());

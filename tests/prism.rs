@@ -40,11 +40,9 @@ fn tool() -> Tool {
 }
 
 fn toolpath(blade: &Blade) -> Toolpath {
-    let options = PathOptions {
-        kind: PathKind::ConstantHeight,
-        extent: Extent::heights(Some(REGION[0]), Some(REGION[1])),
-        ..PathOptions::new(R, SCALLOP)
-    };
+    let options =
+        PathOptions { extent: Extent::heights(Some(REGION[0]), Some(REGION[1])), ..PathOptions::new(R, SCALLOP) }
+            .with(|s| s.kind = PathKind::ConstantHeight);
     path::plan(blade, &options, &Silent).expect("a helix")
 }
 
@@ -161,8 +159,9 @@ fn channel_beside_a_straight_side() {
         (elevation.sin() / path.cone(0).lean_rad.cos()).acos()
     };
     // The clearance is kept from the mesh, which is within its deflection of the part.
-    let (least, most) = (half_width(options.clearance_mm + b.part.deflection_mm), half_width(options.clearance_mm));
-    let slack = options.tolerance_rad + 1e-6;
+    let (least, most) =
+        (half_width(options.settings.clearance_mm + b.part.deflection_mm), half_width(options.settings.clearance_mm));
+    let slack = options.settings.tolerance_deg.to_radians() + 1e-6;
     let mut seen = 0;
     for (l, row) in path.locations.iter().zip(&channel.rows) {
         let centre = b.model_from_blade * l.centre;
@@ -233,7 +232,7 @@ fn schedule_feed_and_checks() {
     }
 
     let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion, leads: Default::default() };
-    let limits = VerifyOptions { scallop_mm: SCALLOP, surface_samples: 30_000, ..VerifyOptions::default() };
+    let limits = VerifyOptions { scallop_mm: SCALLOP, ..VerifyOptions::default() }.with(|s| s.surface_samples = 30_000);
     let verdict = verify::check(plan, &b, &tool, &machine, &limits, &Silent).expect("a verdict");
     let report = verdict.report();
     let failed: Vec<_> = report.checks.iter().filter(|c| !c.passed).collect();

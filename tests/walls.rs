@@ -96,7 +96,7 @@ fn walls_are_where_the_tool_touches(model: &Path, settings: &[&str]) {
     let segments = tool.segments();
     for kind in [ScheduleKind::LowerWall, ScheduleKind::UpperWall] {
         let along = |beyond_wall_deg: f64| -> Schedule {
-            let options = ScheduleOptions { beyond_wall_deg, ..ScheduleOptions::default() };
+            let options = ScheduleOptions::default().with(|s| s.beyond_wall_deg = beyond_wall_deg);
             schedule::plan(kind, &toolpath, &channel, &options, &Silent).expect("a schedule along a wall")
         };
         let (on, outside) = (along(0.0), along(BEYOND_DEG));

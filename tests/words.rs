@@ -60,7 +60,7 @@ fn exists(path: &str) -> bool {
 /// example shows cannot be broken; line breaks of `///` count where it becomes text of a schema.
 fn wide_comments(text: &str) -> Vec<usize> {
     let (mut found, mut is_code) = (Vec::new(), false);
-    let is_schema = text.contains("JsonSchema");
+    let is_schema = text.contains("JsonSchema") || text.contains("section! {");
     for (k, line) in text.lines().enumerate() {
         let Some(words) = line.trim_start().strip_prefix("//") else {
             is_code = false;

@@ -2,6 +2,12 @@
 use super::{Cone, Cones};
 use crate::geometry::{Point, Vector};
 
+/// Greatest scallop between turns where nobody asks for another, mm.
+pub const SCALLOP_MM: f64 = 0.01;
+/// Greatest distance of a straight move from the exact path where nobody asks for another, mm: a
+/// tenth of the usual scallop.
+pub const CHORD_MM: f64 = 0.001;
+
 /// How the turns of the helix lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]

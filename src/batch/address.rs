@@ -87,7 +87,7 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
         *f = told(contents.of(Path::new(f)));
     }
     let shared = JobFile {
-        machine: job.machine.clone().map(|m| crate::job::MachineKeys { file: None, ..m }),
+        machine: job.machine.clone().map(|m| crate::machine::MachineKeys { file: None, ..m }),
         schedule: None,
         feed: None,
         post: None,

@@ -165,7 +165,7 @@ impl<'a> Look<'a> {
         let layers = self.around.layers(tool, &scene, (samples, path), &Silent)?;
         let at = |row: usize| path.locations.get(row).map_or((0, 0.0), |l| (l.turn, l.turn_s_mm));
         let b_deg = path.cone(0).lean_rad.to_degrees();
-        let chain = match chain::widest(&layers, 2.0 * options.tolerance_rad) {
+        let chain = match chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians()) {
             Ok(chain) => chain,
             Err(closed) => {
                 let (blade, is_start) = (self.around.blade, stretch.is_start);

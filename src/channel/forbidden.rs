@@ -120,7 +120,7 @@ impl<'a> Search<'a> {
             turn: (1.0, 0.0),
             motion: EvenMove::none(),
             still: true,
-            known: ArcSet::new(scene.options.tolerance_rad),
+            known: ArcSet::new(scene.options.settings.tolerance_deg.to_radians()),
             heights: Vec::new(),
             arcs: Vec::new(),
             open: BinaryHeap::new(),
@@ -182,7 +182,7 @@ impl<'a> Search<'a> {
         self.known.reset(self.tolerance());
         self.forbid_contact(normal);
         self.run(starts);
-        let free = self.known.free(2.0 * self.scene.options.tolerance_rad);
+        let free = self.known.free(2.0 * self.scene.options.settings.tolerance_deg.to_radians());
         self.seeds.clear();
         self.remember(&free);
         free
@@ -228,7 +228,7 @@ impl<'a> Search<'a> {
 
     /// What ends may be off by, rad.
     fn tolerance(&self) -> f64 {
-        self.scene.options.tolerance_rad * if self.still { 1.0 } else { MOVE_TOLERANCES }
+        self.scene.options.settings.tolerance_deg.to_radians() * if self.still { 1.0 } else { MOVE_TOLERANCES }
     }
 
     fn run(&mut self, starts: Option<&[Start]>) {
@@ -257,7 +257,10 @@ impl<'a> Search<'a> {
     /// `a·n = nx sin B + m cos B cos(θ − azimuth of n)`.
     fn forbid_contact(&mut self, normal: &Vector) {
         self.point = None;
-        let (min, max) = (self.scene.options.contact_angle_min_rad, self.scene.options.contact_angle_max_rad);
+        let (min, max) = (
+            self.scene.options.settings.contact_angle_min_deg.to_radians(),
+            self.scene.options.settings.contact_angle_max_deg.to_radians(),
+        );
         let normal = self.sight.seen(normal);
         let (y, z) = self.turned(normal.y, normal.z);
         let (m, psi) = (y.hypot(z) * self.b.1, z.atan2(y));

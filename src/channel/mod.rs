@@ -55,6 +55,7 @@ mod profile;
 mod region;
 mod report;
 mod samples;
+mod settings;
 mod sight;
 mod stretches;
 mod tangent;
@@ -70,7 +71,8 @@ use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
 
 pub use advise::{Advice, Farthest, advise, sweep_b};
-pub use options::{CONTACT_ANGLE_DEG, ChannelOptions, TOLERANCE_DEG};
+pub use options::ChannelOptions;
+pub use settings::{ChannelKeys, ChannelSettings};
 
 use arcs::Witness;
 use forbidden::{Body, Free, Scene};
@@ -120,7 +122,7 @@ impl<'a> Surroundings<'a> {
     }
 
     /// The same with a finer index of the part, where that has exact faces: for
-    /// [`ChannelOptions::exact_ends`], which is then much faster, and with which moves can be
+    /// [`ChannelSettings::exact_ends`], which is then much faster, and with which moves can be
     /// proven but for what the index lies off the faces.
     #[must_use]
     pub fn finer(mut self, radius_mm: f64) -> Self {
@@ -136,12 +138,12 @@ impl<'a> Surroundings<'a> {
     /// Share of the tolerance that the search may use up: half of it is left for what the tree lies
     /// off exact faces.
     fn share(&self, options: &ChannelOptions) -> f64 {
-        if options.exact_ends && self.part_off_mm > 0.0 { 0.5 } else { 1.0 }
+        if options.settings.exact_ends && self.part_off_mm > 0.0 { 0.5 } else { 1.0 }
     }
 
     /// What the search keeps to.
     fn for_search(&self, options: &ChannelOptions) -> ChannelOptions {
-        ChannelOptions { tolerance_rad: options.tolerance_rad * self.share(options), ..options.clone() }
+        options.clone().with(|s| s.tolerance_deg *= self.share(options))
     }
 
     /// Free intervals of all places within the rotary axis' limits: of the exact faces where that
@@ -155,10 +157,10 @@ impl<'a> Surroundings<'a> {
     ) -> Result<Vec<Vec<Free>>> {
         let options = scene.options;
         let mut layers = track::free_everywhere(scene, samples, observer)?;
-        if options.exact_ends {
-            let room = [options.clearance_mm, options.holder_clearance_mm];
+        if options.settings.exact_ends {
+            let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
             let profile = Profile::new(tool, room, self.blade.part.off_own_mm());
-            let tolerance = options.tolerance_rad / self.share(options);
+            let tolerance = options.settings.tolerance_deg.to_radians() / self.share(options);
             tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
         }
         within_axis(options, &mut layers);
@@ -170,7 +172,7 @@ impl<'a> Surroundings<'a> {
         let mut bodies = Vec::new();
         let mut trees = self.trees.iter();
         if let Some(tree) = trees.next() {
-            let room = [options.clearance_mm, options.holder_clearance_mm];
+            let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
             let profile = Profile::new(tool, room, self.part_off_mm);
             bodies.push(Body { name: "part", mesh: &part.mesh, tree, profile });
         }
@@ -257,18 +259,20 @@ pub fn plan_among(
     let samples = samples::along(path, options.max_step_mm);
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
-    let layers = if options.prove_moves {
+    let layers = if options.settings.prove_moves {
         layers(&scene, &samples, observer)?
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
-    let chain = chain::widest(&layers, 2.0 * options.tolerance_rad).map_err(|c| reporter.closed(&layers, c.at))?;
+    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
+        .map_err(|c| reporter.closed(&layers, c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
     let mut lifts = Vec::new();
-    if options.prove_moves || !options.prove_at.is_empty() {
-        let wanted = |i: usize| options.prove_moves || options.prove_at.binary_search(&samples[i - 1].row).is_ok();
+    if options.settings.prove_moves || !options.prove_at.is_empty() {
+        let wanted =
+            |i: usize| options.settings.prove_moves || options.prove_at.binary_search(&samples[i - 1].row).is_ok();
         let found = moves::lifts(&scene, &samples, &chosen, wanted, observer)?;
         lifts = found.map_err(|i| reporter.closed_between(chosen[i], chosen[i + 1], i))?;
     }
@@ -291,7 +295,7 @@ pub fn plan_among(
         observer.warn(Warning { stage: Stage::Channel, message });
     }
     Ok(Channel {
-        tolerance_rad: options.tolerance_rad,
+        tolerance_rad: options.settings.tolerance_deg.to_radians(),
         rows,
         narrowest_row,
         chains: chain.count,

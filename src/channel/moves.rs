@@ -116,7 +116,7 @@ fn lift(
     starts: Option<&[Start]>,
 ) -> Option<Lift> {
     let m = Move { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
-    let tolerance = MOVE_TOLERANCES * scene.options.tolerance_rad;
+    let tolerance = MOVE_TOLERANCES * scene.options.settings.tolerance_deg.to_radians();
     let (low, high) = (0.5 * (to.1.lo - from.1.lo), 0.5 * (to.1.hi - from.1.hi));
     let mut free_at = |turn: f64| m.widest(search, turn, tolerance, starts);
     let lift = if (low - high).abs() <= 0.1 * tolerance {

@@ -199,8 +199,8 @@ impl Reporter<'_> {
         let mut said = Vec::new();
         let mut ends = Vec::new();
         let mut wide = self.scene.options.clone();
-        (wide.contact_angle_min_rad, wide.contact_angle_max_rad, wide.theta_limits_rad) =
-            (0.0, std::f64::consts::PI, None);
+        (wide.settings.contact_angle_min_deg, wide.settings.contact_angle_max_deg) = (0.0, 180.0);
+        wide.theta_limits_rad = None;
         let parts = self.scene.bodies.first().map(|b| b.profile.parts.clone()).unwrap_or_default();
         for &part in &parts {
             if self.free_with(sample, &|p| p != part, self.scene.options).is_empty() {

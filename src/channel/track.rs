@@ -157,7 +157,7 @@ impl<'a> Tracker<'a> {
     fn finish(&mut self, azimuth: f64) -> Vec<Free> {
         self.before = self.now.sweeps.iter().map(|s| [s.lo, s.hi]).collect();
         self.cover();
-        let mut free = self.search.known().free(2.0 * self.scene.options.tolerance_rad);
+        let mut free = self.search.known().free(2.0 * self.scene.options.settings.tolerance_deg.to_radians());
         for f in &mut free {
             for by in [f.lo_by, f.hi_by] {
                 if let Witness::Tool { body, leaf, .. } = by {
@@ -370,7 +370,7 @@ impl<'a> Tracker<'a> {
 
     /// Chooses few of the points found that cover all that is known to be taken.
     fn cover(&mut self) {
-        let (log, gap) = (self.search.log(), self.scene.options.tolerance_rad);
+        let (log, gap) = (self.search.log(), self.scene.options.settings.tolerance_deg.to_radians());
         let seeds = &mut self.seeds;
         let mut keep = |k: usize| {
             let l = &log[k];

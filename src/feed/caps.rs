@@ -25,7 +25,7 @@ pub(super) fn of_path(path: &Toolpath, schedule: &Schedule, options: &FeedOption
 fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     let l = &path.locations;
     let n = l.len();
-    let feed = options.feed_mm_min / 60.0;
+    let feed = options.settings.feed_mm_min / 60.0;
     let tips: Vec<Point> = path.stands(theta).iter().map(|s| s.tip(path.radius_mm)).collect();
     let (mut a, mut b) = (0, 0);
     let mut at = Vec::with_capacity(n);

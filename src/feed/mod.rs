@@ -53,26 +53,29 @@
 mod caps;
 mod jerk;
 mod peaks;
+mod settings;
 mod topp;
 
+use crate::artifact::toolpath::CHORD_MM;
 use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
 use crate::observe::{Observer, Warning};
+use crate::settings::with_settings;
 
 pub use caps::least_time;
 pub use peaks::{AxisPeaks, peaks};
+pub use settings::{FeedKeys, FeedSettings};
 
 /// A motion for which no closer bound is proved is told of, as a share of its time.
 const LARGE_GAP: f64 = 0.05;
 
 /// Options of [`plan`].
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FeedOptions {
-    /// Programmed (greatest) feed of the ball centre, mm/min.
-    pub feed_mm_min: f64,
+    /// What the job says of it; `lead_radius_mm` is not looked at.
+    pub settings: FeedSettings,
     /// From the ball centre to the spindle's gauge line, mm ([`crate::tool::Tool::length_mm`]).
     pub gauge_length_mm: f64,
     /// Keep every axis' jerk within its limit.
@@ -87,14 +90,16 @@ pub struct FeedOptions {
     pub limit_contact: bool,
 }
 
+with_settings!(FeedOptions, FeedSettings);
+
 impl FeedOptions {
-    /// All limits in force, chord 0.001 mm over 0.002 s.
+    /// All limits in force, the usual chord over 0.002 s.
     pub fn new(feed_mm_min: f64, gauge_length_mm: f64) -> Self {
         FeedOptions {
-            feed_mm_min,
+            settings: FeedSettings { feed_mm_min, ..FeedSettings::default() },
             gauge_length_mm,
             limit_jerk: true,
-            chord_mm: 0.001,
+            chord_mm: CHORD_MM,
             period_s: 0.002,
             limit_contact: true,
         }
@@ -102,9 +107,7 @@ impl FeedOptions {
 
     fn validate(&self) -> Result<()> {
         let bad = |m: String| Err(Error::usage(Stage::Feed, m));
-        if !(self.feed_mm_min > 0.0 && self.feed_mm_min.is_finite()) {
-            return bad(format!("feed.feed_mm_min is {}, it must be greater than 0", self.feed_mm_min));
-        }
+        self.settings.check(Stage::Feed)?;
         if !(self.gauge_length_mm >= 0.0 && self.gauge_length_mm.is_finite()) {
             return bad(format!("the tool's length is {} mm, it must be at least 0", self.gauge_length_mm));
         }
@@ -159,7 +162,7 @@ pub fn plan_with_bound(
             let l = axes[k].limits;
             [l.velocity, l.acceleration, l.jerk]
         });
-        let profile = jerk::fastest(&curve, &limits, options.feed_mm_min / 60.0, &caps, observer);
+        let profile = jerk::fastest(&curve, &limits, options.settings.feed_mm_min / 60.0, &caps, observer);
         observer.check(Stage::Feed)?;
         let profile = profile.ok_or_else(|| {
             Error::usage(

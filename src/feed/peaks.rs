@@ -24,7 +24,7 @@ pub struct AxisPeaks {
 /// As [`super::plan`].
 pub fn peaks(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &FeedOptions) -> Result<AxisPeaks> {
     let curve = super::axis_curve(path, schedule, machine, options)?;
-    let feed = options.feed_mm_min / 60.0;
+    let feed = options.settings.feed_mm_min / 60.0;
     let none = Axes::of_default(curve.functions());
     let mut out = AxisPeaks { velocity: none, acceleration: none, jerk: none };
     let s = curve.abscissae();

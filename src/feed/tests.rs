@@ -59,7 +59,7 @@ fn options(feed_mm_min: f64) -> FeedOptions {
 fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedOptions) {
     let curve = axis_curve(p, s, machine, o).unwrap();
     let limits: Vec<_> = machine.axes().iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
-    let feed = o.feed_mm_min / 60.0;
+    let feed = o.settings.feed_mm_min / 60.0;
     let at_s = curve.abscissae();
     let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()], &Silent).unwrap();
     for i in 0..at_s.len() - 1 {

@@ -2,29 +2,28 @@
 
 use std::path::{Path, PathBuf};
 
-use super::resolved::{
-    ChannelJob, FeedJob, FixtureJob, Job, MOST_LEAN_DEG, MachineJob, ModelJob, PathJob, PostJob, RegionJob,
-    ScheduleJob, SectionJob, TINY, VerifyJob, check_ranges,
-};
+use super::resolved::Job;
+use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings};
 use super::tool::{self, Chosen};
-use super::typed::{FixtureKeys, JobFile, RegionReference};
+use super::typed::JobFile;
 use crate::artifact::Blade;
-use crate::artifact::program::Control;
-use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::PathKind;
-use crate::channel::{CONTACT_ANGLE_DEG, ChannelOptions, TOLERANCE_DEG};
+use crate::artifact::toolpath::{CHORD_MM, PathKind};
+use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
-use crate::path::PathOptions;
-use crate::read::model::ModelOptions;
-use crate::schedule::ScheduleOptions;
-use crate::verify::VerifyOptions;
-use crate::write::post::PostOptions;
+use crate::feed::FeedSettings;
+use crate::machine::MachineSettings;
+use crate::path::{self, PathKeys, PathSettings};
+use crate::schedule::ScheduleSettings;
+use crate::section::SectionSettings;
+use crate::settings::{Number, TINY, check};
+use crate::verify::VerifySettings;
+use crate::write::post::PostSettings;
 
 /// A job that is settled as far as it can be without the blade: enough to read the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
     typed: JobFile,
-    model: ModelJob,
+    model: ModelSettings,
     machine_file: Option<PathBuf>,
     post_files: Vec<PathBuf>,
     model_saved_as: Option<PathBuf>,
@@ -38,33 +37,17 @@ pub struct Draft {
 /// `Usage` when the model is missing or a value that the reading of the model needs lies outside
 /// its limits.
 pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
-    let keys = typed.model.clone().unwrap_or_default();
-    let Some(file) = keys.file.filter(|f| !f.is_empty()) else {
+    let absolute = |file: &Path| std::path::absolute(base_dir.join(file)).unwrap_or_else(|_| base_dir.join(file));
+    let model = ModelSettings::default().with_typed(typed.model.clone());
+    if model.file.as_os_str().is_empty() {
         return Err(Error::usage(Stage::Job, "model.file is missing: which blade is to be machined?")
             .advise("name a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections"));
-    };
-    let absolute = |file: &str| std::path::absolute(base_dir.join(file)).unwrap_or_else(|_| base_dir.join(file));
-    let model = ModelJob {
-        file: absolute(&file),
-        unit: keys.unit,
-        axis: keys.axis.unwrap_or_default(),
-        deflection_mm: keys.deflection_mm.unwrap_or(ModelOptions::default().deflection_mm),
-        weld_mm: keys.weld_mm,
-        close_holes_mm: keys.close_holes_mm,
-        body: keys.body,
-        airfoil_mm: keys.airfoil_mm,
-        platform_mm: keys.platform_mm,
-        airfoil_faces: keys.airfoil_faces.unwrap_or_default(),
-        platform_faces: keys.platform_faces.unwrap_or_default(),
-    };
-    check_ranges(&[
-        ("model.deflection_mm", model.deflection_mm, TINY, 10.0),
-        ("model.weld_mm", model.weld_mm.unwrap_or(TINY), TINY, 10.0),
-        ("model.close_holes_mm", model.close_holes_mm.unwrap_or(TINY), TINY, 1e6),
-    ])?;
+    }
+    let model = ModelSettings { file: absolute(&model.file), ..model };
+    model.check(Stage::Job)?;
     early_checks(&typed)?;
-    let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_deref()).map(absolute);
-    let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f)).collect();
+    let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_ref()).map(|f| absolute(f.as_ref()));
+    let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f.as_ref())).collect();
     let base_dir = base_dir.to_path_buf();
     Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None, base_dir })
 }
@@ -74,22 +57,20 @@ const LEAST_SCALLOP_MM: f64 = 2.5e-4;
 
 /// Values that are wrong on any blade are refused before the model is read.
 fn early_checks(typed: &JobFile) -> Result<()> {
-    let tool = typed.tool.clone().unwrap_or_default();
-    let path = typed.path.clone().unwrap_or_default();
-    check_ranges(&[
-        ("tool.radius_mm", tool.radius_mm.unwrap_or(1.0), TINY, 1000.0),
-        ("tool.shank_radius_mm", tool.shank_radius_mm.unwrap_or(1.0), TINY, 1000.0),
-        ("tool.stickout_mm", tool.stickout_mm.unwrap_or(1.0), TINY, 10_000.0),
-        // Twice: a number that is no height at all has a message of its own.
-        ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), TINY, 10.0),
-        ("path.scallop_mm", path.scallop_mm.unwrap_or(0.01), LEAST_SCALLOP_MM, 10.0),
-        ("path.chord_mm", path.chord_mm.unwrap_or(0.001), 1e-5, 1.0),
-    ])
+    let (tool, path) = (typed.tool.clone().unwrap_or_default(), typed.path.clone().unwrap_or_default());
+    let number = |key: &str, value: &dyn Number, range| check(Stage::Job, key, value, &range);
+    number("tool.radius_mm", &tool.radius_mm, TINY..=1000.0)?;
+    number("tool.shank_radius_mm", &tool.shank_radius_mm, TINY..=1000.0)?;
+    number("tool.stickout_mm", &tool.stickout_mm, TINY..=10_000.0)?;
+    // Twice: a number that is no height at all has a message of its own.
+    number("path.scallop_mm", &path.scallop_mm, path::SCALLOPS_MM)?;
+    number("path.scallop_mm", &path.scallop_mm, LEAST_SCALLOP_MM..=*path::SCALLOPS_MM.end())?;
+    number("path.chord_mm", &path.chord_mm, path::CHORDS_MM)
 }
 
 impl Draft {
     /// How to read the model.
-    pub fn model(&self) -> &ModelJob {
+    pub fn model(&self) -> &ModelSettings {
         &self.model
     }
     /// The machine file, absolute; `None`: the built-in demo machine.
@@ -124,114 +105,76 @@ impl Draft {
     /// by itself.
     pub fn settle(&self, blade: &Blade) -> Result<(Job, Chosen)> {
         let t = self.typed.clone();
-        let (path, channel) = (t.path.unwrap_or_default(), t.channel.unwrap_or_default());
-        let (schedule, verify) = (t.schedule.unwrap_or_default(), t.verify.unwrap_or_default());
-        let post = t.post.unwrap_or_default();
-        let feed = t.feed.unwrap_or_default();
-        let typed_region = typed_region(&t.region.unwrap_or_default(), blade)?;
-        let chosen = tool::complete(&t.tool.unwrap_or_default(), blade, typed_region.start_mm, typed_region.end_mm)?;
-        let (tool, radius) = (chosen.tool.clone(), chosen.tool.radius_mm);
-        let start_mm = typed_region.start_mm.unwrap_or_else(|| default_start(blade, radius));
-        let region = RegionJob { start_mm, end_mm: typed_region.end_mm, end_faces: typed_region.end_faces };
-        let max_lean_deg = if region.end_faces.is_empty() { 60.0 } else { MOST_LEAN_DEG };
-        let (kind, scallop_mm) =
-            (path.kind.unwrap_or_else(|| default_kind(blade, &region)), path.scallop_mm.unwrap_or(0.01));
-        let chord_mm = path.chord_mm.unwrap_or_else(|| default_chord_mm(kind, scallop_mm));
-        let (of_path, of_channel) = (PathOptions::new(radius, scallop_mm), ChannelOptions::default());
-        let (of_schedule, of_checks, of_post) =
-            (ScheduleOptions::default(), VerifyOptions::default(), PostOptions::default());
-        let room = [
-            channel.clearance_mm.unwrap_or(of_channel.clearance_mm),
-            channel.holder_clearance_mm.unwrap_or(of_channel.holder_clearance_mm),
-        ];
-        let fixtures = t.fixture.unwrap_or_default();
-        let fixture = fixtures.iter().map(|f| self.fixture("fixture", f, room)).collect::<Result<_>>()?;
-        let stock = t.stock.map(|f| self.fixture("stock", &f, room)).transpose()?;
+        let typed = typed_region(&t.region.unwrap_or_default(), blade)?;
+        let chosen = tool::complete(&t.tool.unwrap_or_default(), blade, typed.start_mm, typed.end_mm)?;
+        let radius_mm = chosen.tool.radius_mm;
+        let start_mm = typed.start_mm.unwrap_or_else(|| default_start(blade, radius_mm));
+        let region = RegionSettings { start_mm, end_mm: typed.end_mm, end_faces: typed.end_faces };
+        let path = path_settings(t.path, blade, &region, radius_mm);
+        let schedule = ScheduleSettings::default().with_typed(t.schedule);
+        // Along a wall nothing else keeps the tool from the part between two locations.
+        let channel = ChannelSettings { prove_moves: schedule.kind.is_wall(), ..ChannelSettings::default() };
+        let channel = channel.with_typed(t.channel);
+        let (feed, verify) = (FeedSettings::default(), VerifySettings::default());
+        let feed = FeedSettings { lead_radius_mm: radius_mm.max(feed.lead_radius_mm), ..feed };
+        let verify = VerifySettings { gouge_mm: (3.0 * path.chord_mm).max(verify.gouge_mm), ..verify };
+        let body = |section, keys| self.fixture(section, keys, &channel);
         let job = Job {
-            model: ModelJob {
+            model: ModelSettings {
                 file: self.model_saved_as.clone().unwrap_or_else(|| self.model.file.clone()),
                 unit: Some(blade.unit),
                 ..self.model.clone()
             },
             region,
-            path: PathJob {
-                kind,
-                scallop_mm,
-                chord_mm,
-                max_step_mm: path.max_step_mm.unwrap_or(of_path.max_step_mm),
-                max_lean_deg: path.max_lean_deg.unwrap_or(max_lean_deg),
-                direction: path.direction.unwrap_or_default(),
-                start: path.start.unwrap_or_default(),
-                stock_mm: path.stock_mm.unwrap_or(of_path.stock_mm),
-                compare: path.compare.unwrap_or(false),
-            },
-            channel: ChannelJob {
-                clearance_mm: room[0],
-                holder_clearance_mm: room[1],
-                contact_angle_min_deg: channel.contact_angle_min_deg.unwrap_or(CONTACT_ANGLE_DEG[0]),
-                contact_angle_max_deg: channel.contact_angle_max_deg.unwrap_or(CONTACT_ANGLE_DEG[1]),
-                tolerance_deg: channel.tolerance_deg.unwrap_or(TOLERANCE_DEG),
-                prove_moves: channel.prove_moves.unwrap_or(schedule.kind.is_some_and(ScheduleKind::is_wall)),
-                exact_ends: channel.exact_ends.unwrap_or(of_channel.exact_ends),
-                sweep_b: channel.sweep_b.unwrap_or(false),
-            },
-            machine: MachineJob {
+            machine: MachineSettings {
                 file: self.machine_file.clone(),
-                b_deg: t.machine.and_then(|m| m.b_deg).unwrap_or(5.0),
+                ..MachineSettings::default().with_typed(t.machine)
             },
-            schedule: ScheduleJob {
-                kind: schedule.kind.unwrap_or(ScheduleKind::Piecewise),
-                base_angle: schedule.base_angle.unwrap_or_default(),
-                measure: schedule.measure.unwrap_or_default(),
-                scope: schedule.scope.unwrap_or_default(),
-                margin_deg: schedule.margin_deg.unwrap_or(of_schedule.margin_deg),
-                lead_deg: schedule.lead_deg.unwrap_or(of_schedule.lead_deg),
-                beyond_wall_deg: schedule.beyond_wall_deg.unwrap_or(of_schedule.beyond_wall_deg),
-            },
-            feed: FeedJob {
-                feed_mm_min: feed.feed_mm_min.unwrap_or(2000.0),
-                lead_radius_mm: feed.lead_radius_mm.unwrap_or(radius.max(2.0)),
-            },
-            post: PostJob {
-                control: post.control.unwrap_or_else(|| vec![Control::Siemens, Control::Linuxcnc]),
-                files: self.post_files.clone(),
-                tool_number: post.tool_number.unwrap_or(of_post.tool_number),
-                spindle_rpm: post.spindle_rpm.unwrap_or(of_post.spindle_rpm),
-                approach_feed_mm_min: post.approach_feed_mm_min.unwrap_or(of_post.approach_feed_mm_min),
-                plunge_feed_mm_min: post.plunge_feed_mm_min.unwrap_or(of_post.plunge_feed_mm_min),
-                feed_height_mm: post.feed_height_mm.unwrap_or(of_post.feed_height_mm),
-                safe_clearance_mm: post.safe_clearance_mm.unwrap_or(of_post.safe_clearance_mm),
-                smoothing_mm: post.smoothing_mm,
-                look_ahead: post.look_ahead.unwrap_or(of_post.look_ahead),
-            },
-            verify: VerifyJob {
-                gouge_mm: verify.gouge_mm.unwrap_or((3.0 * chord_mm).max(of_checks.gouge_mm)),
-                scallop_ratio: verify.scallop_ratio.unwrap_or(of_checks.scallop_ratio),
-                resolution_mm: verify.resolution_mm.unwrap_or(of_checks.resolution_mm),
-                surface_samples: verify.surface_samples.unwrap_or(of_checks.surface_samples as u32),
-            },
-            section: SectionJob { count: t.section.and_then(|s| s.count).unwrap_or(12) },
-            tool,
-            fixture,
-            stock,
+            feed: feed.with_typed(t.feed),
+            post: PostSettings { files: self.post_files.clone(), ..PostSettings::default().with_typed(t.post) },
+            verify: verify.with_typed(t.verify),
+            section: SectionSettings::default().with_typed(t.section),
+            tool: chosen.tool.clone(),
+            fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
+            stock: t.stock.map(|f| body("stock", f)).transpose()?,
+            path,
+            channel,
+            schedule,
         };
         job.validate()?;
         Ok((job, chosen))
     }
 
-    /// A fixture or the stock; `room` is what the channel keeps from the part.
-    fn fixture(&self, section: &str, keys: &FixtureKeys, room: [f64; 2]) -> Result<FixtureJob> {
-        let Some(file) = keys.file.as_ref().filter(|f| !f.is_empty()) else {
-            return Err(Error::usage(Stage::Job, format!("{section}.file is missing: which body is in the way?")));
+    /// A fixture or the stock; it keeps the room of the channel.
+    fn fixture(&self, section: &str, keys: FixtureKeys, channel: &ChannelSettings) -> Result<FixtureSettings> {
+        let room = FixtureSettings {
+            clearance_mm: channel.clearance_mm,
+            holder_clearance_mm: keys.clearance_mm.unwrap_or(channel.holder_clearance_mm),
+            ..FixtureSettings::default()
         };
-        let file = self.base_dir.join(file);
-        Ok(FixtureJob {
-            file: std::path::absolute(&file).unwrap_or(file),
-            unit: keys.unit,
-            clearance_mm: keys.clearance_mm.unwrap_or(room[0]),
-            holder_clearance_mm: keys.holder_clearance_mm.or(keys.clearance_mm).unwrap_or(room[1]),
-        })
+        let body = room.with_typed(Some(keys));
+        if body.file.as_os_str().is_empty() {
+            return Err(Error::usage(Stage::Job, format!("{section}.file is missing: which body is in the way?")));
+        }
+        let file = self.base_dir.join(&body.file);
+        Ok(FixtureSettings { file: std::path::absolute(&file).unwrap_or(file), ..body })
     }
+}
+
+/// The path as typed, the rest as blade, region and ball ask for.
+fn path_settings(keys: Option<PathKeys>, blade: &Blade, region: &RegionSettings, radius_mm: f64) -> PathSettings {
+    let usual = PathSettings::default();
+    let free = region.end_faces.is_empty();
+    let typed_chord_mm = keys.as_ref().and_then(|k| k.chord_mm);
+    let path = PathSettings {
+        kind: default_kind(blade, region),
+        max_step_mm: (0.25 * radius_mm).min(usual.max_step_mm),
+        max_lean_deg: if free { usual.max_lean_deg } else { path::most_lean_deg(PathKind::ConstantScallop) },
+        ..usual
+    };
+    let path = path.with_typed(keys);
+    let chord_mm = typed_chord_mm.unwrap_or_else(|| default_chord_mm(path.kind, path.scallop_mm));
+    PathSettings { chord_mm, ..path }
 }
 
 /// The region as far as it was typed, in the blade frame.
@@ -242,7 +185,7 @@ struct TypedRegion {
 }
 
 /// The region as typed, its heights in the blade frame.
-fn typed_region(keys: &super::typed::RegionKeys, blade: &Blade) -> Result<TypedRegion> {
+fn typed_region(keys: &RegionKeys, blade: &Blade) -> Result<TypedRegion> {
     let zero = match keys.reference.unwrap_or_default() {
         RegionReference::Blade => 0.0,
         RegionReference::Platform => blade.regions.platform_x_mm().ok_or_else(|| {
@@ -276,7 +219,7 @@ fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
 /// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take
 /// up what its facets do to each, and on a scan the shorter path takes longer. Only turns of
 /// constant scallop run along the edge of a face.
-fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
+fn default_kind(blade: &Blade, region: &RegionSettings) -> PathKind {
     let free = blade.part.brep.is_some() || !region.end_faces.is_empty();
     if free { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
 }
@@ -287,7 +230,7 @@ fn default_kind(blade: &Blade, region: &RegionJob) -> PathKind {
 /// the tolerance.
 fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
     match kind {
-        PathKind::ConstantScallop => (0.04 * scallop_mm).min(0.001),
-        PathKind::ConstantHeight | PathKind::IsoParametric => 0.001,
+        PathKind::ConstantScallop => (0.04 * scallop_mm).min(CHORD_MM),
+        PathKind::ConstantHeight | PathKind::IsoParametric => CHORD_MM,
     }
 }

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::typed::{JobFile, ModelKeys};
+use super::sections::ModelKeys;
+use super::typed::JobFile;
 use crate::error::{Error, Result, Stage};
 
 /// Parses the text of a job file; `name` is used in messages.

@@ -14,6 +14,7 @@ mod defaults;
 mod load;
 mod resolved;
 mod room;
+mod sections;
 #[cfg(test)]
 mod tests;
 mod tool;
@@ -22,14 +23,12 @@ mod typed;
 pub use axis::AxisChoice;
 pub use defaults::{Draft, resolve};
 pub use load::{insert, parse, read_value};
-pub use resolved::{
-    ChannelJob, FeedJob, Job, MachineJob, ModelJob, PathJob, PostJob, RegionJob, ScheduleJob, SectionJob, VerifyJob,
+pub use resolved::Job;
+pub use sections::{
+    FixtureKeys, FixtureSettings, ModelKeys, ModelSettings, RegionKeys, RegionReference, RegionSettings, ToolKeys,
 };
 pub use tool::Chosen;
-pub use typed::{
-    ChannelKeys, FeedKeys, JobFile, MachineKeys, ModelKeys, PathKeys, PostKeys, RegionKeys, RegionReference,
-    ScheduleKeys, SectionKeys, ToolKeys, VerifyKeys,
-};
+pub use typed::JobFile;
 
 /// JSON schema of the job file.
 pub fn schema() -> schemars::Schema {

@@ -12,7 +12,7 @@
 //!   Chuck: the one for the shank.
 
 use super::room::{Places, Share};
-use super::typed::ToolKeys;
+use super::sections::ToolKeys;
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;

@@ -73,6 +73,7 @@ mod config;
 mod file;
 mod kinematics;
 mod model;
+mod settings;
 #[cfg(test)]
 mod table_head;
 mod travel;
@@ -84,4 +85,5 @@ pub use config::{
 };
 pub use kinematics::Pose;
 pub use model::Machine;
+pub use settings::{MachineKeys, MachineSettings};
 pub use travel::TravelFinding;

@@ -21,7 +21,7 @@ pub fn tolerance_mm(level: &LevelSet, a: &Touch, b: &Touch, options: &PathOption
     let way = b.centre - a.centre;
     let is_hollow = (b.normal - a.normal).dot(&way) < 0.0;
     let is_edge = level.is_over_facets() || (b.contact - a.contact).norm() > EDGE * way.norm();
-    if is_hollow && !is_edge { IN_HOLLOWS * options.chord_mm } else { options.chord_mm }
+    if is_hollow && !is_edge { IN_HOLLOWS * options.settings.chord_mm } else { options.settings.chord_mm }
 }
 
 /// A curve of touches and the tolerance of its chords.
@@ -61,7 +61,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         let length = (r.1.centre - l.1.centre).norm();
         // No convex bend of the path is tighter than the ball: so short a chord is within the
         // tolerance as it is.
-        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm;
+        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.settings.chord_mm;
         if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
             return Ok(());
         }
@@ -83,7 +83,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
     /// A place on a chord is further from the surface of ball centres than the tolerance. One
     /// closest point tells: where the curve is there is not asked.
     fn leaves(&self, q: &Point) -> bool {
-        let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.chord_mm);
+        let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.settings.chord_mm);
         let near = self.level.part.closest(q, radius_mm + 2.0 * chord_mm);
         near.is_none_or(|c| (c.distance_mm - radius_mm).abs() > chord_mm)
     }
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn chords_in_a_hollow_have_a_quarter_of_the_tolerance() {
-        let options = PathOptions { max_step_mm: 10.0, chord_mm: 0.001, ..PathOptions::new(3.0, 0.01) };
+        let options = PathOptions::new(3.0, 0.01).with(|s| (s.max_step_mm, s.chord_mm) = (10.0, 0.001));
         // Round a wall, within it, and within one that is hardly rounder than the ball.
         for (wall_mm, r, most_mm) in [(20.0, 23.0f64, 0.001), (20.0, 17.0, 0.00025), (5.0, 2.0, 0.001)] {
             let face = Face {

@@ -20,14 +20,14 @@ pub(super) fn plan(
     // The pitch varies from turn to turn and the helix blends neighbours, so a turn may meet more
     // than its own ring pair promised: aim lower, measure the helix itself, and aim lower still at
     // the heights where that was not enough.
-    let mut aim = Aim::new(0.95 * options.scallop_mm);
+    let mut aim = Aim::new(0.95 * options.settings.scallop_mm);
     let mut kept = Vec::new();
     let mut best: Option<Toolpath> = None;
     for _ in 0..MOST_AIMS {
         let stack = rings::lay(blade, level, options, start_x, kept, &aim, observer)?;
         let (path, ridges) = helix::blend(level, &stack, options, observer)?;
         // Two hundredths are left for what another measure of the same ridge may see.
-        let most = 0.98 * options.scallop_mm;
+        let most = 0.98 * options.settings.scallop_mm;
         let high: Vec<usize> = (0..ridges.len()).filter(|&k| ridges[k] > most).collect();
         let enough = path.planned_scallop_mm <= most || high.is_empty();
         if best.as_ref().is_none_or(|b| path.planned_scallop_mm < b.planned_scallop_mm) {
@@ -38,7 +38,7 @@ pub(super) fn plan(
         }
         for &k in &high {
             let lower = stack.rings[(k + 2).min(stack.rings.len() - 1)].x_mm;
-            aim.cap([lower, stack.rings[k].x_mm], (0.95 * options.scallop_mm / ridges[k]).clamp(0.3, 0.97));
+            aim.cap([lower, stack.rings[k].x_mm], (0.95 * options.settings.scallop_mm / ridges[k]).clamp(0.3, 0.97));
         }
         let first = high[0] + 1;
         kept = stack.rings;

@@ -103,7 +103,7 @@ pub(super) fn plan(
     }
     let rank = |h: &Helix| (!h.is_from_end, h.path.planned_scallop_mm);
     match plain {
-        Ok(helix) if rank(&helix) <= (false, MOST_SCALLOP * options.scallop_mm) => Ok(helix.path),
+        Ok(helix) if rank(&helix) <= (false, MOST_SCALLOP * options.settings.scallop_mm) => Ok(helix.path),
         Err(e) if e.kind != ErrorKind::Infeasible => Err(e),
         plain => match (plain, lay(true)) {
             (_, Err(e)) if e.kind != ErrorKind::Infeasible => Err(e),
@@ -130,14 +130,14 @@ fn lay(
     observer: &dyn Observer,
 ) -> Result<Helix> {
     let mut how = rings::tracing(options);
-    let flat_mm = flat_stepover_mm(options.radius_mm, options.scallop_mm);
+    let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
     // The ring's altered points, at one of which the path begins, are those of the blade and not of
     // its facets.
     how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
     let facets = usize::from(level.is_over_facets());
     let touches_mm = |share: f64| (TOUCHES_RAD[facets] * options.radius_mm).min(share * flat_mm).min(how.max_step_mm);
     let ring = rings::first_ring(blade, level, options, start_x, &how)?;
-    let bounds = Bounds::of(&options.extent.ends, level.rim, options.max_lean_rad);
+    let bounds = Bounds::of(&options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
     let search = |scallop_mm| March {
         across: Across { level, bounds, min_step_mm: how.min_step_mm },
         scallop_mm,
@@ -162,11 +162,11 @@ fn lay(
         loop {
             let room = Bounds {
                 x_mm: [f64::NEG_INFINITY, highest],
-                max_sin_lean: (options.max_lean_rad + ROOM_RAD).min(FRAC_PI_2).sin(),
+                max_sin_lean: (options.settings.max_lean_deg.to_radians() + ROOM_RAD).min(FRAC_PI_2).sin(),
                 ends: &[],
                 rim: None,
             };
-            let plain = search(options.scallop_mm);
+            let plain = search(options.settings.scallop_mm);
             let up = March {
                 across: Across { bounds: room, ..plain.across },
                 step_mm: touches_mm(TOUCHES[facets]),
@@ -187,13 +187,13 @@ fn lay(
         }
     };
     let mut down = Laid { turns: Vec::new(), lost: None };
-    let coarse = (COARSEST * options.radius_mm / options.scallop_mm).clamp(1.0, COARSER);
+    let coarse = (COARSEST * options.radius_mm / options.settings.scallop_mm).clamp(1.0, COARSER);
     let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
-    let level_ring = search(tries[0] * options.scallop_mm).at_one_contact_height(&ring.touches);
+    let level_ring = search(tries[0] * options.settings.scallop_mm).at_one_contact_height(&ring.touches);
     let ring = level_ring.unwrap_or(ring.touches);
     for (k, coarser) in tries.iter().enumerate() {
         let open = bounds.x_mm[0] == f64::NEG_INFINITY;
-        let lay_down = search(coarser * options.scallop_mm);
+        let lay_down = search(coarser * options.settings.scallop_mm);
         down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
         let is_finest = k + 1 == tries.len();
         let mut reason = end_reason(blade, &down, options);
@@ -236,7 +236,7 @@ fn lay(
 
 /// Why the helix ends.
 fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> EndReason {
-    let most_deg = options.max_lean_rad.to_degrees();
+    let most_deg = options.settings.max_lean_deg;
     let blocked = |why: &str, p: &Point| EndReason::Blocked(format!("{why} at {}", place(blade, p)));
     if let Some(p) = laid.lost {
         return blocked(&format!("a ball of radius {} mm cannot follow the surface", options.radius_mm), &p);

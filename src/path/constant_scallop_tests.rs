@@ -21,7 +21,8 @@ const R: f64 = 4.0;
 const H: f64 = 0.01;
 
 fn options(start: f64, end: Option<f64>) -> PathOptions {
-    PathOptions { kind: PathKind::ConstantScallop, extent: Extent::heights(Some(start), end), ..PathOptions::new(R, H) }
+    PathOptions { extent: Extent::heights(Some(start), end), ..PathOptions::new(R, H) }
+        .with(|s| s.kind = PathKind::ConstantScallop)
 }
 
 /// Heights from 0 to `top` in steps of `step`.
@@ -169,7 +170,7 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
     mesh.face_of = (0..mesh.triangles.len()).map(|t| u32::from(mesh.corners(t).iter().all(|p| p.x < 1e-9))).collect();
     blade.part = crate::geometry::part::Part::from_mesh(mesh);
     let extent = Extent { ends: vec![Boundary::Faces(vec![false, true])], ..Extent::heights(Some(14.0), None) };
-    let ended = PathOptions { extent, max_lean_rad: 1.5, ..options(14.0, None) };
+    let ended = PathOptions { extent, ..options(14.0, None) }.with(|s| s.max_lean_deg = 86.0);
     let path = plan(&blade, &ended, &Silent).unwrap();
     assert!(path.end_reason.to_string().contains("comes to face 2"), "{}", path.end_reason);
     // The ball touches wall and cone at once.
@@ -181,7 +182,8 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
         assert!((l.contact.y.hypot(l.contact.z) - 10.0).abs() < 1e-3, "{} at {}", l.contact, l.centre);
     }
     assert!(path.planned_scallop_mm < 1.005 * H, "{}", path.planned_scallop_mm);
-    let error = plan(&blade, &PathOptions { kind: PathKind::ConstantHeight, ..ended }, &Silent).unwrap_err();
+    let error = plan(&blade, &ended.with(|s| (s.kind, s.max_lean_deg) = (PathKind::ConstantHeight, 60.0)), &Silent)
+        .unwrap_err();
     assert!(error.message.contains("region.end_faces"), "{}", error.message);
 }
 

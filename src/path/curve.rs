@@ -125,7 +125,7 @@ impl Curve<'_> {
             // The sagitta of a chord `c` where the curve turns by `bend` over `length` is c² bend /
             // (8 length).
             let bent = (0.9 * 8.0 * chord_mm * length / bend.max(1e-9)).sqrt();
-            total += length / bent.min(options.max_step_mm).max(1e-9);
+            total += length / bent.min(options.settings.max_step_mm).max(1e-9);
             steps.push(total);
         }
         let count = total.ceil().max(1.0) as usize;

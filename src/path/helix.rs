@@ -44,7 +44,7 @@ impl Blend<'_> {
 
     /// Touches of the turn from `u = 0` up to, not including, `u = 1`.
     fn touches(&self) -> Result<Vec<Touch>> {
-        let n = (self.a.length_mm.max(self.b.length_mm) / self.options.max_step_mm).ceil().max(8.0) as usize;
+        let n = (self.a.length_mm.max(self.b.length_mm) / self.options.settings.max_step_mm).ceil().max(8.0) as usize;
         let places: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
         chords::fill(self.level, |u| self.at(u), &places, self.options)
     }
@@ -100,11 +100,11 @@ pub fn assemble(
     let planned_scallop_mm = decisive_mm(level, ridges.concat());
     let (turns, locations) = number(turns, end);
     let path = Toolpath {
-        kind: options.kind,
+        kind: options.settings.kind,
         radius_mm: options.radius_mm,
-        stock_mm: options.stock_mm,
-        scallop_mm: options.scallop_mm,
-        chord_mm: options.chord_mm,
+        stock_mm: options.settings.stock_mm,
+        scallop_mm: options.settings.scallop_mm,
+        chord_mm: options.settings.chord_mm,
         region_x_mm,
         end_reason,
         planned_scallop_mm,

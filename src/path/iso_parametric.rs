@@ -79,17 +79,25 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let stack = rings::lay(blade, level, options, start_x, Vec::new(), &rings::Aim::new(options.scallop_mm), observer)?;
+    let stack = rings::lay(
+        blade,
+        level,
+        options,
+        start_x,
+        Vec::new(),
+        &rings::Aim::new(options.settings.scallop_mm),
+        observer,
+    )?;
     let meridians = Meridians { level, rings: &stack.rings };
     let ends = [stack.rings[0].x_mm, stack.rings[stack.rings.len() - 1].x_mm];
     let perimeter = stack.rings.iter().map(|r| r.length_mm).fold(0.0, f64::max);
-    let flat = flat_stepover_mm(options.radius_mm, options.scallop_mm);
+    let flat = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
     // Two hundredths are left for what another measure of the same ridge may see.
-    let most = 0.98 * options.scallop_mm;
+    let most = 0.98 * options.settings.scallop_mm;
     let mut n = ((meridians.longest_mm(360) / flat).ceil() as usize).max(1);
     let (mut too_few, mut best): (usize, Option<(usize, Toolpath)>) = (0, None);
     for _ in 0..MOST_TRIES {
-        let steps = (perimeter / options.max_step_mm).ceil().max(8.0) as usize;
+        let steps = (perimeter / options.settings.max_step_mm).ceil().max(8.0) as usize;
         let places: Vec<f64> = (0..=steps).map(|i| i as f64 / steps as f64).collect();
         let turns: Vec<Vec<Touch>> = (0..n)
             .into_par_iter()

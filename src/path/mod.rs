@@ -22,7 +22,7 @@
 //!   the first is the lowest that is nowhere under the start height.
 //!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`).
-//! With [`PathOptions::stock_mm`], all this is on the part with so much stock on it
+//! With [`PathSettings::stock_mm`], all this is on the part with so much stock on it
 //! ([`crate::geometry::allowance`]).
 //!
 //! Turns begin at a *base point*, the concave–convex altered point where the path enters the
@@ -37,7 +37,7 @@
 //! location, is in [`Toolpath::planned_scallop_mm`] (on a mesh the 99th percentile).
 //!
 //! ## Limits
-//! The helix ends where a wall leans towards the tip by more than [`PathOptions::max_lean_rad`];
+//! The helix ends where a wall leans towards the tip by more than [`PathSettings::max_lean_deg`];
 //! turns at constant height leave too much beyond it. With those the scallop is at or under the
 //! limit everywhere, not constant along a turn. With constant scallop turns slant as the end does.
 
@@ -61,11 +61,13 @@ mod rim;
 mod ring;
 mod rings;
 mod seed;
+mod settings;
 mod stepover;
 #[cfg(test)]
 mod tests;
 
 pub use options::PathOptions;
+pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};
 pub use stepover::flat_stepover_mm;
 
 use crate::artifact::region::{Boundary, Region};
@@ -85,7 +87,7 @@ use rim::Rim;
 /// goes round the airfoil, with the place; kind `Cancelled`.
 pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     validate(blade, options)?;
-    match options.direction {
+    match options.settings.direction {
         Direction::Climb => downwards(blade, options, observer),
         Direction::Conventional => direction::reversed(blade, options, |b, o| downwards(b, o, observer)),
     }
@@ -94,11 +96,11 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     let rim = Rim::of(blade, region(blade, options)?, options);
-    let part = Allowed::new(&blade.part, options.stock_mm);
+    let part = Allowed::new(&blade.part, options.settings.stock_mm);
     let lowest_mm = bounds::lowest_mm(&options.extent.ends);
     let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
     let start_x = start_height(blade, options)?;
-    match options.kind {
+    match options.settings.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
         PathKind::ConstantScallop => constant_scallop::plan(blade, &level, options, start_x, observer),
@@ -112,7 +114,7 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
 /// As [`plan`].
 pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
     validate(blade, options)?;
-    let part = Allowed::new(&blade.part, options.stock_mm);
+    let part = Allowed::new(&blade.part, options.settings.stock_mm);
     let level = LevelSet { part, radius_mm: options.radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
@@ -163,28 +165,18 @@ fn heights_mm(blade: &Blade, options: &PathOptions) -> Result<[f64; 2]> {
 }
 
 fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
-    let positive = [
-        ("tool.radius_mm", o.radius_mm),
-        ("path.scallop_mm", o.scallop_mm),
-        ("path.chord_mm", o.chord_mm),
-        ("path.max_step_mm", o.max_step_mm),
-    ];
-    for (key, value) in positive {
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(Error::usage(Stage::Path, format!("{key} is {value}, it must be greater than 0")));
-        }
+    if !(o.radius_mm > 0.0 && o.radius_mm.is_finite()) {
+        return Err(Error::usage(Stage::Path, format!("tool.radius_mm is {}, it must be greater than 0", o.radius_mm)));
     }
-    if o.scallop_mm >= 0.5 * o.radius_mm {
+    o.settings.check(Stage::Path)?;
+    if o.settings.scallop_mm >= 0.5 * o.radius_mm {
         return Err(Error::usage(
             Stage::Path,
             format!(
                 "path.scallop_mm is {}, it must be less than half the ball radius ({} mm)",
-                o.scallop_mm, o.radius_mm
+                o.settings.scallop_mm, o.radius_mm
             ),
         ));
-    }
-    if !(o.stock_mm >= 0.0 && o.stock_mm.is_finite()) {
-        return Err(Error::usage(Stage::Path, format!("path.stock_mm is {}, it must be at least 0", o.stock_mm)));
     }
     validate_extent(blade, o)?;
     if let Some(size) = blade.part.mesh.aabb().map(|b| b.max - b.min).filter(|s| s.max() < 2.0 * o.radius_mm) {
@@ -214,7 +206,7 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
 /// Whether a path of this kind can begin and end where it is to.
 fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
     let marks = |end: &Boundary| matches!(end, Boundary::Faces(flags) if flags.contains(&true));
-    if o.extent.ends.iter().any(marks) && o.kind != PathKind::ConstantScallop {
+    if o.extent.ends.iter().any(marks) && o.settings.kind != PathKind::ConstantScallop {
         return Err(Error::usage(
             Stage::Path,
             "region.end_faces ends turns of constant scallop only: other turns do not run along the edge of a face",

@@ -52,7 +52,7 @@ impl Rim {
         let [a, b] = region.x_mm()?;
         let slant_mm = (a - blade.regions.part_x_mm[0]).max(0.0).min(0.3 * (b - a));
         let (mesh, highest) = (&blade.part.mesh, a + slant_mm + LOWEST * (b - a));
-        let near_mm = NEAR * options.radius_mm + 2.0 * blade.part.deflection_mm + options.stock_mm;
+        let near_mm = NEAR * options.radius_mm + 2.0 * blade.part.deflection_mm + options.settings.stock_mm;
         let mut rim = Rim { near_mm, cells: HashSet::new() };
         for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
             let [p, q] = group[0].edge.map(|v| mesh.points[v as usize]);
@@ -167,8 +167,8 @@ mod tests {
             for kind in [PathKind::ConstantHeight, PathKind::ConstantScallop] {
                 let what = format!("slope {slope}, capped {capped}, {kind:?}");
                 let start = 15.0 * slope + 3.0;
-                let options =
-                    PathOptions { extent: Extent::heights(Some(start), None), kind, ..PathOptions::new(2.0, 0.2) };
+                let options = PathOptions { extent: Extent::heights(Some(start), None), ..PathOptions::new(2.0, 0.2) }
+                    .with(|s| s.kind = kind);
                 let path = plan(&blade, &options, &Silent).unwrap_or_else(|e| panic!("{what}: {e}"));
                 for l in &path.locations {
                     let contact = l.centre - l.normal * 2.0;

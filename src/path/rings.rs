@@ -101,10 +101,10 @@ pub fn lay(
 /// How finely rings are traced for a path.
 pub fn tracing(options: &PathOptions) -> Tracing {
     Tracing {
-        max_step_mm: options.max_step_mm,
+        max_step_mm: options.settings.max_step_mm,
         max_turn_rad: 0.12,
-        min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.max_step_mm),
-        min_cos_lean: options.max_lean_rad.cos(),
+        min_step_mm: (1e-3 * options.radius_mm).min(0.25 * options.settings.max_step_mm),
+        min_cos_lean: options.settings.max_lean_deg.to_radians().cos(),
     }
 }
 
@@ -132,7 +132,7 @@ fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
     match broken {
         Broken::Leans(p) => format!(
             "the wall leans over more than {:.0}° from the blade axis at {}",
-            options.max_lean_rad.to_degrees(),
+            options.settings.max_lean_deg,
             place(blade, p)
         ),
         Broken::Rim(p) => ends_without_platform(blade, p),

@@ -73,11 +73,8 @@ pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
 }
 
 fn options() -> PathOptions {
-    PathOptions {
-        kind: PathKind::ConstantHeight,
-        extent: Extent::heights(Some(20.0), None),
-        ..PathOptions::new(4.0, 0.01)
-    }
+    PathOptions { extent: Extent::heights(Some(20.0), None), ..PathOptions::new(4.0, 0.01) }
+        .with(|s| s.kind = PathKind::ConstantHeight)
 }
 
 #[test]
@@ -150,14 +147,14 @@ fn same_path_on_one_and_two_threads() {
 fn bad_options_are_named() {
     let blade = bar(60, |_| BAR_RADIUS);
     for (o, word) in [
-        (PathOptions { scallop_mm: 0.0, ..options() }, "path.scallop_mm"),
-        (PathOptions { scallop_mm: f64::NAN, ..options() }, "path.scallop_mm"),
+        (options().with(|s| s.scallop_mm = 0.0), "path.scallop_mm"),
+        (options().with(|s| s.scallop_mm = f64::NAN), "path.scallop_mm"),
         (PathOptions { radius_mm: -1.0, ..options() }, "tool.radius_mm"),
-        (PathOptions { chord_mm: 0.0, ..options() }, "path.chord_mm"),
+        (options().with(|s| s.chord_mm = 0.0), "path.chord_mm"),
         (PathOptions { extent: Extent::heights(Some(500.0), None), ..options() }, "region.start_mm"),
         (PathOptions { extent: Extent::heights(Some(5.0), Some(9.0)), ..options() }, "region.end_mm"),
-        (PathOptions { scallop_mm: 3.0, ..options() }, "path.scallop_mm"),
-        (PathOptions { radius_mm: 200.0, scallop_mm: 0.01, ..options() }, "smaller than the tool"),
+        (options().with(|s| s.scallop_mm = 3.0), "path.scallop_mm"),
+        (PathOptions { radius_mm: 200.0, ..options() }.with(|s| s.scallop_mm = 0.01), "smaller than the tool"),
     ] {
         let e = plan(&blade, &o, &Silent).unwrap_err();
         assert!(e.message.contains(word), "{e}");

@@ -94,78 +94,49 @@ impl Setup {
 
     /// Options of the sections as the job has them.
     pub fn section_options(&self) -> SectionOptions {
-        SectionOptions { count: self.job.section.count as usize, ..SectionOptions::default() }
+        SectionOptions { settings: self.job.section, ..SectionOptions::default() }
     }
 
     /// Options of the path as the job has them.
     pub fn path_options(&self) -> PathOptions {
-        let (p, r) = (&self.job.path, &self.job.region);
+        let r = &self.job.region;
         let faces = self.end_faces.contains(&true).then(|| Boundary::Faces(self.end_faces.clone()));
         let ends = r.end_mm.map(Boundary::Height).into_iter().chain(faces);
         PathOptions {
-            kind: p.kind,
+            settings: self.job.path.clone(),
             radius_mm: self.job.tool.radius_mm,
-            direction: p.direction,
             start_near: self.start_near,
-            stock_mm: p.stock_mm,
-            scallop_mm: p.scallop_mm,
-            chord_mm: p.chord_mm,
-            max_step_mm: p.max_step_mm,
             extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
-            max_lean_rad: p.max_lean_deg.to_radians(),
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
     }
 
     /// Options of the channel as the job and the machine have them.
     pub fn channel_options(&self) -> ChannelOptions {
-        let c = &self.job.channel;
-        ChannelOptions {
-            clearance_mm: c.clearance_mm,
-            holder_clearance_mm: c.holder_clearance_mm,
-            contact_angle_min_rad: c.contact_angle_min_deg.to_radians(),
-            contact_angle_max_rad: c.contact_angle_max_deg.to_radians(),
-            tolerance_rad: c.tolerance_deg.to_radians(),
-            prove_moves: c.prove_moves,
-            exact_ends: c.exact_ends,
-            theta_limits_rad: self.machine.theta_limits(self.job.machine.b_deg.to_radians()),
-            ..ChannelOptions::default()
-        }
+        let theta_limits_rad = self.machine.theta_limits(self.job.machine.b_deg.to_radians());
+        ChannelOptions { settings: self.job.channel.clone(), theta_limits_rad, ..ChannelOptions::default() }
     }
 
     /// Options of the schedule as the job and the machine have them.
     pub fn schedule_options(&self) -> ScheduleOptions {
-        let s = &self.job.schedule;
         let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
-        ScheduleOptions {
-            margin_deg: s.margin_deg,
-            lead_deg: s.lead_deg,
-            beyond_wall_deg: s.beyond_wall_deg,
-            measure: s.measure,
-            base_angle: s.base_angle,
-            scope: s.scope,
-            pace,
-            ..ScheduleOptions::default()
-        }
+        ScheduleOptions { settings: self.job.schedule, pace, ..ScheduleOptions::default() }
     }
 
     /// Options of the feed as the job has them.
     pub fn feed_options(&self) -> FeedOptions {
-        let (feed, gauge) = (self.job.feed.feed_mm_min, self.job.tool.length_mm());
-        FeedOptions { chord_mm: self.job.path.chord_mm, ..FeedOptions::new(feed, gauge) }
+        let usual = FeedOptions::new(self.job.feed.feed_mm_min, self.job.tool.length_mm());
+        FeedOptions { settings: self.job.feed, chord_mm: self.job.path.chord_mm, ..usual }
     }
 
     /// Limits of the checks, as the job has them.
     pub fn verify_options(&self) -> VerifyOptions {
-        let (v, c) = (&self.job.verify, &self.job.channel);
+        let c = &self.job.channel;
         VerifyOptions {
-            gouge_mm: v.gouge_mm,
+            settings: self.job.verify,
             scallop_mm: self.job.path.scallop_mm,
-            scallop_ratio: v.scallop_ratio,
             clearance_mm: c.clearance_mm,
             holder_clearance_mm: c.holder_clearance_mm,
-            resolution_mm: v.resolution_mm,
-            surface_samples: v.surface_samples as usize,
             asked: Some(self.asked()),
             ..VerifyOptions::default()
         }
@@ -196,21 +167,13 @@ impl Setup {
 
     /// What programs say in their headers.
     pub fn post_options(&self) -> PostOptions {
-        let p = &self.job.post;
         let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
         PostOptions {
+            settings: self.job.post.clone(),
             program_name: program_name(&self.blade.name),
             part_file: file,
             part_hash: self.part_hash.clone(),
             job: "job.resolved.toml".into(),
-            tool_number: p.tool_number,
-            spindle_rpm: p.spindle_rpm,
-            approach_feed_mm_min: p.approach_feed_mm_min,
-            plunge_feed_mm_min: p.plunge_feed_mm_min,
-            feed_height_mm: p.feed_height_mm,
-            safe_clearance_mm: p.safe_clearance_mm,
-            smoothing_mm: p.smoothing_mm,
-            look_ahead: p.look_ahead,
             ..PostOptions::default()
         }
     }

@@ -7,7 +7,7 @@ use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, CheckReport, Toolpath};
 use crate::error::{ErrorKind, Result, Stage};
 use crate::observe::{Observer, Warning};
-use crate::path::{self, PathOptions};
+use crate::path::{self, PathOptions, PathSettings};
 use crate::section::{self, SectionOptions};
 use crate::verify;
 
@@ -21,9 +21,6 @@ pub(crate) fn trailing_edge(blade: &Blade, x_mm: f64, observer: &dyn Observer) -
         Some([x_mm, y, z])
     }))
 }
-
-/// Greatest `path.max_lean_deg` of turns that are not of constant scallop.
-const MOST_LEAN_DEG: f64 = 85.0;
 
 /// Paths of the other kinds over the region of the path in use, with its worst ridge as their
 /// scallop, each beside the limit that was measured on it. A kind whose turns cannot be laid is
@@ -44,8 +41,9 @@ pub(crate) fn others(
         let own = setup.path_options();
         let extent = own.extent.clone().down_to(end_mm);
         // Turns of other kinds cannot go down to a platform: the height of the region ends them.
-        let max_lean_rad = own.max_lean_rad.min(MOST_LEAN_DEG.to_radians());
-        let options = PathOptions { kind, extent, scallop_mm: worst_mm, max_lean_rad, ..own };
+        let max_lean_deg = own.settings.max_lean_deg.min(path::most_lean_deg(kind));
+        let settings = PathSettings { kind, scallop_mm: worst_mm, max_lean_deg, ..own.settings };
+        let options = PathOptions { settings, extent, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
                 let message = format!("no {} path over the same region to compare with: {}", kind.name(), e.message);

@@ -130,7 +130,8 @@ fn keep_clear(
         rows.sort_unstable();
         rows.dedup();
         let narrower = |exact_ends: bool| {
-            let options = channel::ChannelOptions { prove_at: rows.clone(), exact_ends, ..setup.channel_options() };
+            let options = channel::ChannelOptions { prove_at: rows.clone(), ..setup.channel_options() }
+                .with(|s| s.exact_ends = exact_ends);
             let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
             channel::plan_among(&around, tool, path, &options, &Silent)
         };
@@ -194,7 +195,7 @@ pub(crate) fn channel_as_far_as_it_goes(
         let mut shorter = setup.path_options();
         // Turns that tilt may reach below the height where they begin: each end is above the one
         // before by a stepover at least.
-        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.scallop_mm);
+        let stepover_mm = path::flat_stepover_mm(shorter.radius_mm, shorter.settings.scallop_mm);
         let above_mm = ended_mm.map_or(f64::NEG_INFINITY, |before| before + stepover_mm);
         // An end that was asked for stays, and the first turn at least needs room above it.
         let end_mm = blocked
@@ -223,7 +224,7 @@ pub(crate) fn channel_as_far_as_it_goes(
 /// kept as room. `None` where there are none, where they have been asked already, or where the
 /// channel closes by them too.
 fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -> Option<Result<Channel>> {
-    let options = channel::ChannelOptions { exact_ends: true, ..setup.channel_options() };
+    let options = setup.channel_options().with(|s| s.exact_ends = true);
     if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
         return None;
     }
@@ -237,7 +238,7 @@ fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -
     if planned.is_err() {
         return Some(planned);
     }
-    let by = if options.prove_moves {
+    let by = if options.settings.prove_moves {
         "its walls are proven on a finer one"
     } else {
         "its ends are those of the exact faces"

@@ -69,8 +69,8 @@ pub(crate) fn paced(
     channel: &Channel,
     options: &ScheduleOptions,
 ) -> Result<Vec<Schedule>> {
-    let pace = pace(machine, feed.feed_mm_min);
-    let speed = feed.feed_mm_min / 60.0;
+    let pace = pace(machine, feed.settings.feed_mm_min);
+    let speed = feed.settings.feed_mm_min / 60.0;
     // Seconds to full feed of one axis that takes all of it.
     let to_speed = |k: usize| {
         let l = machine.axes()[k].limits;
@@ -89,9 +89,9 @@ pub(crate) fn paced(
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.
 fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
-    let optimal = |measure| (ScheduleKind::Optimal, ScheduleOptions { measure, ..*options });
+    let optimal = |measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure));
     let kinds = [
-        optimal(options.measure),
+        optimal(options.settings.measure),
         optimal(Measure::SquareSecond),
         (ScheduleKind::Piecewise, *options),
         (ScheduleKind::Quaternion, *options),

@@ -24,7 +24,7 @@ pub(crate) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel
     let options = setup.schedule_options();
     let made = match kind {
         ScheduleKind::Time => {
-            let pace = Some(schedules::pace(&setup.machine, setup.feed_options().feed_mm_min));
+            let pace = Some(schedules::pace(&setup.machine, setup.job.feed.feed_mm_min));
             schedule::plan(kind, &few, &narrow, &ScheduleOptions { pace, ..options }, &Silent)
         }
         _ => schedule::plan(kind, &few, &narrow, &options, &Silent),

@@ -147,7 +147,7 @@ pub fn compare(
         name: setup.blade.name.clone(),
         cutter_locations: toolpath.locations.len(),
         path_length_mm: toolpath.locations.last().map_or(0.0, |l| l.s_mm),
-        feed_mm_min: feed.feed_mm_min,
+        feed_mm_min: feed.settings.feed_mm_min,
         limit_jerk,
         bound_second_deg_mm2: bound.map(f64::to_degrees),
         schedules,
@@ -165,20 +165,20 @@ type Made = (Vec<(Schedule, f64)>, Vec<String>);
 
 fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<Made> {
     let options = setup.schedule_options();
+    let own = options.settings.measure;
     let mut kinds = vec![
-        ("fixed", ScheduleKind::Fixed, options.measure),
-        ("quaternion", ScheduleKind::Quaternion, options.measure),
-        ("piecewise", ScheduleKind::Piecewise, options.measure),
-        ("optimal", ScheduleKind::Optimal, options.measure),
+        ("fixed", ScheduleKind::Fixed, own),
+        ("quaternion", ScheduleKind::Quaternion, own),
+        ("piecewise", ScheduleKind::Piecewise, own),
+        ("optimal", ScheduleKind::Optimal, own),
     ];
-    if options.measure != Measure::SquareSecond {
+    if own != Measure::SquareSecond {
         kinds.push(("optimal square-second", ScheduleKind::Optimal, Measure::SquareSecond));
     }
     let mut made = Vec::new();
     for (_, kind, measure) in &kinds {
         let start = std::time::Instant::now();
-        let options = schedule::ScheduleOptions { measure: *measure, ..options };
-        let s = schedule::plan(*kind, path, channel, &options, &Silent)?;
+        let s = schedule::plan(*kind, path, channel, &options.with(|s| s.measure = *measure), &Silent)?;
         made.push((s, start.elapsed().as_secs_f64()));
     }
     Ok((made, kinds.iter().map(|k| k.0.to_owned()).collect()))
@@ -257,7 +257,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
             share = share.min((l.jerk / at.jerk[k]).cbrt());
         }
     }
-    let constant = share * feed.feed_mm_min;
+    let constant = share * feed.settings.feed_mm_min;
     let greatest = |rows: &[Axes]| Axes::from_fn(axes.len(), |k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
     let own = AxisPeaks {
         velocity: greatest(&motion.velocity),

@@ -7,7 +7,7 @@ use super::manifest::{self, Input};
 use crate::artifact::{Blade, Obstacle};
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::job::{self, Draft, Job, JobFile, ModelJob};
+use crate::job::{self, Draft, Job, JobFile, ModelSettings};
 use crate::machine::Machine;
 use crate::observe::Observer;
 use crate::plan::Setup;
@@ -64,7 +64,7 @@ impl Loaded {
 }
 
 /// How the job reads its model.
-fn model_options(m: &ModelJob) -> ModelOptions {
+fn model_options(m: &ModelSettings) -> ModelOptions {
     ModelOptions {
         unit: m.unit,
         axis: m.axis.direction(),

@@ -72,8 +72,8 @@ fn read_back(setup: &Setup, program: Program, plan: &Plan) -> Vec<Check> {
 
 /// A program that nobody knows the dialect of, read as it looks.
 fn guessed(setup: &Setup, name: &str, text: String, look: Guess, plan: &Plan) -> Vec<Check> {
-    let options = setup.post_options();
-    let with = std::iter::once((options.tool_number, options.spindle_rpm));
+    let post = &setup.job.post;
+    let with = std::iter::once((post.tool_number, post.spindle_rpm));
     let program = Program {
         control: look.why.to_owned(),
         file_name: name.to_owned(),

@@ -21,15 +21,19 @@ use super::inputs::Loaded;
 use super::manifest::Input;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan};
+use crate::channel::ChannelSettings;
 use crate::error::Stage;
-use crate::job::{ChannelJob, Job, MachineJob, ModelJob, PathJob, VerifyJob};
+use crate::job::{Job, ModelSettings};
+use crate::machine::MachineSettings;
 use crate::observe::{Observer, Warning};
+use crate::path::PathSettings;
 use crate::plan::planning::Known;
+use crate::verify::VerifySettings;
 
 /// Names the part that the checks were about, and the program: what its exact shape follows from.
 pub(super) fn part(loaded: &Loaded) -> String {
     let (job, files) = (&loaded.setup.job, Files::of(&loaded.setup.job, &loaded.inputs));
-    let model = ModelJob { file: Default::default(), ..job.model.clone() };
+    let model = ModelSettings { file: Default::default(), ..job.model.clone() };
     let (read, among) = (files.model.join(" "), files.obstacles.join(" "));
     let by = (super::program(), super::build());
     format!("{} {} {read} {model:?} {among} {:?} {:?}", by.0, by.1, job.fixture, job.stock)
@@ -95,7 +99,7 @@ impl<'a> Earlier<'a> {
             return Some(Stage::Channel);
         }
         // Room for the leads is judged by these limits of the checks.
-        let room = |v: &VerifyJob| [v.gouge_mm, v.resolution_mm];
+        let room = |v: &VerifySettings| [v.gouge_mm, v.resolution_mm];
         Some(if machine && room(&a.verify) == room(&b.verify) { Stage::Feed } else { Stage::Schedule })
     }
 
@@ -105,7 +109,7 @@ impl<'a> Earlier<'a> {
         let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &loaded.inputs));
         let bare = |job: &Job| Job {
             model: bare_model(&job.model),
-            machine: MachineJob { file: None, ..job.machine.clone() },
+            machine: MachineSettings { file: None, ..job.machine.clone() },
             post: b.post.clone(),
             ..job.clone()
         };
@@ -166,22 +170,22 @@ pub(super) fn same_part(a: &Loaded, b: &Loaded) -> bool {
     hashes(a) == hashes(b)
 }
 
-fn bare_model(m: &ModelJob) -> ModelJob {
-    ModelJob { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() }
+fn bare_model(m: &ModelSettings) -> ModelSettings {
+    ModelSettings { file: m.file.file_name().map(Into::into).unwrap_or_default(), ..m.clone() }
 }
 
 /// The same way of reading, wherever the file lies. Its name matters: it can be the blade's.
-fn same_model(a: &ModelJob, b: &ModelJob) -> bool {
+fn same_model(a: &ModelSettings, b: &ModelSettings) -> bool {
     bare_model(a) == bare_model(b)
 }
 
-fn same_path(a: &PathJob, b: &PathJob) -> bool {
-    let bare = |p: &PathJob| PathJob { compare: false, ..p.clone() };
+fn same_path(a: &PathSettings, b: &PathSettings) -> bool {
+    let bare = |p: &PathSettings| PathSettings { compare: false, ..p.clone() };
     bare(a) == bare(b)
 }
 
-fn same_channel(a: &ChannelJob, b: &ChannelJob) -> bool {
-    let bare = |c: &ChannelJob| ChannelJob { sweep_b: false, ..c.clone() };
+fn same_channel(a: &ChannelSettings, b: &ChannelSettings) -> bool {
+    let bare = |c: &ChannelSettings| ChannelSettings { sweep_b: false, ..c.clone() };
     bare(a) == bare(b)
 }
 

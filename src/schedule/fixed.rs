@@ -14,7 +14,7 @@ const ALONG_AXIS: f64 = 1e-6;
 
 /// θ at every location.
 pub(super) fn angles(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<f64> {
-    let lead = options.lead_deg.to_radians();
+    let lead = options.settings.lead_deg.to_radians();
     let near = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
     let mut last = if near.is_finite() { near } else { 0.0 };
     let mut theta = Vec::with_capacity(path.locations.len());
@@ -50,7 +50,7 @@ pub(super) fn plan(
             message: format!(
                 "the fixed schedule (lead {} deg) is outside the channel at {outside} of {} locations and turns back \
                  {} times; it is a baseline to compare with, not to be machined",
-                options.lead_deg,
+                options.settings.lead_deg,
                 out.theta.len(),
                 out.reversals
             ),

@@ -85,6 +85,7 @@ mod optimal;
 mod options;
 mod piecewise;
 mod quaternion;
+mod settings;
 mod taut;
 mod turn;
 mod wall;
@@ -95,6 +96,7 @@ use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 
 pub use options::{Pace, ScheduleOptions};
+pub use settings::{ScheduleKeys, ScheduleSettings};
 
 /// Makes a schedule of the kind asked for; see the module's page.
 ///

@@ -76,15 +76,15 @@ pub(super) fn plan(
     if kind == ScheduleKind::Time {
         return Ok(out);
     }
-    let value = match options.measure {
+    let value = match options.settings.measure {
         Measure::PeakSecond => out.peak_acceleration,
         Measure::PeakThird => out.quality.peak_third.unwrap_or(0.0),
         Measure::SquareSecond => curve::squares(&out.pieces)[0],
         Measure::SquareThird => curve::squares(&out.pieces)[1],
     };
-    out.quality.measure = Some((options.measure, value, prove(options.measure, false).min(value)));
-    out.quality.bound_second = match options.measure {
-        Measure::PeakSecond if options.scope == Scope::Whole => Some(prove(Measure::PeakSecond, true)),
+    out.quality.measure = Some((options.settings.measure, value, prove(options.settings.measure, false).min(value)));
+    out.quality.bound_second = match options.settings.measure {
+        Measure::PeakSecond if options.settings.scope == Scope::Whole => Some(prove(Measure::PeakSecond, true)),
         _ => least_second(path, channel),
     };
     Ok(out)
@@ -222,7 +222,7 @@ fn solve(
     pace: Option<Pace>,
     observer: &dyn Observer,
 ) -> Result<Found> {
-    let measure = options.measure;
+    let measure = options.settings.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
         Error::infeasible(Room::Schedule, "the channel leaves no room for a smooth schedule that never turns back")
@@ -240,7 +240,7 @@ fn solve(
         scale.third *= trial.v[0][3].clamp(1e-4, 1e4);
     }
     observer.check(Room::Schedule)?;
-    if options.scope == Scope::Turns && pace.is_none() {
+    if options.settings.scope == Scope::Turns && pace.is_none() {
         return by_turn::solve(path, walls, measure, &scale).ok_or_else(stuck);
     }
     let (last, weights) = match measure {

@@ -8,7 +8,7 @@ use crate::observe::Silent;
 const MEASURES: [Measure; 4] = [Measure::PeakSecond, Measure::PeakThird, Measure::SquareSecond, Measure::SquareThird];
 
 fn options(measure: Measure) -> ScheduleOptions {
-    ScheduleOptions { margin_deg: 0.0, measure, ..ScheduleOptions::default() }
+    ScheduleOptions::default().with(|s| (s.margin_deg, s.measure) = (0.0, measure))
 }
 
 fn optimal(p: &Toolpath, limits: &[[f64; 2]], measure: Measure) -> Schedule {
@@ -144,7 +144,7 @@ fn locations_moved_by_rounding_move_it_by_as_little() {
 fn turn_by_turn_is_sound_and_nearly_as_good() {
     let (p, walls) = (path(6, 90), blade_like(6, 90, 0.35, 0.2));
     for m in MEASURES {
-        let by_turn = ScheduleOptions { scope: Scope::Turns, ..options(m) };
+        let by_turn = options(m).with(|s| s.scope = Scope::Turns);
         let s = plan(ScheduleKind::Optimal, &p, &channel(&walls), &by_turn, &Silent).unwrap();
         assert_sound(&s);
         let (best, value) = (optimal(&p, &walls, m).quality.measure.unwrap().1, s.quality.measure.unwrap().1);
@@ -162,7 +162,7 @@ fn a_turn_does_not_wait_for_turns_farther_on() {
         *w = [middle - 0.05, middle + 0.05];
     }
     let theta = |walls: &[[f64; 2]]| {
-        let o = ScheduleOptions { scope: Scope::Turns, ..options(Measure::PeakSecond) };
+        let o = options(Measure::PeakSecond).with(|s| s.scope = Scope::Turns);
         plan(ScheduleKind::Optimal, &p, &channel(walls), &o, &Silent).unwrap().theta
     };
     let (a, b) = (theta(&walls), theta(&other));

@@ -128,7 +128,7 @@ pub(super) fn walls_with_margin(
 ) -> Result<(Corridor, Corridor)> {
     observer.check(Stage::Schedule)?;
     let hull = hull(path, channel)?;
-    let margin = options.margin_deg.to_radians();
+    let margin = options.settings.margin_deg.to_radians();
     warn_of_margin(&hull, margin, path, observer);
     let walls = hull.shrunk(margin, 0.25);
     Ok((hull, walls))
@@ -185,7 +185,7 @@ fn decoupled(
     // A length that was asked for, or a path without inner base points, leaves nothing to choose.
     let given = options.level_stretch_mm.is_some() || path.turns.len() < 2;
     let shares = if given { &LEVEL_SHARES[..1] } else { &LEVEL_SHARES[..] };
-    let published = options.base_angle == BaseAngle::ForwardLimit || path.turns.len() < 2;
+    let published = options.settings.base_angle == BaseAngle::ForwardLimit || path.turns.len() < 2;
     let places = if published { &BASE_SHARES[BASE_SHARES.len() - 1..] } else { &BASE_SHARES[..] };
     let choices: Vec<Choice> = BASE_INSETS
         .iter()

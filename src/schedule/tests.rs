@@ -233,7 +233,7 @@ fn scaling_and_shifting_the_plane_moves_the_schedule_along() {
 fn the_fixed_schedule_follows_the_normal_and_counts() {
     let p = path(2, 90);
     let c = channel(&blade_like(2, 90, 3.0, 0.0));
-    let options = ScheduleOptions { lead_deg: 15.0, ..Default::default() };
+    let options = ScheduleOptions::default().with(|s| s.lead_deg = 15.0);
     let s = plan(ScheduleKind::Fixed, &p, &c, &options, &Silent).unwrap();
     for (i, t) in s.theta.iter().enumerate() {
         let want = TAU * i as f64 / 90.0 + 15f64.to_radians();
@@ -256,8 +256,8 @@ fn bad_input_is_refused() {
     q.locations[5].s_mm = 4.0;
     assert_eq!(run(&q, &channel(&blade_like(2, 20, 1.0, 0.0))).unwrap_err().kind, ErrorKind::Usage);
     for bad in [
-        ScheduleOptions { margin_deg: -1.0, ..Default::default() },
-        ScheduleOptions { lead_deg: f64::NAN, ..Default::default() },
+        ScheduleOptions::default().with(|s| s.margin_deg = -1.0),
+        ScheduleOptions::default().with(|s| s.lead_deg = f64::NAN),
         ScheduleOptions { level_stretch_mm: Some(0.0), ..Default::default() },
     ] {
         let e = plan(ScheduleKind::Piecewise, &p, &c, &bad, &Silent).unwrap_err();
@@ -303,7 +303,7 @@ fn a_base_angle_inside_a_wide_channel_is_gentler_than_the_forward_limit() {
         .collect();
     let (path, channel) = (path(4, 60), channel(&limits));
     let with = |base_angle| {
-        let options = ScheduleOptions { base_angle, ..ScheduleOptions::default() };
+        let options = ScheduleOptions::default().with(|s| s.base_angle = base_angle);
         plan(ScheduleKind::Piecewise, &path, &channel, &options, &Silent).unwrap()
     };
     let (best, published) = (with(BaseAngle::Best), with(BaseAngle::ForwardLimit));
@@ -328,7 +328,7 @@ fn a_base_angle_inside_a_wide_channel_is_gentler_than_the_forward_limit() {
 fn walls_are_followed_and_passed_by_what_was_asked() {
     let (path, channel) = (path(2, 60), channel(&blade_like(2, 60, 0.6, 0.3)));
     let along = |kind, beyond_wall_deg| {
-        let options = ScheduleOptions { beyond_wall_deg, ..ScheduleOptions::default() };
+        let options = ScheduleOptions::default().with(|s| s.beyond_wall_deg = beyond_wall_deg);
         plan(kind, &path, &channel, &options, &Silent).unwrap().theta
     };
     let (low, high) = (along(ScheduleKind::LowerWall, 0.0), along(ScheduleKind::UpperWall, 0.2));
@@ -336,6 +336,6 @@ fn walls_are_followed_and_passed_by_what_was_asked() {
         assert_eq!(*l, r.theta_min);
         assert!((h - r.theta_max - 0.2f64.to_radians()).abs() < 1e-12);
     }
-    let bad = ScheduleOptions { beyond_wall_deg: -1.0, ..ScheduleOptions::default() };
+    let bad = ScheduleOptions::default().with(|s| s.beyond_wall_deg = -1.0);
     assert_eq!(plan(ScheduleKind::LowerWall, &path, &channel, &bad, &Silent).unwrap_err().kind, ErrorKind::Usage);
 }

@@ -21,7 +21,7 @@ pub(super) fn plan(
     observer: &dyn Observer,
 ) -> Result<Schedule> {
     observer.check(Stage::Schedule)?;
-    let beyond = options.beyond_wall_deg.to_radians();
+    let beyond = options.settings.beyond_wall_deg.to_radians();
     let wall = |r: &crate::artifact::channel::ChannelRow| match kind {
         ScheduleKind::LowerWall => r.theta_min - beyond,
         _ => r.theta_max + beyond,
@@ -37,7 +37,7 @@ pub(super) fn plan(
         message: format!(
             "the schedule runs along a wall of the channel{}, to try the channel: it turns back {turns_back} times and is \
              not to be machined",
-            if beyond == 0.0 { String::new() } else { format!(", {}° outside it", options.beyond_wall_deg) }
+            if beyond == 0.0 { String::new() } else { format!(", {}° outside it", options.settings.beyond_wall_deg) }
         ),
     });
     Ok(out)

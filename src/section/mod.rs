@@ -35,7 +35,10 @@
 //! where no section at all closes.
 
 mod altered;
+mod settings;
 pub mod smooth;
+
+pub use settings::{SectionKeys, SectionSettings};
 
 use rayon::prelude::*;
 
@@ -46,13 +49,14 @@ use crate::geometry::part::Part;
 use crate::geometry::profile::outline::{self, Outline};
 use crate::geometry::profile::{Ends, Names, Profile, Sides, TOLERANCE_MM, edges};
 use crate::observe::{Observer, Warning};
+use crate::settings::with_settings;
 
 /// Which sections, and how smooth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionOptions {
-    /// Number of heights, evenly spread from the platform (or the airfoil's lower end) to the
+    /// How many heights, evenly spread from the platform (or the airfoil's lower end) to the
     /// airfoil's upper end; used where `heights_mm` is empty.
-    pub count: usize,
+    pub settings: SectionSettings,
     /// Heights along the blade axis, blade frame, mm.
     pub heights_mm: Vec<f64>,
     /// How far the smooth curve that curvature is taken from may stay off the section's points, mm;
@@ -60,9 +64,11 @@ pub struct SectionOptions {
     pub tolerance_mm: f64,
 }
 
+with_settings!(SectionOptions, SectionSettings);
+
 impl Default for SectionOptions {
     fn default() -> Self {
-        SectionOptions { count: 11, heights_mm: Vec::new(), tolerance_mm: TOLERANCE_MM }
+        SectionOptions { settings: SectionSettings::default(), heights_mm: Vec::new(), tolerance_mm: TOLERANCE_MM }
     }
 }
 
@@ -166,13 +172,12 @@ fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
     let [low, high] = blade.regions.part_x_mm;
     let mut out = options.heights_mm.clone();
     if out.is_empty() {
-        if options.count == 0 {
-            return Err(Error::usage(Stage::Section, "neither heights nor a number of sections is given"));
-        }
+        options.settings.check(Stage::Section)?;
+        let count = options.settings.count;
         let top = blade.regions.airfoil_x_mm()[1];
         let from = blade.regions.platform_x_mm().unwrap_or(blade.regions.airfoil_x_mm()[0]);
-        let step = (top - from) / options.count as f64;
-        out = (0..options.count).map(|i| from + (i as f64 + 0.5) * step).collect();
+        let step = (top - from) / f64::from(count);
+        out = (0..count).map(|i| from + (f64::from(i) + 0.5) * step).collect();
     }
     if let Some(x) = out.iter().find(|x| !(**x > low && **x < high)) {
         return Err(Error::usage(

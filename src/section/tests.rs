@@ -243,7 +243,7 @@ fn prism(profile: &[[f64; 2]], x: [f64; 2]) -> Blade {
 fn sections_of_a_prism_are_its_profile() {
     let profile = sampled(240, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]);
     let blade = prism(&profile, [0.0, 50.0]);
-    let sections = plan(&blade, &SectionOptions { count: 5, ..SectionOptions::default() }, &Silent).unwrap();
+    let sections = plan(&blade, &SectionOptions::default().with(|s| s.count = 5), &Silent).unwrap();
     assert_eq!(sections.iter().map(|s| s.x_mm).collect::<Vec<_>>(), [5.0, 15.0, 25.0, 35.0, 45.0]);
     for s in &sections {
         assert_eq!(s.loops.len(), 1);
@@ -272,7 +272,7 @@ fn open_prism(width_mm: f64) -> Blade {
 #[test]
 fn openings_are_bridged_or_told_and_do_not_refuse() {
     let ear = Recorder::new(&Silent);
-    let options = SectionOptions { count: 5, ..SectionOptions::default() };
+    let options = SectionOptions::default().with(|s| s.count = 5);
     let of = |width_mm: f64| plan(&open_prism(width_mm), &options, &ear);
     // 93 mm round, so gaps up to 0.09 mm are bridged: at 5, 15 and 25 mm.
     let sections = of(0.15).unwrap();
@@ -302,7 +302,7 @@ fn openings_are_bridged_or_told_and_do_not_refuse() {
 fn impossible_requests_are_usage_errors() {
     let blade = prism(&sampled(40, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]), [0.0, 50.0]);
     for o in [
-        SectionOptions { count: 0, ..SectionOptions::default() },
+        SectionOptions::default().with(|s| s.count = 0),
         SectionOptions { heights_mm: vec![60.0], ..SectionOptions::default() },
         SectionOptions { heights_mm: vec![f64::NAN], ..SectionOptions::default() },
         SectionOptions { tolerance_mm: 0.0, ..SectionOptions::default() },

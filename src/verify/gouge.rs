@@ -144,7 +144,7 @@ pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64) -> Vec<u
 
 /// The check `gouge`.
 pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
-    let mut g = measure(part, sweep, options.resolution_mm);
+    let mut g = measure(part, sweep, options.settings.resolution_mm);
     // The path is connected: if it starts outside and never comes near the surface, all of it is
     // outside. Openings near the path are refused before planning, so the nearest surface tells the
     // side of an open part too.
@@ -160,7 +160,7 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     let face = at.map(|c| format!("{}{as_published}", part.face_name(c.face))).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
     let inside = if inside { "the path lies inside the part; " } else { "" };
-    let advice = match !as_published.is_empty() && bound > options.gouge_mm {
+    let advice = match !as_published.is_empty() && bound > options.settings.gouge_mm {
         true => ": sew or repair the part in CAD, or allow as much with verify.gouge_mm",
         false => "",
     };
@@ -172,7 +172,7 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         row: Some(g.segment),
         turn: sweep.turns.get(g.segment).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(CheckId::Gouge, quantity, bound, options.gouge_mm, "mm", note)
+        ..Check::at_most(CheckId::Gouge, quantity, bound, options.settings.gouge_mm, "mm", note)
     };
     (check, g)
 }

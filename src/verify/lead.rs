@@ -77,7 +77,7 @@ impl Way {
         let turns = vec![0; centres.len()];
         let sweep = Sweep::of(centres.clone(), centres, turns, room.tool.radius_mm, None);
         let part = Allowed::new(&room.blade.part, room.stock_mm);
-        gouge::measure(&part, &sweep, room.options.resolution_mm)
+        gouge::measure(&part, &sweep, room.options.settings.resolution_mm)
     }
 }
 
@@ -95,7 +95,7 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
     let part = Allowed::new(&room.blade.part, room.stock_mm);
     let found = way.gouge(room);
     let depth = found.bound_mm.max(found.found_mm);
-    if depth > room.options.gouge_mm {
+    if depth > room.options.settings.gouge_mm {
         let face = part.closest(&found.centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
         return Some(format!("the ball would cut {depth:.3} mm into {face}"));
     }
@@ -160,7 +160,7 @@ fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
     let worst = found.reduce(|a, b| if b.2.bound_mm > a.2.bound_mm { b } else { a });
     let (name, row, bound, centre) =
         worst.map_or(("", 0, 0.0, None), |(n, r, g)| (*n, r, g.bound_mm.max(g.found_mm).max(0.0), Some(g.centre)));
-    let limit = room.options.gouge_mm;
+    let limit = room.options.settings.gouge_mm;
     let quantity = "depth of the ball in the part on the ways onto the path and off it";
     let check = Check::at_most(CheckId::LeadGouge, quantity, bound, limit, "mm", name.to_owned());
     at(check, row, centre, plan, room.blade)

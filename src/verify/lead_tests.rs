@@ -23,7 +23,7 @@ fn plan() -> Plan {
 
 fn failing(plan: &Plan, blade: &Blade) -> Vec<Check> {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
-    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let options = VerifyOptions::default().with(|s| s.gouge_mm = 0.004);
     let (stock_mm, obstacles) = (0.0, &[][..]);
     let room = Room { blade, stock_mm, obstacles, tool: &tool, machine: &machine, options: &options };
     check(plan, &room).into_iter().filter(|c| !c.passed).collect()
@@ -81,7 +81,7 @@ fn what_is_planted_in_a_lead_is_found_and_named() {
 fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     let plan = plan();
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
-    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let options = VerifyOptions::default().with(|s| s.gouge_mm = 0.004);
     let foot = plan.stand(0).unwrap();
     let said = |blade: &Blade, machine: &Machine, obstacles: &[Obstacle]| {
         let stock_mm = 0.0;
@@ -121,7 +121,7 @@ fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     report.checks.push(Check::at_most(CheckId::LeadGouge, "of the whole", 9.0, 10.0, "mm", String::new()));
     let verified = Verified::for_tests(whole.clone(), report, false);
     let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
-    let options = VerifyOptions { gouge_mm: 0.004, ..VerifyOptions::default() };
+    let options = VerifyOptions::default().with(|s| s.gouge_mm = 0.004);
     let room = Room { blade: &blade, stock_mm: 0.0, obstacles: &[], tool: &tool, machine: &machine, options: &options };
     let left = sample::with_leads(whole.from_turn(1).unwrap());
     assert!(left.leads[0].is_arc());

@@ -48,6 +48,7 @@ mod samples;
 mod scallop;
 mod schedule;
 pub mod seal;
+mod settings;
 mod solid;
 mod sweep;
 #[cfg(test)]
@@ -64,6 +65,7 @@ pub use deviation::deviation;
 pub use limit::limit;
 pub use options::VerifyOptions;
 pub use restart::restart;
+pub use settings::{VerifyKeys, VerifySettings};
 pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Obstacle, Plan};

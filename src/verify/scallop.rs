@@ -174,12 +174,12 @@ pub(super) fn measure(
     options: &VerifyOptions,
     report: &mut CheckReport,
 ) -> (Band, Vec<Height>) {
-    let band = heights(part, sweep, options.scallop_mm, options.surface_samples);
+    let band = heights(part, sweep, options.scallop_mm, options.settings.surface_samples as usize);
     let ridges = ridge::all(part, sweep, options.scallop_mm, false);
     let places = |sorted: &[Height]| sorted.iter().map(Height::place).collect();
     (report.scallop, report.ridges) = (places(&band.heights), places(&ridges));
     (report.uncut, report.uncut_cell_mm2) =
-        uncut::measure(part, sweep, options.scallop_mm, options.surface_samples / 2);
+        uncut::measure(part, sweep, options.scallop_mm, options.settings.surface_samples as usize / 2);
     (band, ridges)
 }
 
@@ -207,11 +207,11 @@ pub(super) fn check(
     report.ridge_p99_mm = percentile(&ridges, 0.99);
     report.ridge_p50_mm = percentile(&ridges, 0.50);
     report.ridge_p05_mm = percentile(&ridges, 0.05);
-    report.limit = limit::measure(part, sweep, options.scallop_mm, options.surface_samples);
+    report.limit = limit::measure(part, sweep, options.scallop_mm, options.settings.surface_samples as usize);
     if let Some(message) = standing_out(plan, blade, &samples, options) {
         observer.warn(Warning { stage: Stage::Verify, message });
     }
-    let limit = options.scallop_ratio * options.scallop_mm;
+    let limit = options.settings.scallop_ratio * options.scallop_mm;
     let judge = |id: CheckId, quantity: &str, sorted: &[Height], enough: bool| {
         let p99 = percentile(sorted, 0.99);
         let at = sorted.last();
@@ -268,7 +268,7 @@ const STANDS_OUT: f64 = 1.5;
 
 /// In words, how much of the surface stands out and where the most; `None` where nothing does.
 fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyOptions) -> Option<String> {
-    let ratio = STANDS_OUT.max(options.scallop_ratio);
+    let ratio = STANDS_OUT.max(options.settings.scallop_ratio);
     let over = sorted.len() - sorted.partition_point(|h| h.height_mm <= ratio * options.scallop_mm);
     let highest = sorted.last().filter(|_| over > 0)?;
     let p = blade.model_from_blade * highest.point;
@@ -303,6 +303,6 @@ fn ray_gouge(
         row: deepest.map(|h| h.row),
         turn: deepest.and_then(|h| sweep.turns.get(h.row)).copied(),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(CheckId::GougeSurface, quantity, depth, options.gouge_mm, "mm", note)
+        ..Check::at_most(CheckId::GougeSurface, quantity, depth, options.settings.gouge_mm, "mm", note)
     }
 }

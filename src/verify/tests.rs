@@ -161,7 +161,7 @@ fn helix(phi: f64) -> f64 {
 }
 
 fn options() -> VerifyOptions {
-    VerifyOptions { surface_samples: 20_000, ..VerifyOptions::default() }
+    VerifyOptions::default().with(|s| s.surface_samples = 20_000)
 }
 
 fn run(plan: Plan, blade: &Blade, options: &VerifyOptions) -> Verdict<Plan> {
@@ -250,11 +250,8 @@ fn a_scallop_twice_too_high_is_found() {
         let over = ((phi - 2.0 * TAU) / TAU).clamp(0.0, 1.0);
         helix(phi) - over * PITCH * (2f64.sqrt() - 1.0)
     };
-    let verdict = run(
-        plan(6, 360, 0.0, wide),
-        &blade(cylinder(), Rigid::identity()),
-        &VerifyOptions { gouge_mm: 0.01, ..options() },
-    );
+    let verdict =
+        run(plan(6, 360, 0.0, wide), &blade(cylinder(), Rigid::identity()), &options().with(|s| s.gouge_mm = 0.01));
     let report = verdict.report();
     assert_eq!(failed(report), ["scallop"]);
     assert!((report.ridge_max_mm - 0.02).abs() < 0.0003, "{}", report.ridge_max_mm);
@@ -285,7 +282,7 @@ fn with_spike(p: &Plan, row: usize, distance_mm: f64) -> (Blade, Point) {
 #[test]
 fn moves_that_planning_leaves_pass_the_check() {
     let (p, row) = (plan(3, 180, 0.2, helix), 100);
-    let options = VerifyOptions { gouge_mm: 0.01, ..options() };
+    let options = options().with(|s| s.gouge_mm = 0.01);
     let mut seen = [0, 0];
     for k in -8..=8 {
         // The limit is 0.99.
@@ -308,7 +305,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     let p = plan(3, 180, 0.2, helix);
     let row = 100;
     let (blade, tip) = with_spike(&p, row, -0.02);
-    let report = run(p.clone(), &blade, &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    let report = run(p.clone(), &blade, &options().with(|s| s.gouge_mm = 0.01)).report().clone();
     assert_eq!(failed(&report), ["holder-clearance"]);
     let touch = find(&report, "holder-clearance");
     assert!((touch.worst + 0.02).abs() < 0.006, "{touch:?}");
@@ -328,8 +325,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
 fn a_reversed_theta_and_one_outside_the_channel_are_found() {
     let mut p = plan(3, 180, 0.0, helix);
     p.schedule.theta.swap(77, 78);
-    let report =
-        run(p, &blade(cylinder(), Rigid::identity()), &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    let report = run(p, &blade(cylinder(), Rigid::identity()), &options().with(|s| s.gouge_mm = 0.01)).report().clone();
     // The axes still do what was planned, so they contradict the changed angles as well.
     assert_eq!(failed(&report), ["theta-reversal", "axes-direction"]);
     let check = find(&report, "theta-reversal");
@@ -337,8 +333,7 @@ fn a_reversed_theta_and_one_outside_the_channel_are_found() {
 
     let mut p = plan(3, 180, 0.0, helix);
     p.channel.rows[100].theta_max = p.schedule.theta[100] - 0.25f64.to_radians();
-    let report =
-        run(p, &blade(cylinder(), Rigid::identity()), &VerifyOptions { gouge_mm: 0.01, ..options() }).report().clone();
+    let report = run(p, &blade(cylinder(), Rigid::identity()), &options().with(|s| s.gouge_mm = 0.01)).report().clone();
     assert_eq!(failed(&report), ["theta-channel"]);
     let check = find(&report, "theta-channel");
     assert!((check.worst - 0.25).abs() < 1e-9 && check.row == Some(100), "{check:?}");
@@ -347,7 +342,7 @@ fn a_reversed_theta_and_one_outside_the_channel_are_found() {
 #[test]
 fn axis_limits_exceeded_are_found_and_placed() {
     let blade = blade(cylinder(), Rigid::identity());
-    let limits = VerifyOptions { gouge_mm: 0.01, ..options() };
+    let limits = options().with(|s| s.gouge_mm = 0.01);
     let clean = plan(3, 180, 0.0, helix);
     assert_eq!(failed(run(clean.clone(), &blade, &limits).report()), Vec::<String>::new());
     // One interval in a fifth of its time: A turns five times as fast, and jumps to it and back.

@@ -93,9 +93,9 @@ fn depth(surface: &NurbsSurface, contact: [f64; 2], inside: impl Fn(&Point) -> f
 /// by fifty times what that leaves: with and without clearance, in any position.
 #[test]
 fn ends_are_those_of_the_faces() {
-    let none = ChannelOptions { clearance_mm: 0.0, holder_clearance_mm: 0.0, ..ChannelOptions::default() };
-    let o = ChannelOptions { exact_ends: true, ..none };
-    let with_room = ChannelOptions { clearance_mm: 0.2, holder_clearance_mm: 0.5, ..o.clone() };
+    let none = ChannelOptions::default().with(|s| (s.clearance_mm, s.holder_clearance_mm) = (0.0, 0.0));
+    let o = none.with(|s| s.exact_ends = true);
+    let with_room = o.clone().with(|s| (s.clearance_mm, s.holder_clearance_mm) = (0.2, 0.5));
     let (mut ends, mut far) = (0, 0);
     for (k, surface) in [loft(), torus(30.0, 9.0)].iter().enumerate() {
         for (turn, o) in [(0.0, &o), (2.1, &with_room)] {
@@ -120,7 +120,7 @@ fn ends_are_those_of_the_faces() {
             let around = if k == 0 { around } else { around.finer(10.0) };
             let all = intervals(&around, &t, &path, o, &Silent).unwrap();
             for ((l, uv), free) in path.locations.iter().zip(&uvs).zip(&all) {
-                let (room, segments) = ((o.clearance_mm, o.holder_clearance_mm), t.segments());
+                let (room, segments) = ((o.settings.clearance_mm, o.settings.holder_clearance_mm), t.segments());
                 let depth = |theta: f64| {
                     let inside = |p: &Point| inside_by(&segments, room, path.cone(0), &l.centre, theta, &(pose * p));
                     depth(surface, *uv, inside)
@@ -130,7 +130,7 @@ fn ends_are_those_of_the_faces() {
                         assert!(depth(at) < 1e-7, "surface {k}, {l:?}: {at} is {} too near", depth(at));
                         if matches!(by, Binding::Part { .. }) {
                             ends += 1;
-                            far += usize::from(depth(at + sense * 1.2 * o.tolerance_rad) < 0.0);
+                            far += usize::from(depth(at + sense * 1.2 * o.settings.tolerance_deg.to_radians()) < 0.0);
                         }
                     }
                 }
@@ -146,7 +146,7 @@ fn ends_are_those_of_the_faces() {
 #[test]
 fn ends_keep_clear_of_faces_as_published() {
     let o =
-        ChannelOptions { clearance_mm: 0.2, holder_clearance_mm: 0.5, exact_ends: true, ..ChannelOptions::default() };
+        ChannelOptions::default().with(|s| (s.clearance_mm, s.holder_clearance_mm, s.exact_ends) = (0.2, 0.5, true));
     let (surface, shift) = (loft(), Vector::new(0.0, 0.003, 0.001));
     let face =
         Face { name: "f".into(), kind: SurfaceKind::BSpline, surface: surface.clone(), reversed: false, loops: vec![] };
@@ -164,12 +164,12 @@ fn ends_keep_clear_of_faces_as_published() {
     let around = Surroundings::new(&blade, &[], 3.0).unwrap().finer(3.0);
     let all = intervals(&around, &t, &path, &o, &Silent).unwrap();
     let coarse = Surroundings::new(&blade, &[], 3.0).unwrap();
-    let by_mesh = intervals(&coarse, &t, &path, &ChannelOptions { exact_ends: false, ..o.clone() }, &Silent).unwrap();
+    let by_mesh = intervals(&coarse, &t, &path, &o.clone().with(|s| s.exact_ends = false), &Silent).unwrap();
     let width = |all: &[Vec<FreeInterval>]| all.iter().flatten().map(|f| f.theta_max - f.theta_min).sum::<f64>();
     assert!(width(&all) > width(&by_mesh) + 1e-3, "{} {}", width(&all), width(&by_mesh));
     let mut ends = 0;
     for ((l, uv), free) in path.locations.iter().zip(&uvs).zip(&all) {
-        let (room, segments) = ((o.clearance_mm, o.holder_clearance_mm), t.segments());
+        let (room, segments) = ((o.settings.clearance_mm, o.settings.holder_clearance_mm), t.segments());
         for at in free.iter().flat_map(|f| [f.theta_min, f.theta_max]) {
             ends += 1;
             let inside = |p: &Point| inside_by(&segments, room, path.cone(0), &l.centre, at, &(pose * (p + shift)));

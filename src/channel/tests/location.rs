@@ -19,18 +19,9 @@ use crate::tool::Tool;
 pub const TOL: f64 = 1.745e-4;
 
 pub fn open_options() -> ChannelOptions {
-    ChannelOptions {
-        clearance_mm: 0.2,
-        holder_clearance_mm: 1.0,
-        contact_angle_min_rad: 0.0,
-        contact_angle_max_rad: PI,
-        theta_limits_rad: None,
-        tolerance_rad: TOL,
-        prove_moves: false,
-        prove_at: Vec::new(),
-        exact_ends: false,
-        max_step_mm: 1.0,
-    }
+    ChannelOptions { max_step_mm: 1.0, ..ChannelOptions::default() }.with(|s| {
+        (s.clearance_mm, s.contact_angle_max_deg, s.tolerance_deg) = (0.2, 180.0, TOL.to_degrees());
+    })
 }
 
 /// A lean and the options, for [`free`].
@@ -40,7 +31,7 @@ fn leaning(b: f64) -> (f64, ChannelOptions) {
 
 fn free(mesh: &Mesh, tool: &Tool, (b, options): &(f64, ChannelOptions), centre: &Point, normal: &Vector) -> Vec<Arc> {
     let tree = SphereTree::new(mesh, 2.5);
-    let profile = Profile::new(tool, [options.clearance_mm, options.holder_clearance_mm], 0.0);
+    let profile = Profile::new(tool, [options.settings.clearance_mm, options.settings.holder_clearance_mm], 0.0);
     let scene = Scene { bodies: vec![Body { name: "part", mesh, tree: &tree, profile }], options };
     let azimuth = normal.z.atan2(normal.y);
     let view = View { centre: *centre, cone: Cone::about_blade(*b), azimuth, motion: EvenMove::none() };
@@ -126,7 +117,8 @@ fn sphere(centre: Point, radius: f64, n: usize) -> Mesh {
 fn contact_angles_limit_in_closed_form() {
     let t = tool(4.0, 0.0);
     let mut o = leaning(0.1);
-    (o.1.contact_angle_min_rad, o.1.contact_angle_max_rad) = (0.5, 1.4);
+    let s = &mut o.1.settings;
+    (s.contact_angle_min_deg, s.contact_angle_max_deg) = (0.5f64.to_degrees(), 1.4f64.to_degrees());
     let far = Point::new(1e4, 0.0, 0.0);
     let n = Vector::new(0.2, 0.6, -0.7).normalize();
     let found = free(&triangle(far, far, far), &t, &o, &Point::origin(), &n);

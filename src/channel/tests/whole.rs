@@ -69,8 +69,8 @@ fn turning_the_part_turns_the_channel() {
     let b = plan(&on_platform(&turned, 80, 60.0), &t, &helix(&turned, 4.0, 50, 1, 12.0, 0.4), &o, &Silent).unwrap();
     let shift = ((b.rows[0].theta_min - a.rows[0].theta_min) / (PI / 2.0)).round() * PI / 2.0;
     for (r, q) in a.rows.iter().zip(&b.rows) {
-        assert!((q.theta_min - r.theta_min - shift).abs() < 3.0 * o.tolerance_rad);
-        assert!((q.theta_max - r.theta_max - shift).abs() < 3.0 * o.tolerance_rad);
+        assert!((q.theta_min - r.theta_min - shift).abs() < 3.0 * o.settings.tolerance_deg.to_radians());
+        assert!((q.theta_max - r.theta_max - shift).abs() < 3.0 * o.settings.tolerance_deg.to_radians());
     }
 }
 
@@ -132,9 +132,9 @@ fn impossible_options_are_usage_errors() {
     let blade = on_platform(&outline, 40, 40.0);
     let path = helix(&outline, 4.0, 30, 1, 12.0, 0.4);
     for o in [
-        ChannelOptions { clearance_mm: -1.0, ..ChannelOptions::default() },
-        ChannelOptions { contact_angle_min_rad: 2.0, ..ChannelOptions::default() },
-        ChannelOptions { tolerance_rad: 0.0, ..ChannelOptions::default() },
+        ChannelOptions::default().with(|s| s.clearance_mm = -1.0),
+        ChannelOptions::default().with(|s| s.contact_angle_min_deg = 100.0),
+        ChannelOptions::default().with(|s| s.tolerance_deg = 0.0),
     ] {
         let e = plan(&blade, &tool(4.0, 3.0), &path, &o, &Silent).unwrap_err();
         assert_eq!(e.kind, ErrorKind::Usage);
@@ -153,7 +153,7 @@ fn walls_hold_between_locations() {
     let blade = on_platform(&outline, 90, 60.0);
     // Coarse: about 2 mm from location to location, round the ends up to 40 degrees of the normal.
     let path = helix(&outline, 4.0, 45, 1, 12.0, 0.4);
-    let (o, t) = (ChannelOptions { prove_moves: true, ..ChannelOptions::default() }, tool(4.0, 5.0));
+    let (o, t) = (ChannelOptions::default().with(|s| s.prove_moves = true), tool(4.0, 5.0));
     let channel = plan(&blade, &t, &path, &o, &Silent).unwrap();
     for i in (0..path.locations.len() - 1).step_by(4) {
         let (a, b) = (&channel.rows[i], &channel.rows[i + 1]);
@@ -270,9 +270,7 @@ fn advice_opens_what_is_closed_and_widths_follow_b() {
 fn frames_do_not_matter() {
     let outline = banana(40.0, 1.0, 4.0);
     let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 120, 2, 12.0, 0.4));
-    for (proven, o) in
-        [false, true].map(|prove| (prove, ChannelOptions { prove_moves: prove, ..ChannelOptions::default() }))
-    {
+    for (proven, o) in [false, true].map(|prove| (prove, ChannelOptions::default().with(|s| s.prove_moves = prove))) {
         let path = if proven { helix(&outline, 4.0, 30, 1, 12.0, 0.4) } else { path.clone() };
         let plain = plan(&blade, &tool(4.0, 5.0), &path, &o, &Silent).unwrap();
         for turn in [Vector::new(0.3, -1.1, 0.7), Vector::new(0.0, 2.0, 0.0), Vector::new(1e-9, 0.0, 0.0)] {
@@ -300,7 +298,7 @@ fn frames_do_not_matter() {
                 for (a, b) in pairs {
                     let axis = place * path.cone(k).tool_axis(a);
                     let off = moved.cone(k).tool_axis(b).angle(&axis);
-                    let room = if proven { 6.0 } else { 1.5 } * o.tolerance_rad;
+                    let room = if proven { 6.0 } else { 1.5 } * o.settings.tolerance_deg.to_radians();
                     assert!(off <= room, "{turn:?}, row {k}: {} deg apart", off.to_degrees());
                 }
             }
@@ -335,11 +333,11 @@ fn cones_may_change_along_the_path() {
         for (a, b) in found.iter().zip(&alone) {
             let turn = ((a.theta_min - b.theta_min) / TAU).round() * TAU;
             let off = (a.theta_min - b.theta_min - turn).abs().max((a.theta_max - b.theta_max - turn).abs());
-            assert!(off < 1.5 * o.tolerance_rad, "{k}: {off}");
+            assert!(off < 1.5 * o.settings.tolerance_deg.to_radians(), "{k}: {off}");
         }
     }
     // The whole channel, its moves proven: at no time does the tool come nearer than it may.
-    let proven = ChannelOptions { prove_moves: true, ..o };
+    let proven = o.with(|s| s.prove_moves = true);
     let path = helix(&outline, 4.0, 60, 1, 12.0, 0.4);
     let path = path.clone().with_cones(Cones::along((0..path.locations.len()).map(wobbling).collect()));
     let channel = plan(&blade, &t, &path, &proven, &Silent).unwrap();

@@ -42,7 +42,7 @@ fn planned(run: &Run) -> [f64; 3] {
 /// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by
 /// places one after another, the approach feed to the feed height, the plunge feed from there on.
 fn outside(run: &Run, end: &End, by: &[Axes]) -> f64 {
-    let (o, height) = (run.options, run.feed_height(end));
+    let (o, height) = (&run.options.settings, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
     let mut over = by[0];

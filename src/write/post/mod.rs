@@ -40,6 +40,7 @@ mod dialect;
 mod merge;
 mod moves;
 mod polynomial;
+mod settings;
 mod smoothing;
 mod template;
 #[cfg(test)]
@@ -49,6 +50,7 @@ mod turn_in;
 mod write;
 
 pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rotary, Text};
+pub use settings::{PostKeys, PostSettings};
 
 use std::borrow::Cow;
 
@@ -56,10 +58,11 @@ use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::machine::Machine;
+use crate::settings::with_settings;
 use crate::tool::Tool;
 use crate::verify::{self, Verified};
 
-/// What a program says beyond its positions. Feeds in mm/min, lengths in mm.
+/// What a program says beyond its positions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PostOptions {
     /// Name of the program, for its header.
@@ -70,28 +73,15 @@ pub struct PostOptions {
     pub part_hash: String,
     /// The job, for the header: its file or what else names it.
     pub job: String,
-    /// Tool number, `T`.
-    pub tool_number: u32,
-    /// Spindle speed, 1/min.
-    pub spindle_rpm: f64,
-    /// Feed between the safe position and the feed height, mm/min. Default 5000.
-    pub approach_feed_mm_min: f64,
-    /// Feed from the feed height to the part and back, mm/min. Default 300.
-    pub plunge_feed_mm_min: f64,
-    /// Feed height over the first and last location, along the tool axis, mm. Default 5.
-    pub feed_height_mm: f64,
-    /// Distance kept between tool and the sphere around the part at the safe positions, mm. Default
-    /// 20.
-    pub safe_clearance_mm: f64,
-    /// Tolerance the control may smooth positions by, mm; `None`: as the post file has it.
-    pub smoothing_mm: Option<f64>,
+    /// What the job says of them; which dialects there are is decided by the caller.
+    pub settings: PostSettings,
     /// Tolerance the control may smooth the tool axis by, degrees. Default 0.05.
     pub smoothing_axis_deg: f64,
-    /// Write what switches the control's high-speed cutting on. Default true.
-    pub look_ahead: bool,
     /// Begin with this turn, from 1, to go on after a break; `None`: with the first.
     pub from_turn: Option<usize>,
 }
+
+with_settings!(PostOptions, PostSettings);
 
 impl Default for PostOptions {
     fn default() -> Self {
@@ -100,15 +90,8 @@ impl Default for PostOptions {
             part_file: String::new(),
             part_hash: String::new(),
             job: String::new(),
-            tool_number: 1,
-            spindle_rpm: 6000.0,
-            approach_feed_mm_min: 5000.0,
-            plunge_feed_mm_min: 300.0,
-            feed_height_mm: 5.0,
-            safe_clearance_mm: 20.0,
-            smoothing_mm: None,
+            settings: PostSettings::default(),
             smoothing_axis_deg: 0.05,
-            look_ahead: true,
             from_turn: None,
         }
     }
@@ -116,21 +99,13 @@ impl Default for PostOptions {
 
 impl PostOptions {
     fn validate(&self) -> Result<()> {
-        let bad = |m: String| Err(Error::usage(Stage::Post, m));
-        for (name, value) in [
-            ("spindle_rpm", self.spindle_rpm),
-            ("approach_feed_mm_min", self.approach_feed_mm_min),
-            ("plunge_feed_mm_min", self.plunge_feed_mm_min),
-            ("feed_height_mm", self.feed_height_mm),
-            ("safe_clearance_mm", self.safe_clearance_mm),
-            ("smoothing_mm", self.smoothing_mm.unwrap_or(1.0)),
-            ("smoothing_axis_deg", self.smoothing_axis_deg),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return bad(format!("post.{name} is {value}, it must be greater than 0"));
-            }
+        self.settings.check(Stage::Post)?;
+        let axis_deg = self.smoothing_axis_deg;
+        if axis_deg > 0.0 && axis_deg.is_finite() {
+            return Ok(());
         }
-        Ok(())
+        let message = format!("post.smoothing_axis_deg is {axis_deg}, it must be greater than 0");
+        Err(Error::usage(Stage::Post, message))
     }
 }
 
@@ -225,7 +200,7 @@ pub fn join(
         file_name = format!("from_operation_{first}.{file_name}");
     }
     let (language, text) = (dialect.language(), write::write(&runs, dialect)?);
-    let written = runs.iter().map(|r| (r.options.tool_number, r.options.spindle_rpm));
+    let written = runs.iter().map(|r| (r.options.settings.tool_number, r.options.settings.spindle_rpm));
     let asked = verify::read_back::asked(&text, language, written);
     Ok(Program {
         control: dialect.file.name.clone(),
@@ -241,8 +216,8 @@ pub fn join(
 fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()> {
     for (i, a) in operations.iter().enumerate() {
         for (j, b) in operations.iter().enumerate().skip(i + 1) {
-            if a.options.tool_number == b.options.tool_number && a.tool != b.tool {
-                let number = a.options.tool_number;
+            if a.options.settings.tool_number == b.options.settings.tool_number && a.tool != b.tool {
+                let number = a.options.settings.tool_number;
                 let what = format!("operations {} and {} have different tools but both call T{number}", i + 1, j + 1);
                 return Err(Error::usage(Stage::Post, what).advise("set post.tool_number in the job of one of them"));
             }
@@ -291,7 +266,7 @@ impl Run<'_> {
     }
     /// Height of the feed height, never over the safe position.
     fn feed_height(&self, end: &End) -> f64 {
-        self.options.feed_height_mm.min(end.safe_mm)
+        self.options.settings.feed_height_mm.min(end.safe_mm)
     }
 }
 
@@ -319,8 +294,9 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
             )
             .advise("lower channel.contact_angle_max_deg to at most 90"));
         }
-        let over = (sphere.0 - stand.centre).dot(&axis) + sphere.1 + tool.radius_mm + options.safe_clearance_mm;
-        let wanted = over.max(options.safe_clearance_mm);
+        let over =
+            (sphere.0 - stand.centre).dot(&axis) + sphere.1 + tool.radius_mm + options.settings.safe_clearance_mm;
+        let wanted = over.max(options.settings.safe_clearance_mm);
         let gauge = tool.length_mm();
         let reach = travel_along(machine, &stand, near, gauge);
         Ok(End { stand, near: *near, safe_mm: wanted.min(reach), clear: wanted <= reach })

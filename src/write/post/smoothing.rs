@@ -34,10 +34,10 @@ pub(super) struct Smoothing {
 
 /// Tolerances of an operation in a dialect.
 pub(super) fn of(run: &Run, file: &PostFile) -> Smoothing {
-    let (o, chord_mm) = (run.options, run.plan.toolpath.chord_mm);
-    let asked = Smoothing { mm: 0.0, axis_deg: o.smoothing_axis_deg, beyond_mm: 0.0 };
-    let (Some(step), None) = (file.resolution_mm, o.smoothing_mm) else {
-        return Smoothing { mm: o.smoothing_mm.unwrap_or(chord_mm) * file.tolerance_factor, ..asked };
+    let (asked_mm, chord_mm) = (run.options.settings.smoothing_mm, run.plan.toolpath.chord_mm);
+    let asked = Smoothing { mm: 0.0, axis_deg: run.options.smoothing_axis_deg, beyond_mm: 0.0 };
+    let (Some(step), None) = (file.resolution_mm, asked_mm) else {
+        return Smoothing { mm: asked_mm.unwrap_or(chord_mm) * file.tolerance_factor, ..asked };
     };
     let gouges = run.report.checks.iter().filter(|c| [CheckId::Gouge, CheckId::GougeSurface].contains(&c.id));
     let left = gouges.map(|c| c.limit - c.worst.max(0.0)).fold(f64::INFINITY, f64::min);
@@ -47,9 +47,9 @@ pub(super) fn of(run: &Run, file: &PostFile) -> Smoothing {
     let axis_deg = match file.programmed {
         Programmed::Tip => {
             let turn = ((room - mm) / run.tool.radius_mm).to_degrees();
-            ((turn / STEP_DEG).floor() * STEP_DEG).clamp(STEP_DEG, o.smoothing_axis_deg.max(STEP_DEG))
+            ((turn / STEP_DEG).floor() * STEP_DEG).clamp(STEP_DEG, asked.axis_deg.max(STEP_DEG))
         }
-        Programmed::Centre | Programmed::Machine => o.smoothing_axis_deg,
+        Programmed::Centre | Programmed::Machine => asked.axis_deg,
     };
     Smoothing { mm, axis_deg, beyond_mm: (mm - room).max(0.0) }
 }
@@ -88,7 +88,7 @@ mod tests {
         let s = with(0.0029, &options, &siemens);
         assert!((s.mm - 0.001).abs() < 1e-12 && (s.beyond_mm - 0.0011).abs() < 1e-9, "{s:?}");
         // What is asked for, and controls that have another rule.
-        let asked = PostOptions { smoothing_mm: Some(0.005), ..PostOptions::default() };
+        let asked = PostOptions::default().with(|s| s.smoothing_mm = Some(0.005));
         assert_eq!(with(0.0029, &asked, &siemens), Smoothing { mm: 0.005, axis_deg: 0.05, beyond_mm: 0.0 });
         let tnc = Dialect::built_in(Control::Heidenhain).unwrap().file;
         assert!((with(0.0008, &options, &tnc).mm - 0.0006).abs() < 1e-12);

@@ -217,7 +217,7 @@ pub(super) fn header(run: &Run, cycle: &CycleTime, beyond_mm: f64, lines: &mut L
     lines.comment(&format!(
         "Tool     T{}  ball end, R {:.4} mm, half angle of taper {:.3} deg, shank R {:.3} mm, stick-out {:.3} mm from \
          the ball centre",
-        o.tool_number, t.radius_mm, t.taper_deg, t.shank_radius_mm, t.stickout_mm
+        o.settings.tool_number, t.radius_mm, t.taper_deg, t.shank_radius_mm, t.stickout_mm
     ));
     for (i, h) in t.holder.iter().enumerate() {
         lines.comment(&format!("Holder {} R {:.3} mm, {:.3} mm long", i + 1, h.radius_mm, h.length_mm));

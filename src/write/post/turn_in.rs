@@ -31,7 +31,7 @@ const MOST_STEPS: usize = 1000;
 pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
     let first = &run.ends[0];
     let safe = run.axes_at(first, first.safe_mm);
-    let stray_mm = STRAY * run.options.safe_clearance_mm;
+    let stray_mm = STRAY * run.options.settings.safe_clearance_mm;
     let mut turned = safe;
     // A tool may be longer than planned, and strays.
     let z = cycle::up(run);

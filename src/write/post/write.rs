@@ -42,7 +42,7 @@ pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
 fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
     title(run, &mut w.lines, &dialect.file.name);
     w.put(&dialect.warnings)?;
-    let beyond_mm = if run.options.look_ahead { smoothing::of(run, &dialect.file).beyond_mm } else { 0.0 };
+    let beyond_mm = if run.options.settings.look_ahead { smoothing::of(run, &dialect.file).beyond_mm } else { 0.0 };
     header(run, &cycle::time(run, dialect), beyond_mm, &mut w.lines);
     w.put(&dialect.notes)?;
     w.lines.mark();
@@ -127,12 +127,12 @@ impl<'a> Writer<'a> {
         let m = &run.machine.mount;
         let smoothing = smoothing::of(run, &self.dialect.file);
         for (name, v) in [
-            ("approach_feed", o.approach_feed_mm_min),
-            ("plunge_feed", o.plunge_feed_mm_min),
+            ("approach_feed", o.settings.approach_feed_mm_min),
+            ("plunge_feed", o.settings.plunge_feed_mm_min),
             ("safe_z", cycle::safe_z(run)),
             ("turns", run.plan.toolpath.locations.last().map_or(1.0, |l| f64::from(l.turn + 1))),
-            ("tool", f64::from(o.tool_number)),
-            ("rpm", o.spindle_rpm),
+            ("tool", f64::from(o.settings.tool_number)),
+            ("rpm", o.settings.spindle_rpm),
             ("tolerance", smoothing.mm),
             ("axis_tolerance", smoothing.axis_deg),
             ("length_to_tip", tool.length_mm() + tool.radius_mm),
@@ -438,7 +438,7 @@ impl<'a> Writer<'a> {
 
     /// Writes lines with the values as they are.
     fn put(&mut self, lines: &[Line]) -> Result<()> {
-        let wanted = |l: &&Line| self.run.options.look_ahead || !l.look_ahead;
+        let wanted = |l: &&Line| self.run.options.settings.look_ahead || !l.look_ahead;
         for line in lines.iter().filter(wanted) {
             let mut text = String::new();
             for word in &line.words {

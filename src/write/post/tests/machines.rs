@@ -159,7 +159,7 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             assert!((0..axes.len()).filter(of_table).all(at_zero), "{k} {control:?}");
             let end = |m: &program::Moved| m.axes(1.0, &tool, &machine);
             let first = end(&moves[on]);
-            let room_mm = 0.5 * options().safe_clearance_mm;
+            let room_mm = 0.5 * options().settings.safe_clearance_mm;
             for m in &moves[on + 1..cuts - 1] {
                 let (from, to) = (m.axes(0.0, &tool, &machine), end(m));
                 assert!(

@@ -210,7 +210,7 @@ fn what_cannot_be_posted_is_an_error() {
     assert!(fail(&|p| p.toolpath.cones = Cones::about_blade(f64::NAN)).message.contains("angle B"));
     let e = fail(&|p| p.toolpath.locations[0].normal *= -1.0);
     assert_eq!(e.kind, ErrorKind::Infeasible);
-    let bad = PostOptions { spindle_rpm: 0.0, ..options() };
+    let bad = options().with(|s| s.spindle_rpm = 0.0);
     assert_eq!(program(Control::Siemens, sample::plan(1, 12), false, &bad).unwrap_err().kind, ErrorKind::Usage);
 }
 
@@ -356,7 +356,7 @@ fn programs_are_as_kept_in_snapshots() {
     let mut plan = sample::plan(1, 12);
     plan.toolpath.chord_mm = 100.0;
     plan = sample::with_leads(plan);
-    let whole = PostOptions { smoothing_mm: Some(0.002), ..options() };
+    let whole = options().with(|s| s.smoothing_mm = Some(0.002));
     for control in Control::ALL {
         let plan = match control {
             // A curve to be carried, its pieces longer than the moves.

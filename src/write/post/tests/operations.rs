@@ -17,7 +17,7 @@ impl Two {
         Two {
             plans: plans.map(|p| Verified::for_tests(p, sample::report(), false)),
             tools: [sample::tool(), long],
-            options: [1, 2].map(|tool_number| PostOptions { tool_number, ..options() }),
+            options: [1, 2].map(|tool_number| options().with(|s| s.tool_number = tool_number)),
         }
     }
 
@@ -113,7 +113,7 @@ fn what_goes_wrong_between_two_operations_is_found() {
 #[test]
 fn operations_that_cannot_be_one_program_are_errors() {
     let mut two = Two::new();
-    two.options[1].tool_number = 1;
+    two.options[1].settings.tool_number = 1;
     let (dialect, machine, blade) =
         (Dialect::built_in(Control::Iso).unwrap(), Machine::demo().unwrap(), sample::blade());
     let e = join(&dialect, &two.operations(), 1, &blade, &machine).unwrap_err();

@@ -115,7 +115,7 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
 fn polynomials_too_short_for_inverse_time_take_from_the_next_or_are_found() {
     let own = Control::SiemensPoly.post_file().replace("greatest = 999999.999", "greatest = 2000.0");
     let plan = sample::with_leads(sample::with_curve(sample::plan(12, 60), 0.05, 7.3));
-    let slow = PostOptions { approach_feed_mm_min: 1500.0, ..options() };
+    let slow = options().with(|s| s.approach_feed_mm_min = 1500.0);
     let p = written(&Dialect::from_toml(&own, "own").unwrap(), plan.clone(), false, &slow).unwrap();
     let found = failed(&p, &plan);
     assert!(found.iter().any(|f| f.starts_with("program-feed") && f.contains("lead-out")), "{found:?}");
@@ -219,7 +219,7 @@ fn all_dialects_begin_in_the_same_revolution() {
 #[test]
 fn high_speed_words_are_there_unless_the_job_does_without() {
     let plan = sample::plan(1, 60);
-    let without = PostOptions { look_ahead: false, ..options() };
+    let without = options().with(|s| s.look_ahead = false);
     for (control, on, off) in [
         (Control::Fanuc, "G5.1 Q1", "G5.1 Q0"),
         (Control::FanucVector, "G5.1 Q1", "G5.1 Q0"),

@@ -1,0 +1,139 @@
+//! Sections of the job file that no stage reads as they are: model, fixtures, region and tool.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::axis::AxisChoice;
+use crate::artifact::blade::Unit;
+use crate::read::model::ModelOptions;
+use crate::settings::{TINY, section};
+use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM, HolderStage};
+
+section! {
+    /// `[model]`
+    "model" ModelSettings, ModelKeys, s {
+        /// The CAD file; relative to the job file.
+        /// Absolute once the model is to be read, so that the saved job runs from anywhere. There is
+        /// no default.
+        file: String as PathBuf = PathBuf::new();
+        /// Length unit of the file; default: what the file declares, else found from its size.
+        /// Filled in once the file is read.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        unit: Unit as Option<Unit> = None;
+        /// Direction of the blade axis, root to tip, in the model frame; default: found.
+        axis: AxisChoice = AxisChoice::Auto;
+        /// Greatest distance between a NURBS part and its triangles, mm; at least two millionths of its size.
+        /// Triangles only guide the search, distances are then taken to the NURBS themselves, so
+        /// finer triangles cost time and gain nothing.
+        deflection_mm: f64 = ModelOptions::default().deflection_mm, TINY..=10.0;
+        /// Vertices of a mesh this near to one another are the same, mm; default: found where the mesh has faults.
+        /// Then it is the least of 1e-7, 1e-6 and 1e-5 of its size that leaves fewest.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        weld_mm: f64 as Option<f64> = None, TINY..=10.0;
+        /// Holes of a mesh up to this extent are closed, mm; default: none.
+        /// A hole may be meant.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        close_holes_mm: f64 as Option<f64> = None, TINY..=1e6;
+        /// The body to plan, by its number as `inspect` prints it; default: the blade is looked for on all of the part.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        body: u32 as Option<u32> = None;
+        /// Heights between which the airfoil lies, mm along the blade axis; default: found.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        airfoil_mm: [f64; 2] as Option<[f64; 2]> = None;
+        /// Height of the platform's top, mm along the blade axis; default: found.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        platform_mm: f64 as Option<f64> = None;
+        /// Faces of the airfoil, by number or name as `inspect` prints them; default: found.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        airfoil_faces: Vec<String> = Vec::new();
+        /// Faces of the platform's top, by number or name; default: found.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        platform_faces: Vec<String> = Vec::new();
+    }
+}
+
+section! {
+    /// `[[fixture]]` and `[stock]`: a closed body in the frame of the model's file. Of the stock only the holder keeps clear: the
+    /// cutter cuts it.
+    "fixture" FixtureSettings, FixtureKeys, s {
+        /// The file, in any format of a model; relative to the job file.
+        /// Absolute once the job is complete. There is no default.
+        file: String as PathBuf = PathBuf::new();
+        /// Length unit of the file; default: what the file states, else mm.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        unit: Unit as Option<Unit> = None;
+        /// Room that taper and shank keep from it, mm; default: that of `channel`.
+        clearance_mm: f64 = CLEARANCE_MM, 0.0..=100.0;
+        /// Room that the holder keeps from it, mm; default: that of `channel`, or `clearance_mm` where that is given.
+        holder_clearance_mm: f64 = HOLDER_CLEARANCE_MM, 0.0..=100.0;
+    }
+}
+
+/// What heights of the region are measured from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RegionReference {
+    /// The origin of the blade frame.
+    #[default]
+    Blade,
+    /// The top of the platform.
+    Platform,
+}
+
+/// `[region]`: heights of the ball centre along the blade axis. The helix runs from `start_mm` down to `end_mm`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RegionKeys {
+    /// Height of the first ball centre, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_mm: Option<f64>,
+    /// Height of the last ball centre, mm; less than `start_mm`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_mm: Option<f64>,
+    /// Faces or groups, by number or name: the helix ends where the ball comes to one of them. For turns of constant scallop.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_faces: Option<Vec<String>>,
+    /// What both heights are measured from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference: Option<RegionReference>,
+}
+
+/// `[region]`, heights of ball centres in the blade frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RegionSettings {
+    /// First ball centre, mm. Default: over the lowest 30 % of the airfoil, at least 3 ball radii
+    /// and at most 40 mm: what the platform keeps other operations from.
+    pub start_mm: f64,
+    /// Last ball centre, mm. Default, left out: as far down as the wall leans less than
+    /// `path.max_lean_deg` and the ball touches the airfoil's side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_mm: Option<f64>,
+    /// Faces or groups, by number or name, at which the helix ends: where the ball comes to one of
+    /// them. Default: none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub end_faces: Vec<String>,
+}
+
+/// `[tool]`
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolKeys {
+    /// Ball radius, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_mm: Option<f64>,
+    /// Half angle of the cone behind the ball, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub taper_deg: Option<f64>,
+    /// Radius of the shank, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shank_radius_mm: Option<f64>,
+    /// From the ball centre to the first holder stage, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stickout_mm: Option<f64>,
+    /// Holder stages from the cutter towards the spindle; an empty list: no holder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub holder: Option<Vec<HolderStage>>,
+}

@@ -1,0 +1,171 @@
+//! How a room declares its section of the job file: each key once, with its default and its range.
+//!
+//! [`section!`] makes two types of one declaration. The *keys* are the section as typed: all
+//! optional, described in the schema, left out again when written. The *settings* are the section
+//! as the room reads it, complete. A key's first line of text is what the schema says; the lines
+//! after it give the reason of the default.
+//!
+//! A default that depends on blade or tool is declared with the value that holds where nothing is
+//! known of them; [`crate::job`] puts its own in place of it.
+
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+use crate::error::{Error, Result, Stage};
+
+/// Declares a section of the job file, see the module's page.
+///
+/// `"name" Settings, Keys, s { key: Type = default, range; … }`: a range is optional and may read
+/// other values of `s`. `Typed as Type` where a value is typed in another form than it is read.
+/// Attributes behind a key's text are those of its setting.
+macro_rules! section {
+    (
+        $(#[doc = $about:literal])+
+        $(#[derive($derive:ident)])?
+        $table:literal $settings:ident, $keys:ident, $s:ident {
+            $(
+                #[doc = $said:literal]
+                $(#[doc = $why:literal])*
+                $(#[serde($($serde:tt)*)])?
+                $key:ident: $type:ty $(as $read:ty)? = $default:expr $(, $range:expr)?;
+            )*
+        }
+    ) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize $(, $derive)?)]
+        #[serde(deny_unknown_fields, default)]
+        pub struct $settings {
+            $(
+                #[doc = $said]
+                $(#[doc = $why])*
+                $(#[serde($($serde)*)])?
+                pub $key: $crate::settings::read_as!($type $(, $read)?),
+            )*
+        }
+
+        impl Default for $settings {
+            fn default() -> Self {
+                $settings { $($key: $default,)* }
+            }
+        }
+
+        impl $settings {
+            /// These, where a section or a key of it was left out; else as typed.
+            #[must_use]
+            pub fn with_typed(self, keys: Option<$keys>) -> Self {
+                let Some(keys) = keys else { return self };
+                $settings { $($key: keys.$key.map_or(self.$key, $crate::settings::Typed::read),)* }
+            }
+
+            /// Checks every value; `stage` is who asks.
+            ///
+            /// # Errors
+            /// Kind `Usage`, naming the key, its value and its limits.
+            pub fn check(&self, stage: $crate::error::Stage) -> $crate::error::Result<()> {
+                let $s = self;
+                $($($crate::settings::check(stage, concat!($table, ".", stringify!($key)), &$s.$key, &$range)?;)?)*
+                Ok(())
+            }
+        }
+
+        $(#[doc = $about])+
+        #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[serde(deny_unknown_fields)]
+        pub struct $keys {
+            $(
+                #[doc = $said]
+                #[serde(skip_serializing_if = "Option::is_none")]
+                pub $key: Option<$type>,
+            )*
+        }
+    };
+}
+pub(crate) use section;
+
+/// Lets options be written with some of their settings changed.
+macro_rules! with_settings {
+    ($options:ty, $settings:ty) => {
+        impl $options {
+            /// The same, with what `change` does to the settings.
+            #[must_use]
+            pub fn with(mut self, change: impl FnOnce(&mut $settings)) -> Self {
+                change(&mut self.settings);
+                self
+            }
+        }
+    };
+}
+pub(crate) use with_settings;
+
+/// The form in which a value is read.
+macro_rules! read_as {
+    ($type:ty) => {
+        $type
+    };
+    ($type:ty, $read:ty) => {
+        $read
+    };
+}
+pub(crate) use read_as;
+
+/// A value as typed, to be read in another form.
+pub(crate) trait Typed<T> {
+    fn read(self) -> T;
+}
+impl<T> Typed<T> for T {
+    fn read(self) -> T {
+        self
+    }
+}
+impl<T> Typed<Option<T>> for T {
+    fn read(self) -> Option<T> {
+        Some(self)
+    }
+}
+impl Typed<PathBuf> for String {
+    fn read(self) -> PathBuf {
+        self.into()
+    }
+}
+impl Typed<Option<PathBuf>> for String {
+    fn read(self) -> Option<PathBuf> {
+        Some(self.into())
+    }
+}
+impl Typed<Vec<PathBuf>> for Vec<String> {
+    fn read(self) -> Vec<PathBuf> {
+        self.into_iter().map(Into::into).collect()
+    }
+}
+
+/// A value that has limits; `None` where it is left out.
+pub(crate) trait Number {
+    fn number(&self) -> Option<f64>;
+}
+impl Number for f64 {
+    fn number(&self) -> Option<f64> {
+        Some(*self)
+    }
+}
+impl Number for u32 {
+    fn number(&self) -> Option<f64> {
+        Some(f64::from(*self))
+    }
+}
+impl Number for Option<f64> {
+    fn number(&self) -> Option<f64> {
+        *self
+    }
+}
+
+/// Stands for "greater than 0" in ranges, mm or degrees: nothing smaller can be meant.
+pub(crate) const TINY: f64 = 1e-9;
+
+/// A value outside its range, as an error.
+pub(crate) fn check(stage: Stage, key: &str, value: &dyn Number, range: &RangeInclusive<f64>) -> Result<()> {
+    let (Some(v), lo, hi) = (value.number().filter(|v| !range.contains(v)), *range.start(), *range.end()) else {
+        return Ok(());
+    };
+    let lo = if lo == TINY { "greater than 0".to_string() } else { format!("at least {lo}") };
+    Err(Error::usage(stage, format!("{key} is {v}, it must be {lo} and at most {hi}")))
+}
