@@ -39,7 +39,7 @@ section! {
         /// Default: a quarter of the ball radius where that is less, so that the channel is sampled
         /// densely.
         max_step_mm: f64 = 1.0, 1e-3..=100.0;
-        #[doc = " The helix ends where the wall leans more than this from the blade axis, degrees; from 1 to 85, with turns of constant scallop to\n 89.5: down to where the ball first touches a platform that is square to the axis."]
+        #[doc = " The helix ends where the wall leans more than this from the blade axis, degrees; from 1 to 85, with turns of constant scallop to\n89.5: down to where the ball first touches a platform that is square to the axis."]
         /// Beyond the default turns of constant height lie on the platform. Where the helix ends at
         /// faces it goes on as far as it can.
         max_lean_deg: f64 = 60.0, 1.0..=most_lean_deg(s.kind);
