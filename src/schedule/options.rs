@@ -32,7 +32,8 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// The multiple of the axis' limits that a schedule with these peaks (rad/mm, rad/mm²) needs to keep the feed.
+    /// The multiple of the axis' limits that a schedule with these peaks (rad/mm, rad/mm²) needs to
+    /// keep the feed.
     pub(super) fn needed(&self, rate: f64, second: f64) -> f64 {
         (rate / self.rate).max(second / self.second)
     }
