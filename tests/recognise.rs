@@ -538,7 +538,7 @@ fn the_fillet_has_its_say_in_the_ball() {
     let (job, chosen) = settle("");
     assert!(job.tool.radius_mm == 2.5 && chosen.warnings.is_empty(), "{chosen:?}");
     let (_, chosen) = settle("tool.radius_mm = 20");
-    let told = chosen.warnings.join("\n");
+    let told = chosen.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
     for words in [
         "the ball of 20 mm is too large for this blade",
         "% of the fillet",

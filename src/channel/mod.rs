@@ -67,7 +67,7 @@ mod walls;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 use crate::tool::Tool;
 
 pub use advise::{Advice, Farthest, advise, sweep_b};
@@ -288,11 +288,8 @@ pub fn plan_among(
     let narrowest_row = walls::hulls(&mut rows).map_err(|crossing| reporter.crossing(&rows, crossing))?;
     warn_if_narrow(&rows, narrowest_row, path, observer);
     if chain.count > 1 {
-        let message = format!(
-            "{} separate channels lead round the path; taken is the one whose narrowest place is widest",
-            chain.count
-        );
-        observer.warn(Warning { stage: Stage::Channel, message });
+        let doubt = Doubt::SeveralChannels { count: chain.count };
+        observer.warn(Warning { stage: Stage::Channel, doubt });
     }
     Ok(Channel {
         tolerance_rad: options.settings.tolerance_deg.to_radians(),
@@ -356,15 +353,10 @@ fn check_lean(lean_rad: f64) -> Result<()> {
 /// Warns where the monotone channel is less than a degree wide.
 fn warn_if_narrow(rows: &[ChannelRow], narrowest: usize, path: &Toolpath, observer: &dyn Observer) {
     let (Some(row), Some(at)) = (rows.get(narrowest), path.locations.get(narrowest)) else { return };
-    let width = (row.hull_max - row.hull_min).to_degrees();
-    if width < 1.0 {
-        observer.warn(Warning {
-            stage: Stage::Channel,
-            message: format!(
-                "the monotone channel is only {width:.3}° wide at turn {}, S = {:.3} mm: the schedule has little room there",
-                at.turn, at.turn_s_mm
-            ),
-        });
+    let width_deg = (row.hull_max - row.hull_min).to_degrees();
+    if width_deg < 1.0 {
+        let doubt = Doubt::NarrowChannel { width_deg, turn: at.turn, turn_s_mm: at.turn_s_mm };
+        observer.warn(Warning { stage: Stage::Channel, doubt });
     }
 }
 

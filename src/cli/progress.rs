@@ -82,11 +82,12 @@ impl Observer for Terminal {
     }
 
     fn warn(&self, warning: Warning) {
-        let told = serde_json::json!({ "event": "warning", "stage": warning.stage, "message": warning.message });
+        let mut told = serde_json::json!(warning);
+        told["event"] = "warning".into();
         if self.json && out::event(&told) {
             return;
         }
-        self.bar.suspend(|| out::told(&format!("warning: {}: {}", warning.stage, warning.message)));
+        self.bar.suspend(|| out::told(&format!("warning: {}: {}", warning.stage, warning.doubt)));
     }
 
     fn cancelled(&self) -> bool {

@@ -61,7 +61,7 @@ use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
 pub use caps::least_time;
@@ -135,7 +135,7 @@ pub fn plan(
 ) -> Result<AxisMotion> {
     let (motion, gap) = plan_with_bound(path, schedule, machine, options, observer)?;
     if let Some(gap) = gap.filter(|g| *g > LARGE_GAP) {
-        observer.warn(Warning { stage: Stage::Feed, message: rough(gap) });
+        observer.warn(Warning { stage: Stage::Feed, doubt: Doubt::RoughBound { gap } });
     }
     Ok(motion)
 }
@@ -177,15 +177,6 @@ pub fn plan_with_bound(
     let profile = topp::fastest(&curve, &limits, &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
     Ok((motion(&curve, &profile), None))
-}
-
-/// What is said where no close bound is proved.
-fn rough(gap: f64) -> String {
-    format!(
-        "the motion keeps all limits; on the grid of its locations none that does takes less time by more than {:.1} %, and no \
-         closer bound is proved, since the axes' positions are rough along the path",
-        100.0 * gap
-    )
 }
 
 /// Axis positions over the arc length of ball centres.

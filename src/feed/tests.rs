@@ -353,7 +353,10 @@ fn what_is_said_of_a_rough_path_is_known() {
     let gap = gap.unwrap();
     assert!(gap > LARGE_GAP && gap < 0.6, "{gap}");
     let said = told.warnings();
-    assert!(said.len() == 1 && said[0].message.contains(&format!("by more than {:.1} %", 100.0 * gap)), "{said:?}");
+    assert!(
+        said.len() == 1 && said[0].doubt.to_string().contains(&format!("by more than {:.1} %", 100.0 * gap)),
+        "{said:?}"
+    );
 }
 
 #[test]

@@ -143,6 +143,7 @@ mod with_blade {
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
     use crate::geometry::{Point, Rigid};
+    use crate::observe::Doubt;
 
     /// A lens-shaped column along x: chord `c`, two circular arcs of radius `r`, height 100 mm.
     fn lens(c: f64, r: f64) -> Blade {
@@ -222,7 +223,10 @@ mod with_blade {
         // An airfoil for a ball that nobody sells.
         let (job, chosen) = settle("", &lens(2.0, 2.7));
         assert_eq!((job.tool.radius_mm, job.tool.shank_radius_mm, job.tool.holder[0].radius_mm), (0.5, 3.0, 12.0));
-        assert!(chosen.warnings[0].contains("0.14 mm, 7 % of its chord of 2.000 mm at height 15.0 mm"), "{chosen:?}");
+        assert!(
+            chosen.warnings[0].to_string().contains("0.14 mm, 7 % of its chord of 2.000 mm at height 15.0 mm"),
+            "{chosen:?}"
+        );
         // A small airfoil far inside a wide part: no slender needle, but the smallest ball that is
         // sold long enough.
         let mut wide = lens(20.0, 27.0);
@@ -233,13 +237,16 @@ mod with_blade {
         wide.part = Part::from_mesh(mesh);
         let (job, chosen) = settle("", &wide);
         assert!(job.tool.radius_mm == 2.0 && job.tool.stickout_mm <= 20.0 * job.tool.shank_radius_mm, "{:?}", job.tool);
-        assert!(chosen.warnings[0].contains("2 mm is the smallest that is sold long enough"), "{chosen:?}");
+        assert!(chosen.warnings[0].to_string().contains("2 mm is the smallest that is sold long enough"), "{chosen:?}");
         // Wider than anything that is sold.
         for p in &mut wide.part.mesh.points {
             p.y *= 10.0;
         }
         let (job, chosen) = settle("", &wide);
-        assert!(job.tool.stickout_mm <= 320.0 && chosen.warnings.iter().any(|w| w.contains("at most, which is taken")));
+        assert!(
+            job.tool.stickout_mm <= 320.0
+                && chosen.warnings.iter().any(|w| w.to_string().contains("at most, which is taken"))
+        );
         let (job, _) = settle("tool.stickout_mm = 700", &wide);
         assert_eq!(job.tool.stickout_mm, 700.0, "what was asked for stays");
     }
@@ -256,7 +263,7 @@ mod with_blade {
         mesh.triangles.extend(blade.part.mesh.triangles.iter().map(|t| t.map(|k| k + n)));
         blade.part = Part::from_mesh(mesh);
         blade.model_from_blade = Rigid::translation(1000.0, 0.0, 0.0);
-        let told = settle("", &blade).1.warnings.join("\n");
+        let told = settle("", &blade).1.warnings.iter().map(Doubt::to_string).collect::<Vec<_>>().join("\n");
         for words in ["not even a ball of 0.5 mm has room", "tightest at (10"] {
             assert!(told.contains(words), "{words} is not in {told}");
         }

@@ -16,6 +16,7 @@ use super::sections::ToolKeys;
 use crate::artifact::Blade;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
+use crate::observe::{self, Doubt, LeftOver};
 use crate::tool::catalogue::{Catalogue, Cutter};
 use crate::tool::{HolderStage, Tool};
 
@@ -43,7 +44,7 @@ pub struct Chosen {
     /// Why this one, one sentence.
     pub why: String,
     /// What it leaves to another tool.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Doubt>,
 }
 
 impl Chosen {
@@ -103,10 +104,7 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     // A stick-out that nobody sells is used where it was asked for only.
     let stickout_mm = keys.stickout_mm.unwrap_or(wanted_mm.min(longest_mm));
     if stickout_mm < wanted_mm {
-        warnings.push(format!(
-            "the part reaches {reach_mm:.1} mm from the blade axis, for which the tool would have to stick out {wanted_mm} mm; a ball of {radius_mm} mm \
-             is sold for {stickout_mm} mm at most, which is taken: the holder may come near the part"
-        ));
+        warnings.push(Doubt::StickOutTooShort { reach_mm, wanted_mm, radius_mm, stickout_mm });
     }
     let holder: Vec<HolderStage> =
         keys.holder.clone().unwrap_or_else(|| catalogue.chuck_for(2.0 * shank_radius_mm).stages());
@@ -121,7 +119,7 @@ fn default_cutter(
     places: &Places,
     catalogue: &Catalogue,
     reaches: impl Fn(&Cutter) -> bool,
-    warnings: &mut Vec<String>,
+    warnings: &mut Vec<Doubt>,
 ) -> Result<(Cutter, String)> {
     let none = || Error::infeasible(Stage::Job, "the tool catalogue is empty");
     let [smallest, largest] = [catalogue.cutter.first(), catalogue.cutter.last()];
@@ -133,12 +131,11 @@ fn default_cutter(
         return Err(no_room(blade, smallest.radius_mm, &sound, places));
     }
     if 1.0 - sound.share > TOLD {
-        warnings.push(format!(
-            "at {:.1} % of the wall near the platform not even a ball of {} mm has room{}: slits or damage there have no say in the choice of the tool",
-            100.0 * (1.0 - sound.share),
-            smallest.radius_mm,
-            at(blade, sound.tightest)
-        ));
+        warnings.push(Doubt::NoRoomAtWall {
+            share: sound.share,
+            radius_mm: smallest.radius_mm,
+            tightest_mm: in_model(blade, sound.tightest),
+        });
     }
     let long_enough = catalogue.cutter.iter().any(&reaches);
     // Where none is long enough the longest are; the stick-out's message says so.
@@ -162,42 +159,27 @@ fn default_cutter(
     let c = catalogue.cutter.iter().find(able).unwrap_or(smallest);
     let left = left_over(blade, &places.shares(blade, c.radius_mm, NONE_TO_SPARE, &sound.places));
     let short = catalogue.cutter.iter().find(|d| goes(d)).filter(|d| d.radius_mm < c.radius_mm);
-    warnings.push(match (&left, short) {
-        (Some(left), Some(d)) => format!(
-            "wall and fillet ask for a ball of {} mm, which is not sold long enough; a ball of {} mm does not go to {left}: leave that to a second \
-             operation with a smaller ball",
-            d.radius_mm, c.radius_mm
-        ),
-        (Some(left), None) => format!(
-            "wall and fillet ask for less than a ball of {} mm, the smallest that is sold long enough, which does not go to {left}: leave that to a \
-             second operation with a smaller ball",
-            c.radius_mm
-        ),
-        (None, _) => format!(
-            "the airfoil asks for a ball below {most_mm:.2} mm, {:.0} % of its chord of {chord_mm:.3} mm at height {chord_at_mm:.1} mm; {} mm is the smallest \
-             that is sold long enough",
-            100.0 * SHARE_OF_CHORD,
-            c.radius_mm
-        ),
+    warnings.push(if left.is_empty() {
+        let (share_of_chord, height_mm, radius_mm) = (SHARE_OF_CHORD, chord_at_mm, c.radius_mm);
+        Doubt::AirfoilTooThin { most_mm, share_of_chord, chord_mm, height_mm, radius_mm }
+    } else {
+        Doubt::BallNotLongEnough { wanted_mm: short.map(|d| d.radius_mm), radius_mm: c.radius_mm, left }
     });
     Ok((c.clone(), "the smallest that is sold long enough for the part".into()))
 }
 
-/// The message on a given ball that does not go to all of wall and fillet.
-fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<String> {
+/// The doubt about a given ball that does not go to all of wall and fillet.
+fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<Doubt> {
     let smallest = catalogue.cutter.first()?.radius_mm.min(radius_mm);
     let sound = places.sound(blade, smallest);
     let shares = places.shares(blade, radius_mm, NONE_TO_SPARE, &sound.places);
-    if has_room(&shares) {
+    let left = left_over(blade, &shares);
+    if has_room(&shares) || left.is_empty() {
         return None;
     }
-    let left = left_over(blade, &shares)?;
     let goes = |r: f64| has_room(&places.shares(blade, r, TO_SPARE, &sound.places));
-    let fits = catalogue.cutter.iter().map(|c| c.radius_mm).rev().find(|r| *r < radius_mm && goes(*r));
-    let other = fits.map_or_else(String::new, |r| format!("; a ball of {r} mm would"));
-    Some(format!(
-        "the ball of {radius_mm} mm is too large for this blade: it does not go to {left}{other}; what it leaves is for a second operation with a smaller ball"
-    ))
+    let fits_mm = catalogue.cutter.iter().map(|c| c.radius_mm).rev().find(|r| *r < radius_mm && goes(*r));
+    Some(Doubt::BallTooLarge { radius_mm, left, fits_mm })
 }
 
 /// Whether a ball goes to nearly all of wall and fillet.
@@ -205,31 +187,22 @@ fn has_room(shares: &[Share; 2]) -> bool {
     shares.iter().zip(MOST_OF).all(|(s, least)| s.share >= least)
 }
 
-/// Where a ball does not go, in words; `None` where it goes everywhere.
-fn left_over(blade: &Blade, shares: &[Share; 2]) -> Option<String> {
+/// Where a ball does not go; empty where it goes everywhere.
+fn left_over(blade: &Blade, shares: &[Share; 2]) -> Vec<LeftOver> {
     let names = ["wall near the platform", "fillet"];
-    let told: Vec<String> = shares
-        .iter()
-        .zip(names)
-        .filter(|(s, _)| s.area_mm2 > 0.0 && s.share < 1.0)
-        .map(|(s, name)| {
-            format!(
-                "{:.1} % of the {name} (about {:.0} mm²{})",
-                100.0 * (1.0 - s.share),
-                (1.0 - s.share) * s.area_mm2,
-                at(blade, s.tightest)
-            )
-        })
-        .collect();
-    (!told.is_empty()).then(|| told.join(" and "))
+    let missed = shares.iter().zip(names).filter(|(s, _)| s.area_mm2 > 0.0 && s.share < 1.0);
+    let left = |(s, of): (&Share, &str)| LeftOver {
+        of: of.into(),
+        share: s.share,
+        area_mm2: s.area_mm2,
+        tightest_mm: in_model(blade, s.tightest),
+    };
+    missed.map(left).collect()
 }
 
-/// Where it is tightest, in the frame of the model.
-fn at(blade: &Blade, tightest: Option<(Point, f64)>) -> String {
-    tightest.map_or_else(String::new, |(p, _)| {
-        let p = blade.model_from_blade * p;
-        format!(", tightest at ({:.3}, {:.3}, {:.3}) mm in the model", p.x, p.y, p.z)
-    })
+/// Where it is tightest, in the frame of the model, mm.
+fn in_model(blade: &Blade, tightest: Option<(Point, f64)>) -> Option<[f64; 3]> {
+    tightest.map(|(p, _)| (blade.model_from_blade * p).into())
 }
 
 /// Not even the smallest ball has room.
@@ -240,7 +213,7 @@ fn no_room(blade: &Blade, radius_mm: f64, sound: &Share, places: &Places) -> Err
         format!(
             "no ball fits the airfoil: the smallest, of {radius_mm} mm, has room at {:.1} % of the wall between the heights {lo:.3} and {hi:.3} mm{}",
             100.0 * sound.share,
-            at(blade, sound.tightest)
+            observe::tightest(&in_model(blade, sound.tightest))
         ),
     )
     .advise(

@@ -5,7 +5,7 @@ use super::Setup;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Result};
 use crate::machine::Machine;
-use crate::observe::Observer;
+use crate::observe::{Doubt, Observer};
 use crate::path;
 
 impl Setup {
@@ -20,16 +20,10 @@ impl Setup {
 }
 
 /// A warning for a feed that the linear axes do not reach even together.
-pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<String> {
-    let linear = machine.linear().map(|k| 60.0 * machine.axes()[k].limits.velocity);
-    let together = linear.iter().map(|v| v * v).sum::<f64>().sqrt();
-    (feed_mm_min > together).then(|| {
-        let [x, y, z] = linear;
-        format!(
-            "feed.feed_mm_min is {feed_mm_min} mm/min, more than the machine's linear axes reach together (X {x:.0}, Y {y:.0}, Z {z:.0} mm/min): the axes \
-             decide the feed everywhere, and figures at full feed mean nothing"
-        )
-    })
+pub(super) fn out_of_reach(feed_mm_min: f64, machine: &Machine) -> Option<Doubt> {
+    let linear_mm_min = machine.linear().map(|k| 60.0 * machine.axes()[k].limits.velocity);
+    let together = linear_mm_min.iter().map(|v| v * v).sum::<f64>().sqrt();
+    (feed_mm_min > together).then_some(Doubt::FeedOutOfReach { feed_mm_min, linear_mm_min })
 }
 
 /// Adds to the error what speaks against the given blade axis, where that may be the cause.

@@ -6,7 +6,7 @@ use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Stand, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::feed;
 use crate::lead::{self, End, LeadOptions};
-use crate::observe::{Observer, Silent, Warning};
+use crate::observe::{Doubt, Observer, Silent, Warning};
 use crate::verify::lead::{Room, obstructed};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use crate::write::post::{self, PostOptions};
@@ -27,8 +27,8 @@ pub(crate) fn choose(
         observer.check(Stage::Feed)?;
         if !slot.is_arc() && setup.job.feed.lead_radius_mm > 0.0 {
             let name = if end == End::In { "lead-in" } else { "lead-out" };
-            let message = format!("the {name} is straight along the tool axis: {}", slot.reason);
-            observer.warn(Warning { stage: Stage::Feed, message });
+            let doubt = Doubt::StraightLead { lead: name.into(), reason: slot.reason.clone() };
+            observer.warn(Warning { stage: Stage::Feed, doubt });
         }
     }
     Ok(out)

@@ -73,15 +73,15 @@ impl Setup {
     /// Those of the job.
     pub fn of(draft: &Draft, blade: Blade, machine: Machine, observer: &dyn Observer) -> Result<Setup> {
         let (job, tool) = draft.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
-        for message in &tool.warnings {
-            observer.warn(Warning { stage: Stage::Job, message: message.clone() });
+        for doubt in &tool.warnings {
+            observer.warn(Warning { stage: Stage::Job, doubt: doubt.clone() });
         }
         machine.check_lean(job.machine.b_deg.to_radians())?;
-        if let Some(message) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
-            observer.warn(Warning { stage: Stage::Feed, message });
+        if let Some(doubt) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
+            observer.warn(Warning { stage: Stage::Feed, doubt });
         }
-        for message in openings::check(&blade, &reach(&job, &blade))? {
-            observer.warn(Warning { stage: Stage::Model, message });
+        for doubt in openings::check(&blade, &reach(&job, &blade))? {
+            observer.warn(Warning { stage: Stage::Model, doubt });
         }
         let start_near = match job.path.start {
             Start::Concave => None,

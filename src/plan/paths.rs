@@ -6,7 +6,7 @@ use crate::artifact::report::LimitFigures;
 use crate::artifact::toolpath::PathKind;
 use crate::artifact::{Blade, CheckReport, Toolpath};
 use crate::error::{ErrorKind, Result, Stage};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 use crate::path::{self, PathOptions, PathSettings};
 use crate::section::{self, SectionOptions};
 use crate::verify;
@@ -46,8 +46,8 @@ pub(crate) fn others(
         let options = PathOptions { settings, extent, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
-                let message = format!("no {} path over the same region to compare with: {}", kind.name(), e.message);
-                observer.warn(Warning { stage: Stage::Path, message });
+                let doubt = Doubt::NoPathToCompare { kind: kind.name(), reason: e.message };
+                observer.warn(Warning { stage: Stage::Path, doubt });
                 continue;
             }
             other => other?,

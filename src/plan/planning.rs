@@ -8,7 +8,7 @@ use crate::artifact::{AxisMotion, Channel, Cones, Lead, Plan, Schedule, Toolpath
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
-use crate::observe::{Observer, Silent, Warning, timed};
+use crate::observe::{Doubt, Observer, Silent, Warning, timed};
 use crate::path;
 use crate::schedule;
 use crate::verify;
@@ -158,12 +158,9 @@ pub(crate) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<To
         && path.end_reason != EndReason::Region
     {
         let [a, b] = path.region_x_mm;
-        let message = format!(
-            "the helix ends at height {:.3} mm instead of region.end_mm = {end_mm} mm: {}",
-            a.min(b),
-            path.end_reason
-        );
-        observer.warn(Warning { stage: Stage::Path, message });
+        let reason = path.end_reason.to_string();
+        let doubt = Doubt::HelixEndsEarly { height_mm: a.min(b), asked_mm: end_mm, reason };
+        observer.warn(Warning { stage: Stage::Path, doubt });
     }
     Ok(path)
 }
@@ -185,8 +182,8 @@ pub(crate) fn channel_as_far_as_it_goes(
         let planned = timed(observer, Stage::Channel, || plan(toolpath));
         let blocked = match planned {
             Ok(channel) => {
-                if let Some(message) = cut {
-                    observer.warn(Warning { stage: Stage::Channel, message });
+                if let Some(doubt) = cut {
+                    observer.warn(Warning { stage: Stage::Channel, doubt });
                 }
                 return Ok(channel);
             }
@@ -211,11 +208,11 @@ pub(crate) fn channel_as_far_as_it_goes(
         shorter.extent.ends.push(Boundary::Height(end_mm));
         *toolpath = timed(observer, Stage::Path, || path::plan(blade, &shorter, observer))?;
         toolpath.end_reason = EndReason::Blocked(blocked.message);
-        cut = Some(format!(
-            "the helix ends at height {end_mm:.3} mm, since farther down {}; to go on: {}",
-            toolpath.end_reason,
-            blocked.advice.unwrap_or_else(|| "another tool".into())
-        ));
+        cut = Some(Doubt::HelixEndsAbove {
+            height_mm: end_mm,
+            reason: toolpath.end_reason.to_string(),
+            advice: blocked.advice.unwrap_or_else(|| "another tool".into()),
+        });
     }
     timed(observer, Stage::Channel, || plan(toolpath))
 }
@@ -238,13 +235,7 @@ fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -
     if planned.is_err() {
         return Some(planned);
     }
-    let by = if options.settings.prove_moves {
-        "its walls are proven on a finer one"
-    } else {
-        "its ends are those of the exact faces"
-    };
-    let message =
-        format!("the channel is so narrow that the mesh's deflection would close it: {by} (channel.exact_ends)");
-    observer.warn(Warning { stage: Stage::Channel, message });
+    let doubt = Doubt::ChannelByExactFaces { proven: options.settings.prove_moves };
+    observer.warn(Warning { stage: Stage::Channel, doubt });
     Some(planned)
 }

@@ -6,7 +6,7 @@ use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 /// Normals closer to the axis of their cone than this have no azimuth worth following (sine of the
 /// angle to the axis).
@@ -45,16 +45,9 @@ pub(super) fn plan(
         .count();
     let out = curve::through(ScheduleKind::Fixed, path, theta, channel)?;
     if outside > 0 || out.reversals > 0 {
-        observer.warn(Warning {
-            stage: Stage::Schedule,
-            message: format!(
-                "the fixed schedule (lead {} deg) is outside the channel at {outside} of {} locations and turns back \
-                 {} times; it is a baseline to compare with, not to be machined",
-                options.settings.lead_deg,
-                out.theta.len(),
-                out.reversals
-            ),
-        });
+        let (locations, reversals) = (out.theta.len(), out.reversals);
+        let doubt = Doubt::FixedLeavesChannel { lead_deg: options.settings.lead_deg, outside, locations, reversals };
+        observer.warn(Warning { stage: Stage::Schedule, doubt });
     }
     Ok(out)
 }

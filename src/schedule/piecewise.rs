@@ -12,7 +12,7 @@ use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
 const BASE_INSETS: [f64; 4] = [0.02, 0.05, 0.15, 0.4];
@@ -138,17 +138,15 @@ fn warn_of_margin(hull: &Corridor, margin: f64, path: &Toolpath, observer: &dyn 
     let width = |i: usize| hull.hi[i] - hull.lo[i];
     let narrow = (0..hull.s.len()).filter(|i| width(*i) < 4.0 * margin).count();
     let Some(worst) = (0..hull.s.len()).min_by(|a, b| width(*a).total_cmp(&width(*b))) else { return };
-    if narrow > 0 {
-        observer.warn(Warning {
-            stage: Stage::Schedule,
-            message: format!(
-                "the channel is narrower than four margins of {:.3} deg at {narrow} locations; there a quarter of its \
-                 width is kept, least {:.6} deg at {}",
-                margin.to_degrees(),
-                0.25 * width(worst).to_degrees(),
-                place(path, worst)
-            ),
-        });
+    if let Some(at) = path.locations.get(worst).filter(|_| narrow > 0) {
+        let doubt = Doubt::MarginNotKept {
+            margin_deg: margin.to_degrees(),
+            locations: narrow,
+            least_deg: 0.25 * width(worst).to_degrees(),
+            turn: at.turn,
+            turn_s_mm: at.turn_s_mm,
+        };
+        observer.warn(Warning { stage: Stage::Schedule, doubt });
     }
 }
 
@@ -288,21 +286,13 @@ fn level(inner: &Corridor, s: f64, shorter: f64, choice: Choice, options: &Sched
 
 impl Attempt {
     fn warn(&self, path: &Toolpath, observer: &dyn Observer) {
-        let warn = |message: String| observer.warn(Warning { stage: Stage::Schedule, message });
-        if let Some((turn, length)) = self.shortened.iter().min_by(|a, b| a.1.total_cmp(&b.1)) {
-            warn(format!(
-                "the level stretch at {} of {} base points had to be shortened to fit the channel, most at turn {turn} to \
-                 {length:.3} mm on either side; rotary acceleration is greater there",
-                self.shortened.len(),
-                path.turns.len().saturating_sub(1)
-            ));
+        let warn = |doubt: Doubt| observer.warn(Warning { stage: Stage::Schedule, doubt });
+        if let Some((turn, length_mm)) = self.shortened.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)) {
+            let base_points = path.turns.len().saturating_sub(1);
+            warn(Doubt::LevelShortened { count: self.shortened.len(), base_points, turn, length_mm });
         }
-        if let Some(first) = self.merged.first() {
-            warn(format!(
-                "{} turns are scheduled together with the turn before, first turn {first}: they are short outer turns or \
-                 the channel holds no level stretch at their base points",
-                self.merged.len()
-            ));
+        if let Some(first_turn) = self.merged.first().copied() {
+            warn(Doubt::TurnsMerged { count: self.merged.len(), first_turn });
         }
     }
 

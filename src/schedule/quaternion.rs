@@ -23,7 +23,7 @@ use super::{ScheduleOptions, bezier, fixed};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 /// Greatest change of the normal's azimuth between two keys, rad.
 const APART: f64 = std::f64::consts::FRAC_PI_2;
@@ -57,15 +57,9 @@ pub(super) fn plan(
     let mut out = curve::schedule(ScheduleKind::Quaternion, pieces, theta, &curve::true_walls(s, channel));
     out.key_points = at.into_iter().zip(angle).map(|(s, t)| [s, t]).collect();
     if out.reversals > 0 || out.quality.outside_rad > channel.tolerance_rad {
-        observer.warn(Warning {
-            stage: Stage::Schedule,
-            message: format!(
-                "the quaternion schedule leaves the channel by up to {:.3} deg and turns back {} times; it is a baseline to \
-                 compare with, not to be machined",
-                out.quality.outside_rad.to_degrees(),
-                out.reversals
-            ),
-        });
+        let outside_deg = out.quality.outside_rad.to_degrees();
+        let doubt = Doubt::QuaternionLeavesChannel { outside_deg, reversals: out.reversals };
+        observer.warn(Warning { stage: Stage::Schedule, doubt });
     }
     Ok(out)
 }

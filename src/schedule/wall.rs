@@ -8,7 +8,7 @@ use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::Result;
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 use crate::{Error, Stage};
 
 /// `theta_min` (kind `lower-wall`) or `theta_max` (`upper-wall`) of every row, moved outwards by
@@ -31,14 +31,7 @@ pub(super) fn plan(
         return Err(Error::usage(Stage::Schedule, "the channel has walls that are not finite"));
     }
     let out = curve::through(kind, path, theta, channel)?;
-    let turns_back = out.reversals;
-    observer.warn(Warning {
-        stage: Stage::Schedule,
-        message: format!(
-            "the schedule runs along a wall of the channel{}, to try the channel: it turns back {turns_back} times and is \
-             not to be machined",
-            if beyond == 0.0 { String::new() } else { format!(", {}° outside it", options.settings.beyond_wall_deg) }
-        ),
-    });
+    let doubt = Doubt::AlongWall { beyond_deg: options.settings.beyond_wall_deg, reversals: out.reversals };
+    observer.warn(Warning { stage: Stage::Schedule, doubt });
     Ok(out)
 }

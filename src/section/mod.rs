@@ -48,7 +48,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::{self, Outline};
 use crate::geometry::profile::{Ends, Names, Profile, Sides, TOLERANCE_MM, edges};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
 /// Which sections, and how smooth.
@@ -90,8 +90,8 @@ pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) ->
     if cut.iter().all(|c| c.loops.is_empty()) {
         return Err(no_section(blade, &cut));
     }
-    for message in cut.iter().flat_map(Cut::remarks) {
-        observer.warn(Warning { stage: Stage::Section, message });
+    for doubt in cut.iter().flat_map(Cut::doubts) {
+        observer.warn(Warning { stage: Stage::Section, doubt });
     }
     let largest = || cut.iter().filter_map(|c| Some((c.x_mm, c.ends.first()?.clone()))).collect::<Vec<_>>();
     let sides = blade.regions.sides().cloned().or_else(|| Sides::along(&largest()));
@@ -128,20 +128,16 @@ impl Cut {
     }
 
     /// Warnings on this cut.
-    fn remarks(&self) -> Vec<String> {
-        let Cut { x_mm, dropped, bridged_mm, open_mm, .. } = self;
+    fn doubts(&self) -> Vec<Doubt> {
+        let Cut { x_mm: height_mm, dropped, bridged_mm, open_mm, .. } = *self;
         let mut out = Vec::new();
         if self.loops.is_empty() {
-            out.push(format!(
-                "there is no section at {x_mm:.3} mm: the part is open there, by {open_mm:.3} mm at the widest; the others are written"
-            ));
-        } else if *dropped > 0 {
-            out.push(format!("the section at {x_mm:.3} mm has {dropped} hole(s) or open chain(s), left out"));
+            out.push(Doubt::NoSection { height_mm, open_mm });
+        } else if dropped > 0 {
+            out.push(Doubt::LoopsLeftOut { height_mm, count: dropped });
         }
-        if *bridged_mm > 0.0 {
-            out.push(format!(
-                "the section at {x_mm:.3} mm is drawn straight over gaps of the part, {bridged_mm:.3} mm at the widest"
-            ));
+        if bridged_mm > 0.0 {
+            out.push(Doubt::SectionBridged { height_mm, widest_mm: bridged_mm });
         }
         out
     }

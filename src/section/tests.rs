@@ -278,7 +278,7 @@ fn openings_are_bridged_or_told_and_do_not_refuse() {
     let sections = of(0.15).unwrap();
     assert_eq!(sections.iter().map(|s| s.x_mm).collect::<Vec<_>>(), [5.0, 15.0, 25.0]);
     assert!(sections.iter().all(|s| (s.loops[0].area_mm2 - 160.0 * PI).abs() < 0.3));
-    let words: Vec<String> = ear.warnings().into_iter().map(|w| w.message).collect();
+    let words: Vec<String> = ear.warnings().into_iter().map(|w| w.doubt.to_string()).collect();
     assert_eq!(words.len(), 5, "{words:?}");
     assert!(
         words.iter().any(|w| w.contains("at 25.000 mm is drawn straight over gaps of the part, 0.075 mm")),

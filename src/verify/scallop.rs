@@ -25,7 +25,7 @@ use crate::artifact::{Blade, CheckId, CheckReport, Plan};
 use crate::error::Stage;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 /// A height and where it was measured.
 #[derive(Clone, Copy, Debug)]
@@ -208,8 +208,8 @@ pub(super) fn check(
     report.ridge_p50_mm = percentile(&ridges, 0.50);
     report.ridge_p05_mm = percentile(&ridges, 0.05);
     report.limit = limit::measure(part, sweep, options.scallop_mm, options.settings.surface_samples as usize);
-    if let Some(message) = standing_out(plan, blade, &samples, options) {
-        observer.warn(Warning { stage: Stage::Verify, message });
+    if let Some(doubt) = standing_out(plan, blade, &samples, options) {
+        observer.warn(Warning { stage: Stage::Verify, doubt });
     }
     let limit = options.settings.scallop_ratio * options.scallop_mm;
     let judge = |id: CheckId, quantity: &str, sorted: &[Height], enough: bool| {
@@ -266,18 +266,19 @@ fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
 /// are told of: the verdict rests on the 99th percentile.
 const STANDS_OUT: f64 = 1.5;
 
-/// In words, how much of the surface stands out and where the most; `None` where nothing does.
-fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyOptions) -> Option<String> {
+/// How much of the surface stands out and where the most; `None` where nothing does.
+fn standing_out(plan: &Plan, blade: &Blade, sorted: &[Height], options: &VerifyOptions) -> Option<Doubt> {
     let ratio = STANDS_OUT.max(options.settings.scallop_ratio);
     let over = sorted.len() - sorted.partition_point(|h| h.height_mm <= ratio * options.scallop_mm);
     let highest = sorted.last().filter(|_| over > 0)?;
     let p = blade.model_from_blade * highest.point;
-    let percent = 100.0 * over as f64 / sorted.len() as f64;
-    let share = if percent < 0.005 { "under 0.01 %".to_owned() } else { format!("{percent:.2} %") };
-    Some(format!(
-        "{share} of the surface stands more than {ratio} times the scallop high, the most {:.4} mm at turn {}, ({:.3}, {:.3}, {:.3}) mm in the model: see the scallop map there, and machine it again, or take a smaller scallop or ball",
-        highest.height_mm, plan.toolpath.locations[highest.row].turn, p.x, p.y, p.z
-    ))
+    Some(Doubt::StandsOut {
+        share: over as f64 / sorted.len() as f64,
+        ratio,
+        height_mm: highest.height_mm,
+        turn: plan.toolpath.locations[highest.row].turn,
+        at_mm: p.into(),
+    })
 }
 
 /// The deepest place of the same samples: a second look at gouges, from the part's side.

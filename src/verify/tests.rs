@@ -418,7 +418,7 @@ fn a_single_place_that_stands_out_is_told_of() {
     // Eight locations of 720 of one turn of four: by the 99th percentile all is well.
     assert_eq!(failed, "");
     let [warning] = &warnings[..] else { panic!("{warnings:?}") };
-    let said = &warning.message;
+    let said = &warning.doubt.to_string();
     assert!(said.contains("1.5 times the scallop") && said.contains("at turn "), "{said}");
     let numbers = |text: &str| -> Vec<f64> { text.split(", ").map(|x| x.parse().unwrap()).collect() };
     let at = numbers(said.split(['(', ')']).nth(1).unwrap());

@@ -55,7 +55,7 @@ use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::geometry::brep::{Brep, SurfaceKind};
 use crate::geometry::{Aabb, Point};
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 pub use fixture::{fixture, obstacle};
 use format::Format;
@@ -138,7 +138,7 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
 pub fn load_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
     let blade = survey_bytes(path, bytes, options, observer)?.into_blade(observer)?;
     for note in &blade.diagnosis.notes {
-        observer.warn(Warning { stage: Stage::Model, message: note.clone() });
+        observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Remark(note.clone()) });
     }
     Ok(blade)
 }

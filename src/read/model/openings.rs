@@ -16,6 +16,7 @@ use crate::artifact::blade::Blade;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::boundary::openings;
+use crate::observe::Doubt;
 use crate::tool::Tool;
 
 /// A ball that sinks into an opening by less than this goes on as if it were closed, mm: half the
@@ -50,12 +51,12 @@ impl Reach {
     }
 }
 
-/// Judges all openings of the part; returns warnings.
+/// Judges all openings of the part; returns doubts about those that do not matter.
 ///
 /// # Errors
 /// `InputOutput`: openings that the tool can meet, with their number, the widest and its place in
 /// the model frame.
-pub fn check(blade: &Blade, reach: &Reach) -> Result<Vec<String>> {
+pub fn check(blade: &Blade, reach: &Reach) -> Result<Vec<Doubt>> {
     let mesh = &blade.part.mesh;
     let [lo, hi] = reach.x_mm;
     let (mut far, mut narrow) = (Vec::new(), Vec::new());
@@ -96,17 +97,11 @@ pub fn check(blade: &Blade, reach: &Reach) -> Result<Vec<String>> {
              machine a region away from the opening"
         }));
     }
-    let tell = |list: &[f64], what: &str| {
-        let widest = list.iter().copied().fold(0.0, f64::max);
-        (!list.is_empty()).then(|| format!("{} openings {what}, the widest {widest:.3} mm", list.len()))
-    };
-    Ok([
-        tell(&far, &format!("out of the tool's reach (x = {lo:.2} to {hi:.2} mm along the blade axis)")),
-        tell(&narrow, "too narrow for the ball to sink in"),
-    ]
-    .into_iter()
-    .flatten()
-    .collect())
+    let widest = |list: &[f64]| list.iter().copied().reduce(f64::max).map(|widest_mm| (list.len(), widest_mm));
+    let far =
+        widest(&far).map(|(count, widest_mm)| Doubt::OpeningsOutOfReach { count, widest_mm, heights_mm: reach.x_mm });
+    let narrow = widest(&narrow).map(|(count, widest_mm)| Doubt::OpeningsTooNarrow { count, widest_mm });
+    Ok(far.into_iter().chain(narrow).collect())
 }
 
 #[cfg(test)]
@@ -158,7 +153,10 @@ mod tests {
         assert!(check(&whole, &middle).unwrap().is_empty());
         let no_lid = opened(|x| x > hi - 1e-6);
         let warnings = check(&no_lid, &middle).unwrap();
-        assert!(warnings.len() == 1 && warnings[0].contains("1 openings out of the tool's reach"), "{warnings:?}");
+        assert!(
+            warnings.len() == 1 && warnings[0].to_string().contains("1 openings out of the tool's reach"),
+            "{warnings:?}"
+        );
         let e = check(&no_lid, &at(hi - 0.05 * (hi - lo))).unwrap_err();
         assert!(
             e.to_string().contains("not closed where the tool works") && e.to_string().contains("in the model"),

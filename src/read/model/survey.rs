@@ -28,7 +28,7 @@ use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
-use crate::observe::{Observer, Warning};
+use crate::observe::{Doubt, Observer, Warning};
 
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
 const NO_VOLUME: f64 = 1e-9;
@@ -113,7 +113,7 @@ impl Survey {
                         faces.moved_mm
                     );
                     self.diagnosis.notes.push(message.clone());
-                    observer.warn(Warning { stage: Stage::Model, message });
+                    observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Remark(message) });
                 }
                 match published {
                     Some(published) => part.with_published(published, of),

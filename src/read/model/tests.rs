@@ -294,7 +294,7 @@ fn notes_are_told_as_warnings() {
     struct Ear(Mutex<Vec<String>>);
     impl Observer for Ear {
         fn warn(&self, warning: Warning) {
-            self.0.lock().unwrap().push(warning.message);
+            self.0.lock().unwrap().push(warning.doubt.to_string());
         }
     }
     let mut mesh = blade();

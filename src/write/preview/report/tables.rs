@@ -95,8 +95,11 @@ pub(super) fn warnings(input: &ReportInput) -> String {
     if input.warnings.is_empty() {
         return String::new();
     }
-    let items: String =
-        input.warnings.iter().map(|w| format!("<li><b>{}</b>: {}</li>", w.stage, escape(&w.message))).collect();
+    let items: String = input
+        .warnings
+        .iter()
+        .map(|w| format!("<li><b>{}</b>: {}</li>", w.stage, escape(&w.doubt.to_string())))
+        .collect();
     format!("<section id=\"warnings\"><h2>Warnings</h2><ul>{items}</ul></section>\n")
 }
 
