@@ -43,7 +43,7 @@ impl Observer for Window {
         self.shown.fetch_add(1, Ordering::Relaxed);
     }
     fn warn(&self, warning: Warning) {
-        eprintln!("{}: {}", warning.stage, warning.message);
+        eprintln!("{}: {}", warning.stage, warning.doubt);
     }
     fn cancelled(&self) -> bool {
         self.stop.load(Ordering::Relaxed)

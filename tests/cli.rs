@@ -474,6 +474,31 @@ fn what_helps_to_type_the_command() {
     assert!(text.contains("\"event\":\"error\"") && text.contains("\"exit_code\":4"), "{text}");
 }
 
+/// Planted reasons for no plan, as `--json` tells them.
+#[test]
+fn what_leaves_no_plan_is_told_as_data() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let model = root().join("models/prism.step").display().to_string();
+    let told = |sets: &[&str]| {
+        let sets = sets.iter().flat_map(|s| ["--set", s]);
+        let args: Vec<&str> =
+            ["--json", "plan", &model, "-o", "none", "--until", "path"].into_iter().chain(sets).collect();
+        let out = bladewright(&args, dir.path());
+        let text = String::from_utf8_lossy(&out.stdout).into_owned();
+        let lines = text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok());
+        let error = lines.into_iter().find(|l| l["event"] == "error").expect(&text);
+        assert_eq!(out.status.code(), Some(3), "{text}");
+        error["infeasible"].clone()
+    };
+    let small = told(&["tool.radius_mm=500"]);
+    assert_eq!((&small["what"], &small["size_mm"][0]), (&"part-smaller-than-tool".into(), &130.0.into()));
+    let large = told(&["tool.radius_mm=60"]);
+    assert_eq!((&large["what"], &large["by"]), (&"not-one-turn".into(), &"ball-too-large".into()));
+    let height_mm = large["at"]["point_mm"][2].as_f64().expect("a point");
+    assert!(large["at"]["frame"] == "model" && (height_mm - 40.0).abs() < 1e-3, "{large}");
+    assert_eq!(large["radius_mm"], 60.0);
+}
+
 #[test]
 fn stages_can_be_stopped_after() {
     let dir = tempfile::tempdir().expect("temporary folder");

@@ -46,14 +46,14 @@ fn too_near(o: &Obstacle, (path, blade): (&Toolpath, &Blade), i: usize, what: &s
     let place = path.locations.get(i).map_or_else(String::new, |l| {
         format!("turn {}, S = {:.2} mm, {:.3} mm along the blade axis", l.turn, l.turn_s_mm, l.centre.x)
     });
-    Error::infeasible(Stage::Channel, format!("{what} {} at {place}", o.name))
+    let since = Infeasible::BallNearFixture {
+        at: report::at(path, i, |p| blade.model_from_blade * p),
+        name: o.name.clone(),
+        clearance_mm: o.clearance_mm,
+        inside,
+    };
+    Error::infeasible(Stage::Channel, format!("{what} {} at {place}", o.name), since)
         .advise("move the fixture, let the region end before it, or let it keep less clearance")
-        .since(Infeasible::BallNearFixture {
-            at: report::at(path, i, |p| blade.model_from_blade * p),
-            name: o.name.clone(),
-            clearance_mm: o.clearance_mm,
-            inside,
-        })
 }
 
 /// How often the closed mesh winds round a point: 0 outside, ±1 inside.

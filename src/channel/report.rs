@@ -24,7 +24,11 @@ impl Reporter<'_> {
     /// No chain reaches sample `at`.
     pub fn closed(&self, layers: &[Vec<Free>], at: usize) -> Error {
         let Some(sample) = self.samples.get(at) else {
-            return Error::infeasible(Stage::Channel, "the channel is closed everywhere");
+            return Error::infeasible(
+                Stage::Channel,
+                "the channel is closed everywhere",
+                Infeasible::ChannelClosedEverywhere,
+            );
         };
         let place = self.place(sample.row);
         let here = layers.get(at).map(Vec::as_slice).unwrap_or_default();
@@ -33,14 +37,13 @@ impl Reporter<'_> {
             let at_start = at == 0 && self.is_start;
             let start = if at_start { "the tool starts in collision: " } else { "" };
             let message = format!("{start}no angle of the tool axis is free at {place}: {what}");
-            return Error::infeasible(Stage::Channel, message).advise(advice_for(&ends)).since(
-                Infeasible::NoFreeAngle {
-                    at: self.at(sample.row),
-                    at_start,
-                    bounds: self.bounds(&ends),
-                    region_may_end_mm: self.above(sample.row),
-                },
-            );
+            let what = Infeasible::NoFreeAngle {
+                at: self.at(sample.row),
+                at_start,
+                bounds: self.bounds(&ends),
+                region_may_end_mm: self.above(sample.row),
+            };
+            return Error::infeasible(Stage::Channel, message, what).advise(advice_for(&ends));
         }
         let before = at.checked_sub(1).and_then(|i| layers.get(i)).map(Vec::as_slice).unwrap_or_default();
         let ends: Vec<Binding> = here
@@ -60,13 +63,13 @@ impl Reporter<'_> {
                 "the channel closes at {place}: its free angles there do not join on to those just before ({})",
                 said.join("; ")
             ),
+            Infeasible::ChannelCloses {
+                at: self.at(sample.row),
+                bounds: self.bounds(&ends),
+                region_may_end_mm: self.above(sample.row),
+            },
         )
         .advise(advice_for(&ends))
-        .since(Infeasible::ChannelCloses {
-            at: self.at(sample.row),
-            bounds: self.bounds(&ends),
-            region_may_end_mm: self.above(sample.row),
-        })
     }
 
     /// The channel closes on the move from sample `at` to the next.
@@ -91,20 +94,20 @@ impl Reporter<'_> {
                 widths_deg[1],
                 said.join("; ")
             ),
+            Infeasible::ChannelClosesOnMove {
+                after: self.at(row),
+                widths_deg,
+                bounds: self.bounds(&ends),
+                region_may_end_mm: self.above(row),
+            },
         )
         .advise(advice_for(&ends))
-        .since(Infeasible::ChannelClosesOnMove {
-            after: self.at(row),
-            widths_deg,
-            bounds: self.bounds(&ends),
-            region_may_end_mm: self.above(row),
-        })
     }
 
     /// The hulls cross.
     pub fn crossing(&self, rows: &[ChannelRow], crossing: Crossing) -> Error {
         let (Some(a), Some(b)) = (rows.get(crossing.low_row), rows.get(crossing.high_row)) else {
-            return Error::infeasible(Stage::Channel, "no monotone schedule exists");
+            return Error::infeasible(Stage::Channel, "no monotone schedule exists", Infeasible::NoMonotoneWay);
         };
         let ends = [a.binds_min.clone(), b.binds_max.clone()];
         Error::infeasible(
@@ -118,16 +121,16 @@ impl Reporter<'_> {
                 self.place(crossing.high_row),
                 self.blame(&ends[1]),
             ),
+            Infeasible::WallsCross {
+                lower_at: self.at(crossing.low_row),
+                lower_deg: a.theta_min.to_degrees(),
+                upper_at: self.at(crossing.high_row),
+                upper_deg: b.theta_max.to_degrees(),
+                bounds: self.bounds(&ends),
+                region_may_end_mm: self.above(crossing.high_row),
+            },
         )
         .advise(advice_for(&ends))
-        .since(Infeasible::WallsCross {
-            lower_at: self.at(crossing.low_row),
-            lower_deg: a.theta_min.to_degrees(),
-            upper_at: self.at(crossing.high_row),
-            upper_deg: b.theta_max.to_degrees(),
-            bounds: self.bounds(&ends),
-            region_may_end_mm: self.above(crossing.high_row),
-        })
     }
 
     /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the

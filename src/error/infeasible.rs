@@ -16,6 +16,133 @@ pub struct At {
     pub height_mm: f64,
 }
 
+/// The frame that a point is in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Frame {
+    /// That of the model's file.
+    Model,
+    /// That of the blade.
+    Blade,
+}
+
+/// A point, and the frame that it is in.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Spot {
+    /// The frame.
+    pub frame: Frame,
+    /// The point, mm.
+    pub point_mm: [f64; 3],
+}
+
+/// A place along the tool path, where the model is not known.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Along {
+    /// Index of the cutter location at or before it.
+    pub location: usize,
+    /// Its turn, from 0.
+    pub turn: u32,
+    /// Arc length from the turn's base point, mm.
+    pub turn_s_mm: f64,
+    /// Height of the ball centre along the blade axis, mm.
+    pub height_mm: f64,
+}
+
+/// A check that failed, and by how much.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Missed {
+    /// Name of the check.
+    pub check: String,
+    /// Worst value found.
+    pub worst: f64,
+    /// Its limit.
+    pub limit: f64,
+}
+
+/// What ends the turns of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stopped {
+    /// The wall leans too far.
+    WallLeans,
+    /// The airfoil ends.
+    Rim,
+    /// The ball cannot follow the surface.
+    BallTooLarge,
+    /// The way round the airfoil does not close.
+    WayOpen,
+    /// Other parts of the blade are in the way all round.
+    OtherParts,
+    /// The ball touches another body.
+    OtherBody,
+    /// An edge of the part.
+    Edge,
+    /// A face that ends the region, by its index.
+    Face(u32),
+    /// A corner with a wall that leans too far.
+    Corner,
+    /// Turns come no nearer to the end of the region.
+    NoNearer,
+    /// The region ends.
+    Region,
+}
+
+/// What a plane section lacks.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case", tag = "fault")]
+pub enum SectionFault {
+    /// No loop at all.
+    NoLoop,
+    /// A loop that does not close.
+    OpenLoop,
+    /// No curve goes through its points.
+    NoCurve,
+    /// The plane runs along a face.
+    AlongFace {
+        /// Where.
+        at: Spot,
+    },
+}
+
+/// Why a design makes no blade.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case", tag = "fault")]
+pub enum DesignFault {
+    /// No ball of the fillet's radius fits between platform and airfoil.
+    FilletDoesNotFit {
+        /// Radius, mm.
+        radius_mm: f64,
+        /// Where round the section, degrees.
+        round_deg: f64,
+    },
+    /// The fillet is wider than the hollow of the airfoil.
+    FilletWiderThanHollow {
+        /// Radius, mm.
+        radius_mm: f64,
+        /// Where round the section, degrees.
+        round_deg: f64,
+    },
+    /// No mesh keeps the deflection.
+    MeshOffSurface {
+        /// Deflection, mm.
+        deflection_mm: f64,
+    },
+    /// The mesh would have too many points.
+    MeshTooLarge {
+        /// Points that it may have.
+        most_points: usize,
+    },
+    /// A face crosses itself.
+    FaceCrossesItself {
+        /// Its name.
+        face: String,
+    },
+    /// Surfaces cannot be interpolated.
+    NoSurface,
+    /// The surfaces make no closed solid.
+    NotClosed,
+}
+
 /// What ends the free angles of the tool axis.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "kebab-case", tag = "by")]
@@ -131,6 +258,195 @@ pub enum Infeasible {
         reach_mm: f64,
         /// Swing of the machine: a diameter, mm.
         swing_diameter_mm: f64,
+    },
+    /// There is no place at which the channel is open.
+    ChannelClosedEverywhere,
+    /// The walls leave no way round the path, at no place that could be named.
+    NoMonotoneWay,
+    /// The part is smaller than the tool.
+    PartSmallerThanTool {
+        /// Extent of the part, mm.
+        size_mm: [f64; 3],
+        /// Ball radius, mm.
+        radius_mm: f64,
+    },
+    /// The airfoil is too low for the ball.
+    AirfoilTooLow {
+        /// Its height, mm.
+        height_mm: f64,
+        /// Least height, mm.
+        least_mm: f64,
+    },
+    /// The ball loses the surface on the way.
+    BallLosesSurface {
+        /// Ball radius, mm.
+        radius_mm: f64,
+        /// Ball centres around the place, or the one nearest to it.
+        near: Vec<Spot>,
+    },
+    /// No turn goes round the airfoil at a height.
+    NoTurnRound {
+        /// Height, mm.
+        height_mm: f64,
+        /// Ball radius, mm.
+        radius_mm: f64,
+        /// Greatest lean of the wall, degrees.
+        max_lean_deg: f64,
+        /// What is in the way.
+        by: Stopped,
+        /// Where, if at one place.
+        at: Option<Spot>,
+    },
+    /// Less than one whole turn fits.
+    NotOneTurn {
+        /// Ball radius, mm.
+        radius_mm: f64,
+        /// Greatest lean of the wall, degrees.
+        max_lean_deg: f64,
+        /// What ends it.
+        by: Stopped,
+        /// Where, if at one place.
+        at: Option<Spot>,
+    },
+    /// More turns would be needed than a path may have.
+    TooManyTurns {
+        /// Turns that it may have.
+        most: usize,
+        /// Scallop that is asked for, mm.
+        scallop_mm: f64,
+    },
+    /// Turns in equal parts leave more than the scallop.
+    ScallopNotReached {
+        /// How many turns.
+        turns: usize,
+        /// Scallop that is asked for, mm.
+        scallop_mm: f64,
+    },
+    /// Not a turn was laid.
+    NoHelix,
+    /// Sections, none of which closes.
+    NoSectionCloses {
+        /// How many.
+        count: usize,
+        /// Height of the first and the last, mm.
+        heights_mm: [f64; 2],
+        /// How wide the part is open, mm.
+        open_mm: f64,
+    },
+    /// A section that has no curves.
+    NoSection {
+        /// Height, mm.
+        height_mm: f64,
+        /// What it lacks.
+        #[serde(flatten)]
+        fault: SectionFault,
+    },
+    /// The hull of the channel is closed at a place: no schedule passes without turning back.
+    HullClosed {
+        /// Where.
+        at: Along,
+        /// By how much, degrees.
+        short_deg: f64,
+        /// Place of the lower wall.
+        lower_at: Along,
+        /// Place of the upper wall.
+        upper_at: Along,
+    },
+    /// The channel leaves no room for a schedule to bend.
+    NoRoomToTurn {
+        /// Where.
+        at: Along,
+        /// Width of the channel there, degrees.
+        width_deg: f64,
+        /// Margin from the walls that is asked for, degrees.
+        margin_deg: f64,
+    },
+    /// No smooth schedule passes within the margin.
+    NoSmoothSchedule {
+        /// Margin from the walls that is asked for, degrees.
+        margin_deg: f64,
+    },
+    /// The schedule that was made is none.
+    ScheduleFails {
+        /// Where.
+        at: Along,
+    },
+    /// There is no schedule to choose from.
+    NoSchedules,
+    /// The tool cannot come onto the path at a turn.
+    TurnNotReached {
+        /// The turn, from 1.
+        turn: usize,
+        /// What fails.
+        missed: Vec<Missed>,
+    },
+    /// The tool cannot leave the path along its axis.
+    CannotLeave {
+        /// `first` or `last` location.
+        end: String,
+        /// Where.
+        at: Along,
+        /// How far the contact is above the ball's equator, degrees.
+        above_equator_deg: f64,
+    },
+    /// A move turns too far for one line.
+    MoveTurnsTooFar {
+        /// Row of the motion that it leads to.
+        row: usize,
+        /// Lines that it would take.
+        lines: usize,
+        /// Lines that it may take.
+        most_lines: usize,
+        /// Chord tolerance, mm.
+        chord_mm: f64,
+    },
+    /// A move is too short for inverse time.
+    MoveTooShort {
+        /// When it begins, s.
+        at_s: f64,
+        /// Its time, s.
+        takes_s: f64,
+        /// Least time of a line, s.
+        least_s: f64,
+        /// Chord tolerance, mm.
+        chord_mm: f64,
+    },
+    /// A feed that the control does not read.
+    FeedWordOutOfRange {
+        /// When the line ends, s.
+        at_s: f64,
+        /// Its time, s.
+        takes_s: f64,
+        /// The word that it needs.
+        needed: f64,
+        /// Least and greatest that the control reads.
+        range: [f64; 2],
+    },
+    /// No polynomial follows the motion.
+    NoPolynomial {
+        /// After this time, s.
+        at_s: f64,
+    },
+    /// No tool is in the catalogue.
+    NoTools,
+    /// Not even the smallest ball that is sold has room.
+    NoBallFits {
+        /// Its radius, mm.
+        radius_mm: f64,
+        /// Share of the wall that it goes to.
+        share: f64,
+        /// Heights between which that was looked at, mm.
+        heights_mm: [f64; 2],
+        /// Where it is tightest.
+        at: Option<Spot>,
+    },
+    /// The model does not look like a blade.
+    NotABlade,
+    /// A design makes no blade.
+    Design {
+        /// Why.
+        #[serde(flatten)]
+        fault: DesignFault,
     },
 }
 

@@ -3,7 +3,7 @@
 
 mod infeasible;
 
-pub use infeasible::{At, Bound, Infeasible};
+pub use infeasible::{Along, At, Bound, DesignFault, Frame, Infeasible, Missed, SectionFault, Spot, Stopped};
 
 use std::fmt;
 
@@ -105,9 +105,9 @@ impl Error {
     pub fn usage(stage: Stage, message: impl Into<String>) -> Self {
         Self::new(stage, ErrorKind::Usage, message)
     }
-    /// No plan exists.
-    pub fn infeasible(stage: Stage, message: impl Into<String>) -> Self {
-        Self::new(stage, ErrorKind::Infeasible, message)
+    /// No plan exists: in words and as data.
+    pub fn infeasible(stage: Stage, message: impl Into<String>, what: Infeasible) -> Self {
+        Error { infeasible: Some(Box::new(what)), ..Self::new(stage, ErrorKind::Infeasible, message) }
     }
     /// File trouble.
     pub fn io(stage: Stage, message: impl Into<String>) -> Self {
@@ -121,12 +121,6 @@ impl Error {
     #[must_use]
     pub fn advise(mut self, advice: impl Into<String>) -> Self {
         self.advice = Some(advice.into());
-        self
-    }
-    /// Adds what stands in the way of a plan, as data.
-    #[must_use]
-    pub fn since(mut self, what: Infeasible) -> Self {
-        self.infeasible = Some(Box::new(what));
         self
     }
     /// A plan may exist if the region ended at this height along the blade axis already, mm (blade

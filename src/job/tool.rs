@@ -14,7 +14,7 @@
 use super::room::{Places, Share};
 use super::sections::ToolKeys;
 use crate::artifact::Blade;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Frame, Infeasible, Result, Spot, Stage};
 use crate::geometry::Point;
 use crate::observe::{self, Doubt, LeftOver};
 use crate::tool::catalogue::{Catalogue, Cutter};
@@ -121,7 +121,7 @@ fn default_cutter(
     reaches: impl Fn(&Cutter) -> bool,
     warnings: &mut Vec<Doubt>,
 ) -> Result<(Cutter, String)> {
-    let none = || Error::infeasible(Stage::Job, "the tool catalogue is empty");
+    let none = || Error::infeasible(Stage::Job, "the tool catalogue is empty", Infeasible::NoTools);
     let [smallest, largest] = [catalogue.cutter.first(), catalogue.cutter.last()];
     let (smallest, largest) = smallest.zip(largest).ok_or_else(none)?;
     let (chord_mm, chord_at_mm) = places.chord_mm;
@@ -208,13 +208,20 @@ fn in_model(blade: &Blade, tightest: Option<(Point, f64)>) -> Option<[f64; 3]> {
 /// Not even the smallest ball has room.
 fn no_room(blade: &Blade, radius_mm: f64, sound: &Share, places: &Places) -> Error {
     let [lo, hi] = places.heights_mm;
+    let tightest_mm = in_model(blade, sound.tightest);
     Error::infeasible(
         Stage::Job,
         format!(
             "no ball fits the airfoil: the smallest, of {radius_mm} mm, has room at {:.1} % of the wall between the heights {lo:.3} and {hi:.3} mm{}",
             100.0 * sound.share,
-            observe::tightest(&in_model(blade, sound.tightest))
+            observe::tightest(&tightest_mm)
         ),
+        Infeasible::NoBallFits {
+            radius_mm,
+            share: sound.share,
+            heights_mm: [lo, hi],
+            at: tightest_mm.map(|point_mm| Spot { frame: Frame::Model, point_mm }),
+        },
     )
     .advise(
         "look whether the surface folds over itself there, and check unit, axis and where the airfoil is (--unit, --axis, --region airfoil=LO,HI); or give \

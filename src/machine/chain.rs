@@ -459,7 +459,7 @@ impl Head {
         let (first, second) = (name(self.columns.first), self.columns.second.map_or("", name));
         let deg = lean_rad.to_degrees();
         let no = |what: String, advice: &str, since: Infeasible| {
-            Err(Error::infeasible(Stage::Machine, what).advise(advice.to_owned()).since(since))
+            Err(Error::infeasible(Stage::Machine, what, since).advise(advice.to_owned()))
         };
         let unreached = |fixed_deg: Option<f64>| Infeasible::LeanOutOfReach { lean_deg: deg, fixed_deg };
         let Some(posture) = self.posture(lean_rad) else {

@@ -74,9 +74,9 @@ impl Machine {
                 self.swing_diameter_mm,
                 0.5 * self.swing_diameter_mm
             ),
+            Infeasible::Swing { reach_mm: radius_mm, swing_diameter_mm: self.swing_diameter_mm },
         )
-        .advise("name a machine that takes it with --set machine.file=…, or the unit with --unit if the part is not that large; --until channel plans without the machine's room")
-        .since(Infeasible::Swing { reach_mm: radius_mm, swing_diameter_mm: self.swing_diameter_mm }))
+        .advise("name a machine that takes it with --set machine.file=…, or the unit with --unit if the part is not that large; --until channel plans without the machine's room"))
     }
 }
 

@@ -7,10 +7,12 @@ use truck_modeling::{
 };
 
 use super::assemble::Solid;
-use crate::error::{Error, Result, Stage};
+use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 
 fn failed(what: String) -> Error {
-    Error::infeasible(Stage::Make, what).advise("report this design: the surfaces do not make a closed solid")
+    let fault = DesignFault::NotClosed;
+    Error::infeasible(Stage::Make, what, Infeasible::Design { fault })
+        .advise("report this design: the surfaces do not make a closed solid")
 }
 
 fn vector(p: &nalgebra::Vector4<f64>) -> Vector4 {

@@ -8,7 +8,7 @@
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::assemble::Solid;
-use crate::error::{Error, Result, Stage};
+use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::brep::{Coedge, SurfaceKind};
 use crate::geometry::mesh::Mesh;
@@ -120,9 +120,14 @@ pub(super) fn mesh(solid: &Solid, patches: usize, deflection: f64) -> Result<(Me
         }
         tolerance *= 0.7;
     }
-    Err(Error::infeasible(Stage::Make, format!("no mesh keeps within {deflection} mm of the surfaces"))
+    let fault = DesignFault::MeshOffSurface { deflection_mm: deflection };
+    let message = format!("no mesh keeps within {deflection} mm of the surfaces");
+    Err(Error::infeasible(Stage::Make, message, Infeasible::Design { fault })
         .advise("make accuracy.deflection_mm larger"))
 }
+
+/// Points that a mesh may have.
+const MOST_POINTS: usize = 20_000_000;
 
 struct Maker<'a> {
     solid: &'a Solid,
@@ -142,8 +147,10 @@ impl<'a> Maker<'a> {
         let columns: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..grid.u[i].len() - 1).map(move |k| (i, k))).collect();
         let fillet_rows = grid.v_fillet.len().saturating_sub(1);
         let rows = fillet_rows + grid.v_airfoil.len();
-        if columns.len() * rows > 20_000_000 {
-            return Err(Error::infeasible(Stage::Make, "the mesh would have more than 20 million points")
+        if columns.len() * rows > MOST_POINTS {
+            let message = format!("the mesh would have more than {} million points", MOST_POINTS / 1_000_000);
+            let fault = DesignFault::MeshTooLarge { most_points: MOST_POINTS };
+            return Err(Error::infeasible(Stage::Make, message, Infeasible::Design { fault })
                 .advise("make accuracy.deflection_mm larger"));
         }
         for &(i, k) in &columns {
@@ -269,7 +276,9 @@ impl<'a> Maker<'a> {
         let (lu, lv) = (eu.norm(), ev.norm());
         let failed = || {
             let name = &self.solid.brep.faces[face].name;
-            Error::infeasible(Stage::Make, format!("the face '{name}' crosses itself and cannot be meshed"))
+            let fault = DesignFault::FaceCrossesItself { face: name.clone() };
+            let message = format!("the face '{name}' crosses itself and cannot be meshed");
+            Error::infeasible(Stage::Make, message, Infeasible::Design { fault })
                 .advise("check thickness, edge radii and fillet radius against the chord")
         };
         let mut cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();

@@ -8,7 +8,7 @@ use nalgebra::Vector4;
 use super::design::{Accuracy, BladeDesign, PrismDesign};
 use super::profile::Sections;
 use super::rolling_ball::{Contact, IdealAirfoil};
-use crate::error::{Error, Result, Stage};
+use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 use crate::geometry::brep::SurfaceKind;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::fit::{ControlRows, FitError, PeriodicRows, surface_through_rows};
@@ -25,7 +25,8 @@ pub(super) struct Patch {
 }
 
 fn fit(e: FitError) -> Error {
-    Error::infeasible(Stage::Make, "the surfaces cannot be interpolated").caused_by(e)
+    let what = Infeasible::Design { fault: DesignFault::NoSurface };
+    Error::infeasible(Stage::Make, "the surfaces cannot be interpolated", what).caused_by(e)
 }
 
 /// All patches, counter-clockwise.

@@ -7,7 +7,7 @@
 //! is an arc of radius `r` about `C` from `C − r e_z` to `C − r n`.
 
 use super::profile::Sections;
-use crate::error::{Error, Result, Stage};
+use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 /// The airfoil as the laws give it, without interpolation.
@@ -84,6 +84,7 @@ impl IdealAirfoil {
                 "no ball of radius {r} mm fits between platform and airfoil at {:.0}° round the section",
                 phi.to_degrees()
             ),
+            Infeasible::Design { fault: DesignFault::FilletDoesNotFit { radius_mm: r, round_deg: phi.to_degrees() } },
         )
         .advise("make fillet_radius_mm smaller or lean the airfoil less"))
     }
@@ -108,7 +109,9 @@ impl IdealAirfoil {
                     "the fillet of radius {r} mm is wider than the hollow of the airfoil at {:.0}° round the section",
                     phi[i].to_degrees()
                 );
-                return Err(Error::infeasible(Stage::Make, message).advise("make fillet_radius_mm smaller"));
+                let fault = DesignFault::FilletWiderThanHollow { radius_mm: r, round_deg: phi[i].to_degrees() };
+                return Err(Error::infeasible(Stage::Make, message, Infeasible::Design { fault })
+                    .advise("make fillet_radius_mm smaller"));
             }
         }
         Ok(contacts)

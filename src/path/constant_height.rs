@@ -6,7 +6,7 @@ use super::options::PathOptions;
 use super::rings::Aim;
 use super::{helix, rings};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::Observer;
 
 /// Lays the helix from the height `start_x` down.
@@ -44,7 +44,7 @@ pub(super) fn plan(
         kept = stack.rings;
         kept.truncate(first);
     }
-    best.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid"))
+    best.ok_or_else(|| Error::infeasible(Stage::Path, "no helix was laid", Infeasible::NoHelix))
 }
 
 /// How often the helix is laid anew, closer where its ridges were too high.

@@ -46,10 +46,10 @@ use super::march::{Laid, March, Node};
 use super::neighbour::Across;
 use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
-use super::{chords, heights_mm, helix, place, rings};
+use super::{chords, heights_mm, helix, place, rings, spot};
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::Observer;
 
@@ -228,41 +228,49 @@ fn lay(
     }
     let reason = end_reason(blade, &down, options);
     if down.turns.len() < 2 {
-        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"))
+        let (by, at) = stopped(&down);
+        let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
+        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
             .advise(rings::no_turn_advice(down.lost.is_some())));
     }
     finish(level, options, down.turns, reason, observer).map(|path| Helix { path, is_from_end: false })
 }
 
-/// Why the helix ends.
-fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> EndReason {
-    let most_deg = options.settings.max_lean_deg;
-    let blocked = |why: &str, p: &Point| EndReason::Blocked(format!("{why} at {}", place(blade, p)));
-    if let Some(p) = laid.lost {
-        return blocked(&format!("a ball of radius {} mm cannot follow the surface", options.radius_mm), &p);
+/// What ends the helix, and where.
+fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
+    if laid.lost.is_some() {
+        return (Stopped::BallTooLarge, laid.lost);
     }
-    let early = laid.last().iter().filter_map(|n| n.stop).find(|s| *s != Stop::Height);
-    match early {
-        Some(Stop::Lean(p)) => EndReason::Lean(format!(
-            "the wall leans over more than {most_deg:.0}° from the blade axis at {}",
-            place(blade, &p)
-        )),
-        Some(Stop::Edge(p)) => blocked("the ball comes to an edge of the part", &p),
-        Some(Stop::Face(p, face)) => {
-            blocked(&format!("the ball comes to face {}, which ends the region,", face + 1), &p)
-        }
-        Some(Stop::Rim(p)) => EndReason::Blocked(rings::ends_without_platform(blade, &p)),
-        Some(Stop::Corner(p)) => {
-            blocked(&format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°"), &p)
-        }
+    match laid.last().iter().filter_map(|n| n.stop).find(|s| *s != Stop::Height) {
+        Some(Stop::Lean(p)) => (Stopped::WallLeans, Some(p)),
+        Some(Stop::Edge(p)) => (Stopped::Edge, Some(p)),
+        Some(Stop::Face(p, face)) => (Stopped::Face(face), Some(p)),
+        Some(Stop::Rim(p)) => (Stopped::Rim, Some(p)),
+        Some(Stop::Corner(p)) => (Stopped::Corner, Some(p)),
         // Places that wait at the height, and others that never come to it.
         _ => match laid.last().iter().find(|n| n.stop.is_none()) {
-            Some(free) if !laid.is_at_the_end() => {
-                blocked("turns come no nearer to the end of the region", &free.touch.centre)
-            }
-            _ => EndReason::Region,
+            Some(free) if !laid.is_at_the_end() => (Stopped::NoNearer, Some(free.touch.centre)),
+            _ => (Stopped::Region, None),
         },
     }
+}
+
+/// Why the helix ends, in words.
+fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> EndReason {
+    let most_deg = options.settings.max_lean_deg;
+    let (by, Some(p)) = stopped(laid) else { return EndReason::Region };
+    let at = |why: String| format!("{why} at {}", place(blade, &p));
+    EndReason::Blocked(match by {
+        Stopped::WallLeans => {
+            return EndReason::Lean(at(format!("the wall leans over more than {most_deg:.0}° from the blade axis")));
+        }
+        Stopped::Rim => rings::ends_without_platform(blade, &p),
+        Stopped::Edge => at("the ball comes to an edge of the part".into()),
+        Stopped::Face(face) => at(format!("the ball comes to face {}, which ends the region,", face + 1)),
+        Stopped::Corner => at(format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°")),
+        Stopped::NoNearer => at("turns come no nearer to the end of the region".into()),
+        _ => at(format!("a ball of radius {} mm cannot follow the surface", options.radius_mm)),
+    })
 }
 
 /// Whether a turn comes back to where it began.
@@ -298,7 +306,7 @@ fn finish(
         .collect::<Result<_>>()?;
     let highest = turns.first().into_iter().flatten().map(|t| t.centre.x).fold(f64::NEG_INFINITY, f64::max);
     let Some(last) = turns.last().and_then(|t| t.last()) else {
-        return Err(Error::infeasible(Stage::Path, "no helix was laid"));
+        return Err(Error::infeasible(Stage::Path, "no helix was laid", Infeasible::NoHelix));
     };
     let lowest = turns.last().into_iter().flatten().map(|t| t.centre.x).fold(last.centre.x, f64::min);
     let (path, _) = helix::assemble(level, options, &filled, *last, [highest, lowest], reason);

@@ -81,6 +81,7 @@ impl Curve<'_> {
                     "a ball of radius {} mm loses the surface between ({:.3}, {:.3}, {:.3}) and ({:.3}, {:.3}, {:.3}) of the blade frame",
                     self.level.radius_mm, a.x, a.y, a.z, b.x, b.y, b.z
                 ),
+                super::loses_surface(self.level.radius_mm, &[*a, *b]),
             )
             .advise("take a smaller ball or end the region higher")
         })

@@ -37,6 +37,7 @@ impl Blend<'_> {
                     "between the turns at {:.3} and {:.3} mm a ball of radius {} mm loses the airfoil near (x {:.3}, y {:.3}, z {:.3}) of the blade frame",
                     self.a.x_mm, self.b.x_mm, self.level.radius_mm, guess.x, guess.y, guess.z
                 ),
+                super::loses_surface(self.level.radius_mm, &[guess]),
             )
             .advise("take a smaller ball or end the region higher")
         })

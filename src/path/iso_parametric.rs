@@ -15,7 +15,7 @@ use super::ring::Ring;
 use super::stepover::flat_stepover_mm;
 use super::{chords, helix, rings};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::observe::Observer;
 
@@ -65,6 +65,7 @@ impl Meridians<'_> {
                     "between two rings a ball of radius {} mm loses the airfoil near (x {:.3}, y {:.3}, z {:.3}) of the blade frame",
                     self.level.radius_mm, guess.x, guess.y, guess.z
                 ),
+                super::loses_surface(self.level.radius_mm, &[guess]),
             )
             .advise("take a smaller ball or end the region higher")
         })
@@ -127,7 +128,8 @@ pub(super) fn plan(
         }
     }
     best.map(|(_, path)| path).ok_or_else(|| {
-        Error::infeasible(Stage::Path, format!("{n} turns in equal parts leave more than the scallop still"))
+        let since = Infeasible::ScallopNotReached { turns: n, scallop_mm: options.settings.scallop_mm };
+        Error::infeasible(Stage::Path, format!("{n} turns in equal parts leave more than the scallop still"), since)
             .advise("end the region higher, or take path.kind = \"constant-scallop\"")
     })
 }

@@ -7,7 +7,7 @@ use super::curve;
 use super::level::Touch;
 use super::neighbour::{Across, Next, Place};
 use super::nodes::{Overrun, arc_lengths, is_ring};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 /// More turns than this is a mistake in the options.
@@ -248,8 +248,13 @@ impl March<'_> {
                 break;
             }
             if laid.turns.len() > MOST_TURNS {
-                return Err(Error::infeasible(Stage::Path, format!("more than {MOST_TURNS} turns would be needed"))
-                    .advise("allow a larger scallop or a smaller region"));
+                let since = Infeasible::TooManyTurns { most: MOST_TURNS, scallop_mm: self.scallop_mm };
+                return Err(Error::infeasible(
+                    Stage::Path,
+                    format!("more than {MOST_TURNS} turns would be needed"),
+                    since,
+                )
+                .advise("allow a larger scallop or a smaller region"));
             }
         }
         Ok(laid)

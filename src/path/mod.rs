@@ -73,7 +73,7 @@ pub use stepover::flat_stepover_mm;
 use crate::artifact::region::{Boundary, Region};
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Frame, Infeasible, Result, Spot, Stage};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
@@ -189,6 +189,7 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
                 size.z,
                 2.0 * o.radius_mm
             ),
+            Infeasible::PartSmallerThanTool { size_mm: size.into(), radius_mm: o.radius_mm },
         )
         .advise("take a smaller ball, or check the model's unit with --unit"));
     }
@@ -197,6 +198,7 @@ fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
         return Err(Error::infeasible(
             Stage::Path,
             format!("the airfoil is {:.3} mm high, less than half the ball radius of {} mm: the part is smaller than the tool", b - a, o.radius_mm),
+            Infeasible::AirfoilTooLow { height_mm: b - a, least_mm: 0.5 * o.radius_mm },
         )
         .advise("take a smaller ball, or check the model's unit with --unit"));
     }
@@ -239,7 +241,18 @@ fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
 
 /// A point of the blade frame in words, with its place in the model.
 fn place(blade: &Blade, p: &Point) -> String {
+    let [x, y, z] = spot(blade, p).point_mm;
+    format!("height {:.3} mm, model point ({x:.3}, {y:.3}, {z:.3})", p.x)
+}
+
+/// A point of the blade frame in the model.
+fn spot(blade: &Blade, p: &Point) -> Spot {
     let turned = if blade.diagnosis.mirrored { Point::new(p.x, p.y, -p.z) } else { *p };
-    let m = blade.model_from_blade * turned;
-    format!("height {:.3} mm, model point ({:.3}, {:.3}, {:.3})", p.x, m.x, m.y, m.z)
+    Spot { frame: Frame::Model, point_mm: (blade.model_from_blade * turned).into() }
+}
+
+/// A ball that loses the surface near some of its centres, blade frame, as data.
+fn loses_surface(radius_mm: f64, near: &[Point]) -> Infeasible {
+    let near = near.iter().map(|p| Spot { frame: Frame::Blade, point_mm: (*p).into() }).collect();
+    Infeasible::BallLosesSurface { radius_mm, near }
 }

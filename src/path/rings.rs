@@ -8,10 +8,10 @@ use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
-use super::{heights_mm, place, region, seed};
+use super::{heights_mm, place, region, seed, spot};
 use crate::artifact::Blade;
 use crate::artifact::toolpath::EndReason;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Spot, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::Observer;
 
@@ -91,7 +91,8 @@ pub fn lay(
             Err(broken) => break Some(broken),
         }
         if rings.len() > MOST_RINGS {
-            return Err(Error::infeasible(Stage::Path, format!("more than {MOST_RINGS} turns would be needed"))
+            let since = Infeasible::TooManyTurns { most: MOST_RINGS, scallop_mm: options.settings.scallop_mm };
+            return Err(Error::infeasible(Stage::Path, format!("more than {MOST_RINGS} turns would be needed"), since)
                 .advise("allow a larger scallop or a smaller region"));
         }
     };
@@ -114,9 +115,10 @@ fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Br
     let why = describe(blade, &broken, options);
     if rings.len() < 2 {
         let lost = matches!(broken, Broken::Lost(_));
-        return Err(
-            Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}")).advise(no_turn_advice(lost))
-        );
+        let (by, at) = stopped(&broken);
+        let since = not_one_turn(options, by, Some(spot(blade, at)));
+        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"), since)
+            .advise(no_turn_advice(lost)));
     }
     let leans = matches!(broken, Broken::Leans(_));
     Ok(Stack { rings, end_reason: if leans { EndReason::Lean(why) } else { EndReason::Blocked(why) } })
@@ -126,6 +128,21 @@ fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Br
 /// the wall leans.
 pub(super) fn no_turn_advice(lost: bool) -> &'static str {
     if lost { "start higher with region.start_mm, or take a smaller ball" } else { "start higher with region.start_mm" }
+}
+
+/// Less than a turn, as data.
+pub(super) fn not_one_turn(options: &PathOptions, by: Stopped, at: Option<Spot>) -> Infeasible {
+    let (radius_mm, max_lean_deg) = (options.radius_mm, options.settings.max_lean_deg);
+    Infeasible::NotOneTurn { radius_mm, max_lean_deg, by, at }
+}
+
+fn stopped(broken: &Broken) -> (Stopped, &Point) {
+    match broken {
+        Broken::Leans(p) => (Stopped::WallLeans, p),
+        Broken::Rim(p) => (Stopped::Rim, p),
+        Broken::Lost(p) => (Stopped::BallTooLarge, p),
+        Broken::Open(p) => (Stopped::WayOpen, p),
+    }
 }
 
 fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
@@ -151,26 +168,39 @@ pub(super) fn ends_without_platform(blade: &Blade, at: &Point) -> String {
 /// The ring at the start height, beginning at its base point.
 pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
     let (airfoil, others) = seed::contour(blade, region(blade, options)?, x_mm)?;
-    let too_tight = |why: String| {
+    let none = |by: Stopped, at: Option<&Point>| Infeasible::NoTurnRound {
+        height_mm: x_mm,
+        radius_mm: level.radius_mm,
+        max_lean_deg: options.settings.max_lean_deg,
+        by,
+        at: at.map(|p| spot(blade, p)),
+    };
+    let too_tight = |why: String, since: Infeasible| {
         Error::infeasible(
             Stage::Path,
             format!("no ball of radius {} mm goes round the airfoil at height {x_mm:.3} mm: {why}", level.radius_mm),
+            since,
         )
         .advise("take a smaller ball, or another region.start_mm")
     };
-    let touch = seed::first_touch(level, &airfoil, x_mm)
-        .ok_or_else(|| too_tight("other parts of the blade are in the way all round".into()))?;
-    let ring = ring::trace(level, touch, how).map_err(|b| match b {
+    let touch = seed::first_touch(level, &airfoil, x_mm).ok_or_else(|| {
+        too_tight("other parts of the blade are in the way all round".into(), none(Stopped::OtherParts, None))
+    })?;
+    let ring = ring::trace(level, touch, how).map_err(|b| match &b {
         // No ball stands up a wall that leans.
         Broken::Leans(_) | Broken::Rim(_) => Error::infeasible(
             Stage::Path,
             format!("no turn goes round the airfoil at height {x_mm:.3} mm: {}", describe(blade, &b, options)),
+            none(stopped(&b).0, Some(stopped(&b).1)),
         )
         .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm"),
-        Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, &p))),
+        Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), none(stopped(&b).0, Some(p))),
     })?;
     if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
-        return Err(too_tight(format!("it touches another body at {}", place(blade, &p))));
+        return Err(too_tight(
+            format!("it touches another body at {}", place(blade, &p)),
+            none(Stopped::OtherBody, Some(&p)),
+        ));
     }
     let base = base_point(&ring, options.start_near.map(Point::from));
     Ok(ring.starting_at(base))

@@ -3,7 +3,7 @@
 
 use super::Setup;
 use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Stand, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Missed, Result, Stage};
 use crate::feed;
 use crate::lead::{self, End, LeadOptions};
 use crate::observe::{Doubt, Observer, Silent, Warning};
@@ -61,7 +61,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
     let verify = setup.verify_options();
     let room = room(setup, &left.toolpath, &verify);
     let arc = one(&left.toolpath, &left.schedule, End::In, setup.job.feed.lead_radius_mm, &room);
-    let mut found = String::new();
+    let mut missed: Vec<Missed> = Vec::new();
     let straight = Lead::straight(left.leads[0].reason.clone());
     for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
         let mut left = left.clone();
@@ -73,15 +73,16 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
             Verdict::Failed(rejected) if whole.forced() => return Ok(rejected.write_anyway()),
             Verdict::Failed(rejected) => {
                 let bad = rejected.report().checks.iter().filter(|c| !c.passed);
-                found = bad
-                    .map(|c| format!("{} {:.6}, limit {:.6}", c.id, c.worst, c.limit))
-                    .collect::<Vec<_>>()
-                    .join("; ");
+                missed = bad.map(|c| Missed { check: c.id.to_string(), worst: c.worst, limit: c.limit }).collect();
             }
         }
     }
+    let told: Vec<String> =
+        missed.iter().map(|m| format!("{} {:.6}, limit {:.6}", m.check, m.worst, m.limit)).collect();
+    let found = told.join("; ");
     let message = format!("the tool cannot come onto turn {turn} within the limits of the checks: {found}");
-    Err(Error::infeasible(Stage::Post, message).advise("go on with another turn"))
+    Err(Error::infeasible(Stage::Post, message, Infeasible::TurnNotReached { turn, missed })
+        .advise("go on with another turn"))
 }
 
 fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Room) -> Lead {

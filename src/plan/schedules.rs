@@ -35,7 +35,11 @@ pub(crate) fn least_time(
         }
     }
     let Some(Moved { mut schedule, motion, leads, warnings }) = best else {
-        return Err(Error::infeasible(crate::Stage::Schedule, "there is no schedule to be compared"));
+        return Err(Error::infeasible(
+            crate::Stage::Schedule,
+            "there is no schedule to be compared",
+            crate::error::Infeasible::NoSchedules,
+        ));
     };
     // Warnings of candidates that are not used would mislead.
     warnings.into_iter().for_each(|w| observer.warn(w));

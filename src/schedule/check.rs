@@ -2,10 +2,10 @@
 
 use super::bezier;
 use super::corridor::Corridor;
-use super::piecewise::place;
+use super::piecewise::{along, place};
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::BezierPiece;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 
 /// Rounding that is no finding, rad.
 const ROUNDING: f64 = 1e-8;
@@ -17,7 +17,8 @@ const ROUNDING: f64 = 1e-8;
 /// Kind `Infeasible`, with turn and S.
 pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, path: &Toolpath) -> Result<()> {
     let fail = |row: usize, what: String| {
-        Err(Error::infeasible(Stage::Schedule, format!("the schedule made {what} at {}", place(path, row)))
+        let since = Infeasible::ScheduleFails { at: along(path, row) };
+        Err(Error::infeasible(Stage::Schedule, format!("the schedule made {what} at {}", place(path, row)), since)
             .advise("lower schedule.margin_deg or give schedule.level_stretch_mm"))
     };
     let row_at = |s: f64| hull.s.partition_point(|v| *v <= s).saturating_sub(1);

@@ -18,7 +18,7 @@ use super::corridor::Corridor;
 use super::{Pace, ScheduleOptions, bezier, by_turn, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind, Scope};
 use crate::artifact::{Channel, Toolpath};
-use crate::error::{Error, ErrorKind, Result, Stage as Room};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage as Room};
 use crate::numerics::stages::{self, Options, Row, Solution, Stage};
 use crate::observe::Observer;
 
@@ -225,7 +225,9 @@ fn solve(
     let measure = options.settings.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
-        Error::infeasible(Room::Schedule, "the channel leaves no room for a smooth schedule that never turns back")
+        let message = "the channel leaves no room for a smooth schedule that never turns back";
+        let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
+        Error::infeasible(Room::Schedule, message, since)
             .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
     };
     let mut scale = Scale::of(walls, path.turns.len());

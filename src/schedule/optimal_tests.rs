@@ -2,7 +2,7 @@
 use super::tests::{blade_like, channel, path};
 use super::*;
 use crate::artifact::schedule::{Measure, Scope};
-use crate::error::ErrorKind;
+use crate::error::{ErrorKind, Infeasible};
 use crate::observe::Silent;
 
 const MEASURES: [Measure; 4] = [Measure::PeakSecond, Measure::PeakThird, Measure::SquareSecond, Measure::SquareThird];
@@ -117,6 +117,7 @@ fn a_channel_of_no_width_with_a_corner_is_refused() {
     let e = plan(ScheduleKind::Optimal, &path(1, 60), &channel(&walls), &options(Measure::PeakSecond), &Silent)
         .unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoSmoothSchedule { .. })), "{e:?}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Along, Error, Infeasible, Result, Stage};
 use crate::observe::{Doubt, Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
@@ -54,6 +54,13 @@ pub(super) fn plan(
 /// `turn 3, S = 12.5 mm` of a location.
 pub(super) fn place(path: &Toolpath, row: usize) -> String {
     path.locations.get(row).map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", l.turn, l.turn_s_mm))
+}
+
+/// A row of the path as a place.
+pub(super) fn along(path: &Toolpath, row: usize) -> Along {
+    let l = path.locations.get(row).or(path.locations.last());
+    let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
+    Along { location: row, turn, turn_s_mm, height_mm }
 }
 
 fn describe(binding: &Binding) -> String {
@@ -111,6 +118,12 @@ fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
             describe(&rows[upper].binds_max),
             place(path, upper),
         ),
+        Infeasible::HullClosed {
+            at: along(path, row),
+            short_deg: (r.hull_min - r.hull_max).to_degrees(),
+            lower_at: along(path, lower),
+            upper_at: along(path, upper),
+        },
     )
     .advise(
         "allow less clearance or a wider range of contact angles, take a more slender or longer tool or a greater B, or \
@@ -218,6 +231,11 @@ fn decoupled(
                 describe(&r.binds_min),
                 describe(&r.binds_max)
             ),
+            Infeasible::NoRoomToTurn {
+                at: along(path, row),
+                width_deg: (r.hull_max - r.hull_min).to_degrees(),
+                margin_deg: options.settings.margin_deg,
+            },
         )
         .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
     })

@@ -8,7 +8,7 @@ use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::schedule::BaseAngle;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Turn};
 use crate::artifact::{Cones, ToolPart};
-use crate::error::ErrorKind;
+use crate::error::{ErrorKind, Infeasible};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
@@ -177,6 +177,10 @@ fn a_closed_hull_is_infeasible_and_says_where_and_why() {
     assert_eq!(e.kind, ErrorKind::Infeasible);
     assert!(e.message.contains("turn 1, S = ") && e.message.contains("taper against the part"), "{e}");
     assert!(e.message.contains("contact angle") && e.advice.is_some());
+    let Some(Infeasible::HullClosed { at, short_deg, lower_at, upper_at }) = e.infeasible.as_deref() else {
+        panic!("{e:?}")
+    };
+    assert!(at.turn == 1 && *short_deg > 0.0 && lower_at.location <= upper_at.location, "{e:?}");
 }
 
 #[test]
@@ -210,6 +214,7 @@ fn walls_that_touch_on_a_straight_line_are_passed_and_in_a_bend_are_refused() {
     let e = run(&p, &channel(&bent)).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
     assert!(e.message.contains("no room to turn"), "{e}");
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoRoomToTurn { at, .. }) if at.turn == 0), "{e:?}");
 }
 
 #[test]

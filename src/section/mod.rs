@@ -44,7 +44,7 @@ use rayon::prelude::*;
 
 use crate::artifact::Blade;
 use crate::artifact::section::{Section, SectionLoop, Side};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::{self, Outline};
 use crate::geometry::profile::{Ends, Names, Profile, Sides, TOLERANCE_MM, edges};
@@ -150,6 +150,7 @@ fn no_section(blade: &Blade, cut: &[Cut]) -> Error {
     Error::infeasible(
         Stage::Section,
         format!("none of {} sections from {first:.3} to {last:.3} mm along the blade axis closes: the part is open there, by up to {open_mm:.3} mm", cut.len()),
+        Infeasible::NoSectionCloses { count: cut.len(), heights_mm: [first, last], open_mm },
     )
     .advise(if blade.part.brep.is_some() {
         "sew or close the faces in CAD and export a solid"

@@ -21,7 +21,7 @@
 use nalgebra::Vector4;
 
 use crate::artifact::section::SectionCurves;
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Frame, Infeasible, Result, SectionFault, Spot, Stage};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::NurbsCurve;
 use crate::geometry::nurbs::fit::{FitError, PeriodicRows, interpolate_curve};
@@ -59,8 +59,12 @@ pub fn curves(part: &Part, x_mm: f64, tolerance_mm: f64) -> Result<Vec<SectionCu
     };
     let loops = slice(&part.mesh, &part.bvh, x_mm);
     if loops.is_empty() || loops.iter().any(|l| !l.closed) {
-        let what = if loops.is_empty() { "has no loop" } else { "has a loop that does not close" };
-        return Err(Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm {what}")));
+        let (what, fault) = match loops.is_empty() {
+            true => ("has no loop", SectionFault::NoLoop),
+            false => ("has a loop that does not close", SectionFault::OpenLoop),
+        };
+        let since = Infeasible::NoSection { height_mm: x_mm, fault };
+        return Err(Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm {what}"), since));
     }
     let crossings = crossings(brep, x_mm);
     loops.iter().filter(|l| l.points.len() >= 3).map(|l| one(part, x_mm, &l.points, &crossings, tolerance_mm)).collect()
@@ -71,8 +75,10 @@ fn one(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair], tolerance_m
     let stretches = stretches(part, x_mm, polygon, crossings)?;
     let mut out = SectionCurves { pieces: Vec::with_capacity(stretches.len()), off_mm: 0.0 };
     for s in stretches {
-        let (curve, off_mm) = fit(part, x_mm, s, tolerance_mm)
-            .map_err(|e| Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm is no curve: {e}")))?;
+        let (curve, off_mm) = fit(part, x_mm, s, tolerance_mm).map_err(|e| {
+            let since = Infeasible::NoSection { height_mm: x_mm, fault: SectionFault::NoCurve };
+            Error::infeasible(Stage::Section, format!("the section at {x_mm:.3} mm is no curve: {e}"), since)
+        })?;
         out.pieces.push(curve);
         out.off_mm = out.off_mm.max(1.25 * off_mm);
     }
@@ -113,7 +119,9 @@ fn stretches(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair]) -> Re
             if !(placed.off_mm < ON_SURFACE_MM) {
                 let m =
                     format!("the section at {x_mm:.3} mm runs along a face at y {:.3}, z {:.3} mm", guess[0], guess[1]);
-                return Err(Error::infeasible(Stage::Section, m).advise("cut at another height"));
+                let at = Spot { frame: Frame::Blade, point_mm: [x_mm, guess[0], guess[1]] };
+                let since = Infeasible::NoSection { height_mm: x_mm, fault: SectionFault::AlongFace { at } };
+                return Err(Error::infeasible(Stage::Section, m, since).advise("cut at another height"));
             }
             all.push((i as f64 + f, placed.at, false));
         }

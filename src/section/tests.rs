@@ -11,7 +11,7 @@ use crate::artifact::Blade;
 use crate::artifact::blade::{Diagnosis, Unit};
 use crate::artifact::region::Regions;
 use crate::artifact::section::{SectionLoop, Side};
-use crate::error::ErrorKind;
+use crate::error::{ErrorKind, Infeasible};
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
@@ -290,7 +290,7 @@ fn openings_are_bridged_or_told_and_do_not_refuse() {
     );
     // Nothing closes: the one case that refuses, with the reason.
     let e = of(2.0).unwrap_err();
-    assert_eq!(e.kind, ErrorKind::Infeasible);
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoSectionCloses { count: 5, .. })), "{e:?}");
     assert!(
         e.message.contains("none of 5 sections from 5.000 to 45.000 mm") && e.message.contains("1.800 mm"),
         "{}",

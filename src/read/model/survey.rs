@@ -23,7 +23,7 @@ use super::units::{self, Guess, Source};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Blade, Diagnosis, Opening, Unit};
 use crate::artifact::region::Area;
-use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
@@ -301,7 +301,7 @@ fn finish(
         }
         // After the unit: a part in the wrong one looks like nothing.
         if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
-            let e = Error::infeasible(Stage::Model, message);
+            let e = Error::infeasible(Stage::Model, message, Infeasible::NotABlade);
             obstacle.get_or_insert_with(|| {
                 e.advise("if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)")
             });

@@ -7,7 +7,7 @@
 
 use super::moves::{Move, ball_centre};
 use super::{Dialect, Run};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::triangle::share_of_segment;
 
@@ -92,6 +92,7 @@ fn too_short(run: &Run, dialect: &Dialect, from: &Move, to: &Move, least_s: f64)
             f.greatest,
             run.plan.toolpath.chord_mm
         ),
+        Infeasible::MoveTooShort { at_s: from.t_s, takes_s: dt, least_s, chord_mm: run.plan.toolpath.chord_mm },
     )
     .advise(format!(
         "take feed = \"per-minute\" in the post file, a larger path.chord_mm, or feed.feed_mm_min of about {slower:.0} and less"

@@ -55,7 +55,7 @@ pub use settings::{PostKeys, PostSettings};
 use std::borrow::Cow;
 
 use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Along, Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::machine::Machine;
 use crate::settings::with_settings;
@@ -284,13 +284,19 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
         let axis = stand.axis();
         let up = at.normal.dot(&axis);
         if up < -1e-6 && outer.is_none() {
+            let above_equator_deg = up.clamp(-1.0, 1.0).asin().abs().to_degrees();
+            let (turn, turn_s_mm, height_mm) = (at.turn, at.turn_s_mm, at.centre.x);
             return Err(Error::infeasible(
                 Stage::Post,
                 format!(
-                    "at the {name} location the contact lies {:.3} deg above the ball's equator, so the tool cannot \
-                     leave along its axis",
-                    up.clamp(-1.0, 1.0).asin().abs().to_degrees()
+                    "at the {name} location the contact lies {above_equator_deg:.3} deg above the ball's equator, so the tool cannot \
+                     leave along its axis"
                 ),
+                Infeasible::CannotLeave {
+                    end: name.into(),
+                    at: Along { location: row, turn, turn_s_mm, height_mm },
+                    above_equator_deg,
+                },
             )
             .advise("lower channel.contact_angle_max_deg to at most 90"));
         }

@@ -10,7 +10,7 @@
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
 use crate::artifact::{Axes, Motion, Plan, Stand};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 use super::Run;
@@ -118,6 +118,7 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
                 return Err(Error::infeasible(
                     Stage::Post,
                     format!("the move to row {row} of the motion turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
+                    Infeasible::MoveTurnsTooFar { row, lines: parts, most_lines: MOST_PARTS, chord_mm: plan.toolpath.chord_mm },
                 )
                 .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
             }

@@ -26,7 +26,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Run;
 use super::moves::Move;
 use crate::artifact::{Axes, Motion};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 
 /// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
 pub(super) type Bend = Axes<[f64; 4]>;
@@ -131,7 +131,8 @@ impl Way<'_> {
         }
         if halvings >= MOST_HALVINGS {
             let what = format!("no polynomial follows the motion after {:.3} s", self.from.t_s);
-            return Err(Error::infeasible(Stage::Post, what).advise("write the program with straight moves"));
+            let since = Infeasible::NoPolynomial { at_s: self.from.t_s };
+            return Err(Error::infeasible(Stage::Post, what, since).advise("write the program with straight moves"));
         }
         let end = END * (to - from);
         let joint = self.motion.joint_between(self.row, from + end, to - end);

@@ -9,7 +9,7 @@ use super::{End, Run, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::artifact::{Axes, Stand};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
 
@@ -432,7 +432,9 @@ impl<'a> Writer<'a> {
                 range.least,
                 range.greatest
             );
-            Error::infeasible(Stage::Post, what).advise("change feed.feed_mm_min or path.chord_mm, or ranges.F of the post file")
+            let range = [range.least, range.greatest];
+            let since = Infeasible::FeedWordOutOfRange { at_s: t_s, takes_s: dt_s, needed: f, range };
+            Error::infeasible(Stage::Post, what, since).advise("change feed.feed_mm_min or path.chord_mm, or ranges.F of the post file")
         })
     }
 

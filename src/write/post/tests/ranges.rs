@@ -3,6 +3,7 @@
 use super::*;
 use crate::artifact::program::Programmed;
 use crate::artifact::{Axes, CheckId};
+use crate::error::Infeasible;
 use crate::machine::Axis;
 use crate::read::program::{self, Bench, Moved, Zero};
 
@@ -105,7 +106,8 @@ fn moves_too_short_for_inverse_time_are_joined_or_refused_never_stretched() {
     let mut tight = plan;
     tight.toolpath.chord_mm = 1e-5;
     let e = written(&dialect, tight, false, &options()).unwrap_err();
-    assert!(e.kind == ErrorKind::Infeasible && e.message.contains("up to F 9999.999"), "{}", e.message);
+    assert!(e.message.contains("up to F 9999.999"), "{}", e.message);
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::MoveTooShort { chord_mm: 1e-5, .. })), "{e:?}");
 }
 
 /// Lines of the leads take 26 ms, F 2292: a control that reads F up to 2000 gets 30 ms, and the
