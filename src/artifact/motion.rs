@@ -141,8 +141,8 @@ impl<'a> Motion<'a> {
 
 impl Toolpath {
     /// Where the tool stands at each location with these angles, rad; without leads.
-    pub fn stands(&self, theta: &[f64]) -> Vec<Stand> {
+    pub fn stands(&self, theta: &[f64]) -> impl Iterator<Item = Stand> {
         let rows = self.locations.iter().zip(theta).enumerate();
-        rows.map(|(k, (l, theta))| Stand { centre: l.centre, cone: self.cone(k), theta: *theta }).collect()
+        rows.map(|(k, (l, theta))| Stand { centre: l.centre, cone: self.cone(k), theta: *theta })
     }
 }

@@ -26,7 +26,7 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
     let l = &path.locations;
     let n = l.len();
     let feed = options.settings.feed_mm_min / 60.0;
-    let tips: Vec<Point> = path.stands(theta).iter().map(|s| s.tip(path.radius_mm)).collect();
+    let tips: Vec<Point> = path.stands(theta).map(|s| s.tip(path.radius_mm)).collect();
     let (mut a, mut b) = (0, 0);
     let mut at = Vec::with_capacity(n);
     for i in 0..n {

@@ -30,6 +30,7 @@
 
 use rayon::prelude::*;
 
+use super::PER_THREAD;
 use crate::numerics::spline::CubicSpline;
 use crate::observe::Observer;
 
@@ -44,9 +45,6 @@ mod window;
 pub(super) use cells::Limits;
 use cells::{Cell, Units};
 use rows::Problem;
-
-/// Cells that one thread takes at least.
-const PER_THREAD: usize = 1024;
 
 /// Speed along the path on a grid of its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,8 +76,8 @@ pub(super) fn fastest(
 ) -> Option<Smooth> {
     let grid = cells::grid(curve.abscissae());
     let units = Units::of(&grid, feed, limits);
-    let cells: Vec<Cell> =
-        grid.par_windows(2).with_min_len(PER_THREAD).map(|w| cells::cell(curve, w, cap, limits, units)).collect();
+    let mut room = cells::derivatives(&grid, limits.len());
+    let cells = cells::cells(curve, &grid, cap, (limits, units), &mut room);
     let scaled = units.scaled(limits);
     let (first, last) = (cells.first()?, cells.last()?);
     let ends = [first, last].map(|c| [c.h, c.end_from_rest(&scaled)]);

@@ -56,6 +56,8 @@ mod peaks;
 mod settings;
 mod topp;
 
+use rayon::prelude::*;
+
 use crate::artifact::toolpath::CHORD_MM;
 use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
@@ -68,6 +70,8 @@ pub use caps::least_time;
 pub use peaks::{AxisPeaks, peaks};
 pub use settings::{FeedKeys, FeedSettings};
 
+/// Locations that one thread takes at least.
+const PER_THREAD: usize = 1024;
 /// A motion for which no closer bound is proved is told of, as a share of its time.
 const LARGE_GAP: f64 = 0.05;
 
@@ -191,13 +195,13 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
     }
     let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
     let wrong = |c: &Cone| c.lean_rad.is_nan() || c.lean_rad.abs() >= std::f64::consts::FRAC_PI_2;
-    let stands = path.stands(&schedule.theta);
-    if let Some(stand) = stands.iter().find(|s| wrong(&s.cone)) {
-        let deg = stand.cone.lean_rad.to_degrees();
+    if let Some(cone) = (0..n).map(|k| path.cone(k)).find(wrong) {
+        let deg = cone.lean_rad.to_degrees();
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
-    let q = machine.along(&stands, options.gauge_length_mm);
-    let q: Vec<f64> = q.iter().flat_map(|row| row.iter().copied()).collect();
+    let rows = machine.along(path.stands(&schedule.theta), options.gauge_length_mm);
+    let mut q = Vec::with_capacity(n * machine.axes().len());
+    rows.iter().for_each(|row| q.extend_from_slice(row));
     CubicSpline::new(&s, &q, machine.axes().len(), &Ends::Natural).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
@@ -226,22 +230,18 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
         t_s[i] = t_s[i - 1] + (s[i] - s[i - 1]) / feed[i];
     }
     feed[0] = feed[1];
-    let mut position = Vec::with_capacity(n);
-    let mut velocity = Vec::with_capacity(n);
-    let mut acceleration: Vec<Axes> = Vec::with_capacity(n);
-    for i in 0..n {
-        let interval = i.min(n - 2);
-        let d = at(curve, interval, s[i] - s[interval]);
-        let (x, u) = (profile.x[i], profile.u[interval]);
-        position.push(d.map(|q| q[0]));
-        velocity.push(d.map(|q| q[1] * speed[i]));
-        acceleration.push(d.map(|q| q[1] * u + q[2] * x));
-    }
-    let quotient = |i: usize| {
+    let of_rows = |row: &(dyn Fn(usize, Axes<[f64; 3]>) -> Axes + Sync)| -> Vec<Axes> {
+        let at = |i: usize| at(curve, i.min(n - 2), s[i] - s[i.min(n - 2)]);
+        (0..n).into_par_iter().with_min_len(PER_THREAD).map(|i| row(i, at(i))).collect()
+    };
+    let position = of_rows(&|_, d| d.map(|q| q[0]));
+    let velocity = of_rows(&|i, d| d.map(|q| q[1] * speed[i]));
+    let acceleration = of_rows(&|i, d| d.map(|q| q[1] * profile.u[i.min(n - 2)] + q[2] * profile.x[i]));
+    let jerk = of_rows(&|i, _| {
+        let i = i.min(n - 2);
         let dt = t_s[i + 1] - t_s[i];
         Axes::from_fn(curve.functions(), |k| (acceleration[i + 1][k] - acceleration[i][k]) / dt)
-    };
-    let jerk = (0..n).map(|i| quotient(i.min(n - 2))).collect();
+    });
     AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
 }
 

@@ -7,7 +7,6 @@
 
 use rayon::prelude::*;
 
-use crate::artifact::axes::MOST_AXES;
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::CubicSpline;
 use crate::observe::Observer;
@@ -25,9 +24,6 @@ pub(super) struct Profile {
     pub u: Vec<f64>,
 }
 
-/// Bernstein coefficients of the acceleration of all axes over an interval.
-const ROWS: usize = 3 * MOST_AXES;
-
 /// Limits of all axes' accelerations over an interval, each a strip `|a u + b x| ≤ 1`, solved for
 /// `u`.
 ///
@@ -35,13 +31,8 @@ const ROWS: usize = 3 * MOST_AXES;
 /// acceleration `q' u + q'' (x + 2tu)` is a quadratic: it is bounded by its Bernstein coefficients,
 /// each linear in `(x, u)`.
 #[derive(Clone, Copy, Debug)]
-struct Strips {
-    /// `−b/a`: slope of the strip's middle in `x`.
-    slope: [f64; ROWS],
-    /// `1/|a|`: half its height; without end where `u` does not matter.
-    half: [f64; ROWS],
-    /// How many of them the machine has.
-    rows: usize,
+struct Strips<'a> {
+    rows: &'a [Strip],
     /// Greatest `x` by strips in which `u` does not matter, and by the caps of ṡ² at the start of
     /// the interval.
     most_here: f64,
@@ -51,6 +42,22 @@ struct Strips {
     length: f64,
 }
 
+/// One strip.
+#[derive(Clone, Copy, Debug)]
+struct Strip {
+    /// `−b/a`: slope of its middle in `x`.
+    slope: f64,
+    /// `1/|a|`: half its height; without end where `u` does not matter.
+    half: f64,
+}
+
+impl Strip {
+    const WITHOUT_END: Strip = Strip { slope: 0.0, half: f64::INFINITY };
+}
+
+/// Bernstein coefficients of an acceleration over an interval.
+const OF_AXIS: usize = 3;
+
 /// The range of `u` at some `x`, with the slopes of its ends in `x`.
 struct Range {
     low: f64,
@@ -59,40 +66,38 @@ struct Range {
     high_slope: f64,
 }
 
-impl Strips {
+impl<'a> Strips<'a> {
     /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in
-    /// each interval.
-    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]], most: &[f64]) -> Strips {
+    /// each interval; `rows`: [`OF_AXIS`] for each axis, to be filled.
+    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]], most: &[f64], rows: &'a mut [Strip]) -> Self {
         let s = curve.abscissae();
         let h = s[i + 1] - s[i];
         let own = most.get(i).copied().unwrap_or(f64::INFINITY);
-        let (slope, half, rows) = ([0.0; ROWS], [f64::INFINITY; ROWS], 3 * limits.len());
-        let mut out = Strips { slope, half, rows, most_here: own, most_there: own, length: h };
-        for (k, [velocity, acceleration]) in limits.iter().enumerate() {
+        let mut caps = [own; 2];
+        for (k, ([velocity, acceleration], rows)) in limits.iter().zip(rows.chunks_exact_mut(OF_AXIS)).enumerate() {
             // q' = b + 2ct + 3dt², q'' = 2c + 6dt, q' + 2t q'' = b + 6ct + 15dt².
             let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
             let (c, d) = (c * h, d * h * h);
             let line = super::caps::of_velocity([b, b + c, b + 2.0 * c + 3.0 * d], *velocity, own);
-            out.most_here = out.most_here.min(line[0]);
-            out.most_there = out.most_there.min(line[1]);
+            caps = [caps[0].min(line[0]), caps[1].min(line[1])];
             let of_u = [b, b + 3.0 * c, b + 6.0 * c + 15.0 * d];
             let of_x = [2.0 * c, 2.0 * c + 3.0 * d, 2.0 * c + 6.0 * d].map(|v| v / h);
-            for (j, (a, b)) in of_u.into_iter().zip(of_x).enumerate() {
+            for ((a, b), row) in of_u.into_iter().zip(of_x).zip(rows) {
                 let (a, b) = (a / acceleration, b / acceleration);
+                *row = Strip::WITHOUT_END;
                 if a.abs() > FLAT {
-                    out.slope[3 * k + j] = -b / a;
-                    out.half[3 * k + j] = 1.0 / a.abs();
+                    *row = Strip { slope: -b / a, half: 1.0 / a.abs() };
                 } else if b != 0.0 {
-                    out.most_here = out.most_here.min(1.0 / b.abs());
+                    caps[0] = caps[0].min(1.0 / b.abs());
                 }
             }
         }
-        out
+        Strips { rows, most_here: caps[0], most_there: caps[1], length: h }
     }
 
     fn range(&self, x: f64) -> Range {
         let mut r = Range { low: f64::NEG_INFINITY, low_slope: 0.0, high: f64::INFINITY, high_slope: 0.0 };
-        for (slope, half) in self.slope.iter().zip(&self.half).take(self.rows) {
+        for Strip { slope, half } in self.rows {
             let (low, high) = (slope * x - half, slope * x + half);
             if high < r.high {
                 (r.high, r.high_slope) = (high, *slope);
@@ -142,8 +147,10 @@ pub(super) fn fastest(
     observer: &dyn Observer,
 ) -> Result<Profile> {
     let n = curve.abscissae().len();
-    let strips: Vec<Strips> =
-        (0..n - 1).into_par_iter().with_min_len(1024).map(|i| Strips::new(curve, i, limits, most)).collect();
+    let of_interval = (OF_AXIS * limits.len()).max(1);
+    let mut rows = vec![Strip::WITHOUT_END; (n - 1) * of_interval];
+    let rows = rows.par_chunks_mut(of_interval).enumerate().with_min_len(super::PER_THREAD);
+    let strips: Vec<Strips> = rows.map(|(i, rows)| Strips::new(curve, i, limits, most, rows)).collect();
     observer.check(Stage::Feed)?;
     // Backwards: the greatest x from which the end can be reached at rest.
     let mut reach = vec![0.0; n];

@@ -6,6 +6,7 @@
 //! without a jump.
 
 use super::Machine;
+use super::chain::Held;
 use crate::artifact::{Axes, Stand};
 
 impl Machine {
@@ -30,10 +31,24 @@ impl Machine {
     }
 
     /// Axis positions along a motion, each nearest to those before it.
-    pub fn along<'a>(&self, stands: impl IntoIterator<Item = &'a Stand>, gauge_length_mm: f64) -> Vec<Axes> {
-        let mut out: Vec<Axes> = Vec::new();
+    pub fn along(&self, stands: impl IntoIterator<Item = Stand>, gauge_length_mm: f64) -> Vec<Axes> {
+        let (head, count) = (self.head(), self.axes().len());
+        let stands = stands.into_iter();
+        let mut out: Vec<Axes> = Vec::with_capacity(stands.size_hint().0);
+        let mut held: Option<Held> = None;
         for stand in stands {
-            let placed = self.place(stand, out.last(), gauge_length_mm);
+            let lean_rad = stand.cone.lean_rad;
+            if stand.cone.is_about_blade() && !held.as_ref().is_some_and(|h| h.is_at(lean_rad)) {
+                held = head.held(lean_rad, gauge_length_mm);
+            }
+            let placed = match held.as_ref().filter(|_| stand.cone.is_about_blade()) {
+                Some(held) => {
+                    let mut row = Axes::of_default(count);
+                    head.place_held(&stand.centre, stand.theta, held, &mut row);
+                    row
+                }
+                None => self.place(&stand, out.last(), gauge_length_mm),
+            };
             out.push(placed);
         }
         out

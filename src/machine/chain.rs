@@ -125,10 +125,35 @@ struct Posture {
     excess: f64,
 }
 
-/// Positions of the rotary axes of a chain, as rotations.
-struct Turned {
-    first: UnitQuaternion<f64>,
-    second: UnitQuaternion<f64>,
+/// What the first rotary axis carries while the second stands still, in machine coordinates with
+/// the first at 0.
+#[derive(Clone, Copy, Debug)]
+struct Carried {
+    /// The ball centre with X, Y, Z at 0.
+    ball: Point,
+    /// The tool axis.
+    tool: Vector,
+    /// Directions of X, Y, Z.
+    linear: [Vector; 3],
+}
+
+/// A head that keeps one lean while the first rotary axis, along the blade axis, turns: all that
+/// does not change with the ball centre and `θ`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Held {
+    lean_rad: f64,
+    /// Positions of the rotary axes at `θ = 0`.
+    rotary: [f64; 2],
+    /// How the first turns with `θ`: 1 or -1.
+    sense: f64,
+    carried: Carried,
+}
+
+impl Held {
+    /// Whether this is the head at that lean, rad.
+    pub(super) fn is_at(&self, lean_rad: f64) -> bool {
+        self.lean_rad == lean_rad
+    }
 }
 
 impl Head {
@@ -243,45 +268,44 @@ impl Head {
         (self.mount * p - self.first.point).cross(&self.first.direction).norm()
     }
 
-    fn at(&self, [q1, q2]: [f64; 2]) -> Turned {
-        let second = self.second.map_or_else(UnitQuaternion::identity, |s| s.rotation(q2));
-        Turned { first: self.first.rotation(q1), second }
+    /// All that follows the first rotary axis, the second at `q2`. `gauge_length_mm`: from the ball
+    /// centre to the spindle's gauge line.
+    fn carried(&self, q2: f64, gauge_length_mm: f64) -> Carried {
+        let (ball, tool) = (self.gauge - self.tool * gauge_length_mm, self.tool);
+        let linear = self.linear.map(|(direction, _)| direction);
+        let Some(second) = self.second else { return Carried { ball, tool, linear } };
+        let turn = second.rotation(q2);
+        let turned = |(direction, before): (Vector, usize)| if before == 2 { turn * direction } else { direction };
+        Carried { ball: second.motion(turn) * ball, tool: turn * tool, linear: self.linear.map(turned) }
     }
 
-    /// All rotary axes turned, the linear ones at 0.
-    fn turned(&self, at: &Turned) -> Rigid {
-        let first = self.first.motion(at.first);
-        self.second.map_or(first, |s| first * s.motion(at.second))
-    }
-
-    /// Shifts of X, Y, Z seen from the workpiece, in columns.
-    fn shifts(&self, at: &Turned) -> Matrix3<f64> {
-        let column = |(direction, before): &(Vector, usize)| match (before, &self.second) {
-            (0, _) => *direction,
-            (2, Some(_)) => at.first * (at.second * direction),
-            _ => at.first * direction,
-        };
-        Matrix3::from_columns(&[column(&self.linear[0]), column(&self.linear[1]), column(&self.linear[2])])
+    /// Shifts of X, Y, Z seen from the workpiece, in columns, the first rotary axis turned.
+    fn shifts(&self, first: &UnitQuaternion<f64>, carried: &Carried) -> Matrix3<f64> {
+        let column = |k: usize| if self.linear[k].1 == 0 { carried.linear[k] } else { first * carried.linear[k] };
+        Matrix3::from_columns(&[column(0), column(1), column(2)])
     }
 
     /// Whether X, Y, Z reach all places with the rotary axes at 0.
     pub(super) fn spans_space(&self) -> bool {
-        self.shifts(&self.at([0.0; 2])).determinant().abs() > 1e-3
+        self.shifts(&self.first.rotation(0.0), &self.carried(0.0, 0.0)).determinant().abs() > 1e-3
     }
 
     /// The pose of the tool in the blade frame at positions of the machine's axes (mm, rad).
     /// `gauge_length_mm`: from the ball centre to the spindle's gauge line.
     pub fn forward(&self, row: &Axes, gauge_length_mm: f64) -> Pose {
-        let at = self.at(self.rotary_in(row));
-        let (turned, shift) = (self.turned(&at), Vector::from(self.columns.linear.map(|k| row[k])));
-        let centre = turned * (self.gauge - self.tool * gauge_length_mm) + self.shifts(&at) * shift;
-        Pose { centre: self.blade * centre, axis: self.blade * (turned * self.tool) }
+        let [q1, q2] = self.rotary_in(row);
+        let (first, carried) = (self.first.rotation(q1), self.carried(q2, gauge_length_mm));
+        let shift = Vector::from(self.columns.linear.map(|k| row[k]));
+        let centre = self.first.motion(first) * carried.ball + self.shifts(&first, &carried) * shift;
+        Pose { centre: self.blade * centre, axis: self.blade * (first * carried.tool) }
     }
 
     /// From the frame fixed to the workpiece, the rotary axes turned as in a row, to the blade
     /// frame.
     pub(super) fn blade_from_turned(&self, row: &Axes) -> Rigid {
-        self.blade * self.turned(&self.at(self.rotary_in(row))) * self.mount
+        let [q1, q2] = self.rotary_in(row);
+        let first = self.first.motion(self.first.rotation(q1));
+        self.blade * self.second.map_or(first, |s| first * s.motion(s.rotation(q2))) * self.mount
     }
 
     /// The tool axis where the rotary axes stand, blade frame.
@@ -289,19 +313,39 @@ impl Head {
         self.axis_of(self.rotary_in(row))
     }
 
-    fn axis_of(&self, rotary: [f64; 2]) -> Vector {
-        self.blade.rotation * (self.turned(&self.at(rotary)).rotation * self.tool)
+    fn axis_of(&self, [q1, q2]: [f64; 2]) -> Vector {
+        self.blade * (self.first.rotation(q1) * self.carried(q2, 0.0).tool)
     }
 
     /// Moves X, Y, Z in a row so that the ball comes there; not numbers where their directions do
     /// not reach it.
     pub(super) fn place_linear(&self, centre: &Point, gauge_length_mm: f64, row: &mut Axes) {
-        let at = self.at(self.rotary_in(row));
-        let from = self.turned(&at) * (self.gauge - self.tool * gauge_length_mm);
-        let solved = self.shifts(&at).try_inverse().map(|inverse| inverse * (self.mount * centre - from));
+        let [q1, q2] = self.rotary_in(row);
+        self.place_carried(centre, q1, &self.carried(q2, gauge_length_mm), row);
+    }
+
+    fn place_carried(&self, centre: &Point, q1: f64, carried: &Carried, row: &mut Axes) {
+        let first = self.first.rotation(q1);
+        let from = self.first.motion(first) * carried.ball;
+        let solved = self.shifts(&first, carried).try_inverse().map(|inverse| inverse * (self.mount * centre - from));
         for (k, own) in self.columns.linear.into_iter().enumerate() {
             row[own] = solved.map_or(f64::NAN, |s| s[k]);
         }
+    }
+
+    /// The head with a lean kept; `None` where other axes than the first move as well, or the lean
+    /// is out of reach.
+    pub(super) fn held(&self, lean_rad: f64, gauge_length_mm: f64) -> Option<Held> {
+        let sense = self.along_blade()?;
+        let rotary = self.on_branch(&self.posture(lean_rad)?, lean_rad, 0.0)?;
+        Some(Held { lean_rad, rotary, sense, carried: self.carried(rotary[1], gauge_length_mm) })
+    }
+
+    /// As [`Head::place`] at the lean that is held.
+    pub(super) fn place_held(&self, centre: &Point, theta_rad: f64, held: &Held, row: &mut Axes) {
+        let q1 = held.rotary[0] + held.sense * theta_rad;
+        self.put([q1, held.rotary[1]], row);
+        self.place_carried(centre, q1, &held.carried, row);
     }
 
     /// Moves the head's axes in a row so that the tool stands at a ball centre of the blade frame
@@ -371,16 +415,19 @@ impl Head {
         u.dot(&v.cross(a)).atan2(v.dot(a) - u.dot(&v) * u.dot(a))
     }
 
+    /// Rotary positions of one branch for a lean and an angle `θ`, the first within half a turn.
+    fn on_branch(&self, posture: &Posture, lean_rad: f64, theta: f64) -> Option<[f64; 2]> {
+        let a = self.mount * tool::axis(lean_rad, theta);
+        let both = self.second_of(self.first.direction.dot(&a), ROUNDING)?;
+        let q2 = both[usize::from(posture.sign < 0.0)];
+        Some([self.first_of(&a, q2), q2 + posture.shift])
+    }
+
     /// Rotary positions for a lean and an angle `θ` over all turns; not numbers where the lean is
     /// out of reach.
     fn rotary_of(&self, theta: f64, lean_rad: f64) -> [f64; 2] {
         let Some(posture) = self.posture(lean_rad) else { return [f64::NAN; 2] };
-        let one = |theta: f64| {
-            let a = self.mount * tool::axis(lean_rad, theta);
-            let both = self.second_of(self.first.direction.dot(&a), ROUNDING)?;
-            let q2 = both[usize::from(posture.sign < 0.0)];
-            Some([self.first_of(&a, q2), q2 + posture.shift])
-        };
+        let one = |theta: f64| self.on_branch(&posture, lean_rad, theta);
         if let Some(sense) = self.along_blade() {
             return one(0.0).map_or([f64::NAN; 2], |[q1, q2]| [q1 + sense * theta, q2]);
         }

@@ -29,7 +29,7 @@ impl Pose {
 /// A plan is made for the first head; rows have a column for every axis of the machine, those of
 /// other heads at 0.
 impl Machine {
-    fn head(&self) -> &Head {
+    pub(super) fn head(&self) -> &Head {
         &self.heads[0]
     }
 

@@ -221,7 +221,7 @@ impl TrackSearch<'_> {
 /// Moves between two locations, by their first, on which the tool may come nearer to something than
 /// passes its check: where a motion keeps the clearance at its locations and not between them.
 pub fn short_moves(path: &Toolpath, theta: &[f64], apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
-    let stands = path.stands(theta);
+    let stands = path.stands(theta).collect::<Vec<_>>();
     let (share, resolution) = CLOSELY;
     let mut out = Vec::new();
     for a in apart {
@@ -360,7 +360,7 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
 /// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance`
 /// of all else; and the least distance to the part, mm.
 pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &VerifyOptions) -> (Vec<Check>, f64) {
-    let stands = plan.toolpath.stands(&plan.schedule.theta);
+    let stands = plan.toolpath.stands(&plan.schedule.theta).collect::<Vec<_>>();
     let track = Track { stands: &stands, wanted: None };
     let mut least = FAR_MM;
     let mut checks = Vec::new();

@@ -121,8 +121,7 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
 fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
     let axes = room.machine.axes();
     let gauge = room.tool.length_mm();
-    let stands: Vec<Stand> = lead.stands(cone).collect();
-    room.machine.along(&stands, gauge).into_iter().find_map(|q| {
+    room.machine.along(lead.stands(cone), gauge).into_iter().find_map(|q| {
         let out = |i: &usize| axes[*i].limits.travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
         (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", axes[i].name))
     })

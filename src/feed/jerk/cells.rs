@@ -1,7 +1,10 @@
 //! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of
 //! size 1.
 
+use rayon::prelude::*;
+
 use crate::artifact::Axes;
+use crate::feed::PER_THREAD;
 use crate::feed::caps::of_velocity;
 use crate::numerics::spline::CubicSpline;
 
@@ -17,15 +20,22 @@ const END_SHARE: f64 = 0.5;
 /// Limits of all axes: velocity, acceleration, jerk.
 pub(in crate::feed) type Limits = Axes<[f64; 3]>;
 
-/// Bernstein coefficients of `q'` (3), `q''` (2) and `q'''` over one cell, for every axis; by
-/// scaled arc length.
-#[derive(Clone, Debug)]
-pub(super) struct Cell {
+/// Bernstein coefficients of `q'`, `q''` and `q'''` of one axis over one cell, by scaled arc
+/// length.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Derivatives {
+    pub q1: [f64; 3],
+    pub q2: [f64; 2],
+    pub q3: f64,
+}
+
+/// One cell, in scaled arc length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell<'a> {
     /// Length.
     pub h: f64,
-    pub q1: Axes<[f64; 3]>,
-    pub q2: Axes<[f64; 2]>,
-    pub q3: Axes,
+    /// Of every axis.
+    pub axes: &'a [Derivatives],
     /// Greatest ṡ² by feed, contact, chord and the axes' velocities, at both ends; straight
     /// between.
     pub cap: [f64; 2],
@@ -79,39 +89,57 @@ pub(super) fn grid(s: &[f64]) -> Vec<(f64, usize)> {
     out
 }
 
-/// The cell between two points of the grid; `cap`: greatest ṡ² (mm²/s²) in every interval of the
-/// curve.
-pub(super) fn cell(curve: &CubicSpline, w: &[(f64, usize)], cap: &[f64], limits: &Limits, units: Units) -> Cell {
+/// The derivatives of all axes, cell by cell: room for those of [`cells`].
+pub(super) fn derivatives(grid: &[(f64, usize)], axes: usize) -> Vec<Derivatives> {
+    vec![Derivatives::default(); grid.len().saturating_sub(1) * axes]
+}
+
+/// The cells between the points of the grid. `cap`: greatest ṡ² (mm²/s²) in every interval of the
+/// curve; `room`: [`derivatives`].
+pub(super) fn cells<'a>(
+    curve: &CubicSpline,
+    grid: &[(f64, usize)],
+    cap: &[f64],
+    (limits, units): (&Limits, Units),
+    room: &'a mut [Derivatives],
+) -> Vec<Cell<'a>> {
+    let cells = room.par_chunks_mut(limits.len().max(1)).zip(grid.par_windows(2)).with_min_len(PER_THREAD);
+    cells.map(|(axes, w)| cell(curve, w, cap, (limits, units), axes)).collect()
+}
+
+fn cell<'a>(
+    curve: &CubicSpline,
+    w: &[(f64, usize)],
+    cap: &[f64],
+    (limits, units): (&Limits, Units),
+    axes: &'a mut [Derivatives],
+) -> Cell<'a> {
     let (from, i) = w[0];
     let (start, l) = (curve.abscissae()[i], units.length);
     let (a, h) = (from - start, w[1].0 - from);
-    let mut out = Cell {
-        h: h / l,
-        q1: Axes::of_default(limits.len()),
-        q2: Axes::of_default(limits.len()),
-        q3: Axes::of_default(limits.len()),
-        cap: [cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed); 2],
-    };
-    let own = out.cap[0];
-    for k in 0..limits.len() {
+    let own = cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed);
+    let mut cap = [own; 2];
+    for (k, axis) in axes.iter_mut().enumerate() {
         let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
         let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
         let second = |t: f64| 2.0 * c + 6.0 * t * d;
-        let (p, q) = (first(a), first(a + h));
-        out.q1[k] = [p, p + 0.5 * h * second(a), q].map(|v| v * l);
-        out.q2[k] = [second(a), second(a + h)].map(|v| v * l * l);
-        out.q3[k] = 6.0 * d * l * l * l;
-        let line = of_velocity(out.q1[k].map(|q| q / l), limits[k][0], own);
-        out.cap = [out.cap[0].min(line[0]), out.cap[1].min(line[1])];
+        let q1 = [first(a), first(a) + 0.5 * h * second(a), first(a + h)];
+        *axis = Derivatives {
+            q1: q1.map(|v| v * l),
+            q2: [second(a), second(a + h)].map(|v| v * l * l),
+            q3: 6.0 * d * l * l * l,
+        };
+        let line = of_velocity(q1, limits[k][0], own);
+        cap = [cap[0].min(line[0]), cap[1].min(line[1])];
     }
-    out.cap = out.cap.map(|c| c / (units.speed * units.speed));
-    out
+    Cell { h: h / l, axes, cap: cap.map(|c| c / (units.speed * units.speed)) }
 }
 
 pub(super) fn greatest(q: &[f64]) -> f64 {
     q.iter().fold(0.0f64, |m, v| m.max(v.abs()))
 }
 
+#[inline]
 pub(super) fn dot(g: &[f64; 3], v: &[f64; 3]) -> f64 {
     g[0] * v[0] + g[1] * v[1] + g[2] * v[2]
 }
@@ -121,6 +149,7 @@ pub(super) fn of_x(h: f64) -> [[f64; 3]; 3] {
     [[1.0, 0.0, 0.0], [1.0, h, 0.0], [1.0, 2.0 * h, h * h]]
 }
 
+#[inline]
 fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
     let mut out = [0.0; 3];
     for (f, g) in terms {
@@ -134,6 +163,7 @@ fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
 /// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times
 /// this over the whole cell: the mean of `1/√x` is greater than that of the mean, the more so the
 /// more x changes.
+#[inline]
 pub(super) fn jensen(x: [f64; 3]) -> f64 {
     let (low, high) = (x[0].min(x[1]).min(x[2]), x[0].max(x[1]).max(x[2]));
     let inverse = x.map(|x| 1.0 / x.sqrt());
@@ -148,13 +178,14 @@ pub(super) fn jensen(x: [f64; 3]) -> f64 {
     (1..8).map(|k| at(0.125 * f64::from(k))).fold(1.0, f64::max)
 }
 
-impl Cell {
-    /// Bernstein coefficients of the acceleration of axis `k` but the last, which is the next
-    /// cell's first.
-    pub fn acceleration(&self, k: usize) -> [[f64; 3]; 3] {
+impl Cell<'_> {
+    /// Bernstein coefficients of the acceleration of one of the axes but the last, which is the
+    /// next cell's first.
+    #[inline]
+    pub fn acceleration(&self, axis: &Derivatives) -> [[f64; 3]; 3] {
         let x = of_x(self.h);
         let u = [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]];
-        let (q, r) = (self.q1[k], self.q2[k]);
+        let Derivatives { q1: q, q2: r, .. } = axis;
         [
             combine(&[(q[0], u[0]), (r[0], x[0])]),
             combine(&[(q[0] / 3.0, u[1]), (q[1] / 1.5, u[0]), (r[1] / 3.0, x[0]), (r[0] / 1.5, x[1])]),
@@ -162,11 +193,12 @@ impl Cell {
         ]
     }
 
-    /// Bernstein coefficients of the bracket of the jerk of axis `k`.
-    pub fn bracket(&self, k: usize) -> [[f64; 3]; 3] {
+    /// Bernstein coefficients of the bracket of the jerk of one of the axes.
+    #[inline]
+    pub fn bracket(&self, axis: &Derivatives) -> [[f64; 3]; 3] {
         let x = of_x(self.h);
         let (u, w) = ([[0.0, 1.0, 0.0], [0.0, 1.0, self.h]], [0.0, 0.0, 1.0]);
-        let (q, r, t) = (self.q1[k], self.q2[k], self.q3[k]);
+        let Derivatives { q1: q, q2: r, q3: t } = *axis;
         [
             combine(&[(q[0], w), (3.0 * r[0], u[0]), (t, x[0])]),
             combine(&[(q[1], w), (1.5 * r[0], u[1]), (1.5 * r[1], u[0]), (t, x[1])]),
@@ -182,9 +214,9 @@ impl Cell {
     /// Greatest constant speed squared over the cell.
     pub fn steady(&self, limits: &Limits) -> f64 {
         let mut most = self.cap[0].min(self.cap[1]);
-        for k in 0..limits.len() {
-            most = most.min(limits[k][1] / greatest(&self.q2[k]));
-            most = most.min((limits[k][2] / self.q3[k].abs()).powf(2.0 / 3.0));
+        for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
+            most = most.min(a_max / greatest(&axis.q2));
+            most = most.min((j_max / axis.q3.abs()).powf(2.0 / 3.0));
         }
         most
     }
@@ -196,11 +228,11 @@ impl Cell {
         // Squares of jerks, which grow with the cube of ṡ².
         let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
-        for k in 0..limits.len() {
-            for g in self.acceleration(k) {
-                most = most.max(dot(&g, v).abs() / limits[k][1]);
+        for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
+            for g in self.acceleration(axis) {
+                most = most.max(dot(&g, v).abs() / a_max);
             }
-            let bracket = self.bracket(k).map(|g| dot(&g, v));
+            let bracket = self.bracket(axis).map(|g| dot(&g, v));
             let mut worst = 0.0f64;
             for f in [0.0, 0.25, 0.5, 0.75, 1.0] {
                 let (a, b, c) = ((1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f);
@@ -208,7 +240,7 @@ impl Cell {
                 let j = a * bracket[0] + b * bracket[1] + c * bracket[2];
                 worst = worst.max(j * j * x);
             }
-            jerk = jerk.max(worst / (limits[k][2] * limits[k][2]));
+            jerk = jerk.max(worst / (j_max * j_max));
         }
         most.max(jerk.cbrt())
     }
@@ -219,11 +251,11 @@ impl Cell {
     pub fn end_from_rest(&self, limits: &Limits) -> f64 {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
-        for k in 0..limits.len() {
-            let (q1, q2, q3) = (greatest(&self.q1[k]), greatest(&self.q2[k]), self.q3[k].abs());
-            u = u.min(limits[k][1] / (q1 + 1.5 * h * q2));
+        for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
+            let (q1, q2, q3) = (greatest(&axis.q1), greatest(&axis.q2), axis.q3.abs());
+            u = u.min(a_max / (q1 + 1.5 * h * q2));
             let jerk = q1 / (6.0 * h).sqrt() + 3.0 * q2 * (1.5 * h).sqrt() + q3 * (1.5 * h).powf(1.5);
-            u = u.min((limits[k][2] / jerk).powf(2.0 / 3.0));
+            u = u.min((j_max / jerk).powf(2.0 / 3.0));
         }
         1.5 * h * u
     }

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use crate::artifact::Axes;
 
-use super::cells::{Cell, Limits, dot, greatest, of_x};
+use super::cells::{Cell, Derivatives, Limits, dot, greatest, of_x};
 
 /// The path between the end cells.
 pub(super) struct Problem<'a> {
-    pub inner: &'a [Cell],
+    pub inner: &'a [Cell<'a>],
     /// Length and greatest x of the end cells.
     pub ends: [[f64; 2]; 2],
     pub limits: &'a Limits,
@@ -93,13 +93,15 @@ impl Rows {
             let caps = of_x(c.h).into_iter().zip(problem.caps(i)).map(|(g, cap)| g.map(|v| v / cap));
             out.linear.extend(caps.filter(|g| dot(g, v) > shares.others));
             let active = decisive(c, limits);
-            for k in (0..limits.len()).filter(|k| active[*k]) {
-                for g in c.acceleration(k) {
-                    let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / limits[k][1]));
+            for (axis, [_, a_max, j_max]) in
+                c.axes.iter().zip(limits.iter()).zip(active.iter()).filter_map(|(a, on)| on.then_some(a))
+            {
+                for g in c.acceleration(axis) {
+                    let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / a_max));
                     out.linear.extend(signed.into_iter().filter(|g| dot(g, v) > shares.accelerations));
                 }
-                for (b, g) in c.bracket(k).into_iter().enumerate() {
-                    let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / limits[k][2]));
+                for (b, g) in c.bracket(axis).into_iter().enumerate() {
+                    let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / j_max));
                     let near = signed.into_iter().filter(|g| dot(g, v) * x[b].sqrt() > shares.others);
                     out.jerk.extend(near.map(|g| Jerk { b, g }));
                 }
@@ -167,19 +169,21 @@ fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
     let cap = p.cap[0].max(p.cap[1]);
     let speed = cap.sqrt();
     let (mut u, mut w) = (f64::INFINITY, f64::INFINITY);
-    for k in 0..limits.len() {
-        u = u.min((limits[k][1] + greatest(&p.q2[k]) * cap) / least(&p.q1[k]));
+    let each = || p.axes.iter().zip(limits.iter());
+    for (axis, [_, a_max, _]) in each() {
+        u = u.min((a_max + greatest(&axis.q2) * cap) / least(&axis.q1));
     }
-    let rest = |k: usize| 3.0 * greatest(&p.q2[k]) * u * speed + p.q3[k].abs() * cap * speed;
-    for k in 0..limits.len() {
-        w = w.min((limits[k][2] + rest(k)) / least(&p.q1[k]));
+    let rest = |axis: &Derivatives| 3.0 * greatest(&axis.q2) * u * speed + axis.q3.abs() * cap * speed;
+    for (axis, [_, _, j_max]) in each() {
+        w = w.min((j_max + rest(axis)) / least(&axis.q1));
     }
     Axes::from_fn(limits.len(), |k| {
-        let q = greatest(&p.q1[k]);
-        if q == 0.0 && p.q2[k] == [0.0; 2] {
+        let (axis, [_, a_max, j_max]) = (&p.axes[k], limits[k]);
+        let q = greatest(&axis.q1);
+        if q == 0.0 && axis.q2 == [0.0; 2] {
             return false;
         }
-        let (a, j) = (q * u + greatest(&p.q2[k]) * cap, q * w + rest(k));
-        !(a < limits[k][1] && j < limits[k][2])
+        let (a, j) = (q * u + greatest(&axis.q2) * cap, q * w + rest(axis));
+        !(a < a_max && j < j_max)
     })
 }

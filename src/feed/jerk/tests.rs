@@ -35,7 +35,8 @@ proptest! {
         let grid = cells::grid(curve.abscissae());
         let units = Units::of(&grid, feed, &limits());
         let caps = vec![feed * feed; 119];
-        let cells: Vec<Cell> = grid.windows(2).map(|w| cells::cell(&curve, w, &caps, &limits(), units)).collect();
+        let mut room = cells::derivatives(&grid, limits().len());
+        let cells = cells::cells(&curve, &grid, &caps, (&limits(), units), &mut room);
         let scaled = units.scaled(&limits());
         let ends = [&cells[0], &cells[cells.len() - 1]].map(|c| [c.h, c.end_from_rest(&scaled)]);
         let inner = &cells[1..cells.len() - 1];

@@ -102,7 +102,7 @@ impl<'a> Window<'a> {
         Window { problem, rows, ties: ties(problem, &range, v), floor: floor.collect(), range }
     }
 
-    fn cell(&self, i: usize) -> &super::cells::Cell {
+    fn cell(&self, i: usize) -> &super::cells::Cell<'a> {
         &self.problem.inner[self.range.start + i]
     }
 

@@ -208,8 +208,7 @@ fn cones_that_change_along_the_path_are_carried_through() {
         let mut plan = sample::plan(2, 180);
         let cones = Cones::along((0..plan.toolpath.locations.len()).map(wobbling).collect());
         plan.toolpath = plan.toolpath.with_cones(cones);
-        let stands: Vec<_> = plan.rows().map(|r| r.stand).collect();
-        plan.motion.position = machine.along(&stands, tool.length_mm());
+        plan.motion.position = machine.along(plan.rows().map(|r| r.stand), tool.length_mm());
         // The axes move on without a jump, and place ball and axis as the plan has them.
         for (row, q) in plan.motion.position.iter().enumerate() {
             let (pose, stand) = (machine.forward(q, tool.length_mm()), plan.stand(row).unwrap());
