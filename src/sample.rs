@@ -5,7 +5,6 @@
 //! the tool axis leads the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
-use crate::artifact::Axes;
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -15,7 +14,7 @@ use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{CheckId, Cones, ToolPart};
+use crate::artifact::{Axes, AxisRows, CheckId, Cones, ToolPart};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -206,7 +205,7 @@ fn schedule(theta: &[f64], ds: f64) -> Schedule {
 /// Axis positions on the demo machine at a feed of 20 mm/s.
 fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
     let (feed, machine, gauge) = (20.0, Machine::demo().unwrap(), tool().length_mm());
-    let position: Vec<Axes> =
+    let position: AxisRows =
         path.locations.iter().zip(theta).map(|(l, t)| machine.inverse(&l.centre, *t, B_RAD, gauge)).collect();
     let start = path.locations[0].s_mm;
     let t_s: Vec<f64> = path.locations.iter().map(|l| (l.s_mm - start) / feed).collect();
@@ -217,11 +216,11 @@ fn motion(path: &Toolpath, theta: &[f64]) -> AxisMotion {
     AxisMotion { feed: vec![feed; t_s.len()], position, velocity, acceleration, jerk, time_s, t_s }
 }
 
-fn differences(rows: &[Axes], t: &[f64]) -> Vec<Axes> {
+fn differences(rows: &AxisRows, t: &[f64]) -> AxisRows {
     (0..rows.len())
         .map(|i| {
             let (lo, hi) = (i.saturating_sub(1), (i + 1).min(rows.len() - 1));
-            Axes::from_fn(rows[hi].len(), |k| (rows[hi][k] - rows[lo][k]) / (t[hi] - t[lo]))
+            Axes::from_fn(rows.axes(), |k| (rows[hi][k] - rows[lo][k]) / (t[hi] - t[lo]))
         })
         .collect()
 }

@@ -1,6 +1,6 @@
 //! One value for each axis of a machine.
 
-use std::ops::{Deref, DerefMut};
+use std::ops::{Deref, DerefMut, Index, IndexMut, Range};
 
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -77,6 +77,12 @@ impl<T: Copy + Default, const N: usize> From<[T; N]> for Axes<T> {
     }
 }
 
+impl From<&[f64]> for Axes {
+    fn from(values: &[f64]) -> Self {
+        Axes::from_fn(values.len(), |k| values[k])
+    }
+}
+
 impl<T: PartialEq> PartialEq for Axes<T> {
     fn eq(&self, other: &Self) -> bool {
         **self == **other
@@ -105,6 +111,161 @@ impl<'a, T: Copy + Default + Deserialize<'a>> Deserialize<'a> for Axes<T> {
     }
 }
 
+/// Rows of one value for each axis of a machine, all of the same length. In files a list of lists.
+#[derive(Clone, Default, PartialEq)]
+pub struct AxisRows {
+    /// Row by row.
+    values: Vec<f64>,
+    /// Columns; 0 only while there is no row.
+    axes: usize,
+}
+
+impl AxisRows {
+    /// No row yet, with room for so many.
+    pub fn with_capacity(axes: usize, rows: usize) -> Self {
+        AxisRows { values: Vec::with_capacity(axes * rows), axes }
+    }
+
+    /// Of values row by row, so many in each. What is left of an incomplete row is dropped.
+    pub fn from_values(axes: usize, mut values: Vec<f64>) -> Self {
+        values.truncate(values.len().checked_div(axes).unwrap_or(0) * axes);
+        AxisRows { values, axes }
+    }
+
+    /// Columns; 0 where there is no row.
+    pub fn axes(&self) -> usize {
+        self.axes
+    }
+
+    /// All values, row by row.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.values.len().checked_div(self.axes).unwrap_or(0)
+    }
+
+    /// There is no row.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Adds a row. The first row says how many columns there are; of a later one that is longer the
+    /// rest is dropped, what a shorter one lacks is not a number.
+    pub fn push(&mut self, row: &[f64]) {
+        if self.values.is_empty() {
+            self.axes = row.len();
+        }
+        if row.len() == self.axes {
+            return self.values.extend_from_slice(row);
+        }
+        self.values.extend((0..self.axes).map(|k| row.get(k).copied().unwrap_or(f64::NAN)));
+    }
+
+    /// A row; `None` where there is none.
+    pub fn get(&self, row: usize) -> Option<&[f64]> {
+        (row < self.len()).then(|| &self[row])
+    }
+
+    /// All rows.
+    pub fn iter(&self) -> std::slice::ChunksExact<'_, f64> {
+        self.values.chunks_exact(self.axes.max(1))
+    }
+
+    /// All rows, to be changed.
+    pub fn iter_mut(&mut self) -> std::slice::ChunksExactMut<'_, f64> {
+        self.values.chunks_exact_mut(self.axes.max(1))
+    }
+
+    /// Some of the rows; none where one of them is missing.
+    #[must_use]
+    pub fn part(&self, rows: Range<usize>) -> Self {
+        let values = self.values.get(rows.start * self.axes..rows.end * self.axes).unwrap_or_default();
+        AxisRows { values: values.to_vec(), axes: self.axes }
+    }
+}
+
+impl Index<usize> for AxisRows {
+    type Output = [f64];
+    #[inline]
+    fn index(&self, row: usize) -> &[f64] {
+        &self.values[row * self.axes..(row + 1) * self.axes]
+    }
+}
+
+impl IndexMut<usize> for AxisRows {
+    #[inline]
+    fn index_mut(&mut self, row: usize) -> &mut [f64] {
+        &mut self.values[row * self.axes..(row + 1) * self.axes]
+    }
+}
+
+impl<'a> IntoIterator for &'a AxisRows {
+    type Item = &'a [f64];
+    type IntoIter = std::slice::ChunksExact<'a, f64>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl<R: AsRef<[f64]>> Extend<R> for AxisRows {
+    fn extend<I: IntoIterator<Item = R>>(&mut self, rows: I) {
+        rows.into_iter().for_each(|row| self.push(row.as_ref()));
+    }
+}
+
+impl<R: AsRef<[f64]>> FromIterator<R> for AxisRows {
+    fn from_iter<I: IntoIterator<Item = R>>(rows: I) -> Self {
+        let mut out = AxisRows::default();
+        out.extend(rows);
+        out
+    }
+}
+
+impl AsRef<[f64]> for Axes {
+    fn as_ref(&self) -> &[f64] {
+        self
+    }
+}
+
+impl std::fmt::Debug for AxisRows {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
+impl Serialize for AxisRows {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.iter())
+    }
+}
+
+impl<'a> Deserialize<'a> for AxisRows {
+    fn deserialize<D: Deserializer<'a>>(from: D) -> Result<Self, D::Error> {
+        struct Rows;
+        impl<'a> serde::de::Visitor<'a> for Rows {
+            type Value = AxisRows;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("rows of one number for each axis")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'a>>(self, mut rows: A) -> Result<AxisRows, A::Error> {
+                let mut out = AxisRows::default();
+                while let Some(row) = rows.next_element::<Axes>()? {
+                    if !out.is_empty() && row.len() != out.axes {
+                        let found = format!("row {} has {} columns, the others {}", out.len(), row.len(), out.axes);
+                        return Err(A::Error::custom(found));
+                    }
+                    out.push(&row);
+                }
+                Ok(out)
+            }
+        }
+        from.deserialize_seq(Rows)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -118,6 +279,19 @@ mod tests {
         assert_eq!(serde_json::from_str::<Axes>(&text).unwrap(), row);
         let long = serde_json::to_string(&[0.0; MOST_AXES + 1]).unwrap();
         assert!(serde_json::from_str::<Axes>(&long).unwrap_err().to_string().contains("at most 9"));
+    }
+
+    #[test]
+    fn rows_are_a_list_of_lists_of_one_length() {
+        let rows: AxisRows = [[1.0, 2.0], [3.0, 4.5], [5.0, 6.0]].into_iter().collect();
+        let text = serde_json::to_string(&rows).unwrap();
+        assert_eq!(text, "[[1.0,2.0],[3.0,4.5],[5.0,6.0]]");
+        assert_eq!(serde_json::from_str::<AxisRows>(&text).unwrap(), rows);
+        assert_eq!(serde_json::from_str::<AxisRows>("[]").unwrap(), AxisRows::default());
+        assert!(serde_json::from_str::<AxisRows>("[[1.0],[2.0,3.0]]").unwrap_err().to_string().contains("row 1 has 2"));
+        assert_eq!((rows.len(), &rows[1], rows.get(3)), (3, [3.0, 4.5].as_slice(), None));
+        assert_eq!(rows.part(1..3), [[3.0, 4.5], [5.0, 6.0]].into_iter().collect());
+        assert!(rows.part(2..4).is_empty() && AxisRows::default().iter().next().is_none());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Motion of the machine's axes over time.
 
-use super::Axes;
+use super::AxisRows;
 
 /// One row per cutter location, with a column for each axis of the machine (`Machine::axes`).
 /// Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
@@ -10,14 +10,14 @@ pub struct AxisMotion {
     /// later than 0 where a lead comes before it.
     pub t_s: Vec<f64>,
     /// Axis positions.
-    pub position: Vec<Axes>,
+    pub position: AxisRows,
     /// Axis velocities.
-    pub velocity: Vec<Axes>,
+    pub velocity: AxisRows,
     /// Axis accelerations.
-    pub acceleration: Vec<Axes>,
+    pub acceleration: AxisRows,
     /// Axis jerks just after each location (difference quotients of the accelerations where jerk
     /// was not limited).
-    pub jerk: Vec<Axes>,
+    pub jerk: AxisRows,
     /// Feed of the ball centre towards each location, mm/s.
     pub feed: Vec<f64>,
     /// From the first location to the last, s.

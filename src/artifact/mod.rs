@@ -19,7 +19,7 @@ pub mod section;
 pub mod tool_part;
 pub mod toolpath;
 
-pub use axes::Axes;
+pub use axes::{Axes, AxisRows};
 pub use axis_motion::AxisMotion;
 pub use blade::Blade;
 pub use channel::Channel;

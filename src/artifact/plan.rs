@@ -1,5 +1,5 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{Axes, AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
+use super::{AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -75,7 +75,7 @@ impl Plan {
     }
 
     /// Positions of the axes, row by row as [`Plan::rows`].
-    pub fn axes(&self) -> impl Iterator<Item = &Axes> {
+    pub fn axes(&self) -> impl Iterator<Item = &[f64]> {
         let [before, after] = &self.leads;
         before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
     }
@@ -103,7 +103,7 @@ impl Plan {
         m.t_s.drain(..times);
         m.feed.drain(..row.min(m.feed.len()));
         for rows in [&mut m.position, &mut m.velocity, &mut m.acceleration, &mut m.jerk] {
-            rows.drain(..n.min(rows.len()));
+            *rows = rows.part(n.min(rows.len())..rows.len());
         }
         m.time_s = m.t_s.last().unwrap_or(&0.0) - m.t_s.first().unwrap_or(&0.0);
         Some(left)

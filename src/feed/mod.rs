@@ -59,7 +59,7 @@ mod topp;
 use rayon::prelude::*;
 
 use crate::artifact::toolpath::CHORD_MM;
-use crate::artifact::{Axes, AxisMotion, Cone, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, Ends};
@@ -200,20 +200,16 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
     let rows = machine.along(path.stands(&schedule.theta), options.gauge_length_mm);
-    let mut q = Vec::with_capacity(n * machine.axes().len());
-    rows.iter().for_each(|row| q.extend_from_slice(row));
-    CubicSpline::new(&s, &q, machine.axes().len(), &Ends::Natural).map_err(|e| {
+    CubicSpline::new(&s, rows.values(), machine.axes().len(), &Ends::Natural).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
     })
 }
 
-/// Position, first and second derivative of every axis at the start of interval `i`, plus `t`.
-fn at(curve: &CubicSpline, i: usize, t: f64) -> Axes<[f64; 3]> {
-    Axes::from_fn(curve.functions(), |k| {
-        let [a, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
-        [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
-    })
+/// Position, first and second derivative of axis `k` at the start of interval `i`, plus `t`.
+fn at(curve: &CubicSpline, i: usize, k: usize, t: f64) -> [f64; 3] {
+    let [a, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+    [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
 }
 
 /// The motion of a speed profile. Accelerations are those just after each location (of the last:
@@ -230,17 +226,25 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
         t_s[i] = t_s[i - 1] + (s[i] - s[i - 1]) / feed[i];
     }
     feed[0] = feed[1];
-    let of_rows = |row: &(dyn Fn(usize, Axes<[f64; 3]>) -> Axes + Sync)| -> Vec<Axes> {
-        let at = |i: usize| at(curve, i.min(n - 2), s[i] - s[i.min(n - 2)]);
-        (0..n).into_par_iter().with_min_len(PER_THREAD).map(|i| row(i, at(i))).collect()
+    let axes = curve.functions();
+    let of_rows = |value: &(dyn Fn(usize, usize) -> f64 + Sync)| {
+        let mut values = vec![0.0; n * axes];
+        let rows = values.par_chunks_mut(axes).enumerate().with_min_len(PER_THREAD);
+        rows.for_each(|(i, row)| row.iter_mut().enumerate().for_each(|(k, v)| *v = value(i, k)));
+        AxisRows::from_values(axes, values)
     };
-    let position = of_rows(&|_, d| d.map(|q| q[0]));
-    let velocity = of_rows(&|i, d| d.map(|q| q[1] * speed[i]));
-    let acceleration = of_rows(&|i, d| d.map(|q| q[1] * profile.u[i.min(n - 2)] + q[2] * profile.x[i]));
-    let jerk = of_rows(&|i, _| {
-        let i = i.min(n - 2);
-        let dt = t_s[i + 1] - t_s[i];
-        Axes::from_fn(curve.functions(), |k| (acceleration[i + 1][k] - acceleration[i][k]) / dt)
+    // Of the interval after each location, of the last before it.
+    let before = |i: usize| i.min(n - 2);
+    let at = |i: usize, k: usize| at(curve, before(i), k, s[i] - s[before(i)]);
+    let position = of_rows(&|i, k| at(i, k)[0]);
+    let velocity = of_rows(&|i, k| at(i, k)[1] * speed[i]);
+    let acceleration = of_rows(&|i, k| {
+        let [_, q1, q2] = at(i, k);
+        q1 * profile.u[before(i)] + q2 * profile.x[i]
+    });
+    let jerk = of_rows(&|i, k| {
+        let [from, to] = [before(i), before(i) + 1];
+        (acceleration[to][k] - acceleration[from][k]) / (t_s[to] - t_s[from])
     });
     AxisMotion { time_s: t_s[n - 1], t_s, position, velocity, acceleration, jerk, feed }
 }
@@ -249,13 +253,13 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
 /// after each.
 fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
     let s = curve.abscissae();
-    let n = s.len();
+    let (n, axes) = (s.len(), curve.functions());
     let mut out = AxisMotion {
         t_s: Vec::with_capacity(n),
-        position: Vec::with_capacity(n),
-        velocity: Vec::with_capacity(n),
-        acceleration: Vec::with_capacity(n),
-        jerk: Vec::with_capacity(n),
+        position: AxisRows::with_capacity(axes, n),
+        velocity: AxisRows::with_capacity(axes, n),
+        acceleration: AxisRows::with_capacity(axes, n),
+        jerk: AxisRows::with_capacity(axes, n),
         feed: vec![0.0; n],
         time_s: 0.0,
     };
@@ -265,17 +269,17 @@ fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
             g += 1;
         }
         let interval = i.min(n - 2);
-        let d = at(curve, interval, s[i] - s[interval]);
+        let d = Axes::from_fn(axes, |k| at(curve, interval, k, s[i] - s[interval]));
         let third = |k: usize| curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);
         let (x, u, w) = (profile.x[g], profile.u[g], profile.w.get(g).or(profile.w.last()).copied().unwrap_or(0.0));
         let v = x.sqrt();
         out.t_s.push(profile.t[g]);
-        out.position.push(d.map(|q| q[0]));
-        out.velocity.push(d.map(|q| q[1] * v));
-        out.acceleration.push(d.map(|q| q[1] * u + q[2] * x));
+        out.position.push(&d.map(|q| q[0]));
+        out.velocity.push(&d.map(|q| q[1] * v));
+        out.acceleration.push(&d.map(|q| q[1] * u + q[2] * x));
         // At rest the jerk along the path itself is given.
         let along = if x > 0.0 { v * w } else { w };
-        out.jerk.push(Axes::from_fn(curve.functions(), |k| third(k) * x * v + 3.0 * d[k][2] * v * u + d[k][1] * along));
+        out.jerk.push(&Axes::from_fn(axes, |k| third(k) * x * v + 3.0 * d[k][2] * v * u + d[k][1] * along));
     }
     for i in 1..n {
         out.feed[i] = (s[i] - s[i - 1]) / (out.t_s[i] - out.t_s[i - 1]);

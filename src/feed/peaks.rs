@@ -30,7 +30,8 @@ pub fn peaks(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &
     let s = curve.abscissae();
     for i in 0..s.len() {
         let interval = i.min(s.len() - 2);
-        for (k, [_, q1, q2]) in super::at(&curve, interval, s[i] - s[interval]).iter().enumerate() {
+        for k in 0..curve.functions() {
+            let [_, q1, q2] = super::at(&curve, interval, k, s[i] - s[interval]);
             out.velocity[k] = out.velocity[k].max((q1 * feed).abs());
             out.acceleration[k] = out.acceleration[k].max((q2 * feed * feed).abs());
             let third = curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);

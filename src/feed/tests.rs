@@ -69,7 +69,8 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
             let more = 1.0 + 1e-6;
             let x = (profile.x[i] + 2.0 * t * profile.u[i]).max(0.0);
             assert!(x.sqrt() <= feed * more);
-            for ([_, q1, q2], [v, a]) in at(&curve, i, t).iter().zip(&limits) {
+            for (axis, [v, a]) in limits.iter().enumerate() {
+                let [_, q1, q2] = at(&curve, i, axis, t);
                 assert!(q1.abs() * x.sqrt() <= v * more, "velocity at {i} + {k}/8");
                 assert!((q1 * profile.u[i] + q2 * x).abs() <= a * more, "acceleration at {i} + {k}/8");
             }

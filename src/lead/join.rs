@@ -2,7 +2,7 @@
 //! again.
 
 use crate::artifact::toolpath::CutterLocation;
-use crate::artifact::{Axes, AxisMotion, Lead, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, AxisRows, Lead, Schedule, Toolpath};
 
 /// Path and schedule with the leads at their ends. Arc lengths go on before the start, below 0, and
 /// behind the end. Only what the feed needs is made: locations, their angles and arc lengths; turns
@@ -53,7 +53,7 @@ pub fn split(whole: &AxisMotion, leads: [Lead; 2]) -> (AxisMotion, [Lead; 2]) {
 }
 
 fn cut(m: &AxisMotion, rows: std::ops::Range<usize>) -> AxisMotion {
-    let of = |list: &[Axes]| list.get(rows.clone()).unwrap_or_default().to_vec();
+    let of = |list: &AxisRows| list.part(rows.clone());
     let t_s = m.t_s.get(rows.clone()).unwrap_or_default().to_vec();
     AxisMotion {
         time_s: t_s.last().unwrap_or(&0.0) - t_s.first().unwrap_or(&0.0),

@@ -7,13 +7,13 @@
 
 use super::Machine;
 use super::chain::Held;
-use crate::artifact::{Axes, Stand};
+use crate::artifact::{Axes, AxisRows, Stand};
 
 impl Machine {
     /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several
     /// bring it there; `None`: near 0. `gauge_length_mm` as in [`Machine::inverse`]. Not numbers
     /// where the machine does not reach it.
-    pub fn place(&self, stand: &Stand, near: Option<&Axes>, gauge_length_mm: f64) -> Axes {
+    pub fn place(&self, stand: &Stand, near: Option<&[f64]>, gauge_length_mm: f64) -> Axes {
         if stand.cone.is_about_blade() {
             return self.inverse(&stand.centre, stand.theta, stand.cone.lean_rad, gauge_length_mm);
         }
@@ -21,35 +21,35 @@ impl Machine {
     }
 
     /// The rotary axes (rad) where a tool stands so, as [`Machine::place`] has them.
-    pub fn turn_to(&self, stand: &Stand, near: Option<&Axes>) -> Axes {
+    pub fn turn_to(&self, stand: &Stand, near: Option<&[f64]>) -> Axes {
         if stand.cone.is_about_blade() {
             return self.rotary_of(stand.theta, stand.cone.lean_rad);
         }
         let count = self.axes().len();
-        let near = near.copied().unwrap_or(Axes::of_default(count));
+        let near = near.map_or(Axes::of_default(count), Axes::from);
         self.rotary_of_axis(&stand.axis(), &near).unwrap_or(Axes::from_fn(count, |_| f64::NAN))
     }
 
     /// Axis positions along a motion, each nearest to those before it.
-    pub fn along(&self, stands: impl IntoIterator<Item = Stand>, gauge_length_mm: f64) -> Vec<Axes> {
+    pub fn along(&self, stands: impl IntoIterator<Item = Stand>, gauge_length_mm: f64) -> AxisRows {
         let (head, count) = (self.head(), self.axes().len());
         let stands = stands.into_iter();
-        let mut out: Vec<Axes> = Vec::with_capacity(stands.size_hint().0);
+        let mut out = AxisRows::with_capacity(count, stands.size_hint().0);
         let mut held: Option<Held> = None;
         for stand in stands {
             let lean_rad = stand.cone.lean_rad;
             if stand.cone.is_about_blade() && !held.as_ref().is_some_and(|h| h.is_at(lean_rad)) {
                 held = head.held(lean_rad, gauge_length_mm);
             }
-            let placed = match held.as_ref().filter(|_| stand.cone.is_about_blade()) {
-                Some(held) => {
-                    let mut row = Axes::of_default(count);
-                    head.place_held(&stand.centre, stand.theta, held, &mut row);
-                    row
-                }
-                None => self.place(&stand, out.last(), gauge_length_mm),
-            };
-            out.push(placed);
+            if let Some(held) = held.as_ref().filter(|_| stand.cone.is_about_blade()) {
+                let mut row = Axes::of_default(count);
+                head.place_held(&stand.centre, stand.theta, held, &mut row);
+                out.push(&row);
+            } else {
+                let last = out.len().checked_sub(1).and_then(|k| out.get(k));
+                let placed = self.place(&stand, last, gauge_length_mm);
+                out.push(&placed);
+            }
         }
         out
     }

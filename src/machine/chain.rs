@@ -259,7 +259,7 @@ impl Head {
     }
 
     /// Positions of the rotary axes in a row.
-    fn rotary_in(&self, at: &Axes) -> [f64; 2] {
+    fn rotary_in(&self, at: &[f64]) -> [f64; 2] {
         [at[self.columns.first], self.columns.second.map_or(0.0, |k| at[k])]
     }
 
@@ -292,7 +292,7 @@ impl Head {
 
     /// The pose of the tool in the blade frame at positions of the machine's axes (mm, rad).
     /// `gauge_length_mm`: from the ball centre to the spindle's gauge line.
-    pub fn forward(&self, row: &Axes, gauge_length_mm: f64) -> Pose {
+    pub fn forward(&self, row: &[f64], gauge_length_mm: f64) -> Pose {
         let [q1, q2] = self.rotary_in(row);
         let (first, carried) = (self.first.rotation(q1), self.carried(q2, gauge_length_mm));
         let shift = Vector::from(self.columns.linear.map(|k| row[k]));
@@ -302,14 +302,14 @@ impl Head {
 
     /// From the frame fixed to the workpiece, the rotary axes turned as in a row, to the blade
     /// frame.
-    pub(super) fn blade_from_turned(&self, row: &Axes) -> Rigid {
+    pub(super) fn blade_from_turned(&self, row: &[f64]) -> Rigid {
         let [q1, q2] = self.rotary_in(row);
         let first = self.first.motion(self.first.rotation(q1));
         self.blade * self.second.map_or(first, |s| first * s.motion(s.rotation(q2))) * self.mount
     }
 
     /// The tool axis where the rotary axes stand, blade frame.
-    pub(super) fn axis(&self, row: &Axes) -> Vector {
+    pub(super) fn axis(&self, row: &[f64]) -> Vector {
         self.axis_of(self.rotary_in(row))
     }
 
@@ -445,8 +445,8 @@ impl Head {
 
     /// The row `near`, but the rotary axes along a tool axis of the blade frame: of both branches
     /// and all turns those nearest, within travel where they can be.
-    pub(super) fn rotary_of_axis(&self, axis: &Vector, near: &Axes) -> Option<Axes> {
-        let mut row = *near;
+    pub(super) fn rotary_of_axis(&self, axis: &Vector, near: &[f64]) -> Option<Axes> {
+        let mut row = Axes::from(near);
         self.put(self.along(axis, self.rotary_in(near))?, &mut row);
         Some(row)
     }
@@ -480,7 +480,7 @@ impl Head {
 
     /// `θ` and lean of the tool axis where the rotary axes stand; `θ` over all turns where the
     /// first axis is along the blade, else nearest to `near`.
-    pub(super) fn theta_and_lean(&self, row: &Axes, near: f64) -> [f64; 2] {
+    pub(super) fn theta_and_lean(&self, row: &[f64], near: f64) -> [f64; 2] {
         let rotary = self.rotary_in(row);
         if let Some(sense) = self.along_blade() {
             let a = self.axis_of([0.0, rotary[1]]);

@@ -44,20 +44,20 @@ impl Machine {
 
     /// Angle `θ` and lean of the tool axis where the rotary axes stand. `θ` is over all turns where
     /// the first rotary axis is along the blade axis, else of the turn nearest to `near_rad`.
-    pub fn theta_and_lean(&self, at: &Axes, near_rad: f64) -> [f64; 2] {
+    pub fn theta_and_lean(&self, at: &[f64], near_rad: f64) -> [f64; 2] {
         self.head().theta_and_lean(at, near_rad)
     }
 
     /// The tool axis where the rotary axes stand, blade frame.
-    pub fn axis_at(&self, at: &Axes) -> Vector {
+    pub fn axis_at(&self, at: &[f64]) -> Vector {
         self.head().axis(at)
     }
 
     /// The same positions, but X, Y, Z those that bring the ball centre to a point of the blade
     /// frame, mm. `gauge_length_mm`: from the ball centre to the spindle's gauge line. Not numbers
     /// where the linear axes do not reach it.
-    pub fn linear_at(&self, centre: &Point, at: &Axes, gauge_length_mm: f64) -> Axes {
-        let mut row = *at;
+    pub fn linear_at(&self, centre: &Point, at: &[f64], gauge_length_mm: f64) -> Axes {
+        let mut row = Axes::from(at);
         self.head().place_linear(centre, gauge_length_mm, &mut row);
         row
     }
@@ -72,14 +72,14 @@ impl Machine {
     }
 
     /// The pose of the tool in the blade frame at axis positions (mm, rad).
-    pub fn forward(&self, at: &Axes, gauge_length_mm: f64) -> Pose {
+    pub fn forward(&self, at: &[f64], gauge_length_mm: f64) -> Pose {
         self.head().forward(at, gauge_length_mm)
     }
 
     /// The same positions, but those of the rotary axes such that the spindle is along a tool axis
     /// of the blade frame, of all the nearest to `near`; `None` where the axis is along the first
     /// rotary axis (nothing to place), out of reach, or not a direction.
-    pub fn rotary_of_axis(&self, axis: &Vector, near: &Axes) -> Option<Axes> {
+    pub fn rotary_of_axis(&self, axis: &Vector, near: &[f64]) -> Option<Axes> {
         self.head().rotary_of_axis(axis, near)
     }
 
@@ -113,7 +113,7 @@ impl Machine {
     /// The frame that is fixed to the table where the blade frame is while the table reads 0, but
     /// while the axes stand at `at`: to the blade frame. Linear axes that carry the table are taken
     /// to stand at 0.
-    pub fn blade_from_frame_fixed_at(&self, at: &Axes) -> Rigid {
+    pub fn blade_from_frame_fixed_at(&self, at: &[f64]) -> Rigid {
         let axes = self.axes();
         let table = Axes::from_fn(axes.len(), |k| if axes[k].carries == Carries::Workpiece { at[k] } else { 0.0 });
         self.head().blade_from_turned(&table)

@@ -84,17 +84,17 @@ impl Machine {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::artifact::Axes;
+    use crate::artifact::AxisRows;
     use crate::machine::{DEMO_TOML, MachineFile};
 
     #[test]
     fn the_worst_location_of_each_axis_is_named() {
         let m = Machine::demo().unwrap();
-        let mut q = vec![Axes::from([100.0, 0.0, 200.0, 1e4, 0.1]); 5];
+        let mut q: AxisRows = [[100.0, 0.0, 200.0, 1e4, 0.1]; 5].into_iter().collect();
         q[1][1] = 331.0;
         q[2][1] = -340.0;
         q[3][4] = 1.6;
-        let z = vec![Axes::of_default(5); 5];
+        let z: AxisRows = [[0.0; 5]; 5].into_iter().collect();
         let motion = AxisMotion {
             t_s: vec![0.0; 5],
             position: q,

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{Loaded, RunFolder};
 use crate::artifact::schedule::{Measure, ScheduleKind};
-use crate::artifact::{Axes, Channel, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisRows, Channel, Schedule, Toolpath};
 use crate::error::Result;
 use crate::feed::{self, AxisPeaks, FeedOptions};
 use crate::job::Draft;
@@ -258,7 +258,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         }
     }
     let constant = share * feed.settings.feed_mm_min;
-    let greatest = |rows: &[Axes]| Axes::from_fn(axes.len(), |k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
+    let greatest = |rows: &AxisRows| Axes::from_fn(axes.len(), |k| rows.iter().map(|r| r[k].abs()).fold(0.0, f64::max));
     let own = AxisPeaks {
         velocity: greatest(&motion.velocity),
         acceleration: greatest(&motion.acceleration),

@@ -4,7 +4,7 @@ use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{Axes, AxisMotion, CheckReport, Plan, Schedule};
+use crate::artifact::{AxisMotion, AxisRows, CheckReport, Plan, Schedule};
 use crate::machine::Axis;
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
@@ -157,7 +157,7 @@ pub struct Summary {
 
 /// Peaks of every axis; rotary axes in degrees.
 pub fn axis_peaks(motion: &AxisMotion, axes: &[Axis]) -> Vec<AxisPeak> {
-    let greatest = |rows: &[Axes], i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
+    let greatest = |rows: &AxisRows, i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
     axes.iter()
         .enumerate()
         .map(|(i, axis)| AxisPeak {

@@ -13,7 +13,7 @@ use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, Blade, CheckId, Cone, Lead, Obstacle, Plan, Stand};
+use crate::artifact::{Blade, CheckId, Cone, Lead, Obstacle, Plan, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
@@ -216,7 +216,7 @@ fn within_travel(plan: &Plan, room: &Room) -> Check {
 /// Velocity and acceleration of every axis from the rows of the leads to those next to them on the
 /// path, as shares of the limits.
 fn within_limits(plan: &Plan, room: &Room) -> Check {
-    let rows: Vec<(f64, Axes)> = plan.rows().map(|r| r.t_s).zip(plan.axes().copied()).collect();
+    let rows: Vec<(f64, &[f64])> = plan.rows().map(|r| r.t_s).zip(plan.axes()).collect();
     let [before, after] = [&plan.leads[0], &plan.leads[1]].map(|l| l.centres.len());
     // Two rows of the path belong to the accelerations at the joint.
     let ends = [&rows[..(before + 2).min(rows.len())], &rows[rows.len().saturating_sub(after + 2)..]];

@@ -12,7 +12,7 @@
 
 use super::options::VerifyOptions;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, AxisCheck, Blade, CheckId, Plan};
+use crate::artifact::{AxisCheck, Blade, CheckId, Plan};
 use crate::machine::{Axis, Machine};
 use crate::tool::Tool;
 
@@ -36,7 +36,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, 
     let mut checks = vec![forward_in_time(plan, blade)];
     for (axis, Axis { limits: limit, .. }) in machine.axes().iter().enumerate() {
         let travel = limit.travel.map(|[lo, hi]| {
-            let over = |q: &Axes| (lo - q[axis]).max(q[axis] - hi);
+            let over = |q: &[f64]| (lo - q[axis]).max(q[axis] - hi);
             (AxisCheck::Travel, "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
         });
         let (v, a) = (velocities(plan, axis), accelerations(plan, axis));

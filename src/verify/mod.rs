@@ -183,8 +183,8 @@ pub fn well_formed(plan: &Plan, machine: &Machine) -> Result<()> {
     let (columns, [before, after]) = (machine.axes().len(), &plan.leads);
     let motions = [&before.motion, &plan.motion, &after.motion];
     let tables = motions.into_iter().flat_map(|m| [&m.position, &m.velocity, &m.acceleration, &m.jerk]);
-    if let Some(row) = tables.flatten().find(|row| row.len() != columns) {
-        return bad(format!("the machine has {columns} axes, a row of the plan's motion has {}", row.len()));
+    if let Some(rows) = tables.into_iter().find(|rows| !rows.is_empty() && rows.axes() != columns) {
+        return bad(format!("the machine has {columns} axes, a row of the plan's motion has {}", rows.axes()));
     }
     let finite = |i: usize| {
         let (l, c) = (&plan.toolpath.locations[i], &plan.channel.rows[i]);

@@ -11,7 +11,7 @@ use crate::artifact::region::Regions;
 use crate::artifact::report::Check;
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{Axes, AxisMotion, Cones, Plan, Stand};
+use crate::artifact::{AxisMotion, AxisRows, Cones, Plan, Stand};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -97,7 +97,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
         binds_min: Binding::ContactAngle,
         binds_max: Binding::Free,
     };
-    let zeros = vec![Axes::of_default(5); n];
+    let zeros: AxisRows = vec![[0.0; 5]; n].into_iter().collect();
     with_motion(Plan {
         leads: Default::default(),
         toolpath: Toolpath {
@@ -357,11 +357,11 @@ fn axis_limits_exceeded_are_found_and_placed() {
     assert!((300..=301).contains(&find(&report, "a-acceleration").row.unwrap()));
     // Velocity columns are not trusted.
     p.motion = clean.motion.clone();
-    p.motion.velocity = vec![Axes::from([1e9; 5]); p.motion.velocity.len()];
+    p.motion.velocity = vec![[1e9; 5]; p.motion.velocity.len()].into_iter().collect();
     assert_eq!(failed(run(p, &blade, &limits).report()), Vec::<String>::new());
     // Far outside the stroke of X, and not where the plan says.
     let mut p = clean.clone();
-    for q in &mut p.motion.position {
+    for q in p.motion.position.iter_mut() {
         q[0] += 2000.0;
     }
     let report = run(p, &blade, &limits).report().clone();
@@ -387,7 +387,7 @@ fn plans_that_are_none_are_refused() {
     let mut empty = plan(3, 180, 0.0, helix);
     empty.toolpath.locations.clear();
     let mut narrow = plan(3, 180, 0.0, helix);
-    narrow.motion.jerk[7] = Axes::of_default(4);
+    narrow.motion.jerk = narrow.motion.jerk.iter().map(|row| &row[..4]).collect();
     let bad = [
         (short, "schedule"),
         (nan, "location 5"),

@@ -113,7 +113,7 @@ impl Moved {
 }
 
 /// The tool where the words say.
-fn pose(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Pose {
+fn pose(words: Programmed, at: &[f64], tool: &Tool, machine: &Machine) -> Pose {
     if words == Programmed::Machine {
         return machine.forward(at, tool.length_mm());
     }
@@ -124,9 +124,9 @@ fn pose(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Pose {
 }
 
 /// Positions of the axes where the words say; the rotary ones are kept to the bit.
-fn axes(words: Programmed, at: &Axes, tool: &Tool, machine: &Machine) -> Axes {
+fn axes(words: Programmed, at: &[f64], tool: &Tool, machine: &Machine) -> Axes {
     if words == Programmed::Machine {
-        return *at;
+        return at.into();
     }
     let centre = pose(words, at, tool, machine).centre;
     machine.linear_at(&centre, at, tool.length_mm())
@@ -193,7 +193,7 @@ impl Follower<'_> {
     }
 
     /// Fixes the frame to the table, where a line before has done so, as it stands.
-    fn fix(&mut self, block: &Block, at: &Axes, in_this_line: bool) {
+    fn fix(&mut self, block: &Block, at: &[f64], in_this_line: bool) {
         if let Some(line) = block.fixed_by
             && self.fixed.is_none_or(|f| f.0 != line)
             && (line == block.line) == in_this_line

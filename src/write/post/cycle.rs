@@ -20,7 +20,7 @@ pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
     let [lead_in_s, cutting_s, lead_out_s] = planned(run);
     let places = if dialect.turns_in() { turn_in::places(run, dialect.file.programmed) } else { Vec::new() };
     let (approach_s, retract_s) = (outside(run, first, &places), outside(run, last, &[]));
-    let unwinding_s = unwinding(run, dialect, places.first());
+    let unwinding_s = unwinding(run, dialect, places.first().map(|p| &**p));
     let total_s = approach_s + lead_in_s + cutting_s + lead_out_s + retract_s + unwinding_s;
     CycleTime { approach_s, lead_in_s, cutting_s, lead_out_s, retract_s, unwinding_s, total_s }
 }
@@ -66,7 +66,7 @@ pub(super) fn up(run: &Run) -> usize {
 
 /// The rotary axes back to where the program began with them: at `begun`, or at the first
 /// location's.
-fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&Axes>) -> f64 {
+fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64]>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }
@@ -80,7 +80,7 @@ fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&Axes>) -> f64 {
 }
 
 /// Time of a rapid, all axes at once, s.
-fn rapid(machine: &Machine, from: &Axes, to: &Axes) -> f64 {
+fn rapid(machine: &Machine, from: &[f64], to: &[f64]) -> f64 {
     let time = |(k, axis): (usize, &Axis)| trapezoid((to[k] - from[k]).abs(), &axis.limits);
     machine.axes().iter().enumerate().map(time).fold(0.0, f64::max)
 }

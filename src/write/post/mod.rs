@@ -305,7 +305,7 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
         let wanted = over.max(options.settings.safe_clearance_mm);
         let gauge = tool.length_mm();
         let reach = travel_along(machine, &stand, near, gauge);
-        Ok(End { stand, near: *near, safe_mm: wanted.min(reach), clear: wanted <= reach })
+        Ok(End { stand, near: near.into(), safe_mm: wanted.min(reach), clear: wanted <= reach })
     };
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let [before, after] = &plan.leads;
@@ -326,7 +326,7 @@ fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
 
 /// How far the tool can go along its axis from a location before a linear axis meets the end of its
 /// travel, mm.
-fn travel_along(machine: &Machine, stand: &Stand, near: &Axes, gauge: f64) -> f64 {
+fn travel_along(machine: &Machine, stand: &Stand, near: &[f64], gauge: f64) -> f64 {
     let [from, to] = [*stand, stand.lifted(1.0)].map(|s| machine.place(&s, Some(near), gauge));
     let mut reach = f64::INFINITY;
     for i in machine.linear() {

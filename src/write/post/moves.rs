@@ -42,8 +42,13 @@ pub(super) struct Move {
 impl Move {
     /// The rows of the plan, each as the end of a straight move to it.
     pub(super) fn rows(plan: &Plan) -> impl Iterator<Item = Move> + '_ {
-        let one =
-            |(Row { stand, t_s, stretch }, near): (Row, &Axes)| Move { stand, near: *near, t_s, stretch, bend: None };
+        let one = |(Row { stand, t_s, stretch }, near): (Row, &[f64])| Move {
+            stand,
+            near: near.into(),
+            t_s,
+            stretch,
+            bend: None,
+        };
         plan.rows().zip(plan.axes()).map(one)
     }
 
@@ -188,7 +193,7 @@ pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move,
 }
 
 /// Every axis halfway between two places.
-fn mean(p: &Axes, q: &Axes) -> Axes {
+fn mean(p: &[f64], q: &[f64]) -> Axes {
     Axes::from_fn(p.len(), |i| 0.5 * (p[i] + q[i]))
 }
 

@@ -184,12 +184,12 @@ impl<'a> Writer<'a> {
     }
 
     /// Sets the values of axis positions.
-    fn stand(&mut self, axes: &Axes) -> Result<()> {
+    fn stand(&mut self, axes: &[f64]) -> Result<()> {
         let pose = self.run.machine.forward(axes, self.run.tool.length_mm());
-        self.take(&self.placed_by(&pose.centre, &pose.axis, *axes), None)
+        self.take(&self.placed_by(&pose.centre, &pose.axis, axes.into()), None)
     }
 
-    fn placed(&self, stand: &Stand, near: &Axes) -> Placed {
+    fn placed(&self, stand: &Stand, near: &[f64]) -> Placed {
         let axes = self.run.machine.place(stand, Some(near), self.run.tool.length_mm());
         self.placed_by(&stand.centre, &stand.axis(), axes)
     }

@@ -1,6 +1,6 @@
 //! What a path can be coloured by: one value for each cutter location.
 
-use crate::artifact::{Axes, CheckReport, Plan};
+use crate::artifact::{CheckReport, Plan};
 use crate::machine::Machine;
 
 /// A quantity along the path.
@@ -50,7 +50,7 @@ pub fn all(plan: &Plan, machine: &Machine, checks: Option<&CheckReport>) -> Vec<
     let locations = &plan.toolpath.locations;
     let n = locations.len();
     let most: Vec<f64> = machine.axes().iter().map(|a| a.limits.acceleration).collect();
-    let busiest = |r: &Axes| {
+    let busiest = |r: &[f64]| {
         let share = |(a, most): (&f64, &f64)| if *most > 0.0 { a.abs() / most } else { 0.0 };
         100.0 * r.iter().zip(&most).map(share).fold(0.0, f64::max)
     };

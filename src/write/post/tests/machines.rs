@@ -1,8 +1,8 @@
 //! Machines whose axes are others than the demo machine's.
 
 use super::*;
-use crate::artifact::CheckId;
 use crate::artifact::program::Programmed;
+use crate::artifact::{AxisRows, CheckId};
 use crate::geometry::Vector;
 use crate::machine::{Carries, DEMO_TOML, MachineFile, PositiveA, PositiveB};
 use crate::read::program;
@@ -21,11 +21,11 @@ fn other() -> Machine {
 fn plan(machine: &Machine) -> Plan {
     let mut plan = sample::with_leads(sample::plan(2, 60));
     let gauge = sample::tool().length_mm();
-    let rows: Vec<_> = plan.rows().map(|r| machine.place(&r.stand, None, gauge)).collect();
+    let rows: AxisRows = plan.rows().map(|r| machine.place(&r.stand, None, gauge)).collect();
     let [first, last] = [plan.leads[0].centres.len(), rows.len() - plan.leads[1].centres.len()];
-    plan.leads[0].motion.position = rows[..first].to_vec();
-    plan.motion.position = rows[first..last].to_vec();
-    plan.leads[1].motion.position = rows[last..].to_vec();
+    plan.leads[0].motion.position = rows.part(0..first);
+    plan.motion.position = rows.part(first..last);
+    plan.leads[1].motion.position = rows.part(last..rows.len());
     plan
 }
 

@@ -86,7 +86,7 @@ fn linuxcnc_positions_are_the_plans_axes() {
     assert_eq!(moves.len(), 1440);
     // A begins in the first turn from 0 on.
     let before = 360.0 * (plan.motion.position[0][3].to_degrees() / 360.0).floor();
-    for (m, q) in moves.iter().zip(&plan.motion.position[1..]) {
+    for (m, q) in moves.iter().zip(plan.motion.position.iter().skip(1)) {
         let want = [q[0], q[1], q[2], q[3].to_degrees() - before, q[4].to_degrees()];
         for k in 0..5 {
             assert!((m.at[k] - want[k]).abs() <= 0.500_001e-5, "line {}", m.line);
@@ -108,9 +108,9 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
         let centre = |m: &Move| {
             let q = [m.at[0], m.at[1], m.at[2], m.at[3].to_radians(), m.at[4].to_radians()];
             if control == Control::Linuxcnc {
-                return machine.forward(&q.into(), tool.length_mm()).centre;
+                return machine.forward(&q, tool.length_mm()).centre;
             }
-            let axis = machine.axis_at(&q.into());
+            let axis = machine.axis_at(&q);
             Point::new(q[0], q[1], q[2]) + axis * tool.radius_mm
         };
         for (touch, away, row) in [(first - 1, first - 3, 0), (last, last + 2, 180)] {
@@ -138,7 +138,7 @@ fn programs_run_onto_the_path_and_off_it_along_its_tangent() {
     let cut = cutting(&p);
     let centre = |m: &Move| {
         let [x, y, z, a, b] = m.at;
-        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()].into(), tool.length_mm()).centre
+        machine.forward(&[x, y, z, a.to_radians(), b.to_radians()], tool.length_mm()).centre
     };
     let centres: Vec<Point> = cut.iter().map(centre).collect();
     let near = |row: usize| {

@@ -157,7 +157,7 @@ fn siemens_words_never_add_up_to_a_drift() {
         let a: Vec<f64> = moves(p).iter().filter(|m| m.seconds.is_some()).map(|m| m.to[3].to_degrees()).collect();
         // Behind approach and plunge, before the way up.
         let cuts = &a[2..a.len() - 2];
-        let want = plan.motion.position[1..].iter().map(|q| q[3].to_degrees());
+        let want = plan.motion.position.iter().skip(1).map(|q| q[3].to_degrees());
         let off = |(a, want): (&f64, f64)| ((a - want) / 360.0 - ((a - want) / 360.0).round()).abs() * 360.0;
         assert_eq!(cuts.len(), 47 * 700);
         cuts.iter().zip(want).map(off).fold(0.0, f64::max)

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::pack::Pack;
 use super::{ReportInput, scallop, scene};
-use crate::artifact::{Axes, AxisMotion, Plan, Section};
+use crate::artifact::{AxisMotion, AxisRows, Plan, Section};
 use crate::machine::{Axis, Machine};
 use crate::write::draw::colour;
 
@@ -124,7 +124,7 @@ fn motion_of(
     pack: &mut Pack,
 ) -> Value {
     let start = motion.t_s.get(range.start).copied().unwrap_or(0.0);
-    let first = motion.position.get(range.start).copied().unwrap_or_default();
+    let first = motion.position.get(range.start).unwrap_or_default();
     let t = pack.list(pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
     let all = machine.axes();
     let axes = (0..first.len()).map(|axis| {
@@ -132,7 +132,7 @@ fn motion_of(
         // What turns the blade is shown from the turn's start on, the others where they are.
         let zero = if axis == machine.turning_axis() { first[axis] } else { 0.0 };
         let at = |p: &Range<usize>| motion.position.get(p.start).map_or(f64::NAN, |r| (r[axis] - zero) * scale);
-        let mut peak = |rows: &[Axes]| {
+        let mut peak = |rows: &AxisRows| {
             let greatest = |p: &Range<usize>| {
                 let values = p.clone().filter_map(|i| rows.get(i)).map(|r| r[axis] * scale);
                 values.fold(f64::NAN, |best, v| if v.abs() > best.abs() || best.is_nan() { v } else { best })

@@ -164,10 +164,10 @@ fn empty_and_odd_data_make_a_page_without_panic() {
     });
     assert!(data(&page.unwrap())["turns"].is_null());
     let mut plan = sample::plan(2, 30);
-    plan.motion.velocity.truncate(3);
+    plan.motion.velocity = plan.motion.velocity.part(0..3);
     plan.channel.rows.truncate(40);
     plan.schedule.theta[5] = f64::NAN;
-    plan.motion.position.clear();
+    plan.motion.position = crate::artifact::AxisRows::default();
     plan.toolpath.turns[1].first = usize::MAX;
     plan.channel.narrowest_row = usize::MAX;
     assert!(with_input(Some(&plan), |i| html(&i)).unwrap().contains("</html>"));
