@@ -1,8 +1,9 @@
 //! What the tool does from row to row: the one answer for feed, programs, previews and checks.
 
 use super::plan::{Row, Stretch};
-use super::{Cone, Plan, Schedule, Toolpath};
+use super::{AxisRows, Cone, Plan, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
+use crate::numerics::spline::{CubicSpline, Ends, SplineError};
 
 /// Where the tool stands, blade frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +80,8 @@ impl Turning<'_> {
 ///
 /// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
 /// moves ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
-/// ([`Motion::curved`]).
+/// ([`Motion::curved`]). No machine follows the corners between straight moves: what its axes do is
+/// taken to be [`smooth`], which meets both at the rows.
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     rows: Vec<Row>,
@@ -137,6 +139,15 @@ impl<'a> Motion<'a> {
         let on_curve = (0..2).all(|k| self.schedule.curve_meets(rows[k], s_mm[k]));
         Some(Turning { schedule: self.schedule, s_mm, on_curve })
     }
+}
+
+/// The axes of a machine over the arc length of ball centres (mm), through their positions at the
+/// rows: the natural cubic spline, twice continuously differentiable, one function for each axis.
+///
+/// # Errors
+/// Where arc lengths do not rise or a position is not finite.
+pub fn smooth(s_mm: &[f64], positions: &AxisRows) -> Result<CubicSpline, SplineError> {
+    CubicSpline::new(s_mm, positions.values(), positions.axes(), &Ends::Natural)
 }
 
 impl Toolpath {

@@ -59,10 +59,10 @@ mod topp;
 use rayon::prelude::*;
 
 use crate::artifact::toolpath::CHORD_MM;
-use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, Schedule, Toolpath};
+use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, Schedule, Toolpath, motion};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
-use crate::numerics::spline::{CubicSpline, Ends};
+use crate::numerics::spline::CubicSpline;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
@@ -175,12 +175,12 @@ pub fn plan_with_bound(
             )
         })?;
         observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-        return Ok((smooth_motion(&curve, &profile), Some(profile.gap)));
+        return Ok((motion_within_jerk(&curve, &profile), Some(profile.gap)));
     }
     let limits: Vec<_> = axes.iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let profile = topp::fastest(&curve, &limits, &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-    Ok((motion(&curve, &profile), None))
+    Ok((motion_within_acceleration(&curve, &profile), None))
 }
 
 /// Axis positions over the arc length of ball centres.
@@ -200,7 +200,7 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
     let rows = machine.along(path.stands(&schedule.theta), options.gauge_length_mm);
-    CubicSpline::new(&s, rows.values(), machine.axes().len(), &Ends::Natural).map_err(|e| {
+    motion::smooth(&s, &rows).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
     })
@@ -214,7 +214,7 @@ fn at(curve: &CubicSpline, i: usize, k: usize, t: f64) -> [f64; 3] {
 
 /// The motion of a speed profile. Accelerations are those just after each location (of the last:
 /// just before).
-fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
+fn motion_within_acceleration(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
     let s = curve.abscissae();
     let n = s.len();
     let speed: Vec<f64> = profile.x.iter().map(|x| x.sqrt()).collect();
@@ -251,7 +251,7 @@ fn motion(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
 
 /// The motion of a profile with continuous acceleration, at the locations. Jerks are those just
 /// after each.
-fn smooth_motion(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
+fn motion_within_jerk(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
     let s = curve.abscissae();
     let (n, axes) = (s.len(), curve.functions());
     let mut out = AxisMotion {
