@@ -3,6 +3,7 @@
 
 use crate::artifact::{Cone, Toolpath};
 use crate::geometry::{Point, Vector};
+use crate::numerics::angle::nearest_turn;
 
 use super::forbidden::View;
 use super::region::EvenMove;
@@ -72,6 +73,5 @@ pub(super) fn azimuths(path: &Toolpath) -> Vec<f64> {
 /// The angle θ of `normal` nearest to `last`; `last` itself where the normal is parallel to the
 /// cone's axis.
 fn unwrapped(last: f64, normal: &Vector, cone: &Cone) -> f64 {
-    use std::f64::consts::TAU;
-    cone.theta_of(normal, PARALLEL).map_or(last, |a| a + TAU * ((last - a) / TAU).round())
+    cone.theta_of(normal, PARALLEL).map_or(last, |a| nearest_turn(a, last))
 }

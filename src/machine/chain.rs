@@ -47,6 +47,7 @@ use super::kinematics::Pose;
 use crate::artifact::Axes;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::numerics::angle::within_half_turn;
 use crate::tool;
 
 /// Directions nearer to one another than this are parallel, rad.
@@ -440,7 +441,7 @@ impl Head {
         let swing = if winds == 0.0 { FRAC_PI_2 } else { 0.0 };
         let (shift, _) = placed([centre - swing, centre + swing], self.first.travel);
         let near = centre + shift + winds * (theta - middle);
-        [near + wrapped(q1 - near), q2]
+        [near + within_half_turn(q1 - near), q2]
     }
 
     /// The row `near`, but the rotary axes along a tool axis of the blade frame: of both branches
@@ -459,7 +460,7 @@ impl Head {
         }
         let reached = self.second_of(cosine, WORDS)?.map(|q2| {
             let q1 = self.first_of(&a, q2);
-            let nearest = [near[0] + wrapped(q1 - near[0]), near[1] + wrapped(q2 - near[1])];
+            let nearest = [near[0] + within_half_turn(q1 - near[0]), near[1] + within_half_turn(q2 - near[1])];
             let outside = |turn: Option<Turn>, q: f64| {
                 let [lo, hi] = turn.and_then(|t| t.travel).unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
                 (lo - q).max(q - hi).max(0.0)
@@ -484,12 +485,12 @@ impl Head {
         let rotary = self.rotary_in(row);
         if let Some(sense) = self.along_blade() {
             let a = self.axis_of([0.0, rotary[1]]);
-            let theta = CUT_RAD + wrapped(a.z.atan2(a.y) - CUT_RAD);
+            let theta = CUT_RAD + within_half_turn(a.z.atan2(a.y) - CUT_RAD);
             return [theta + sense * rotary[0], a.x.atan2(a.y.hypot(a.z))];
         }
         let a = self.axis_of(rotary);
         let theta = a.z.atan2(a.y);
-        [near + wrapped(theta - near), a.x.atan2(a.y.hypot(a.z))]
+        [near + within_half_turn(theta - near), a.x.atan2(a.y.hypot(a.z))]
     }
 
     /// `θ` between the ends of travel of the first rotary axis, where it turns the blade.
@@ -554,11 +555,6 @@ impl Head {
         }
         Ok(())
     }
-}
-
-/// The angle within half a turn.
-fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }
 
 /// The whole turns that bring a range into a travel, or nearest to 0 without one, and how far it

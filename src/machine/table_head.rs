@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use super::{DEMO_TOML, Machine, MachineFile, Pose, PositiveA, PositiveB};
 use crate::artifact::Axes;
 use crate::geometry::{Point, Rigid, Vector};
+use crate::numerics::angle::within_half_turn;
 use crate::tool;
 
 /// The equations of the module's page.
@@ -161,7 +162,7 @@ proptest! {
         let (want, q) = (closed.inverse(&centre, theta, lean, gauge), m.inverse(&centre, theta, lean, gauge));
         for (k, off) in q.iter().zip(want).map(|(is, want)| is - want).enumerate() {
             // A may be counted from another turn where the blade is clamped turned.
-            let off = if k == m.turning_axis() { off - TAU * (off / TAU).round() } else { off };
+            let off = if k == m.turning_axis() { within_half_turn(off) } else { off };
             prop_assert!(off.abs() < 1e-8, "{q:?} {want:?}");
         }
         for pose in [m.forward(&q, gauge), closed.forward(want, gauge)] {

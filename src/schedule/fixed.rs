@@ -1,11 +1,10 @@
 //! Fixed lead to the surface normal: the baseline.
 
-use std::f64::consts::TAU;
-
 use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
+use crate::numerics::angle::nearest_turn;
 use crate::observe::{Doubt, Observer, Warning};
 
 /// Normals closer to the axis of their cone than this have no azimuth worth following (sine of the
@@ -20,8 +19,7 @@ pub(super) fn angles(path: &Toolpath, channel: &Channel, options: &ScheduleOptio
     let mut theta = Vec::with_capacity(path.locations.len());
     for (row, l) in path.locations.iter().enumerate() {
         if let Some(azimuth) = path.cone(row).theta_of(&l.normal, ALONG_AXIS) {
-            let raw = azimuth + lead;
-            last = raw + TAU * ((last - raw) / TAU).round();
+            last = nearest_turn(azimuth + lead, last);
         }
         theta.push(last);
     }

@@ -16,6 +16,7 @@ use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::machine::{AxisName, Machine, Pose};
+use crate::numerics::angle::nearest_turn;
 use crate::tool::Tool;
 
 /// Where the zero of a program's coordinates is.
@@ -317,7 +318,7 @@ impl Follower<'_> {
                 return Err(unreachable(block.line, &format!("the machine has no axis {}", letter.letter())));
             };
             let at = &mut to[k];
-            let nearest = word + TAU * ((*at - word) / TAU).round();
+            let nearest = nearest_turn(word, *at);
             *at = match way {
                 Way::By => *at + word,
                 Way::Shorter => nearest,

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::artifact::Stand;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
+use crate::numerics::angle::within_half_turn;
 use crate::read::program::{Bench, Moved};
 
 /// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
@@ -110,7 +111,7 @@ impl Legs {
         let mut turned = vec![0.0f64; self.stands.len()];
         for (i, w) in self.stands.windows(2).enumerate() {
             let step = angle(&w[1].centre) - angle(&w[0].centre);
-            turned[i + 1] = turned[i] + step - TAU * (step / TAU).round();
+            turned[i + 1] = turned[i] + within_half_turn(step);
         }
         let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
         let first = (0..self.stands.len()).filter(cuts).find(|i| touches(&self.stands[*i].centre)).unwrap_or(0);

@@ -11,6 +11,7 @@ use crate::artifact::{Blade, CheckId, Cone, Motion, Plan, Stand};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
+use crate::numerics::angle::within_half_turn;
 use crate::read::program::Moved;
 use crate::tool::Tool;
 
@@ -228,7 +229,7 @@ impl Comparison<'_> {
         let cone = self.cone(on.row);
         let angle = |p: &Pose| about(&cone, p);
         let step = |w: &[Pose]| angle(&w[1]) - angle(&w[0]);
-        let turned: f64 = poses.windows(2).map(step).map(|s| s - TAU * (s / TAU).round()).sum();
+        let turned: f64 = poses.windows(2).map(step).map(within_half_turn).sum();
         let planned = self.theta(on);
         let off = turned - (planned - self.planned_theta);
         self.planned_theta = planned;
@@ -274,13 +275,10 @@ impl Comparison<'_> {
             let whole = if a.cone == b.cone {
                 b.theta - a.theta
             } else {
-                wrapped(a.cone.theta_of(&b.axis(), 0.0).unwrap_or(b.theta) - a.theta)
+                within_half_turn(a.cone.theta_of(&b.axis(), 0.0).unwrap_or(b.theta) - a.theta)
             };
             let off = Vector4::from_iterator(
-                (pose.centre - a.centre)
-                    .iter()
-                    .map(|v| v / CENTRE_MM)
-                    .chain([lean * (turn - TAU * (turn / TAU).round())]),
+                (pose.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * (within_half_turn(turn))]),
             );
             let way = Vector4::from_iterator((b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * whole]));
             let length = way.norm_squared();
@@ -317,8 +315,7 @@ impl Comparison<'_> {
             (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &there.axis()))
         };
         let (share, _) = to_segment(&pose.centre, &a.centre, &b.centre);
-        let turn = about(&a.cone, pose) - at(share).theta;
-        let turn = turn - TAU * (turn / TAU).round();
+        let turn = within_half_turn(about(&a.cone, pose) - at(share).theta);
         // Both in units of what is allowed, by the share of the way.
         let (low, high) = ((share - 0.01).max(0.0), (share + 0.01).min(1.0));
         let lean = a.cone.lean_rad.cos().to_degrees() / DIRECTION_DEG;
@@ -347,11 +344,6 @@ impl Comparison<'_> {
     fn cone(&self, row: usize) -> Cone {
         self.motion.rows().get(row).map_or(Cone::about_blade(0.0), |r| r.stand.cone)
     }
-}
-
-/// The angle within half a turn.
-fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }
 
 /// The angle of a pose's tool axis about the axis of a cone, rad; 0 along it.

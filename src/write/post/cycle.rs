@@ -5,14 +5,13 @@
 //! triangle where it is short. Not counted is what no file says: the tool change, and the way from
 //! wherever the machine stood to over the part.
 
-use std::f64::consts::TAU;
-
 use super::dialect::Dialect;
 use super::{End, Run, turn_in};
 use crate::artifact::Axes;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::CycleTime;
 use crate::machine::{Axis, AxisLimits, Machine};
+use crate::numerics::angle::within_half_turn;
 
 /// The time of an operation as a dialect writes it.
 pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
@@ -74,7 +73,7 @@ fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64]>) -> f64 {
     let (to, axes, turning) = (begun.unwrap_or(&first), run.machine.axes(), run.machine.turning_axis());
     let mut way = Axes::from_fn(from.len(), |k| if axes[k].is_rotary() { from[k] - to[k] } else { 0.0 });
     if dialect.turns_back_by_the_shorter_way() && axes[turning].limits.travel.is_none() {
-        way[turning] -= TAU * (way[turning] / TAU).round();
+        way[turning] = within_half_turn(way[turning]);
     }
     rapid(run.machine, &way, &Axes::of_default(way.len()))
 }
