@@ -26,7 +26,7 @@ use std::time::{Duration, Instant};
 use base64::Engine as _;
 use bladewright::observe::Silent;
 use bladewright::read::model::format::{Format, detect};
-use bladewright::read::model::table::direct::{self, Kind};
+use bladewright::read::model::table::direct::{self, TableKind};
 use bladewright::read::model::{self, ModelOptions};
 use mutate::{Random, count_own_panics, mutated, own_panics};
 
@@ -254,9 +254,9 @@ fn kind(name: &str, bytes: &[u8]) -> &'static str {
         Ok(Format::Gltf) => "gltf",
         Ok(Format::Sections) if name.ends_with(".toml") => "header",
         Ok(Format::Sections) => match direct::detect(bytes) {
-            Some(Kind::TurboGrid) => "curve",
-            Some(Kind::Tecplot) => "tecplot",
-            Some(Kind::TBlade3) => "blade3d",
+            Some(TableKind::TurboGrid) => "curve",
+            Some(TableKind::Tecplot) => "tecplot",
+            Some(TableKind::TBlade3) => "blade3d",
             _ => "columns",
         },
         Err(_) => "",

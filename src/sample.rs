@@ -20,7 +20,7 @@ use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::lead::{self, End, LeadOptions};
 use crate::machine::Machine;
-use crate::numerics::spline::{CubicSpline, Ends};
+use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::tool::{HolderStage, Tool};
 
 /// Radius of the part, mm.
@@ -152,7 +152,7 @@ pub fn with_curve(mut plan: Plan, swing_rad: f64, per_piece: f64) -> Plan {
     let knots: Vec<f64> = (0..=count).map(|k| length * k as f64 / count as f64).collect();
     let at = |x: f64| theta[0] + slope * x + swing_rad * (23.0 * x / length).sin();
     let values: Vec<f64> = knots.iter().map(|x| at(*x)).collect();
-    let spline = CubicSpline::new(&knots, &values, 1, &Ends::Natural).unwrap();
+    let spline = CubicSpline::new(&knots, &values, 1, &SplineEnds::Natural).unwrap();
     let piece = |(k, w): (usize, &[f64])| {
         let ([a, b, c, _], h) = (spline.coefficients(k, 0).unwrap(), w[1] - w[0]);
         let theta = [a, a + b * h / 3.0, a + 2.0 * b * h / 3.0 + c * h * h / 3.0, values[k + 1]];

@@ -20,7 +20,7 @@ use bladewright::artifact::{Schedule, Stand};
 use bladewright::channel::{self, FreeInterval};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
-use bladewright::geometry::tessellate::{Options, tessellate};
+use bladewright::geometry::tessellate::{TessellateOptions, tessellate};
 use bladewright::job::{JobFile, resolve};
 use bladewright::observe::Silent;
 use bladewright::path;
@@ -40,7 +40,8 @@ const FINE: f64 = 3.5e-4;
 /// it is.
 fn finely(part: &Part, off_mm: f64) -> (Part, f64) {
     let Some(brep) = &part.brep else { return (Part::from_mesh(part.mesh.clone()), 0.0) };
-    let t = tessellate(brep, &Options::with_deflection(off_mm), &Silent).expect("faces that were tessellated before");
+    let t = tessellate(brep, &TessellateOptions::with_deflection(off_mm), &Silent)
+        .expect("faces that were tessellated before");
     (Part::from_mesh(t.mesh), t.deflection_mm)
 }
 

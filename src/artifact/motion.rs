@@ -3,7 +3,7 @@
 use super::plan::{Row, Stretch};
 use super::{AxisRows, Cone, Plan, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
-use crate::numerics::spline::{CubicSpline, Ends, SplineError};
+use crate::numerics::spline::{CubicSpline, SplineEnds, SplineError};
 
 /// Where the tool stands, blade frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,7 +147,7 @@ impl<'a> Motion<'a> {
 /// # Errors
 /// Where arc lengths do not rise or a position is not finite.
 pub fn smooth(s_mm: &[f64], positions: &AxisRows) -> Result<CubicSpline, SplineError> {
-    CubicSpline::new(s_mm, positions.values(), positions.axes(), &Ends::Natural)
+    CubicSpline::new(s_mm, positions.values(), positions.axes(), &SplineEnds::Natural)
 }
 
 impl Toolpath {

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use super::members::{Member, Source};
+use super::members::{BladeSource, Member};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::JobFile;
@@ -66,11 +66,11 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
     add(&mut blade, &run::program());
     add(&mut blade, run::build());
     match &member.source {
-        Source::Design(d) => {
+        BladeSource::Design(d) => {
             add(&mut blade, "design");
             add(&mut blade, &text(d)?);
         }
-        Source::Model(path) => {
+        BladeSource::Model(path) => {
             add(&mut blade, "model");
             add(&mut blade, &path.file_name().unwrap_or_default().to_string_lossy());
             add(&mut blade, &told(contents.of(path)));
@@ -114,8 +114,8 @@ pub(super) struct Estimate {
 /// with the region.
 pub(super) fn estimate(member: &Member, contents: &Contents) -> Estimate {
     let mib = match &member.source {
-        Source::Model(path) => contents.of(path).map_or(0.0, |(bytes, _)| bytes as f64 / f64::from(1 << 20)),
-        Source::Design(d) => (d.accuracy.stations * d.accuracy.rows) as f64 * 200.0 / f64::from(1 << 20),
+        BladeSource::Model(path) => contents.of(path).map_or(0.0, |(bytes, _)| bytes as f64 / f64::from(1 << 20)),
+        BladeSource::Design(d) => (d.accuracy.stations * d.accuracy.rows) as f64 * 200.0 / f64::from(1 << 20),
     };
     let path = member.job.path.clone().unwrap_or_default();
     let density = (0.01 / path.scallop_mm.unwrap_or(0.01).max(1e-6)).sqrt();

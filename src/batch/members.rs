@@ -15,7 +15,7 @@ use crate::run::inputs;
 
 /// Where a member's blade comes from.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Source {
+pub enum BladeSource {
     /// A model file, absolute.
     Model(PathBuf),
     /// The generator.
@@ -28,7 +28,7 @@ pub struct Member {
     /// Its name, that of its folder too.
     pub name: String,
     /// Its blade.
-    pub source: Source,
+    pub source: BladeSource,
     /// Name of a made blade: the member's, without what varies the job alone, since members that
     /// differ by that have one blade.
     pub blade: String,
@@ -97,7 +97,7 @@ fn members(file: &FamilyFile, base: &Path) -> Result<Vec<Member>> {
     }
     for m in &mut all {
         m.job = absolute(std::mem::take(&mut m.job), base);
-        if let Source::Design(d) = &mut m.source {
+        if let BladeSource::Design(d) = &mut m.source {
             if !m.blade.is_empty() {
                 d.name = m
                     .blade
@@ -165,7 +165,7 @@ fn absolute(mut job: JobFile, base: &Path) -> JobFile {
 fn bases(file: &FamilyFile, base: &Path, template: &JobFile) -> Result<Vec<Member>> {
     let mut job = template.clone();
     let own = job.model.as_mut().and_then(|m| m.file.take()).map(PathBuf::from);
-    let plain = |name: String, source: Source| Member {
+    let plain = |name: String, source: BladeSource| Member {
         name,
         source,
         blade: String::new(),
@@ -177,10 +177,13 @@ fn bases(file: &FamilyFile, base: &Path, template: &JobFile) -> Result<Vec<Membe
             .advise("name models in a column `model` of the table instead"));
     }
     if let Some(patterns) = &file.models {
-        return Ok(models::find(patterns.all(), base)?.into_iter().map(|(n, f)| plain(n, Source::Model(f))).collect());
+        return Ok(models::find(patterns.all(), base)?
+            .into_iter()
+            .map(|(n, f)| plain(n, BladeSource::Model(f)))
+            .collect());
     }
     let design = file.design.as_ref().map(|d| design::load(d, base)).transpose()?;
-    let default = design.map(|d| Source::Design(Box::new(d))).or(own.map(Source::Model));
+    let default = design.map(|d| BladeSource::Design(Box::new(d))).or(own.map(BladeSource::Model));
     if let Some(table) = &file.table {
         return table::read(&base.join(table))?.members(default, &job);
     }
@@ -274,8 +277,8 @@ pub(super) fn set(member: &mut Member, key: &str, value: &toml::Value) -> Result
         return Err(wrong("this cannot be varied; models are named by `models` or by a column `model`".into()));
     }
     match (*section, &mut member.source) {
-        ("design" | "vary", Source::Design(d)) => design::set(d, section, rest, value).map_err(wrong)?,
-        ("design" | "vary", Source::Model(_)) => {
+        ("design" | "vary", BladeSource::Design(d)) => design::set(d, section, rest, value).map_err(wrong)?,
+        ("design" | "vary", BladeSource::Model(_)) => {
             return Err(wrong("the member's blade is a model file, not a design of the generator".into()));
         }
         _ => member.job.set_value(&parts, value.clone()).map_err(wrong)?,

@@ -51,7 +51,7 @@ mod tests;
 mod worker;
 
 pub use file::{FamilyFile, schema};
-pub use members::{Family, Member, Source};
+pub use members::{BladeSource, Family, Member};
 pub use picture::Picture;
 pub use record::{Record, Status};
 pub use shard::Shard;
@@ -66,7 +66,7 @@ use worker::Work;
 
 /// How to work on a family.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct BatchOptions {
     /// Threads; 0: as many as the current rayon pool has.
     pub threads: usize,
     /// Memory to share out, MiB; `None`: 80 % of what is available.
@@ -77,9 +77,9 @@ pub struct Options {
     pub retry: bool,
 }
 
-impl Default for Options {
+impl Default for BatchOptions {
     fn default() -> Self {
-        Options { threads: 0, memory_mib: None, shard: Shard::ALL, retry: false }
+        BatchOptions { threads: 0, memory_mib: None, shard: Shard::ALL, retry: false }
     }
 }
 
@@ -134,8 +134,8 @@ impl Done {
 /// # Errors
 /// Those that are no member's: results that cannot be written, an output folder that holds the
 /// models, another process at work on the same part. What is done is kept.
-pub fn run(family: &Family, out: &str, options: &Options, watch: &dyn Watch) -> Result<Done> {
-    let plan = Plan::new(family, options.shard)?;
+pub fn run(family: &Family, out: &str, options: &BatchOptions, watch: &dyn Watch) -> Result<Done> {
+    let plan = BatchPlan::new(family, options.shard)?;
     let store = place::open(out, family, &options.shard.label())?;
     let known = plan.known(&*store)?;
     let to_do: Vec<usize> =
@@ -171,7 +171,7 @@ pub fn run(family: &Family, out: &str, options: &Options, watch: &dyn Watch) -> 
 /// # Errors
 /// Results that cannot be read or written.
 pub fn merge(family: &Family, out: &str) -> Result<Done> {
-    let plan = Plan::new(family, Shard::ALL)?;
+    let plan = BatchPlan::new(family, Shard::ALL)?;
     let store = place::open(out, family, "merge")?;
     let known = plan.known(&*store)?;
     let records: Vec<Record> = plan.mine.iter().map(|k| plan.current(*k, known.get(k))).collect();
@@ -195,7 +195,7 @@ pub struct Listed {
 /// # Errors
 /// A job that cannot be written.
 pub fn list(family: &Family, shard: Shard) -> Result<Vec<Listed>> {
-    let plan = Plan::new(family, shard)?;
+    let plan = BatchPlan::new(family, shard)?;
     let row = |k: &usize| {
         let e = plan.estimates[*k];
         Listed { name: family.members[*k].name.clone(), cost: e.cost, memory_mib: e.memory_mib }
@@ -204,7 +204,7 @@ pub fn list(family: &Family, shard: Shard) -> Result<Vec<Listed>> {
 }
 
 /// Which members are to be planned. Members are known by their number in the family.
-struct Plan<'a> {
+struct BatchPlan<'a> {
     family: &'a Family,
     /// Members of this part.
     mine: Vec<usize>,
@@ -214,7 +214,7 @@ struct Plan<'a> {
     leaders: BTreeMap<String, usize>,
 }
 
-impl<'a> Plan<'a> {
+impl<'a> BatchPlan<'a> {
     fn new(family: &'a Family, shard: Shard) -> Result<Self> {
         let contents = Contents::default();
         let estimates: Vec<Estimate> = family.members.iter().map(|m| address::estimate(m, &contents)).collect();
@@ -225,7 +225,7 @@ impl<'a> Plan<'a> {
             leaders.entry(address.group.clone()).or_insert(*k);
             addresses.insert(*k, address);
         }
-        Ok(Plan { family, mine, addresses, estimates, leaders })
+        Ok(BatchPlan { family, mine, addresses, estimates, leaders })
     }
 
     fn leader(&self, k: usize) -> Option<usize> {
@@ -256,7 +256,7 @@ impl<'a> Plan<'a> {
         self.addresses.get(&k).is_some_and(|a| a.key == record.key)
     }
 
-    fn is_due(&self, k: usize, record: Option<&Record>, options: &Options, store: &dyn Store) -> bool {
+    fn is_due(&self, k: usize, record: Option<&Record>, options: &BatchOptions, store: &dyn Store) -> bool {
         match record {
             Some(r) if options.retry => r.status == Status::Failed,
             None if options.retry => false,
@@ -287,7 +287,7 @@ impl<'a> Plan<'a> {
         to_do.iter().map(task).collect()
     }
 
-    fn means(&self, options: &Options) -> Means {
+    fn means(&self, options: &BatchOptions) -> Means {
         let threads = if options.threads == 0 { rayon::current_num_threads() } else { options.threads };
         Means { threads, memory_mib: options.memory_mib.unwrap_or_else(memory::to_share) }
     }
@@ -329,7 +329,7 @@ fn write(family: &Family, records: &[Record], store: &dyn Store) -> Result<Vec<S
 fn check_apart(out: &Path, family: &Family) -> Result<()> {
     let Ok(out) = std::fs::canonicalize(out) else { return Ok(()) };
     for m in &family.members {
-        let Source::Model(path) = &m.source else { continue };
+        let BladeSource::Model(path) = &m.source else { continue };
         if std::fs::canonicalize(path).is_ok_and(|p| p.starts_with(&out)) {
             let what = format!(
                 "{} lies in the folder of the results, {}: the family would feed on itself",

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::members::{self, Member, Source};
+use super::members::{self, BladeSource, Member};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::{self, JobFile};
 use crate::read::model::format::without_mark;
 
 /// A table as read.
-pub(super) struct Table {
+pub(super) struct MemberTable {
     path: PathBuf,
     header: Vec<String>,
     /// Line and cells of each row.
@@ -25,7 +25,7 @@ fn usage(message: String) -> Error {
 }
 
 /// Reads a table: a header, then rows; `#` starts a comment line.
-pub(super) fn read(path: &Path) -> Result<Table> {
+pub(super) fn read(path: &Path) -> Result<MemberTable> {
     let shown = path.display();
     let bytes = files::read(path, MAX_BYTES)
         .map_err(|e| Error::io(Stage::Batch, format!("the table {shown} cannot be read: {e}")).caused_by(e))?;
@@ -66,12 +66,12 @@ pub(super) fn read(path: &Path) -> Result<Table> {
     if rows.is_empty() {
         return Err(usage(format!("the table {shown} has no rows")));
     }
-    Ok(Table { path: path.to_path_buf(), header, rows })
+    Ok(MemberTable { path: path.to_path_buf(), header, rows })
 }
 
-impl Table {
+impl MemberTable {
     /// A member for every row; `default` is its blade where no column `model` names one.
-    pub(super) fn members(&self, default: Option<Source>, job: &JobFile) -> Result<Vec<Member>> {
+    pub(super) fn members(&self, default: Option<BladeSource>, job: &JobFile) -> Result<Vec<Member>> {
         let shown = self.path.display();
         let folder = self.path.parent().unwrap_or(Path::new("."));
         let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_path_buf());
@@ -85,7 +85,7 @@ impl Table {
             let cell = |name: &str| self.header.iter().position(|c| c == name).and_then(|k| cells.get(k));
             let name = cell("name").filter(|n| !n.is_empty()).ok_or_else(|| at("the name is missing".into()))?;
             let source = match cell("model").filter(|m| !m.is_empty()) {
-                Some(model) => Source::Model(folder.join(model)),
+                Some(model) => BladeSource::Model(folder.join(model)),
                 None => default.clone().ok_or_else(|| at("the model is missing".into()))?,
             };
             let mut member = Member {

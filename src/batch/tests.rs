@@ -95,7 +95,7 @@ fn cyclic_paths_are_told() {
     refused(d, "models = \"a/*/*.stl\"\njob = \"family.toml\"", 2, &["cyclic"]);
     refused(d, "models = [\"a/*.stl\", \"a/back/*.stl\"]", 2, &["blade.stl", "cyclic"]);
     let f = family(d, "models = \"a/*.stl\"").unwrap();
-    let e = run(&f, &d.join("a").display().to_string(), &Options::default(), &Silent).unwrap_err();
+    let e = run(&f, &d.join("a").display().to_string(), &BatchOptions::default(), &Silent).unwrap_err();
     assert!(e.kind == ErrorKind::Usage && e.message.contains("feed on itself"), "{e}");
 }
 
@@ -109,7 +109,7 @@ fn members_of_a_grid_a_list_a_table_and_patterns() {
     let f = family(d, grid).unwrap();
     assert_eq!(names(&f)[..3], ["radius_mm-2_twist_deg--5", "radius_mm-2_twist_deg-5", "radius_mm-2.1_twist_deg--5"]);
     assert_eq!(f.members.len(), 6);
-    let Source::Design(made) = &f.members[1].source else { panic!("made") };
+    let BladeSource::Design(made) = &f.members[1].source else { panic!("made") };
     assert_eq!(made.name, "twist_deg-5", "blades are called by what makes them differ");
     let list = "combine = \"list\"\njob = \"job.toml\"\n[ranges]\n\"tool.radius_mm\" = [1, 2]\n\"path.scallop_mm\" = [0.1, 0.2]\n\
                 [[override]]\nmembers = \"*radius_mm-2\"\nset = { \"feed.feed_mm_min\" = 99 }";
@@ -118,7 +118,7 @@ fn members_of_a_grid_a_list_a_table_and_patterns() {
     let jobs: Vec<_> = f.members.iter().map(|m| &m.job).collect();
     assert_eq!(jobs[0].feed, None);
     assert_eq!(jobs[1].feed.as_ref().unwrap().feed_mm_min, Some(99.0));
-    assert_eq!(f.members[0].source, Source::Model(std::path::absolute(d.join("x.step")).unwrap()));
+    assert_eq!(f.members[0].source, BladeSource::Model(std::path::absolute(d.join("x.step")).unwrap()));
     let post = jobs[0].post.as_ref().unwrap().files.as_ref().unwrap();
     assert_eq!(post[..], [d.join("mine.toml").display().to_string()], "paths are those of the template's folder");
     write(
@@ -128,7 +128,7 @@ fn members_of_a_grid_a_list_a_table_and_patterns() {
     );
     let f = family(d, "table = \"t/t.csv\"\njob = \"job.toml\"\n[template.path]\nscallop_mm = 0.5").unwrap();
     assert_eq!(names(&f), ["one", "two"]);
-    assert_eq!(f.members[0].source, Source::Model(d.join("t/a.stl")));
+    assert_eq!(f.members[0].source, BladeSource::Model(d.join("t/a.stl")));
     let radius = |k: usize| f.members[k].job.tool.as_ref().unwrap().radius_mm.unwrap();
     assert_eq!([radius(0), radius(1)], [4.0, 3.0]);
     assert_eq!(f.members[1].job.path.as_ref().unwrap().scallop_mm, Some(0.5));
@@ -259,5 +259,5 @@ fn example_families_are_families() {
     assert_eq!(twist.members.iter().filter(wide).count(), 4);
     let stages = Family::load(&folder.join("stages.toml")).unwrap();
     assert_eq!(names(&stages), ["turbine", "turbine_coarse", "compressor", "steam"]);
-    assert!(stages.members.iter().all(|m| matches!(&m.source, Source::Model(p) if p.is_file())));
+    assert!(stages.members.iter().all(|m| matches!(&m.source, BladeSource::Model(p) if p.is_file())));
 }

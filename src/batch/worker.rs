@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use super::members::{Member, Source};
+use super::members::{BladeSource, Member};
 use super::picture;
 use super::record::{Record, Status};
 use super::store::{RECORD, Store, trouble};
@@ -140,18 +140,18 @@ pub(super) fn compute(work: &Work, observer: &dyn Observer) -> Result<(Record, E
     Ok((record, effort))
 }
 
-pub(super) fn model_name(source: &Source) -> String {
+pub(super) fn model_name(source: &BladeSource) -> String {
     match source {
-        Source::Design(d) => format!("made: {}", d.name),
-        Source::Model(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        BladeSource::Design(d) => format!("made: {}", d.name),
+        BladeSource::Model(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
     }
 }
 
 fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> {
     let mut job = work.member.job.clone();
     let model = match &work.member.source {
-        Source::Model(path) => path.clone(),
-        Source::Design(design) => {
+        BladeSource::Model(path) => path.clone(),
+        BladeSource::Design(design) => {
             let path = folder.join(MODEL);
             run::write_file(&path, make::step_text(&make::build(design)?)?.as_bytes())?;
             std::path::absolute(&path).unwrap_or(path)
@@ -160,7 +160,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
     let keys = job.model.get_or_insert_with(ModelKeys::default);
     keys.file = Some(model.to_string_lossy().into_owned());
     let mut draft = job::resolve(job, folder)?;
-    if matches!(work.member.source, Source::Design(_)) {
+    if matches!(work.member.source, BladeSource::Design(_)) {
         draft = draft.model_saved_as(Path::new(MODEL));
     }
     let own = work.old.filter(|r| r.status != Status::Failed).map(|r| r.name.as_str());

@@ -15,7 +15,7 @@ use crate::observe::{Observer, Silent};
 use crate::tool::Tool;
 
 use super::forbidden::Free;
-use super::stretches::{Stretch, stretches};
+use super::stretches::{PathPart, stretches};
 use super::{ChannelOptions, Surroundings, chain, check_input, check_lean, report, samples, walls};
 
 /// Locations of the path that advice looks at, about.
@@ -74,25 +74,25 @@ pub struct Farthest {
 }
 
 /// What widths are looked for in.
-struct Look<'a> {
+struct WidthSearch<'a> {
     around: &'a Surroundings<'a>,
-    stretches: Vec<Stretch>,
+    stretches: Vec<PathPart>,
     observer: &'a dyn Observer,
     /// The stretch that was closed last: the likeliest to be closed again.
     closed: AtomicUsize,
 }
 
-impl<'a> Look<'a> {
+impl<'a> WidthSearch<'a> {
     fn new(around: &'a Surroundings<'a>, path: &Toolpath, places: usize, observer: &'a dyn Observer) -> Self {
         let samples = samples::along(path, f64::INFINITY);
         let stretches = stretches(path, &samples, places);
-        Look { around, stretches, observer, closed: AtomicUsize::new(0) }
+        WidthSearch { around, stretches, observer, closed: AtomicUsize::new(0) }
     }
 
     /// The same places with another lean of the tool axes, rad.
     fn leaning(&self, lean_rad: f64) -> Self {
         let closed = AtomicUsize::new(self.closed.load(Ordering::Relaxed));
-        Look { stretches: self.stretches.iter().map(|s| s.leaning(lean_rad)).collect(), closed, ..*self }
+        WidthSearch { stretches: self.stretches.iter().map(|s| s.leaning(lean_rad)).collect(), closed, ..*self }
     }
 
     /// Locations that are looked at.
@@ -103,7 +103,7 @@ impl<'a> Look<'a> {
     /// Width of the channel; of several stretches the narrowest, or the first that is closed.
     fn width(&self, tool: &Tool, options: &ChannelOptions) -> Result<Width> {
         let first_closed = AtomicUsize::new(usize::MAX);
-        let one = |(i, stretch): (usize, &Stretch)| {
+        let one = |(i, stretch): (usize, &PathPart)| {
             // What comes after a closed one does not matter any more; what comes before does.
             if i > first_closed.load(Ordering::Relaxed) {
                 return Ok(None);
@@ -157,7 +157,7 @@ impl<'a> Look<'a> {
     }
 
     /// With `why` a closed one says what closes it.
-    fn width_of(&self, stretch: &Stretch, tool: &Tool, options: &ChannelOptions, why: bool) -> Result<Width> {
+    fn width_of(&self, stretch: &PathPart, tool: &Tool, options: &ChannelOptions, why: bool) -> Result<Width> {
         self.observer.check(Stage::Channel)?;
         let for_search = self.around.for_search(options);
         let scene = self.around.scene(tool, &for_search);
@@ -213,7 +213,7 @@ pub fn sweep_b(
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
     check_input(tool, path, options)?;
-    Look::new(around, path, places, observer).sweep(tool, options, b_deg)
+    WidthSearch::new(around, path, places, observer).sweep(tool, options, b_deg)
 }
 
 /// What would open a channel; `b_deg` are the angles to look at, rising.
@@ -229,7 +229,7 @@ pub fn advise(
     observer: &dyn Observer,
 ) -> Result<Advice> {
     check_input(tool, path, options)?;
-    let look = Look::new(around, path, PLACES, observer);
+    let look = WidthSearch::new(around, path, PLACES, observer);
     let widths = look.sweep(tool, options, b_deg)?;
     let at_b = |b: f64| look.leaning(b.to_radians()).is_open(tool, options);
     let with = |tool: &Tool| look.is_open(tool, options);

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use crate::geometry::{Point, Vector};
 
 use super::clear;
-use super::profile::{Frustum, Profile};
+use super::profile::{Frustum, ToolProfile};
 
 /// Steps after which a walk over angles is given up.
 const WALK: usize = 48;
@@ -15,7 +15,7 @@ const NONE_MM: f64 = 1e-9;
 
 /// A free interval, absolute angles, with the tool axes at its ends.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sweep {
+pub(super) struct FreeSweep {
     pub lo: f64,
     pub hi: f64,
     pub axes: [Vector; 2],
@@ -52,13 +52,13 @@ pub(super) fn axis(b: (f64, f64), theta: f64) -> Vector {
     Vector::new(b.0, b.1 * cos, b.1 * sin)
 }
 
-impl Sweep {
+impl FreeSweep {
     pub fn new(lo: f64, hi: f64, b: (f64, f64)) -> Self {
         let ends = [lo, hi].map(|t| {
             let (sin, cos) = t.sin_cos();
             (cos, sin)
         });
-        Sweep { lo, hi, axes: ends.map(|(cos, sin)| Vector::new(b.0, b.1 * cos, b.1 * sin)), ends }
+        FreeSweep { lo, hi, axes: ends.map(|(cos, sin)| Vector::new(b.0, b.1 * cos, b.1 * sin)), ends }
     }
 
     /// A direction of space in the frame of the tool at the end `k`.
@@ -108,13 +108,13 @@ impl Sweep {
 }
 
 /// Margin of a point from the tool about `axis`, mm.
-pub(super) fn margin(profile: &Profile, axis: &Vector, v: &Vector) -> f64 {
+pub(super) fn margin(profile: &ToolProfile, axis: &Vector, v: &Vector) -> f64 {
     let (z, r) = height_and_radius(axis, v);
     least_of(profile, z, r)
 }
 
 /// Margin of points at the height `z` and the radius `r`, mm.
-fn least_of(profile: &Profile, z: f64, r: f64) -> f64 {
+fn least_of(profile: &ToolProfile, z: f64, r: f64) -> f64 {
     profile
         .frusta
         .iter()
@@ -162,7 +162,7 @@ impl Facet {
 /// of the convex distance: that at the middle, or where it leaves little of the room there one
 /// between it and that at the corner where it is lowest. Near the place where tool and part touch
 /// the margin is curved so much that the one at the middle would do only for much smaller boxes.
-pub(super) fn facet(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
+pub(super) fn facet(profile: &ToolProfile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> Facet {
     let (z, r) = height_and_radius(axis, v);
     let mut out = Facet::none();
     let none = (f64::INFINITY, 0.0, 0.0);
@@ -276,7 +276,7 @@ fn by_two(
 }
 
 /// Lower bound of the margin over a box, mm.
-pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
+pub(super) fn least_margin(profile: &ToolProfile, axis: &Vector, v: &Vector, radius: f64, half: &[Vector; 3]) -> f64 {
     facet(profile, axis, v, radius, half).flat.least
 }
 
@@ -284,7 +284,7 @@ pub(super) fn least_margin(profile: &Profile, axis: &Vector, v: &Vector, radius:
 /// on the point's `x` and distance `ρ` from the turning axis alone and is convex in both; over the
 /// node `ρ` exceeds its tangent plane at the centre by at most `radius² / 2(ρ − radius)`.
 pub(super) fn least_at_own_azimuth(
-    profile: &Profile,
+    profile: &ToolProfile,
     b: (f64, f64),
     v: &Vector,
     radius: f64,
@@ -319,14 +319,14 @@ pub(super) fn least_at_own_azimuth(
 
 /// Points within `radius` of `v` are inside the inflated tool for one arc about their own azimuth,
 /// if at all.
-pub(super) fn one_arc(profile: &Profile, v: &Vector, radius: f64) -> bool {
+pub(super) fn one_arc(profile: &ToolProfile, v: &Vector, radius: f64) -> bool {
     profile.widens && v.norm() + radius <= profile.length
 }
 
 /// The room that all intervals leave for a node; `None` where none can be shown.
 pub(super) fn room(
-    profile: &Profile,
-    sweeps: &[Sweep],
+    profile: &ToolProfile,
+    sweeps: &[FreeSweep],
     b: (f64, f64),
     v: &Vector,
     radius: f64,
@@ -350,8 +350,8 @@ pub(super) fn room(
 
 /// As [`room`] for a node whose points are inside the tool for one arc each.
 fn room_beside(
-    profile: &Profile,
-    sweeps: &[Sweep],
+    profile: &ToolProfile,
+    sweeps: &[FreeSweep],
     b: (f64, f64),
     v: &Vector,
     radius: f64,
@@ -384,8 +384,8 @@ fn room_beside(
 /// Room from margins at angles so near to one another that none between them is less than half of
 /// one of theirs.
 fn walked(
-    profile: &Profile,
-    sweeps: &[Sweep],
+    profile: &ToolProfile,
+    sweeps: &[FreeSweep],
     b: (f64, f64),
     v: &Vector,
     radius: f64,
@@ -425,7 +425,7 @@ pub(super) enum Between<'a> {
     /// The margins at the ends decide.
     Ends,
     /// If it is clear of this tool around the tool at the ends, it is clear.
-    Around(&'a Profile),
+    Around(&'a ToolProfile),
     /// Nothing: it is too large to tell.
     Nothing,
 }
@@ -433,8 +433,8 @@ pub(super) enum Between<'a> {
 /// As [`room`] for a triangle within `radius` of its point `v`, but for the margins at the ends of
 /// the intervals.
 pub(super) fn between_ends<'a>(
-    profile: &'a Profile,
-    sweeps: &[Sweep],
+    profile: &'a ToolProfile,
+    sweeps: &[FreeSweep],
     b: (f64, f64),
     corners: &[Vector; 3],
     v: &Vector,
@@ -463,8 +463,8 @@ pub(super) fn between_ends<'a>(
 
 /// As [`between_ends`] for any profile, angle by angle.
 pub(super) fn by_steps(
-    profile: &Profile,
-    sweeps: &[Sweep],
+    profile: &ToolProfile,
+    sweeps: &[FreeSweep],
     b: (f64, f64),
     corners: &[Vector; 3],
     v: &Vector,
@@ -484,7 +484,7 @@ mod tests {
     #[test]
     fn beside_is_beside() {
         for (lo, width) in [(0.3, 1e-3), (-2.0, 0.5), (5.0, 3.0), (1.0, 5.0)] {
-            let sweep = Sweep::new(lo, lo + width, (0.1, 0.99));
+            let sweep = FreeSweep::new(lo, lo + width, (0.1, 0.99));
             for k in 0..360 {
                 let psi = f64::from(k).to_radians();
                 let from = (psi - lo).rem_euclid(TAU);

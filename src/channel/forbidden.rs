@@ -27,9 +27,9 @@ use crate::geometry::{Point, Vector};
 use super::arcs::{Arc, ArcSet, Witness, push_arcs};
 use super::clear::{self, Verdict};
 use super::options::ChannelOptions;
-use super::pending::{Open, Piece, What};
-use super::profile::{HeightRange, Profile};
-use super::region::{EvenMove, Region, Shape};
+use super::pending::{Open, TurnedPiece, What};
+use super::profile::{HeightRange, ToolProfile};
+use super::region::{EvenMove, RegionShape, SeenRegion};
 use super::sight::Sight;
 use super::tree::{Below, SphereTree, around_triangle, halves};
 
@@ -43,18 +43,18 @@ pub(super) const MOVE_TOLERANCES: f64 = 5.0;
 
 /// Something that the tool must keep clear of.
 #[derive(Clone)]
-pub(super) struct Body<'a> {
+pub(super) struct ObstacleBody<'a> {
     /// `part`, or the name of a fixture.
     pub name: &'a str,
     pub mesh: &'a Mesh,
     pub tree: &'a SphereTree,
     /// The tool with what it keeps clear of this body.
-    pub profile: Profile,
+    pub profile: ToolProfile,
 }
 
 /// What all places have in common.
-pub(super) struct Scene<'a> {
-    pub bodies: Vec<Body<'a>>,
+pub(super) struct ObstacleScene<'a> {
+    pub bodies: Vec<ObstacleBody<'a>>,
     pub options: &'a ChannelOptions,
 }
 
@@ -78,8 +78,8 @@ pub(super) struct View {
 
 /// Workspace for one place after another. Triangles that bound the channel at one are looked at
 /// first at the next.
-pub(super) struct Search<'a> {
-    scene: &'a Scene<'a>,
+pub(super) struct PlaceSearch<'a> {
+    scene: &'a ObstacleScene<'a>,
     /// (sin B, cos B).
     b: (f64, f64),
     sight: Sight,
@@ -92,7 +92,7 @@ pub(super) struct Search<'a> {
     heights: Vec<HeightRange>,
     arcs: Vec<Arc>,
     open: BinaryHeap<Open>,
-    pieces: Vec<Piece>,
+    pieces: Vec<TurnedPiece>,
     seeds: Vec<(u16, u32)>,
     /// Body, leaf and point, in the frame, that `arcs` are those of.
     point: Option<(u16, u32, Vector)>,
@@ -109,9 +109,9 @@ pub(super) struct Logged {
     pub point: Option<Point>,
 }
 
-impl<'a> Search<'a> {
-    pub fn new(scene: &'a Scene<'a>) -> Self {
-        Search {
+impl<'a> PlaceSearch<'a> {
+    pub fn new(scene: &'a ObstacleScene<'a>) -> Self {
+        PlaceSearch {
             scene,
             b: (0.0, 1.0),
             sight: Sight::of(&Cone::about_blade(0.0)),
@@ -289,17 +289,17 @@ impl<'a> Search<'a> {
         Vector::new(v.x, y, z)
     }
 
-    fn region_of(&self, body: u16, index: u32) -> Region {
+    fn region_of(&self, body: u16, index: u32) -> SeenRegion {
         let node = self.scene.bodies[usize::from(body)].tree.node(index);
         let half = node.half.map(|h| {
             let h = self.sight.seen(&h);
             let (y, z) = self.turned(h.y, h.z);
             Vector::new(h.x, y, z)
         });
-        Region::new(self.seen(&node.centre), node.radius, Shape::Box(half), self.motion)
+        SeenRegion::new(self.seen(&node.centre), node.radius, RegionShape::Box(half), self.motion)
     }
 
-    fn profile(&self, body: u16) -> &'a Profile {
+    fn profile(&self, body: u16) -> &'a ToolProfile {
         let scene = self.scene;
         &scene.bodies[usize::from(body)].profile
     }
@@ -358,11 +358,11 @@ impl<'a> Search<'a> {
     /// half-width `w` about a point at the distance `ρ` grows to about `√(w² + 2e/ρ)`, so by less
     /// than half the tolerance `τ`, however small it is, where `e ≤ τ²ρ/8`. Over a move `τρ/8` is
     /// enough: ends there only say how far walls must be moved in.
-    fn offer_piece(&mut self, piece: Piece) {
-        let Piece { body, leaf, corners, .. } = piece;
+    fn offer_piece(&mut self, piece: TurnedPiece) {
+        let TurnedPiece { body, leaf, corners, .. } = piece;
         let (centre, radius) = around_triangle(&corners.map(Point::from));
         let motion = if self.still { self.motion } else { self.motion.part(piece.time, piece.share) };
-        let region = Region::new(centre.coords, radius, Shape::Triangle(corners), motion);
+        let region = SeenRegion::new(centre.coords, radius, RegionShape::Triangle(corners), motion);
         self.arcs_of(body, &region.centre, region.reach, leaf);
         if self.excess().is_none() {
             return;
@@ -385,7 +385,7 @@ impl<'a> Search<'a> {
             self.arcs_of(body, &region.centre, region.reach, leaf);
             let excess = self.excess().unwrap_or(0.0);
             self.open.push(Open { excess, what: What::Piece(self.pieces.len()) });
-            self.pieces.push(Piece {
+            self.pieces.push(TurnedPiece {
                 centre: region.centre,
                 radius,
                 reach: region.reach,
@@ -402,7 +402,7 @@ impl<'a> Search<'a> {
     /// Where each point forbids one arc about its own azimuth (see [`Region::azimuths`]), either no
     /// point forbids anything, or all azimuths must be known; then an arc that holds anything new
     /// also holds an angle where the known ends, and to look there is enough.
-    fn clear(&self, body: u16, region: &Region) -> bool {
+    fn clear(&self, body: u16, region: &SeenRegion) -> bool {
         let profile = self.profile(body);
         let Some(azimuths) = region.azimuths(profile) else {
             let reach = region.centre.y.hypot(region.centre.z) + region.reach;
@@ -417,7 +417,7 @@ impl<'a> Search<'a> {
 
     /// As [`Self::clear`] for a piece of a triangle, by cutting planes; points found not to be
     /// clear become known.
-    fn settle(&mut self, body: u16, region: &Region, corners: &[Vector; 3], leaf: u32) -> bool {
+    fn settle(&mut self, body: u16, region: &SeenRegion, corners: &[Vector; 3], leaf: u32) -> bool {
         let profile = self.profile(body);
         for _ in 0..ROUNDS {
             self.arcs_of(body, &region.centre, region.radius, leaf);
@@ -457,7 +457,7 @@ impl<'a> Search<'a> {
 
     /// The region keeps clear from the angle `start` to `end`; the margin falls no faster with the
     /// angle than `reach`, the region's distance from the turning axis.
-    fn walk(&self, profile: &Profile, region: &Region, start: f64, end: f64, reach: f64) -> bool {
+    fn walk(&self, profile: &ToolProfile, region: &SeenRegion, start: f64, end: f64, reach: f64) -> bool {
         let sense = if end > start { 1.0 } else { -1.0 };
         let mut at = start;
         for _ in 0..WALK {
@@ -479,7 +479,7 @@ impl<'a> Search<'a> {
             self.arcs_of(body, corner, 0.0, leaf);
             self.commit();
         }
-        self.offer_piece(Piece::whole(body, leaf, corners));
+        self.offer_piece(TurnedPiece::whole(body, leaf, corners));
     }
 
     /// Opens what may move an end farthest, until nothing may move one by more than the tolerance.
@@ -510,18 +510,19 @@ impl<'a> Search<'a> {
     }
 
     /// Halves a piece in space, or in time where the motion counts for more than the size.
-    fn halve(&self, piece: &Piece) -> [Piece; 2] {
+    fn halve(&self, piece: &TurnedPiece) -> [TurnedPiece; 2] {
         if piece.reach - piece.fixed > 2.0 * piece.radius {
             let motion = self.motion.part(piece.time, piece.share);
             let share = 0.5 * piece.share;
-            [-0.5, 0.5].map(|t| Piece {
+            [-0.5, 0.5].map(|t| TurnedPiece {
                 corners: piece.corners.map(|c| motion.carry(&c, t)),
                 time: piece.time + t * piece.share,
                 share,
                 ..*piece
             })
         } else {
-            halves(&piece.corners.map(Point::from)).map(|half| Piece { corners: half.map(|c| c.coords), ..*piece })
+            halves(&piece.corners.map(Point::from))
+                .map(|half| TurnedPiece { corners: half.map(|c| c.coords), ..*piece })
         }
     }
 }

@@ -16,8 +16,8 @@
 use crate::artifact::Cone;
 use crate::geometry::{Point, Vector};
 
-use super::bound::{self, Flat, Room, Sweep};
-use super::forbidden::{Body, Start};
+use super::bound::{self, Flat, FreeSweep, Room};
+use super::forbidden::{ObstacleBody, Start};
 use super::lanes::Lanes;
 use super::samples::Sample;
 use super::sight::Sight;
@@ -85,13 +85,13 @@ pub(super) struct Now<'a> {
     /// The frame of the cone.
     pub sight: Sight,
     /// Free intervals, absolute angles.
-    pub sweeps: Vec<Sweep>,
-    pub bodies: &'a [Body<'a>],
+    pub sweeps: Vec<FreeSweep>,
+    pub bodies: &'a [ObstacleBody<'a>],
 }
 
 impl<'a> Now<'a> {
     /// Nowhere yet.
-    pub fn new(bodies: &'a [Body<'a>]) -> Self {
+    pub fn new(bodies: &'a [ObstacleBody<'a>]) -> Self {
         let sight = Sight::of(&Cone::about_blade(0.0));
         Now { used: Used::default(), step_mm: 0.0, ball: Point::origin(), sight, sweeps: Vec::new(), bodies }
     }
@@ -129,7 +129,7 @@ pub(super) struct Plane {
 
 impl Plane {
     /// Of the part's margin at the end `k`, for a node whose box has its centre at `v`.
-    pub fn new(part: u16, flat: &Flat, node: &Seen, now: &Now, (sweep, k): (&Sweep, usize)) -> Self {
+    pub fn new(part: u16, flat: &Flat, node: &Seen, now: &Now, (sweep, k): (&FreeSweep, usize)) -> Self {
         let slope = &flat.slope;
         let theta = if k == 0 { sweep.lo } else { sweep.hi };
         let at_ball = slope.dot(&node.v);
@@ -167,7 +167,7 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    pub fn new(node: &tree::Node, now: &Now, reach: f64) -> Self {
+    pub fn new(node: &tree::SphereNode, now: &Now, reach: f64) -> Self {
         let v = now.sight.seen(&(node.centre - now.ball));
         Seen { v, radius: node.radius, half: now.sight.all_seen(&node.half), reach }
     }
@@ -175,7 +175,7 @@ impl Seen {
 
 /// A node with planes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+pub(super) struct FrontNode {
     pub at: Start,
     pub centre: Point,
     pub radius: f64,
@@ -203,7 +203,7 @@ impl Due {
 #[derive(Clone, Copy)]
 struct Lasting {
     at: Start,
-    node: Option<Node>,
+    node: Option<FrontNode>,
 }
 
 /// The front.
@@ -238,7 +238,7 @@ impl Front {
             let on = now.bodies[usize::from(at.0)].tree.node(at.1);
             let seen = Seen::new(on, now, reach);
             let planes = [0, 1].map(|k| Plane::new(facets[k].part, &facets[k].flat, &seen, now, (sweep, k)));
-            let node = Node { at, centre: on.centre, radius: on.radius, others, planes };
+            let node = FrontNode { at, centre: on.centre, radius: on.radius, others, planes };
             if room.mm <= STEPS * now.step_mm {
                 self.brief.push(&node);
                 return;
@@ -281,7 +281,7 @@ impl Front {
                 self.lasting.push(Lasting { at: node.at, node: Some(node) });
             } else if room <= NONE_MM {
                 let (at, parts) = self.brief.name(k);
-                match Node::renewed(at, parts, self.brief.others(k), now, sweep) {
+                match FrontNode::renewed(at, parts, self.brief.others(k), now, sweep) {
                     Ok(node) => self.brief.put(k, &node),
                     Err(gone) => {
                         self.brief.swap_remove(k);
@@ -293,7 +293,7 @@ impl Front {
     }
 }
 
-impl Node {
+impl FrontNode {
     /// Distance of its farthest point from the turning axis and from the ball centre, mm.
     fn far(&self, now: &Now) -> [f64; 2] {
         let v = now.sight.seen(&(self.centre - now.ball));
@@ -301,7 +301,7 @@ impl Node {
     }
 
     /// A node with new planes of the same parts; an error where they leave no room.
-    fn renewed(at: Start, parts: [u16; 2], others: Limit, now: &Now, sweep: &Sweep) -> Result<Self, Due> {
+    fn renewed(at: Start, parts: [u16; 2], others: Limit, now: &Now, sweep: &FreeSweep) -> Result<Self, Due> {
         let due = Due::new(at);
         let on = &now.bodies[usize::from(at.0)];
         let node = on.tree.node(at.1);
@@ -320,6 +320,6 @@ impl Node {
             }
             Ok(Plane::new(parts[k], &flat, &seen, now, (sweep, k)))
         };
-        Ok(Node { at, centre: node.centre, radius: node.radius, others, planes: [plane(0)?, plane(1)?] })
+        Ok(FrontNode { at, centre: node.centre, radius: node.radius, others, planes: [plane(0)?, plane(1)?] })
     }
 }

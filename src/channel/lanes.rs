@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use wide::f64x4;
 
-use super::bound::Sweep;
+use super::bound::FreeSweep;
 use super::forbidden::Start;
-use super::front::{Limit, Node, Now, Plane};
+use super::front::{FrontNode, Limit, Now, Plane};
 use crate::geometry::{Point, Vector};
 
 const LANES: usize = 4;
@@ -14,14 +14,14 @@ const LANES: usize = 4;
 /// Nodes with planes; one is found by its number, which is another's after one was taken out.
 #[derive(Default)]
 pub(super) struct Lanes {
-    blocks: Vec<Block>,
+    blocks: Vec<NodeBlock>,
     /// Which node each is, and which parts of the tool its planes are about.
     names: Vec<(Start, [u16; 2])>,
 }
 
-/// Four nodes, number for number as [`Node`] has them. What has no node yet is a node of zeros.
+/// Four nodes, number for number as [`FrontNode`] has them. What has no node yet is one of zeros.
 #[derive(Clone, Copy, Default)]
-struct Block {
+struct NodeBlock {
     centre: [f64x4; 3],
     radius: f64x4,
     others: LimitLanes,
@@ -64,10 +64,10 @@ impl Lanes {
         self.blocks[k / LANES].others.get(k % LANES)
     }
 
-    pub fn get(&self, k: usize) -> Node {
+    pub fn get(&self, k: usize) -> FrontNode {
         let (block, l) = (&self.blocks[k / LANES], k % LANES);
         let (at, parts) = self.names[k];
-        Node {
+        FrontNode {
             at,
             centre: Point::from(block.centre.map(|c| c.as_array()[l])),
             radius: block.radius.as_array()[l],
@@ -76,7 +76,7 @@ impl Lanes {
         }
     }
 
-    pub fn put(&mut self, k: usize, node: &Node) {
+    pub fn put(&mut self, k: usize, node: &FrontNode) {
         let (block, l) = (&mut self.blocks[k / LANES], k % LANES);
         for (to, from) in block.centre.iter_mut().zip(node.centre.iter()) {
             to.as_mut_array()[l] = *from;
@@ -91,10 +91,10 @@ impl Lanes {
         self.names[k] = (node.at, node.planes.map(|p| p.part));
     }
 
-    pub fn push(&mut self, node: &Node) {
+    pub fn push(&mut self, node: &FrontNode) {
         let k = self.len();
         if k.is_multiple_of(LANES) {
-            self.blocks.push(Block::default());
+            self.blocks.push(NodeBlock::default());
         }
         self.names.push((node.at, [0; 2]));
         self.put(k, node);
@@ -112,7 +112,7 @@ impl Lanes {
 
     /// Room of all nodes about the one interval, mm, in `rooms`; zero or less where the planes show
     /// none.
-    pub fn rooms(&self, now: &Now, sweep: &Sweep, rooms: &mut Vec<f64>) {
+    pub fn rooms(&self, now: &Now, sweep: &FreeSweep, rooms: &mut Vec<f64>) {
         rooms.clear();
         if sweep.hi - sweep.lo >= TAU {
             rooms.resize(self.len(), 0.0);
@@ -125,8 +125,8 @@ impl Lanes {
     }
 }
 
-impl Block {
-    fn rooms(&self, now: &Now, sweep: &Sweep) -> f64x4 {
+impl NodeBlock {
+    fn rooms(&self, now: &Now, sweep: &FreeSweep) -> f64x4 {
         let [x, y, z] = [0, 1, 2].map(|k| self.centre[k] - now.ball[k]);
         let [x, y, z] = match now.sight.rows() {
             Some(rows) => rows.each_ref().map(|r| r.x * x + r.y * y + r.z * z),
@@ -204,7 +204,7 @@ mod tests {
     use crate::channel::tree::SphereTree;
     use proptest::prelude::*;
 
-    fn node(number: u32) -> Node {
+    fn node(number: u32) -> FrontNode {
         let k = f64::from(number);
         let plane = |part: u16, shift: f64| Plane {
             slope: Vector::new(k, k + 0.1, k + 0.2),
@@ -214,7 +214,7 @@ mod tests {
             turn: k + 0.5,
             part,
         };
-        Node {
+        FrontNode {
             at: (3, number),
             centre: Point::new(k, 2.0 * k, 3.0 * k),
             radius: 4.0 * k,
@@ -259,7 +259,7 @@ mod tests {
         ) {
             let frustum = Frustum::new([0.0, 9.0], [2.0, 2.0 + 9.0 * taper], 0.1);
             let b = b_rad.sin_cos();
-            let then = Sweep::new(from.0, from.0 + from.1, b);
+            let then = FreeSweep::new(from.0, from.0 + from.1, b);
             // Beside the tool at the lower end.
             let side = Vector::x().cross(&then.axes[0]).try_normalize(1e-6).unwrap_or_else(Vector::y);
             let at = then.axes[0] * away.0 - side * (2.5 + away.1 + 9.0 * taper);
@@ -287,13 +287,13 @@ mod tests {
             let others = Limit { across: 0.0, reach: seen.reach, at: f64::MAX };
             let mut lanes = Lanes::default();
             lanes.push(&node(1));
-            lanes.push(&Node { at: (0, 0), centre: on.centre, radius: on.radius, others, planes });
+            lanes.push(&FrontNode { at: (0, 0), centre: on.centre, radius: on.radius, others, planes });
             let ball = ball + Vector::from(gone.0);
             // The cone turns and leans too.
             let place = |ball: Point, cone: Cone| Sample { row: 0, fraction: 0.0, centre: ball, normal: Vector::y(), cone, azimuth: 0.0 };
             let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(turned[0], turned[1], turned[2]));
             let cone = Cone { axis: by * Vector::x(), reference: by * Vector::y(), lean_rad: b_rad + 0.3 * turned[3] };
-            let sweep = Sweep::new(then.lo + gone.1, then.hi + gone.2, cone.lean_rad.sin_cos());
+            let sweep = FreeSweep::new(then.lo + gone.1, then.hi + gone.2, cone.lean_rad.sin_cos());
             let mut now = Now::new(&[]);
             now.go_to(&place(ball, cone), Some(&place(Point::origin(), Cone::about_blade(b_rad))));
             now.sweeps = vec![sweep];

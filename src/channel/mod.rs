@@ -75,8 +75,8 @@ pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
 
 use arcs::Witness;
-use forbidden::{Body, Free, Scene};
-use profile::Profile;
+use forbidden::{Free, ObstacleBody, ObstacleScene};
+use profile::ToolProfile;
 use samples::Sample;
 use tree::SphereTree;
 
@@ -151,7 +151,7 @@ impl<'a> Surroundings<'a> {
     fn layers(
         &self,
         tool: &Tool,
-        scene: &Scene,
+        scene: &ObstacleScene,
         (samples, path): (&[Sample], &Toolpath),
         observer: &dyn Observer,
     ) -> Result<Vec<Vec<Free>>> {
@@ -159,7 +159,7 @@ impl<'a> Surroundings<'a> {
         let mut layers = track::free_everywhere(scene, samples, observer)?;
         if options.settings.exact_ends {
             let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
-            let profile = Profile::new(tool, room, self.blade.part.off_own_mm());
+            let profile = ToolProfile::new(tool, room, self.blade.part.off_own_mm());
             let tolerance = options.settings.tolerance_deg.to_radians() / self.share(options);
             tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
         }
@@ -167,21 +167,21 @@ impl<'a> Surroundings<'a> {
         Ok(layers)
     }
 
-    fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> Scene<'s> {
+    fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {
         let part = &self.blade.part;
         let mut bodies = Vec::new();
         let mut trees = self.trees.iter();
         if let Some(tree) = trees.next() {
             let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
-            let profile = Profile::new(tool, room, self.part_off_mm);
-            bodies.push(Body { name: "part", mesh: &part.mesh, tree, profile });
+            let profile = ToolProfile::new(tool, room, self.part_off_mm);
+            bodies.push(ObstacleBody { name: "part", mesh: &part.mesh, tree, profile });
         }
         for (o, tree) in self.obstacles.iter().zip(trees) {
-            let whole = Profile::new(tool, [o.clearance_mm, o.holder_clearance_mm], o.part.deflection_mm);
+            let whole = ToolProfile::new(tool, [o.clearance_mm, o.holder_clearance_mm], o.part.deflection_mm);
             let profile = if o.cut_by_the_tool { whole.holder() } else { whole };
-            bodies.push(Body { name: &o.name, mesh: &o.part.mesh, tree, profile });
+            bodies.push(ObstacleBody { name: &o.name, mesh: &o.part.mesh, tree, profile });
         }
-        Scene { bodies, options }
+        ObstacleScene { bodies, options }
     }
 }
 
@@ -302,7 +302,7 @@ pub fn plan_among(
 
 /// Free intervals of all places within the rotary axis' limits, of the index with what it lies off
 /// the part as room.
-fn layers(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
+fn layers(scene: &ObstacleScene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
     within_axis(scene.options, &mut layers);
     Ok(layers)

@@ -16,7 +16,7 @@ use crate::geometry::Vector;
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness, push_wrapped};
-use super::forbidden::{Free, MOVE_TOLERANCES, Scene, Search, Start, View};
+use super::forbidden::{Free, MOVE_TOLERANCES, ObstacleScene, PlaceSearch, Start, View};
 use super::region::{EvenMove, turned_about_x};
 use super::samples::Sample;
 use super::sight::Sight;
@@ -37,7 +37,7 @@ pub(super) struct Lift {
 /// The lifts of the moves that are wanted, by the place where they end, none of the others; the
 /// inner error is a move during which the channel closes.
 pub(super) fn lifts(
-    scene: &Scene,
+    scene: &ObstacleScene,
     samples: &[Sample],
     chosen: &[&Free],
     wanted: impl Fn(usize) -> bool + Sync,
@@ -46,7 +46,7 @@ pub(super) fn lifts(
     let moves: Vec<usize> = (1..samples.len()).collect();
     let some = |moves: &[usize]| -> Result<Vec<Option<Lift>>> {
         observer.check(Stage::Channel)?;
-        let mut search = Search::new(scene);
+        let mut search = PlaceSearch::new(scene);
         let one = |&i: &usize| {
             let (from, to) = ((&samples[i - 1], chosen[i - 1]), (&samples[i], chosen[i]));
             if !wanted(i) {
@@ -83,7 +83,7 @@ pub(super) fn moved_in(chosen: &[&Free], lifts: &[Lift]) -> Vec<Free> {
 }
 
 /// One move, in frames that turn along its walls.
-struct Move<'a> {
+struct WallMove<'a> {
     from: (&'a Sample, &'a Free),
     to: (&'a Sample, &'a Free),
     /// Angle of all frames in the middle.
@@ -109,13 +109,13 @@ pub(super) fn even_move(from: &Sample, to: &Sample, turn: f64, [start, end]: [f6
 }
 
 fn lift(
-    search: &mut Search,
-    scene: &Scene,
+    search: &mut PlaceSearch,
+    scene: &ObstacleScene,
     from: (&Sample, &Free),
     to: (&Sample, &Free),
     starts: Option<&[Start]>,
 ) -> Option<Lift> {
-    let m = Move { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
+    let m = WallMove { from, to, azimuth: 0.5 * (from.0.azimuth + to.0.azimuth) };
     let tolerance = MOVE_TOLERANCES * scene.options.settings.tolerance_deg.to_radians();
     let (low, high) = (0.5 * (to.1.lo - from.1.lo), 0.5 * (to.1.hi - from.1.hi));
     let mut free_at = |turn: f64| m.widest(search, turn, tolerance, starts);
@@ -138,10 +138,10 @@ fn lift(
     (open(from.1) && open(to.1)).then_some(lift)
 }
 
-impl Move<'_> {
+impl WallMove<'_> {
     /// The free interval of the whole move that has most in common with those of both ends, in a
     /// frame that turns by ± `turn`.
-    fn widest(&self, search: &mut Search, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
+    fn widest(&self, search: &mut PlaceSearch, turn: f64, tolerance: f64, starts: Option<&[Start]>) -> Option<Free> {
         let (a, b) = (self.seen(self.from.1, -turn), self.seen(self.to.1, turn));
         let (lo, lo_by) = if a.lo > b.lo { (a.lo, a.lo_by) } else { (b.lo, b.lo_by) };
         let (hi, hi_by) = if a.hi < b.hi { (a.hi, a.hi_by) } else { (b.hi, b.hi_by) };

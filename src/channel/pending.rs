@@ -21,7 +21,7 @@ pub(super) enum What {
 
 /// A piece of a triangle during a part of the motion, seen from the ball centre, turned.
 #[derive(Clone, Copy)]
-pub(super) struct Piece {
+pub(super) struct TurnedPiece {
     pub body: u16,
     pub leaf: u32,
     /// In the middle of its time.
@@ -36,9 +36,9 @@ pub(super) struct Piece {
     pub fixed: f64,
 }
 
-impl Piece {
+impl TurnedPiece {
     pub fn whole(body: u16, leaf: u32, corners: [Vector; 3]) -> Self {
-        Piece {
+        TurnedPiece {
             body,
             leaf,
             corners,

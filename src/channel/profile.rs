@@ -167,7 +167,7 @@ fn rim(d2: f64, z: f64, r: f64, c: f64, side: f64) -> f64 {
 
 /// The whole tool above the ball.
 #[derive(Clone, Debug)]
-pub(super) struct Profile {
+pub(super) struct ToolProfile {
     pub frusta: Vec<Frustum>,
     pub parts: Vec<ToolPart>,
     /// Height of the upper end, mm.
@@ -180,7 +180,7 @@ pub(super) struct Profile {
     pub widens: bool,
     /// A tool around this one that widens and is longer than all that this one reaches; none where
     /// there is no such simple one.
-    pub tall: Option<Box<Profile>>,
+    pub tall: Option<Box<ToolProfile>>,
 }
 
 /// Nowhere narrower upwards, and nowhere is the outline nearer to the ball centre.
@@ -194,7 +194,7 @@ fn widens(frusta: &[Frustum]) -> bool {
 }
 
 /// Every part at least as thick as those below it, the last drawn out upwards.
-fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
+fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<ToolProfile>> {
     let (mut radius, mut clearance) = (0.0f64, 0.0f64);
     let mut out: Vec<Frustum> = Vec::with_capacity(frusta.len());
     for (k, f) in frusta.iter().enumerate() {
@@ -210,11 +210,18 @@ fn tall(frusta: &[Frustum], farthest: f64) -> Option<Box<Profile>> {
     }
     let length = out.last().map_or(0.0, |f| f.z1);
     widens(&out).then(|| {
-        Box::new(Profile { frusta: out, parts: Vec::new(), length, farthest: 2.0 * length, widens: true, tall: None })
+        Box::new(ToolProfile {
+            frusta: out,
+            parts: Vec::new(),
+            length,
+            farthest: 2.0 * length,
+            widens: true,
+            tall: None,
+        })
     })
 }
 
-impl Profile {
+impl ToolProfile {
     /// `room_mm`: what taper and shank, and what the holder must keep; enlarged by `deflection_mm`,
     /// what the body's mesh may lie off the body.
     pub fn new(tool: &Tool, room_mm: [f64; 2], deflection_mm: f64) -> Self {
@@ -235,7 +242,7 @@ impl Profile {
         let reach = |f: &Frustum| f.z0.hypot(f.r0).max(f.z1.hypot(f.r1)) + f.clearance;
         let farthest = frusta.iter().map(reach).fold(0.0, f64::max);
         let tall = tall(&frusta, farthest);
-        Profile { frusta, parts, length, farthest, widens, tall }
+        ToolProfile { frusta, parts, length, farthest, widens, tall }
     }
 
     /// The same with only some of its parts, by index.

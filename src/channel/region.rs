@@ -27,7 +27,7 @@ use nalgebra::UnitQuaternion;
 use crate::geometry::Vector;
 
 use super::clear;
-use super::profile::Profile;
+use super::profile::ToolProfile;
 
 /// A move of the ball centre with an even turn of the tool, about its middle, in the frame of the
 /// middle.
@@ -137,7 +137,7 @@ pub(super) fn turned_about_x(v: &Vector, angle: f64) -> Vector {
 }
 
 /// The shape of a region about its centre.
-pub(super) enum Shape {
+pub(super) enum RegionShape {
     /// Half sides of a box.
     Box([Vector; 3]),
     /// Corners of a triangle.
@@ -146,10 +146,10 @@ pub(super) enum Shape {
 
 /// Points of a body seen from the ball centre, in the middle of a move: all within `radius` of
 /// `centre`, and within a shape.
-pub(super) struct Region {
+pub(super) struct SeenRegion {
     pub centre: Vector,
     pub radius: f64,
-    pub shape: Shape,
+    pub shape: RegionShape,
     pub motion: EvenMove,
     /// All points are within `reach` of the centre during the whole move.
     pub reach: f64,
@@ -165,8 +165,8 @@ fn least_of(a: f64, k: f64) -> f64 {
     if a.abs() < 2.0 * k { -0.25 * a * a / k } else { k - a.abs() }
 }
 
-impl Region {
-    pub fn new(centre: Vector, radius: f64, shape: Shape, motion: EvenMove) -> Self {
+impl SeenRegion {
+    pub fn new(centre: Vector, radius: f64, shape: RegionShape, motion: EvenMove) -> Self {
         let moving = !motion.is_none();
         let (mut reach, mut rest, mut fixed) = (radius, 0.0, 0.0);
         if moving {
@@ -175,7 +175,7 @@ impl Region {
             rest = motion.rest(distance, radius) + fixed;
             reach += motion.velocity(&centre).norm() + motion.turn() * radius + motion.bend(distance) + fixed;
         }
-        Region { centre, radius, shape, motion, reach, fixed, rest, moving }
+        SeenRegion { centre, radius, shape, motion, reach, fixed, rest, moving }
     }
 
     /// How far a function with this slope (no steeper than 1), or one above it, may fall from its
@@ -185,19 +185,19 @@ impl Region {
         let still = |c: &Vector| slope.dot(&(self.centre - c));
         if !self.moving {
             return match &self.shape {
-                Shape::Box(half) => half.iter().map(|h| slope.dot(h).abs()).sum(),
-                Shape::Triangle(c) => c.iter().map(still).fold(0.0, f64::max),
+                RegionShape::Box(half) => half.iter().map(|h| slope.dot(h).abs()).sum(),
+                RegionShape::Triangle(c) => c.iter().map(still).fold(0.0, f64::max),
             };
         }
         let m = &self.motion;
         let k = slope.dot(&m.second(&self.centre));
         let fall = match &self.shape {
-            Shape::Box(half) => {
+            RegionShape::Box(half) => {
                 let spread =
                     |t: f64| -> f64 { half.iter().map(|h| (slope.dot(h) - t * slope.dot(&m.turning(h))).abs()).sum() };
                 spread(-1.0).max(spread(1.0)) - least_of(slope.dot(&m.velocity(&self.centre)), k)
             }
-            Shape::Triangle(c) => {
+            RegionShape::Triangle(c) => {
                 let at = |c: &Vector| still(c) - least_of(slope.dot(&m.velocity(c)), k);
                 c.iter().map(at).fold(f64::NEG_INFINITY, f64::max)
             }
@@ -207,7 +207,7 @@ impl Region {
 
     /// A lower bound of the margin over all points and the whole move with the tool's axis along
     /// `axis`, mm.
-    pub fn least_margin(&self, profile: &Profile, axis: &Vector) -> f64 {
+    pub fn least_margin(&self, profile: &ToolProfile, axis: &Vector) -> f64 {
         let mut least = f64::INFINITY;
         for f in &profile.frusta {
             let (margin, slope) = clear::margin(f, axis, &self.centre);
@@ -222,7 +222,7 @@ impl Region {
     /// margin depends on the point's `x` and distance `ρ` from the turning axis alone and is convex
     /// in both. Over the region `ρ` exceeds its tangent plane at the centre by at most
     /// `reach² / 2(ρ − reach)`. Needs `reach` less than the centre's `ρ`.
-    pub fn out_of_reach(&self, profile: &Profile, (sin_b, cos_b): (f64, f64)) -> bool {
+    pub fn out_of_reach(&self, profile: &ToolProfile, (sin_b, cos_b): (f64, f64)) -> bool {
         let across = self.centre.y.hypot(self.centre.z);
         let away = Vector::new(0.0, self.centre.y, self.centre.z) / across;
         let axis = Vector::new(sin_b, cos_b * away.y, cos_b * away.z);
@@ -236,7 +236,7 @@ impl Region {
     /// The azimuths ψ of all points during the whole move, as one or two ranges within -π..=π,
     /// where each of its points is inside the tool for one arc about its own azimuth if at all: the
     /// profile only widens upwards and reaches beyond the region.
-    pub fn azimuths(&self, profile: &Profile) -> Option<[(f64, f64); 2]> {
+    pub fn azimuths(&self, profile: &ToolProfile) -> Option<[(f64, f64); 2]> {
         use std::f64::consts::PI;
         let across = self.centre.y.hypot(self.centre.z);
         if !profile.widens || self.centre.norm() + self.reach > profile.length || across <= self.reach {
@@ -281,8 +281,8 @@ mod tests {
             let triangle = [centre + a, centre + b, centre - a - b];
             let radius = triangle.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max);
             let regions = [
-                Region::new(centre, radius, Shape::Triangle(triangle), motion),
-                Region::new(centre, a.norm() + b.norm() + c.norm(), Shape::Box([a, b, c]), motion),
+                SeenRegion::new(centre, radius, RegionShape::Triangle(triangle), motion),
+                SeenRegion::new(centre, a.norm() + b.norm() + c.norm(), RegionShape::Box([a, b, c]), motion),
             ];
             let n = slope.norm().max(1.0);
             let slope = slope / n;

@@ -6,7 +6,7 @@ use crate::error::{At, Bound, Error, Infeasible, Stage};
 use crate::geometry::Point;
 use crate::geometry::part::Part;
 
-use super::forbidden::{Body, Free, Scene, Search};
+use super::forbidden::{Free, ObstacleBody, ObstacleScene, PlaceSearch};
 use super::samples::Sample;
 use super::walls::{Crossing, binding};
 
@@ -14,7 +14,7 @@ use super::walls::{Crossing, binding};
 pub(super) struct Reporter<'a> {
     pub blade: &'a Blade,
     pub path: &'a Toolpath,
-    pub scene: &'a Scene<'a>,
+    pub scene: &'a ObstacleScene<'a>,
     pub samples: &'a [Sample],
     /// The first of them is where the tool starts.
     pub is_start: bool,
@@ -233,12 +233,12 @@ impl Reporter<'_> {
         keep: &dyn Fn(ToolPart) -> bool,
         options: &super::options::ChannelOptions,
     ) -> Vec<Binding> {
-        let mut scene = Scene { bodies: Vec::new(), options };
+        let mut scene = ObstacleScene { bodies: Vec::new(), options };
         for b in &self.scene.bodies {
             let profile = b.profile.only(|k| b.profile.parts.get(k).is_some_and(|p| keep(*p)));
-            scene.bodies.push(Body { profile, ..b.clone() });
+            scene.bodies.push(ObstacleBody { profile, ..b.clone() });
         }
-        let free = Search::new(&scene).free(&sample.view(), &sample.normal, None);
+        let free = PlaceSearch::new(&scene).free(&sample.view(), &sample.normal, None);
         free.iter().flat_map(|f| [f.lo_by, f.hi_by]).map(|by| binding(by, &scene)).collect()
     }
 }

@@ -15,7 +15,7 @@ use super::samples::Sample;
 const OVERLAP: f64 = 0.25;
 
 /// A part of the path.
-pub(super) struct Stretch {
+pub(super) struct PathPart {
     /// Its locations as a path of their own; no turns.
     pub path: Toolpath,
     /// Its places; rows count from the part's beginning, angles are those of the whole path.
@@ -24,18 +24,18 @@ pub(super) struct Stretch {
     pub is_start: bool,
 }
 
-impl Stretch {
+impl PathPart {
     /// The same places with another lean of the tool axes, rad.
     pub fn leaning(&self, lean_rad: f64) -> Self {
         let samples = self.samples.iter().map(|s| Sample { cone: Cone { lean_rad, ..s.cone }, ..*s }).collect();
         let path = self.path.clone().with_cones(self.path.cones.leaning(lean_rad));
-        Stretch { path, samples, is_start: self.is_start }
+        PathPart { path, samples, is_start: self.is_start }
     }
 }
 
 /// Stretches with about `places` locations in all, the first and the last turn among them; the
 /// whole path in one where it has no more than that. `samples` are those of the path.
-pub(super) fn stretches(path: &Toolpath, samples: &[Sample], places: usize) -> Vec<Stretch> {
+pub(super) fn stretches(path: &Toolpath, samples: &[Sample], places: usize) -> Vec<PathPart> {
     let count = path.locations.len();
     let turns = path.turns.len();
     let each = ((1.0 + OVERLAP) * count as f64 / turns.max(1) as f64).max(1.0);
@@ -53,13 +53,13 @@ pub(super) fn stretches(path: &Toolpath, samples: &[Sample], places: usize) -> V
 }
 
 /// Locations `from .. to`.
-fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> Stretch {
+fn part(path: &Toolpath, samples: &[Sample], from: usize, to: usize) -> PathPart {
     let inside = |s: &&Sample| s.row >= from && (s.row + 1 < to || (s.row + 1 == to && s.fraction == 0.0));
     let samples = samples.iter().filter(inside).map(|s| Sample { row: s.row - from, ..*s }).collect();
     let locations = path.locations.get(from..to).unwrap_or_default().to_vec();
     let cones = path.cones.part(from, to);
     let path = Toolpath { locations, cones, turns: Vec::new(), end_reason: EndReason::Region, ..*path };
-    Stretch { path, samples, is_start: from == 0 }
+    PathPart { path, samples, is_start: from == 0 }
 }
 
 #[cfg(test)]

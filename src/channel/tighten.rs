@@ -31,16 +31,16 @@ use rayon::prelude::*;
 
 use crate::artifact::{Blade, Cone, Toolpath};
 use crate::error::{Result, Stage};
-use crate::geometry::exact::pieces::{Piece, Visitor, Walker};
+use crate::geometry::exact::pieces::{SeenPiece, Visitor, Walker};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness, push_arcs};
-use super::bound::{self, Sweep};
+use super::bound::{self, FreeSweep};
 use super::clear;
-use super::forbidden::{Body, Free, Scene};
-use super::profile::{Frustum, HeightRange, Profile};
+use super::forbidden::{Free, ObstacleBody, ObstacleScene};
+use super::profile::{Frustum, HeightRange, ToolProfile};
 use super::samples::Sample;
 use super::sight::Sight;
 use super::track;
@@ -66,7 +66,7 @@ const BATCH: usize = 128;
 /// The exact part and the tool with its clearances alone.
 struct Exact<'a> {
     part: &'a Part,
-    profile: Profile,
+    profile: ToolProfile,
     tolerance: f64,
 }
 
@@ -76,8 +76,8 @@ struct Exact<'a> {
 /// `Cancelled`.
 pub(super) fn tighten(
     blade: &Blade,
-    profile: Profile,
-    scene: &Scene,
+    profile: ToolProfile,
+    scene: &ObstacleScene,
     (samples, path): (&[Sample], &Toolpath),
     tolerance: f64,
     layers: &mut [Vec<Free>],
@@ -86,7 +86,7 @@ pub(super) fn tighten(
     if blade.part.exact().is_none() || !profile.widens {
         return Ok(());
     }
-    let others = Scene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
+    let others = ObstacleScene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
     let limits = track::free_everywhere(&others, samples, observer)?;
     let exact = Exact { part: &blade.part, profile, tolerance };
     let Some(body) = scene.bodies.first() else { return Ok(()) };
@@ -111,7 +111,7 @@ impl Exact<'_> {
     /// All ends at one place.
     fn place(
         &self,
-        body: &Body,
+        body: &ObstacleBody,
         sample: &Sample,
         contact: Option<Point>,
         limits: &[Free],
@@ -129,7 +129,7 @@ impl Exact<'_> {
                 if room < 0.1 * self.tolerance {
                     continue;
                 }
-                let mut look = Look::new(self, sample, at, sense, room);
+                let mut look = MovingEnd::new(self, sample, at, sense, room);
                 let touch = self.touch(body, sample, at, by);
                 if !contact.iter().chain(&before).chain(&touch).all(|p| look.takes(p)) {
                     continue;
@@ -163,7 +163,7 @@ impl Exact<'_> {
 
     /// The point of the part nearest to where the tool at an end comes nearest to the triangle that
     /// binds it.
-    fn touch(&self, body: &Body, sample: &Sample, at: f64, by: Witness) -> Option<Point> {
+    fn touch(&self, body: &ObstacleBody, sample: &Sample, at: f64, by: Witness) -> Option<Point> {
         let Witness::Tool { segment, leaf, .. } = by else { return None };
         let f = self.profile.frusta.get(usize::from(segment))?;
         let axis = sample.cone.tool_axis(at);
@@ -178,7 +178,7 @@ impl Exact<'_> {
     }
 
     /// Finds the end and shows that it is clear; where that takes too long, half way there.
-    fn prove(&self, walker: &mut Walker, look: &mut Look) -> bool {
+    fn prove(&self, walker: &mut Walker, look: &mut MovingEnd) -> bool {
         self.prove_by_steps(walker, look) || {
             look.set(0.5 * look.end);
             look.end > 0.0 && walker.visit(look, MOST_CUTS)
@@ -186,7 +186,7 @@ impl Exact<'_> {
     }
 
     /// First for small steps: most ends do not move far.
-    fn prove_by_steps(&self, walker: &mut Walker, look: &mut Look) -> bool {
+    fn prove_by_steps(&self, walker: &mut Walker, look: &mut MovingEnd) -> bool {
         let room = look.end;
         let mut step = FIRST_STEP;
         loop {
@@ -206,7 +206,7 @@ impl Exact<'_> {
     }
 
     /// The triangle nearest to a point of the part, as what binds an end.
-    fn witness(&self, body: &Body, point: &Point, segment: u16) -> Option<Witness> {
+    fn witness(&self, body: &ObstacleBody, point: &Point, segment: u16) -> Option<Witness> {
         let triangle = self.part.closest_on_mesh(point, f64::INFINITY)?.triangle?;
         Some(Witness::Tool { segment, body: 0, leaf: body.tree.leaf_of(triangle)? })
     }
@@ -251,7 +251,7 @@ fn join(layer: &mut Vec<Free>) {
 }
 
 /// One end on its way outwards.
-struct Look<'a> {
+struct MovingEnd<'a> {
     exact: &'a Exact<'a>,
     centre: Point,
     cone: Cone,
@@ -264,7 +264,7 @@ struct Look<'a> {
     /// How far out the end is that is not disproved, rad, and its axis, blade frame.
     end: f64,
     axis: Vector,
-    sweep: Sweep,
+    sweep: FreeSweep,
     /// How often it moved inwards.
     moves: u32,
     /// Directions in which the tool is likely to lie beyond the part: the contact's normal, and the
@@ -278,10 +278,10 @@ struct Look<'a> {
     arcs: Vec<Arc>,
 }
 
-impl<'a> Look<'a> {
+impl<'a> MovingEnd<'a> {
     fn new(exact: &'a Exact, sample: &Sample, start: f64, sense: f64, room: f64) -> Self {
         let b = sample.cone.lean_rad.sin_cos();
-        let mut look = Look {
+        let mut look = MovingEnd {
             exact,
             centre: sample.centre,
             cone: sample.cone,
@@ -291,7 +291,7 @@ impl<'a> Look<'a> {
             sense,
             end: 0.0,
             axis: Vector::zeros(),
-            sweep: Sweep::new(start, start, b),
+            sweep: FreeSweep::new(start, start, b),
             moves: 0,
             normals: [sample.normal; 2],
             lowest: Vec::new(),
@@ -307,7 +307,7 @@ impl<'a> Look<'a> {
         let at = self.start + self.sense * end;
         self.end = end;
         self.axis = self.cone.tool_axis(at);
-        self.sweep = Sweep::new(at.min(self.start), at.max(self.start), self.b);
+        self.sweep = FreeSweep::new(at.min(self.start), at.max(self.start), self.b);
         self.moves += 1;
         let frusta = &self.exact.profile.frusta;
         let touch = self.taken.and_then(|(p, segment)| {
@@ -328,7 +328,7 @@ impl<'a> Look<'a> {
         v: &Vector,
         radius: f64,
         hull: &[Point],
-        least: impl Fn(&Profile, &[[f64; 2]]) -> f64,
+        least: impl Fn(&ToolProfile, &[[f64; 2]]) -> f64,
     ) -> Option<f64> {
         let profile = &self.exact.profile;
         let far = v.norm() + radius;
@@ -358,21 +358,21 @@ impl<'a> Look<'a> {
     }
 }
 
-impl Visitor for Look<'_> {
+impl Visitor for MovingEnd<'_> {
     fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool {
         let v = middle - self.centre;
         let radius = sides.iter().map(Vector::norm_squared).sum::<f64>().sqrt();
-        let least = |p: &Profile, lowest: &[[f64; 2]]| {
+        let least = |p: &ToolProfile, lowest: &[[f64; 2]]| {
             let lower = |(k, f)| off_box(f, &self.axis, (&v, radius, sides), (&self.normals, lowest.get(k)));
             p.frusta.iter().enumerate().map(lower).fold(f64::INFINITY, f64::min)
         };
         self.room(&v, radius, &[], least).is_some()
     }
 
-    fn presses(&mut self, piece: &Piece) -> Option<f64> {
+    fn presses(&mut self, piece: &SeenPiece) -> Option<f64> {
         let v = piece.middle - self.centre;
         let radius = piece.radius;
-        let least = |p: &Profile, lowest: &[[f64; 2]]| {
+        let least = |p: &ToolProfile, lowest: &[[f64; 2]]| {
             let at = (&v, radius, piece, &self.centre);
             let lower = |(k, f)| off_hull(f, &self.axis, at, (&self.normals, lowest.get(k)));
             p.frusta.iter().enumerate().map(lower).fold(f64::INFINITY, f64::min)
@@ -445,7 +445,7 @@ fn off_box(
 fn off_hull(
     f: &Frustum,
     axis: &Vector,
-    (v, radius, piece, centre): (&Vector, f64, &Piece, &Point),
+    (v, radius, piece, centre): (&Vector, f64, &SeenPiece, &Point),
     (normals, lowest): Below,
 ) -> f64 {
     let (margin, slope) = clear::margin(f, axis, v);
@@ -491,20 +491,20 @@ mod tests {
     #[test]
     fn what_has_no_place_is_not_clear() {
         let part = Part::from_mesh(crate::geometry::mesh::Mesh::default());
-        let profile = Profile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
+        let profile = ToolProfile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
         let exact = Exact { part: &part, profile, tolerance: 1e-4 };
         let (centre, normal, cone) = (Point::origin(), Vector::x(), Cone::about_blade(0.0));
         let sample = Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth: 0.0 };
-        let mut look = Look::new(&exact, &sample, 0.0, 1.0, 0.1);
+        let mut look = MovingEnd::new(&exact, &sample, 0.0, 1.0, 0.1);
         let at = Point::new(0.0, -1000.0, 0.0);
         let hull = [at, at + Vector::x(), at + Vector::z()];
-        let piece = Piece { hull: &hull, middle: at, radius: 1.0, normal: Vector::y(), corners: None };
+        let piece = SeenPiece { hull: &hull, middle: at, radius: 1.0, normal: Vector::y(), corners: None };
         let sides = [Vector::x(), Vector::y(), Vector::z()];
         assert!(look.presses(&piece).is_none() && !look.enters(&at, &sides));
         for bad in [f64::NAN, f64::INFINITY, 1e300] {
             let off = at + Vector::z() * bad;
-            assert!(look.presses(&Piece { middle: off, ..piece }).is_some(), "{bad}");
-            assert!(look.presses(&Piece { radius: bad, ..piece }).is_some(), "{bad}");
+            assert!(look.presses(&SeenPiece { middle: off, ..piece }).is_some(), "{bad}");
+            assert!(look.presses(&SeenPiece { radius: bad, ..piece }).is_some(), "{bad}");
             assert!(look.enters(&off, &sides) && look.enters(&at, &[Vector::x() * bad, sides[1], sides[2]]), "{bad}");
         }
     }

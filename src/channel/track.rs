@@ -27,11 +27,11 @@ use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 
 use super::arcs::{Arc, Witness};
-use super::bound::{self, Between, Facet, Flat, Room, Sweep};
+use super::bound::{self, Between, Facet, Flat, FreeSweep, Room};
 use super::clear::{self, Near, Verdict};
-use super::forbidden::{Free, Scene, Search, Start};
+use super::forbidden::{Free, ObstacleScene, PlaceSearch, Start};
 use super::front::{Due, Front, Now};
-use super::profile::Profile;
+use super::profile::ToolProfile;
 use super::samples::Sample;
 use super::tree::{Below, around_triangle, halves};
 
@@ -60,7 +60,11 @@ const BATCH: [usize; 2] = [128, 512];
 const BATCHES: usize = 256;
 
 /// The free intervals of every place, unwrapped; in order, whatever the number of threads.
-pub(super) fn free_everywhere(scene: &Scene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
+pub(super) fn free_everywhere(
+    scene: &ObstacleScene,
+    samples: &[Sample],
+    observer: &dyn Observer,
+) -> Result<Vec<Vec<Free>>> {
     let done = AtomicUsize::new(0);
     let batches: Vec<Vec<Vec<Free>>> = samples
         .par_chunks((samples.len() / BATCHES).clamp(BATCH[0], BATCH[1]))
@@ -86,8 +90,8 @@ struct Seed {
 
 /// Workspace for the places of a stretch of the path, in their order.
 pub(super) struct Tracker<'a> {
-    search: Search<'a>,
-    scene: &'a Scene<'a>,
+    search: PlaceSearch<'a>,
+    scene: &'a ObstacleScene<'a>,
     front: Front,
     /// Size of the front when it was made.
     made: usize,
@@ -102,9 +106,9 @@ pub(super) struct Tracker<'a> {
 }
 
 impl<'a> Tracker<'a> {
-    pub fn new(scene: &'a Scene<'a>) -> Self {
+    pub fn new(scene: &'a ObstacleScene<'a>) -> Self {
         Tracker {
-            search: Search::new(scene),
+            search: PlaceSearch::new(scene),
             scene,
             front: Front::default(),
             made: 0,
@@ -174,7 +178,7 @@ impl<'a> Tracker<'a> {
         let (azimuth, b) = (self.search.azimuth(), self.search.b());
         self.now.sweeps.clear();
         let free = self.search.known().free(0.0);
-        self.now.sweeps.extend(free.iter().map(|f| Sweep::new(f.lo + azimuth, f.hi + azimuth, b)));
+        self.now.sweeps.extend(free.iter().map(|f| FreeSweep::new(f.lo + azimuth, f.hi + azimuth, b)));
     }
 
     /// Looks for taken angles in what seems free and was not free at the place before. True: there
@@ -208,7 +212,7 @@ impl<'a> Tracker<'a> {
             if step < CLOSE_IN[1] {
                 return;
             }
-            let inwards = |s: &Sweep| step.min(0.5 * (s.hi - s.lo));
+            let inwards = |s: &FreeSweep| step.min(0.5 * (s.hi - s.lo));
             let looked = self.now.sweeps.iter().flat_map(|s| [s.lo + inwards(s), s.hi - inwards(s)]);
             let looked: Vec<f64> = looked.collect();
             // All of them, and not only up to the first that is taken.
@@ -323,18 +327,18 @@ impl<'a> Tracker<'a> {
                     return None;
                 }
                 let mut between = bound::between_ends(&on.profile, &self.now.sweeps, b, &corners, &middle, radius);
-                let mut found = Look::Open;
+                let mut found = TriangleLeaves::Open;
                 if let Between::Around(tall) = between {
                     found = look(tall, &self.now.sweeps, &corners, (&middle, radius), box_at);
                     let mut axes = self.now.sweeps.iter().flat_map(|s| s.axes);
                     let mut own = |p: &Vector| axes.any(|axis| bound::margin(&on.profile, &axis, p) <= 0.0);
                     let decided = match &found {
-                        Look::Clear(_) => true,
-                        Look::Taken(p) => own(p),
-                        Look::Open => false,
+                        TriangleLeaves::Clear(_) => true,
+                        TriangleLeaves::Taken(p) => own(p),
+                        TriangleLeaves::Open => false,
                     };
                     if !decided {
-                        found = Look::Open;
+                        found = TriangleLeaves::Open;
                         between = bound::by_steps(&on.profile, &self.now.sweeps, b, &corners, &middle, radius);
                     }
                 }
@@ -347,16 +351,16 @@ impl<'a> Tracker<'a> {
                     Between::Nothing | Between::Around(_) => {}
                 }
                 match found {
-                    Look::Taken(p) => {
+                    TriangleLeaves::Taken(p) => {
                         self.search.take_point(body, leaf, &(centre + sight.unseen(&p)));
                         self.update_sweeps();
                     }
-                    Look::Clear(room) if looked == 1 => return room,
-                    Look::Clear(room) => {
+                    TriangleLeaves::Clear(room) if looked == 1 => return room,
+                    TriangleLeaves::Clear(room) => {
                         least = least.min(room.map_or(0.0, |r| r.mm));
                         continue 'pieces;
                     }
-                    Look::Open => break,
+                    TriangleLeaves::Open => break,
                 }
             }
             open.extend(halves(&corners.map(Point::from)).map(|half| {
@@ -405,7 +409,7 @@ impl<'a> Tracker<'a> {
 }
 
 /// What a triangle leaves at the ends of the free intervals.
-enum Look {
+enum TriangleLeaves {
     /// It is clear there; the room that can be shown.
     Clear(Option<Room>),
     /// This point is too near.
@@ -417,12 +421,12 @@ enum Look {
 /// Looks at a triangle at the ends of all intervals; it lies within `radius` of its point `middle`,
 /// and the box of its node about `box_at`.
 fn look(
-    profile: &Profile,
-    sweeps: &[Sweep],
+    profile: &ToolProfile,
+    sweeps: &[FreeSweep],
     corners: &[Vector; 3],
     (middle, radius): (&Vector, f64),
     box_at: Option<&Vector>,
-) -> Look {
+) -> TriangleLeaves {
     let box_at = box_at.unwrap_or(middle);
     let mut facets = Some([Facet::none(); 2]);
     for axes in sweeps.iter().map(|s| &s.axes) {
@@ -455,14 +459,14 @@ fn look(
                             _ => facets = None,
                         }
                     }
-                    Near::Taken(p) => return Look::Taken(p),
-                    Near::Open => return Look::Open,
+                    Near::Taken(p) => return TriangleLeaves::Taken(p),
+                    Near::Open => return TriangleLeaves::Open,
                 }
             }
         }
     }
     let rho = (middle.y * middle.y + middle.z * middle.z).sqrt() + radius;
-    Look::Clear(facets.filter(|_| sweeps.len() == 1).map(|both| {
+    TriangleLeaves::Clear(facets.filter(|_| sweeps.len() == 1).map(|both| {
         let mm = both[0].flat.least.min(both[1].flat.least);
         Room { mm, across: rho + mm, reach: middle.norm() + radius + mm, facets: Some(both) }
     }))

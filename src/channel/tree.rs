@@ -7,7 +7,7 @@ use crate::geometry::{Point, Vector};
 /// A node: the sphere and the box around all its triangles, about the same centre; its first child
 /// follows it in the list.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+pub(super) struct SphereNode {
     pub centre: Point,
     pub radius: f64,
     /// Half sides of the box.
@@ -28,7 +28,7 @@ pub(super) enum Below {
 
 /// The tree; node 0 is the root. Its leaves are triangles of the part, large ones in pieces.
 pub(super) struct SphereTree {
-    nodes: Vec<Node>,
+    nodes: Vec<SphereNode>,
     pieces: Vec<[Point; 3]>,
     /// Smallest spheres around the pieces.
     spheres: Vec<(Point, f64)>,
@@ -64,7 +64,7 @@ impl SphereTree {
             pieces.iter().map(|[a, b, c]| Point::from((a.coords + b.coords + c.coords) / 3.0)).collect();
         let twice_areas: Vec<Vector> = pieces.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).collect();
         let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
-        let empty = Node { centre: Point::origin(), radius: 0.0, half: [Vector::zeros(); 3], link: 0 };
+        let empty = SphereNode { centre: Point::origin(), radius: 0.0, half: [Vector::zeros(); 3], link: 0 };
         let mut nodes = vec![empty; (2 * order.len()).saturating_sub(1)];
         if !order.is_empty() {
             Builder { pieces: &pieces, centres: &centres, twice_areas: &twice_areas }.build(&mut order, &mut nodes, 0);
@@ -98,7 +98,7 @@ impl SphereTree {
         (!self.nodes.is_empty()).then_some(0)
     }
 
-    pub fn node(&self, index: u32) -> &Node {
+    pub fn node(&self, index: u32) -> &SphereNode {
         &self.nodes[index as usize]
     }
 
@@ -145,13 +145,13 @@ struct Builder<'a> {
 impl Builder<'_> {
     /// Makes the node of `order`'s triangles, and all below it, in `nodes`, twice as many less one,
     /// of which the first is the tree's node `here`. Recursion is as deep as log2 of their number.
-    fn build(&self, order: &mut [u32], nodes: &mut [Node], here: u32) {
+    fn build(&self, order: &mut [u32], nodes: &mut [SphereNode], here: u32) {
         let (centre, half) = self.around(order);
         let corners = order.iter().flat_map(|&t| &self.pieces[t as usize]);
         let radius = corners.map(|p| (p - centre).norm_squared()).fold(0.0, f64::max).sqrt() * (1.0 + 1e-12);
         let Some((node, below)) = nodes.split_first_mut() else { return };
         if let [triangle] = order {
-            *node = Node { centre, radius, half, link: LEAF + *triangle };
+            *node = SphereNode { centre, radius, half, link: LEAF + *triangle };
             return;
         }
         let first = self.centres[order[0] as usize];
@@ -165,7 +165,7 @@ impl Builder<'_> {
             self.centres[a as usize][side].total_cmp(&self.centres[b as usize][side]).then(a.cmp(&b))
         });
         let second = here + 2 * middle as u32;
-        *node = Node { centre, radius, half, link: second };
+        *node = SphereNode { centre, radius, half, link: second };
         let large = order.len() > APART;
         let (left, right) = order.split_at_mut(middle);
         let (lefts, rights) = below.split_at_mut(2 * middle - 1);

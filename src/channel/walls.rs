@@ -3,7 +3,7 @@
 use crate::artifact::channel::{Binding, ChannelRow};
 
 use super::arcs::Witness;
-use super::forbidden::{Free, Scene};
+use super::forbidden::{Free, ObstacleScene};
 use super::samples::Sample;
 
 /// Where no monotone schedule exists: the row with the greatest lower limit and a later one whose
@@ -15,7 +15,7 @@ pub(super) struct Crossing {
 }
 
 /// What an end of an interval comes from, by name.
-pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
+pub(super) fn binding(by: Witness, scene: &ObstacleScene) -> Binding {
     match by {
         Witness::Contact => Binding::ContactAngle,
         Witness::Axis => Binding::AxisLimit,
@@ -35,7 +35,7 @@ pub(super) fn binding(by: Witness, scene: &Scene) -> Binding {
 
 /// One row per location; places between two locations narrow both rows, as far as the straight wall
 /// between them would be outside there.
-pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &Scene) -> Vec<ChannelRow> {
+pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &ObstacleScene) -> Vec<ChannelRow> {
     let at_locations = samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0);
     let mut rows: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();
     for (s, f) in samples.iter().zip(walls).filter(|(s, _)| s.fraction > 0.0) {
@@ -57,7 +57,7 @@ pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &Scene) -> Vec<Cha
     rows
 }
 
-fn row_of(f: &Free, scene: &Scene) -> ChannelRow {
+fn row_of(f: &Free, scene: &ObstacleScene) -> ChannelRow {
     ChannelRow {
         theta_min: f.lo,
         theta_max: f.hi,

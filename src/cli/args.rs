@@ -112,7 +112,7 @@ pub struct Reading {
     /// Where a region lies, mm along the blade axis: airfoil=LO,HI or platform=TOP; may be given
     /// more than once.
     #[arg(long, value_name = "NAME=HEIGHTS", value_parser = parse_region)]
-    pub region: Vec<Region>,
+    pub region: Vec<RegionHeights>,
     /// Faces of a region, by number or name: airfoil=3,4 or platform=top; may be given more than
     /// once.
     #[arg(long, value_name = "NAME=FACES", value_parser = parse_faces)]
@@ -121,20 +121,20 @@ pub struct Reading {
 
 /// Heights of a region.
 #[derive(Debug, Clone, Copy)]
-pub enum Region {
+pub enum RegionHeights {
     /// From, to.
     Airfoil([f64; 2]),
     /// Top.
     Platform(f64),
 }
 
-fn parse_region(text: &str) -> Result<Region, String> {
+fn parse_region(text: &str) -> Result<RegionHeights, String> {
     let numbers = |t: &str| -> Vec<f64> {
         t.split(',').filter_map(|x| x.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect()
     };
     let found = text.split_once('=').and_then(|(name, value)| match (name.trim(), &numbers(value)[..]) {
-        ("airfoil", [lo, hi]) if lo < hi => Some(Region::Airfoil([*lo, *hi])),
-        ("platform", [x]) => Some(Region::Platform(*x)),
+        ("airfoil", [lo, hi]) if lo < hi => Some(RegionHeights::Airfoil([*lo, *hi])),
+        ("platform", [x]) => Some(RegionHeights::Platform(*x)),
         _ => None,
     });
     found.ok_or_else(|| "give airfoil=LO,HI or platform=TOP, mm along the blade axis, as in airfoil=12,80".into())
@@ -285,17 +285,17 @@ pub struct Channel {
         allow_hyphen_values = true,
         value_parser = parse_sweep
     )]
-    pub sweep_b: Option<Sweep>,
+    pub sweep_b: Option<SweepRange>,
 }
 
 /// From, to, step.
 #[derive(Debug, Clone, Copy)]
-pub struct Sweep(pub [f64; 3]);
+pub struct SweepRange(pub [f64; 3]);
 
-fn parse_sweep(text: &str) -> Result<Sweep, String> {
+fn parse_sweep(text: &str) -> Result<SweepRange, String> {
     match three(text) {
         Some([from, to, step]) if from < to && step > 0.0 && (to - from) / step <= 1000.0 => {
-            Ok(Sweep([from, to, step]))
+            Ok(SweepRange([from, to, step]))
         }
         _ => Err("give FROM,TO,STEP in degrees, at most 1000 steps, as in -20,45,2.5".into()),
     }

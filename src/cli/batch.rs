@@ -10,7 +10,7 @@ use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::args::{Batch, BatchVerb};
 use super::out::{self, sayln};
-use crate::batch::{self, Done, Effort, Family, Options, Record, Shard, Status, Watch};
+use crate::batch::{self, BatchOptions, Done, Effort, Family, Record, Shard, Status, Watch};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Warning};
 
@@ -29,7 +29,7 @@ pub fn run(args: &Batch, quiet: bool) -> Result<u8> {
         return Ok(0);
     }
     let out = args.out.as_deref().ok_or_else(|| missing("-o"))?;
-    let options = Options { shard, memory_mib: args.memory, retry: args.retry, ..Options::default() };
+    let options = BatchOptions { shard, memory_mib: args.memory, retry: args.retry, ..BatchOptions::default() };
     let screen = Screen::new(quiet);
     let done = batch::run(&family, out, &options, &screen);
     screen.finish();

@@ -5,7 +5,7 @@ use super::out::sayln;
 use super::plan::draft_of;
 use super::progress::Terminal;
 use crate::error::Result;
-use crate::run::compare::{Comparison, Run, compare};
+use crate::run::compare::{Comparison, ScheduleRun, compare};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Compare, quiet: bool) -> Result<u8> {
@@ -70,6 +70,6 @@ fn print(c: &Comparison) {
     }
 }
 
-fn time(r: &Run) -> String {
+fn time(r: &ScheduleRun) -> String {
     format!("{}{:.2}", if r.within_jerk == Some(false) { "*" } else { "" }, r.time_s)
 }

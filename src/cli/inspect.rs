@@ -1,6 +1,6 @@
 //! `inspect`: what is in a model file.
 
-use super::args::{Faces, Inspect, Reading, Region};
+use super::args::{Faces, Inspect, Reading, RegionHeights};
 use super::out::{say, sayln};
 use super::progress::Terminal;
 use crate::error::Result;
@@ -32,8 +32,8 @@ pub(super) fn reading(r: &Reading) -> ModelOptions {
     let mut o = ModelOptions { unit: r.unit, axis: r.axis.map(|a| a.0), body: r.body, ..ModelOptions::default() };
     for region in &r.region {
         match region {
-            Region::Airfoil(heights) => o.airfoil_mm = Some(*heights),
-            Region::Platform(x) => o.platform_mm = Some(*x),
+            RegionHeights::Airfoil(heights) => o.airfoil_mm = Some(*heights),
+            RegionHeights::Platform(x) => o.platform_mm = Some(*x),
         }
     }
     for faces in &r.faces {

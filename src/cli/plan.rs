@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Faces, Job, Plan, Reading, Region};
+use super::args::{Faces, Job, Plan, Reading, RegionHeights};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::program::CycleTime;
@@ -77,8 +77,8 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
     keys.body = reading.body.or(keys.body);
     for region in &reading.region {
         match region {
-            Region::Airfoil(heights) => keys.airfoil_mm = Some(*heights),
-            Region::Platform(x) => keys.platform_mm = Some(*x),
+            RegionHeights::Airfoil(heights) => keys.airfoil_mm = Some(*heights),
+            RegionHeights::Platform(x) => keys.platform_mm = Some(*x),
         }
     }
     for faces in &reading.faces {

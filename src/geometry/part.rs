@@ -12,7 +12,7 @@ use super::exact::fine::Fine;
 use super::exact::measure::Loops;
 use super::mesh::Mesh;
 use super::nurbs::Principal;
-use super::tessellate::{Options, Tessellation, tessellate};
+use super::tessellate::{TessellateOptions, Tessellation, tessellate};
 use super::triangle::angle_at;
 use super::{Point, Vector};
 use crate::error::Result;
@@ -132,7 +132,7 @@ impl Part {
     /// # Errors
     /// See [`tessellate`].
     pub fn meshed(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
-        let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
+        let t = tessellate(&brep, &TessellateOptions::with_deflection(deflection_mm), observer)?;
         Ok(Self::tied(Tie::Loops(Loops::new(&t)), t))
     }
 
@@ -142,7 +142,7 @@ impl Part {
     /// # Errors
     /// See [`tessellate`].
     pub fn from_brep(brep: Brep, deflection_mm: f64, observer: &dyn Observer) -> Result<Self> {
-        let t = tessellate(&brep, &Options::with_deflection(deflection_mm), observer)?;
+        let t = tessellate(&brep, &TessellateOptions::with_deflection(deflection_mm), observer)?;
         Ok(Self::tied(Tie::Exact(Box::new(Exact::new(&t))), t))
     }
 

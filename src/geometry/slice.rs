@@ -100,7 +100,7 @@ pub fn slice(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64) -> Vec<Loop> {
 /// Cuts only the given triangles (ascending indices): for callers that have their own index over
 /// the mesh.
 pub fn slice_triangles(mesh: &Mesh, triangles: &[u32], x_mm: f64) -> Vec<Loop> {
-    let cuts: Vec<Cut> = triangles.iter().filter_map(|&t| Cut::new(mesh, t, x_mm)).collect();
+    let cuts: Vec<CutTriangle> = triangles.iter().filter_map(|&t| CutTriangle::new(mesh, t, x_mm)).collect();
     // Position in `cuts` by the edge where the cut begins and where it ends; several on one edge
     // where not manifold.
     let mut begins: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
@@ -145,14 +145,14 @@ pub fn slice_triangles(mesh: &Mesh, triangles: &[u32], x_mm: f64) -> Vec<Loop> {
 }
 
 /// One cut triangle: its edges as (vertex above, vertex below).
-struct Cut {
+struct CutTriangle {
     triangle: u32,
     begin: [u32; 2],
     end: [u32; 2],
 }
 
-impl Cut {
-    fn new(mesh: &Mesh, triangle: u32, x_mm: f64) -> Option<Cut> {
+impl CutTriangle {
+    fn new(mesh: &Mesh, triangle: u32, x_mm: f64) -> Option<CutTriangle> {
         let corners = *mesh.triangles.get(triangle as usize)?;
         let above = corners.map(|v| mesh.points[v as usize].x >= x_mm);
         let (mut begin, mut end) = (None, None);
@@ -164,7 +164,7 @@ impl Cut {
                 _ => {}
             }
         }
-        Some(Cut { triangle, begin: begin?, end: end? })
+        Some(CutTriangle { triangle, begin: begin?, end: end? })
     }
 }
 
@@ -176,7 +176,7 @@ fn take(at: &BTreeMap<[u32; 2], Vec<usize>>, used: &mut [bool], edge: [u32; 2]) 
 }
 
 /// Points of a chain of cuts, without repeated ones; `None` where it shrinks to a point or a line.
-fn assemble(mesh: &Mesh, cuts: &[Cut], chain: &[usize], closed: bool, x_mm: f64) -> Option<Loop> {
+fn assemble(mesh: &Mesh, cuts: &[CutTriangle], chain: &[usize], closed: bool, x_mm: f64) -> Option<Loop> {
     let at = |e: [u32; 2]| crossing(mesh, e, x_mm);
     let mut points: Vec<[f64; 2]> = Vec::with_capacity(chain.len() + 1);
     let mut triangles: Vec<u32> = Vec::with_capacity(chain.len());

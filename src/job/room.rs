@@ -24,14 +24,14 @@ const HEIGHTS: usize = 9;
 
 /// A place on the surface.
 #[derive(Clone, Copy)]
-struct Place {
+struct SurfacePlace {
     at: Point,
     normal: Vector,
 }
 
 /// Places that stand for equal pieces of a surface.
 struct Surface {
-    places: Vec<Place>,
+    places: Vec<SurfacePlace>,
     area_mm2: f64,
 }
 
@@ -133,7 +133,7 @@ fn share(blade: &Blade, on: &Surface, [radius_mm, spare]: [f64; 2], sound: &[boo
     let r = radius_mm / spare;
     let counts: Vec<bool> = places.iter().zip(sound).map(|(p, sound)| *sound && p.at.x >= lowest).collect();
     // How near the centre comes; infinite where it is clear.
-    let near = |(p, counts): (&Place, &bool)| {
+    let near = |(p, counts): (&SurfacePlace, &bool)| {
         let centre = p.at + p.normal * r;
         let close = counts.then(|| blade.part.closest_on_mesh(&centre, r)).flatten();
         close.map(|c| c.distance_mm).filter(|d| *d <= FACETS * r).unwrap_or(f64::INFINITY)
@@ -163,13 +163,13 @@ fn spread(blade: &Blade, outlines: &[(f64, [f64; 4])], [lo, hi]: [f64; 2], most_
             p.y > b[0] - m && p.y < b[2] + m && p.z > b[1] - m && p.z < b[3] + m
         })
     };
-    let all: Vec<(Place, f64)> = (0..mesh.triangles.len())
+    let all: Vec<(SurfacePlace, f64)> = (0..mesh.triangles.len())
         .filter_map(|t| {
             let [p, q, r] = mesh.corners(t);
             let at = p + ((q - p) + (r - p)) / 3.0;
             let normal = mesh.normal(t);
             let counts = lo <= at.x && at.x <= hi && normal.x.abs() < most_lean && on_airfoil(&at);
-            counts.then(|| (Place { at, normal }, mesh.triangle_area_mm2(t)))
+            counts.then(|| (SurfacePlace { at, normal }, mesh.triangle_area_mm2(t)))
         })
         .collect();
     let total: f64 = all.iter().map(|(_, area)| area).sum();

@@ -7,7 +7,7 @@
 use nalgebra::Vector4;
 
 use super::design::{BladeDesign, PlatformDesign};
-use super::ring::Patch;
+use super::ring::RingPatch;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
@@ -24,21 +24,21 @@ pub(super) struct Solid {
 
 /// Which boundary of a surface.
 #[derive(Clone, Copy)]
-enum Side {
+enum SurfaceSide {
     Bottom,
     Top,
     Start,
 }
 
-fn boundary(s: &NurbsSurface, side: Side) -> NurbsCurve {
+fn boundary(s: &NurbsSurface, side: SurfaceSide) -> NurbsCurve {
     let (degree, knots) = match side {
-        Side::Bottom | Side::Top => (s.degree_u, s.knots_u.clone()),
-        Side::Start => (s.degree_v, s.knots_v.clone()),
+        SurfaceSide::Bottom | SurfaceSide::Top => (s.degree_u, s.knots_u.clone()),
+        SurfaceSide::Start => (s.degree_v, s.knots_v.clone()),
     };
     let points = match side {
-        Side::Bottom => s.points.iter().step_by(s.n_v).copied().collect(),
-        Side::Top => s.points.iter().skip(s.n_v - 1).step_by(s.n_v).copied().collect(),
-        Side::Start => s.points[..s.n_v].to_vec(),
+        SurfaceSide::Bottom => s.points.iter().step_by(s.n_v).copied().collect(),
+        SurfaceSide::Top => s.points.iter().skip(s.n_v - 1).step_by(s.n_v).copied().collect(),
+        SurfaceSide::Start => s.points[..s.n_v].to_vec(),
     };
     NurbsCurve { degree, knots, points }
 }
@@ -123,7 +123,7 @@ fn rectangle(polygon: &[Point], margin: f64) -> NurbsSurface {
 }
 
 /// The whole solid; errors if the fillet leaves the platform.
-pub(super) fn assemble(d: &BladeDesign, patches: &[Patch]) -> Result<Solid> {
+pub(super) fn assemble(d: &BladeDesign, patches: &[RingPatch]) -> Result<Solid> {
     let mut solid = Solid::default();
     let (bottom, tip) = ring(&mut solid, patches);
     stays_on_platform(&solid, &bottom, &d.platform)?;
@@ -133,9 +133,9 @@ pub(super) fn assemble(d: &BladeDesign, patches: &[Patch]) -> Result<Solid> {
 }
 
 /// Faces of the patches; returns the edges on the platform and at the tip, counter-clockwise.
-fn ring(solid: &mut Solid, patches: &[Patch]) -> (Vec<usize>, Vec<usize>) {
+fn ring(solid: &mut Solid, patches: &[RingPatch]) -> (Vec<usize>, Vec<usize>) {
     let n = patches.len();
-    let lowest = |p: &Patch| p.fillet.as_ref().unwrap_or(&p.airfoil).points[0];
+    let lowest = |p: &RingPatch| p.fillet.as_ref().unwrap_or(&p.airfoil).points[0];
     let foot: Vec<usize> = patches.iter().map(|p| solid.vertex(cartesian(&lowest(p)))).collect();
     let joint: Vec<usize> = patches
         .iter()
@@ -148,13 +148,13 @@ fn ring(solid: &mut Solid, patches: &[Patch]) -> (Vec<usize>, Vec<usize>) {
     let mut bottom = Vec::new();
     let (mut joints, mut tips, mut walls, mut arcs) = (vec![], vec![], vec![], vec![]);
     for (i, p) in patches.iter().enumerate() {
-        joints.push(solid.curve(boundary(&p.airfoil, Side::Bottom), [joint[i], joint[next(i)]]));
-        tips.push(solid.curve(boundary(&p.airfoil, Side::Top), [top[i], top[next(i)]]));
-        walls.push(solid.curve(boundary(&p.airfoil, Side::Start), [joint[i], top[i]]));
+        joints.push(solid.curve(boundary(&p.airfoil, SurfaceSide::Bottom), [joint[i], joint[next(i)]]));
+        tips.push(solid.curve(boundary(&p.airfoil, SurfaceSide::Top), [top[i], top[next(i)]]));
+        walls.push(solid.curve(boundary(&p.airfoil, SurfaceSide::Start), [joint[i], top[i]]));
         bottom.push(match &p.fillet {
             Some(f) => {
-                arcs.push(solid.curve(boundary(f, Side::Start), [foot[i], joint[i]]));
-                solid.curve(boundary(f, Side::Bottom), [foot[i], foot[next(i)]])
+                arcs.push(solid.curve(boundary(f, SurfaceSide::Start), [foot[i], joint[i]]));
+                solid.curve(boundary(f, SurfaceSide::Bottom), [foot[i], foot[next(i)]])
             }
             None => joints[i],
         });

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
-use crate::numerics::spline::{CubicSpline, Ends};
+use crate::numerics::spline::{CubicSpline, SplineEnds};
 
 /// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along
 /// +z:
@@ -176,7 +176,7 @@ impl Law {
                     within(key, s[1], min, max)?;
                 }
                 let (x, y): (Vec<f64>, Vec<f64>) = stations.iter().map(|s| (s[0], s[1])).unzip();
-                CubicSpline::new(&x, &y, 1, &Ends::Natural).map(LawCurve::Spline).map_err(|e| {
+                CubicSpline::new(&x, &y, 1, &SplineEnds::Natural).map(LawCurve::Spline).map_err(|e| {
                     Error::usage(Stage::Make, format!("the stations of {key} make no curve"))
                         .advise("give at least two, with increasing height fractions")
                         .caused_by(e)

@@ -101,7 +101,7 @@ impl Section {
 
 /// The sections at all heights.
 #[derive(Clone, Debug)]
-pub struct Sections {
+pub struct BladeSections {
     chord: LawCurve,
     stagger: LawCurve,
     inlet: LawCurve,
@@ -115,11 +115,11 @@ pub struct Sections {
     stack: f64,
 }
 
-impl Sections {
+impl BladeSections {
     /// Checks the laws and the sections that they make.
     pub fn new(d: &AirfoilDesign) -> Result<Self> {
         let length = |law: &super::Law, key: &str| law.curve(key, 1e-3, 1e5);
-        let s = Sections {
+        let s = BladeSections {
             chord: length(&d.chord_mm, "airfoil.chord_mm")?,
             stagger: d.stagger_deg.curve("airfoil.stagger_deg", -360.0, 360.0)?,
             inlet: d.inlet_deg.curve("airfoil.inlet_deg", -75.0, 75.0)?,
@@ -211,7 +211,7 @@ mod tests {
             sweep_mm: law(1.0),
             lean_mm: law(2.0),
         };
-        let s = Sections::new(&design).unwrap().at(0.3);
+        let s = BladeSections::new(&design).unwrap().at(0.3);
         for i in 0..50 {
             let [x, y] = s.point(0.13 * i as f64);
             assert!((((y - 2.0) / 20.0).powi(2) + ((x - 1.0) / 4.0).powi(2) - 1.0).abs() < 1e-13);
@@ -222,7 +222,7 @@ mod tests {
     #[test]
     fn edges_thickness_and_angles_are_as_asked() {
         let d = presets::steam_root().airfoil.unwrap();
-        let s = Sections::new(&d).unwrap().at(0.0);
+        let s = BladeSections::new(&d).unwrap().at(0.0);
         let c = s.chord;
         let LawCurve::Spline(_) = d.chord_mm.curve("c", 0.0, 1e3).unwrap() else { panic!("a law of height") };
         let first = |l: &super::super::Law| l.curve("l", -1e3, 1e3).unwrap().at(0.0);
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn turbine_sections_have_one_concave_stretch() {
         for design in [presets::steam_root(), presets::turbine_camber()] {
-            let s = Sections::new(design.airfoil.as_ref().unwrap()).unwrap();
+            let s = BladeSections::new(design.airfoil.as_ref().unwrap()).unwrap();
             for fraction in [0.0, 0.5, 1.0] {
                 let section = s.at(fraction);
                 let signs: Vec<bool> =
@@ -253,6 +253,6 @@ mod tests {
     fn a_waisted_section_is_refused() {
         let mut d = presets::steam_root().airfoil.unwrap();
         d.leading_radius_mm = law(15.0);
-        assert!(Sections::new(&d).unwrap_err().message.contains("second extreme"));
+        assert!(BladeSections::new(&d).unwrap_err().message.contains("second extreme"));
     }
 }

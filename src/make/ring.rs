@@ -6,7 +6,7 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use nalgebra::Vector4;
 
 use super::design::{Accuracy, BladeDesign, PrismDesign};
-use super::profile::Sections;
+use super::profile::BladeSections;
 use super::rolling_ball::{Contact, IdealAirfoil};
 use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 use crate::geometry::brep::SurfaceKind;
@@ -15,7 +15,7 @@ use crate::geometry::nurbs::fit::{ControlRows, FitError, PeriodicRows, surface_t
 
 /// One patch: `u` runs counter-clockwise seen from the tip, `v` upwards.
 #[derive(Clone, Debug)]
-pub(super) struct Patch {
+pub(super) struct RingPatch {
     pub name: &'static str,
     pub airfoil: NurbsSurface,
     pub airfoil_kind: SurfaceKind,
@@ -30,11 +30,11 @@ fn fit(e: FitError) -> Error {
 }
 
 /// All patches, counter-clockwise.
-pub(super) fn patches(d: &BladeDesign) -> Result<Vec<Patch>> {
+pub(super) fn patches(d: &BladeDesign) -> Result<Vec<RingPatch>> {
     let (z0, tip) = (d.platform.top_z_mm, d.platform.top_z_mm + d.height_mm);
     match (&d.airfoil, &d.prism) {
         (Some(a), _) => {
-            let ideal = IdealAirfoil::new(Sections::new(a)?, z0, d.height_mm);
+            let ideal = IdealAirfoil::new(BladeSections::new(a)?, z0, d.height_mm);
             free_form(&ideal, d.fillet_radius_mm, tip, &d.accuracy)
         }
         (None, Some(p)) => Ok(stadium(p, d.fillet_radius_mm, z0, tip)),
@@ -55,7 +55,7 @@ fn row_fraction(j: usize, rows: usize) -> f64 {
 
 /// Airfoil and fillet by interpolation: cubic and C² round the section, parameters φ; the airfoil
 /// cubic upwards, the fillet's cross-sections rational arcs. Cut at leading and trailing edge.
-fn free_form(ideal: &IdealAirfoil, r: f64, tip: f64, accuracy: &Accuracy) -> Result<Vec<Patch>> {
+fn free_form(ideal: &IdealAirfoil, r: f64, tip: f64, accuracy: &Accuracy) -> Result<Vec<RingPatch>> {
     let n = accuracy.stations;
     let params: Vec<f64> = (0..=n).map(|i| TAU * i as f64 / n as f64).collect();
     let phi = &params[..n];
@@ -84,7 +84,7 @@ fn free_form(ideal: &IdealAirfoil, r: f64, tip: f64, accuracy: &Accuracy) -> Res
     let names = ["pressure side", "suction side"];
     let mut patches = Vec::with_capacity(2);
     for ((name, wall), fillet) in names.into_iter().zip(walls).zip(fillets) {
-        patches.push(Patch {
+        patches.push(RingPatch {
             name,
             airfoil: surface_through_rows(&wall, &fractions, 3).map_err(fit)?,
             airfoil_kind: SurfaceKind::BSpline,
@@ -120,7 +120,7 @@ fn arc(c: &Contact, r: f64) -> [Vector4<f64>; 3] {
 /// A curve in the plane of the platform with its outward offset: control points `(x, y, w)` and
 /// unit offset directions (radial at the control polygon's corners, so that the offset of an arc is
 /// an arc).
-struct Outline {
+struct OffsetCurve {
     name: &'static str,
     degree: usize,
     knots: Vec<f64>,
@@ -131,7 +131,7 @@ struct Outline {
 
 /// The stadium, exact: sides as planes (bilinear), ends as half cylinders (rational quadratic),
 /// fillets as quarter cylinders and half tori.
-fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
+fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<RingPatch> {
     let radius = 0.5 * p.width_mm;
     let half = 0.5 * p.length_mm - radius;
     let mut outlines = Vec::new();
@@ -139,7 +139,7 @@ fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
     for (k, (side, end)) in names.into_iter().enumerate() {
         let turn = if k == 0 { 1.0 } else { -1.0 };
         if half > 0.0 {
-            outlines.push(Outline {
+            outlines.push(OffsetCurve {
                 name: side,
                 degree: 1,
                 knots: vec![0.0, 0.0, 1.0, 1.0],
@@ -152,7 +152,7 @@ fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
         let outwards: Vec<[f64; 2]> = [[0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
             .map(|d: [f64; 2]| d.map(|x| x * turn))
             .to_vec();
-        outlines.push(Outline {
+        outlines.push(OffsetCurve {
             name: end,
             degree: 2,
             knots: vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0],
@@ -170,10 +170,10 @@ fn stadium(p: &PrismDesign, r: f64, z0: f64, tip: f64) -> Vec<Patch> {
     outlines.iter().map(|o| o.patch(r, z0, tip, [sin, cos])).collect()
 }
 
-impl Outline {
+impl OffsetCurve {
     /// Extrudes the outline from the fillet to the tip and sweeps the fillet's quarter arc along
     /// it.
-    fn patch(&self, r: f64, z0: f64, tip: f64, [sin, cos]: [f64; 2]) -> Patch {
+    fn patch(&self, r: f64, z0: f64, tip: f64, [sin, cos]: [f64; 2]) -> RingPatch {
         let place = |x: f64, y: f64, z: f64, w: f64| homogeneous(cos * x - sin * y, sin * x + cos * y, z, w);
         let surface = |degree_v: usize, knots_v: Vec<f64>, columns: &[(f64, f64, f64)]| NurbsSurface {
             degree_u: self.degree,
@@ -192,7 +192,7 @@ impl Outline {
         };
         let kind = |straight, curved| if self.straight { straight } else { curved };
         let arc = [(r, z0, 1.0), (0.0, z0, 0.5 * SQRT_2), (0.0, z0 + r, 1.0)];
-        Patch {
+        RingPatch {
             name: self.name,
             airfoil: surface(1, vec![0.0, 0.0, 1.0, 1.0], &[(0.0, z0 + r, 1.0), (0.0, tip, 1.0)]),
             airfoil_kind: kind(SurfaceKind::Plane, SurfaceKind::Cylinder),

@@ -6,14 +6,14 @@
 //! make the spine, the contacts the two edges of the fillet, and every cross-section of the fillet
 //! is an arc of radius `r` about `C` from `C − r e_z` to `C − r n`.
 
-use super::profile::Sections;
+use super::profile::BladeSections;
 use crate::error::{DesignFault, Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 /// The airfoil as the laws give it, without interpolation.
 #[derive(Clone, Debug)]
 pub struct IdealAirfoil {
-    sections: Sections,
+    sections: BladeSections,
     /// z of the platform's top, mm.
     pub z0: f64,
     /// From there to the tip, mm.
@@ -35,7 +35,7 @@ pub struct Contact {
 
 impl IdealAirfoil {
     /// The airfoil over a platform at `z0`.
-    pub fn new(sections: Sections, z0: f64, height: f64) -> Self {
+    pub fn new(sections: BladeSections, z0: f64, height: f64) -> Self {
         IdealAirfoil { sections, z0, height }
     }
 

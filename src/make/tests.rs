@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use proptest::prelude::*;
 
-use super::profile::Sections;
+use super::profile::BladeSections;
 use super::rolling_ball::IdealAirfoil;
 use super::*;
 use crate::geometry::Vector;
@@ -18,7 +18,7 @@ fn models() -> PathBuf {
 }
 
 fn ideal(d: &BladeDesign) -> IdealAirfoil {
-    IdealAirfoil::new(Sections::new(d.airfoil.as_ref().unwrap()).unwrap(), d.platform.top_z_mm, d.height_mm)
+    IdealAirfoil::new(BladeSections::new(d.airfoil.as_ref().unwrap()).unwrap(), d.platform.top_z_mm, d.height_mm)
 }
 
 /// A preset with a coarse mesh, for tests that look at its surfaces.

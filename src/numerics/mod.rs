@@ -1,4 +1,5 @@
-//! Numbers only: angles, splines, banded systems, convex problems along a line of stages. No geometry.
+//! Numbers only, no geometry: angles, splines, banded systems, convex problems along a line of
+//! stages.
 pub mod angle;
 pub mod banded;
 pub mod bezier;

@@ -11,7 +11,7 @@ use super::banded::solve_cyclic_tridiagonal;
 
 /// What holds at the ends of a spline.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Ends {
+pub enum SplineEnds {
     /// Second derivative zero.
     Natural,
     /// Given first derivatives, one for each function.
@@ -96,7 +96,7 @@ impl CubicSpline {
     /// assert!((s.value(2.0, 0) - 4.0).abs() < 1e-14);
     /// # Ok::<(), bladewright::numerics::spline::SplineError>(())
     /// ```
-    pub fn new(x: &[f64], values: &[f64], functions: usize, ends: &Ends) -> Result<Self, SplineError> {
+    pub fn new(x: &[f64], values: &[f64], functions: usize, ends: &SplineEnds) -> Result<Self, SplineError> {
         validate(x, values, functions, ends)?;
         let slopes = slopes(x, values, functions, ends).ok_or(SplineError::Singular)?;
         if slopes.iter().any(|s| !s.is_finite()) {
@@ -113,7 +113,7 @@ impl CubicSpline {
                 coefficients.push([p, m, (3.0 * d - 2.0 * m - n) / h, (m + n - 2.0 * d) / (h * h)]);
             }
         }
-        Ok(CubicSpline { x: x.to_vec(), functions, coefficients, periodic: *ends == Ends::Periodic })
+        Ok(CubicSpline { x: x.to_vec(), functions, coefficients, periodic: *ends == SplineEnds::Periodic })
     }
 
     /// The abscissae.
@@ -163,7 +163,7 @@ impl CubicSpline {
     }
 }
 
-fn validate(x: &[f64], values: &[f64], functions: usize, ends: &Ends) -> Result<(), SplineError> {
+fn validate(x: &[f64], values: &[f64], functions: usize, ends: &SplineEnds) -> Result<(), SplineError> {
     if x.len() < 2 || functions == 0 {
         return Err(SplineError::TooFew { abscissae: x.len(), functions });
     }
@@ -180,15 +180,15 @@ fn validate(x: &[f64], values: &[f64], functions: usize, ends: &Ends) -> Result<
         return Err(SplineError::NotFinite { index });
     }
     match ends {
-        Ends::Natural => {}
-        Ends::Clamped { start, end } => {
+        SplineEnds::Natural => {}
+        SplineEnds::Clamped { start, end } => {
             length("start slopes", functions, start.len())?;
             length("end slopes", functions, end.len())?;
             if let Some(index) = start.iter().chain(end).position(|v| !v.is_finite()) {
                 return Err(SplineError::NotFinite { index });
             }
         }
-        Ends::Periodic => {
+        SplineEnds::Periodic => {
             for function in 0..functions {
                 let (start, end) = (values[function], values[(x.len() - 1) * functions + function]);
                 if (start - end).abs() > 1e-9 * (1.0 + start.abs()) {
@@ -203,11 +203,11 @@ fn validate(x: &[f64], values: &[f64], functions: usize, ends: &Ends) -> Result<
 /// Slopes at all abscissae, row by row. Continuity of the second derivative at abscissa `i`, with
 /// `h` the lengths and `d` the divided differences:
 /// `m[i-1]/h[i-1] + 2 (1/h[i-1] + 1/h[i]) m[i] + m[i+1]/h[i] = 3 (d[i-1]/h[i-1] + d[i]/h[i])`.
-fn slopes(x: &[f64], values: &[f64], f: usize, ends: &Ends) -> Option<Vec<f64>> {
+fn slopes(x: &[f64], values: &[f64], f: usize, ends: &SplineEnds) -> Option<Vec<f64>> {
     let n = x.len();
     let g: Vec<f64> = x.windows(2).map(|w| 1.0 / (w[1] - w[0])).collect();
     let d = |i: usize, k: usize| (values[(i + 1) * f + k] - values[i * f + k]) * g[i];
-    if *ends == Ends::Periodic {
+    if *ends == SplineEnds::Periodic {
         let m = n - 1;
         let before = |i: usize| (i + m - 1) % m;
         let lower: Vec<f64> = (0..m).map(|i| g[before(i)]).collect();
@@ -230,15 +230,15 @@ fn slopes(x: &[f64], values: &[f64], f: usize, ends: &Ends) -> Option<Vec<f64>> 
         let (before, after) = (i.checked_sub(1), (i + 1 < n).then_some(i));
         let [g0, g1] = [before, after].map(|i| i.map_or(0.0, |i| g[i]));
         let (lower, diagonal, upper) = match ends {
-            Ends::Clamped { .. } if i == 0 || i + 1 == n => (0.0, g0 + g1, 0.0),
+            SplineEnds::Clamped { .. } if i == 0 || i + 1 == n => (0.0, g0 + g1, 0.0),
             _ => (g0, 2.0 * (g0 + g1), g1),
         };
         let w = 1.0 / (diagonal - lower * above.last().copied().unwrap_or(0.0));
         above.push(upper * w);
         for k in 0..f {
             let right = match ends {
-                Ends::Clamped { start, .. } if i == 0 => given(start, k) * g1,
-                Ends::Clamped { end, .. } if i + 1 == n => given(end, k) * g0,
+                SplineEnds::Clamped { start, .. } if i == 0 => given(start, k) * g1,
+                SplineEnds::Clamped { end, .. } if i + 1 == n => given(end, k) * g0,
                 _ => 3.0 * [before, after].into_iter().flatten().map(|i| d(i, k) * g[i]).sum::<f64>(),
             };
             let carried = if i > 0 { lower * s[(i - 1) * f + k] } else { 0.0 };
@@ -265,7 +265,7 @@ mod tests {
         let df = |x: f64| -2.0 + x - 0.75 * x * x;
         let x = [-1.0, 0.2, 0.3, 2.0, 5.0];
         let v: Vec<f64> = x.iter().flat_map(|&x| [f(x), -f(x)]).collect();
-        let ends = Ends::Clamped { start: vec![df(-1.0), -df(-1.0)], end: vec![df(5.0), -df(5.0)] };
+        let ends = SplineEnds::Clamped { start: vec![df(-1.0), -df(-1.0)], end: vec![df(5.0), -df(5.0)] };
         let s = CubicSpline::new(&x, &v, 2, &ends).unwrap();
         for i in 0..=60 {
             let t = -1.0 + 0.1 * i as f64;
@@ -281,7 +281,7 @@ mod tests {
             let x: Vec<f64> = (0..=n).map(|i| std::f64::consts::TAU * i as f64 / n as f64).collect();
             let mut v: Vec<f64> = x.iter().map(|x| x.sin()).collect();
             v[n] = v[0];
-            let s = CubicSpline::new(&x, &v, 1, &Ends::Periodic).unwrap();
+            let s = CubicSpline::new(&x, &v, 1, &SplineEnds::Periodic).unwrap();
             (0..1000).map(|i| 0.02 * i as f64 - 5.0).map(|t| (s.value(t, 0) - t.sin()).abs()).fold(0.0, f64::max)
         };
         let (coarse, fine) = (error(16), error(32));
@@ -290,12 +290,15 @@ mod tests {
 
     #[test]
     fn what_cannot_be_a_spline_is_refused() {
-        let new = |x: &[f64], v: &[f64], e: Ends| CubicSpline::new(x, v, 1, &e).unwrap_err();
-        assert!(matches!(new(&[0.0], &[1.0], Ends::Natural), SplineError::TooFew { .. }));
-        assert!(matches!(new(&[0.0, 0.0], &[1.0, 2.0], Ends::Natural), SplineError::NotIncreasing { index: 1, .. }));
-        assert!(matches!(new(&[0.0, 1.0], &[1.0, f64::NAN], Ends::Natural), SplineError::NotFinite { index: 1 }));
-        assert!(matches!(new(&[0.0, 1.0], &[1.0, 2.0], Ends::Periodic), SplineError::NotPeriodic { .. }));
-        let short = Ends::Clamped { start: vec![], end: vec![0.0] };
+        let new = |x: &[f64], v: &[f64], e: SplineEnds| CubicSpline::new(x, v, 1, &e).unwrap_err();
+        assert!(matches!(new(&[0.0], &[1.0], SplineEnds::Natural), SplineError::TooFew { .. }));
+        assert!(matches!(
+            new(&[0.0, 0.0], &[1.0, 2.0], SplineEnds::Natural),
+            SplineError::NotIncreasing { index: 1, .. }
+        ));
+        assert!(matches!(new(&[0.0, 1.0], &[1.0, f64::NAN], SplineEnds::Natural), SplineError::NotFinite { index: 1 }));
+        assert!(matches!(new(&[0.0, 1.0], &[1.0, 2.0], SplineEnds::Periodic), SplineError::NotPeriodic { .. }));
+        let short = SplineEnds::Clamped { start: vec![], end: vec![0.0] };
         assert!(matches!(new(&[0.0, 1.0], &[1.0, 2.0], short), SplineError::Length { .. }));
     }
 
@@ -309,7 +312,7 @@ mod tests {
             let n = x.len();
             let mut v = values[..n].to_vec();
             if periodic { v[n - 1] = v[0]; }
-            let s = CubicSpline::new(&x, &v, 1, &if periodic { Ends::Periodic } else { Ends::Natural }).unwrap();
+            let s = CubicSpline::new(&x, &v, 1, &if periodic { SplineEnds::Periodic } else { SplineEnds::Natural }).unwrap();
             let at = |i: usize, t: f64| {
                 let [a, b, c, d] = s.coefficients(i, 0).unwrap();
                 [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]

@@ -389,7 +389,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
         v: &[[f64; V]],
         centre: Option<f64>,
         options: &Options,
-    ) -> Option<Reach> {
+    ) -> Option<StepReach> {
         let n = stages.len();
         let mut next = [0.0; X];
         for (i, s) in stages.iter().enumerate().rev() {
@@ -429,7 +429,7 @@ impl<const X: usize, const V: usize> Work<X, V> {
             self.side[i] = side;
         }
         let mut x = first_state::<X, V>(&self.gains[0].cost, &self.side[0], &options.fixed)?;
-        let mut reach = Reach::default();
+        let mut reach = StepReach::default();
         self.second = 0.0;
         for (i, s) in stages.iter().enumerate() {
             let mut d = [0.0; V];
@@ -461,11 +461,11 @@ impl<const X: usize, const V: usize> Work<X, V> {
 
 /// How far a step can be gone: `1/most` with positive numbers kept positive.
 #[derive(Clone, Copy, Default)]
-struct Reach {
+struct StepReach {
     most: f64,
 }
 
-impl Reach {
+impl StepReach {
     fn bind(&mut self, value: f64, change: f64) {
         if -change > self.most * value {
             self.most = -change / value;

@@ -92,7 +92,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::super::curve::{Curve, tangents};
+    use super::super::curve::{LevelCurve, tangents};
     use super::*;
     use crate::geometry::allowance::Allowed;
     use crate::geometry::brep::{Brep, Face, SurfaceKind};
@@ -120,7 +120,7 @@ mod tests {
                 level.touch(&Point::new(r * c, r * s, 20.0), 1.0).unwrap()
             };
             let touches: Vec<Touch> = (0..=20).map(on_circle).collect();
-            let curve = Curve { level: &level, touches: &touches, tangents: tangents(None, &touches, None) };
+            let curve = LevelCurve { level: &level, touches: &touches, tangents: tangents(None, &touches, None) };
             let filled = fill(&level, |u| curve.at(u), &curve.places(&options), &options).unwrap();
             let off =
                 |w: &[Touch]| (nalgebra::center(&w[0].centre, &w[1].centre) - Point::new(0.0, 0.0, 20.0)).norm() - r;

@@ -40,9 +40,9 @@ use std::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use super::bounds::{Bounds, Stop};
-use super::curve::{self, Curve};
+use super::curve::{self, LevelCurve};
 use super::level::{LevelSet, Touch};
-use super::march::{Laid, March, Node};
+use super::march::{Laid, March, TurnNode};
 use super::neighbour::Across;
 use super::options::PathOptions;
 use super::stepover::flat_stepover_mm;
@@ -282,7 +282,7 @@ fn is_closed(turn: &[Touch]) -> bool {
 fn finish(
     level: &LevelSet,
     options: &PathOptions,
-    turns: Vec<Vec<Node>>,
+    turns: Vec<Vec<TurnNode>>,
     reason: EndReason,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
@@ -297,7 +297,7 @@ fn finish(
             // The last turn is closed, if the end was found.
             let on = turns.get(k + 1).or_else(|| is_closed(touches).then_some(touches));
             let after = on.and_then(|t| t.get(1)).map(|t| &t.centre);
-            let curve = Curve { level, touches, tangents: curve::tangents(before, touches, after) };
+            let curve = LevelCurve { level, touches, tangents: curve::tangents(before, touches, after) };
             let filled = chords::fill(level, |u| curve.at(u), &curve.places(options), options)?;
             let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             observer.progress(Stage::Path, 1000 + 1000 * n / turns.len(), 2000);

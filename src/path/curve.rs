@@ -9,7 +9,7 @@ use crate::geometry::{Point, Vector};
 /// A curve on the level set through touches: between two of them a cubic with their tangents,
 /// brought onto the level set across its own direction. A place along it is the number of the touch
 /// before it plus the share of the way to the next.
-pub struct Curve<'a> {
+pub struct LevelCurve<'a> {
     /// The level set.
     pub level: &'a LevelSet<'a>,
     /// At least two.
@@ -59,7 +59,7 @@ pub fn tangent(before: Option<&Point>, at: &Touch, after: Option<&Point>) -> Vec
     flat.try_normalize(1e-12).unwrap_or_else(|| at.tangent())
 }
 
-impl Curve<'_> {
+impl LevelCurve<'_> {
     /// The touch at a place.
     ///
     /// # Errors

@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 use super::curve;
 use super::level::Touch;
-use super::march::{March, Node};
-use super::neighbour::Place;
+use super::march::{March, TurnNode};
+use super::neighbour::Heading;
 use super::nodes::arc_lengths;
 
 /// Widths of the bell that a fit reaches.
@@ -38,15 +38,15 @@ impl March<'_> {
 
     /// The turn with its touches that run ahead brought back; `before` ends with the touch that the
     /// turn begins with, which stays, and `after` goes on from its last.
-    pub(super) fn even_front(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
+    pub(super) fn even_front(&self, before: &[TurnNode], turn: &mut [TurnNode], after: &[TurnNode]) {
         let width_mm = self.even_mm();
         let lead = before.len().saturating_sub(1);
-        let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
+        let chain: Vec<TurnNode> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
         let touches: Vec<Touch> = chain.iter().map(|n| n.touch).collect();
         let along = curve::tangents(None, &touches, None);
         let even = |k: usize| -> Option<Touch> {
-            let from = Place { touch: touches[k], along: along[k] };
+            let from = Heading { touch: touches[k], along: along[k] };
             let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
             let lo = s_mm.partition_point(|s| *s < s_mm[k] - REACH * width_mm);
             let hi = s_mm.partition_point(|s| *s <= s_mm[k] + REACH * width_mm);

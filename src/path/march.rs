@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::bounds::Stop;
 use super::curve;
 use super::level::Touch;
-use super::neighbour::{Across, Next, Place};
+use super::neighbour::{Across, Heading, Next};
 use super::nodes::{Overrun, arc_lengths, is_ring};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -40,7 +40,7 @@ const PATIENCE: [usize; 2] = [3, 100];
 
 /// A touch of a turn, with how it came from the turn before.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+pub(super) struct TurnNode {
     pub(super) touch: Touch,
     /// Way from the turn before, mm.
     pub(super) way_mm: f64,
@@ -50,14 +50,14 @@ pub(super) struct Node {
 
 /// Turns laid, the first along a ring and the last node of each being the first of the next.
 pub(super) struct Laid {
-    pub(super) turns: Vec<Vec<Node>>,
+    pub(super) turns: Vec<Vec<TurnNode>>,
     /// Where a turn could not go on.
     pub(super) lost: Option<Point>,
 }
 
 impl Laid {
     /// The turn laid last.
-    pub(super) fn last(&self) -> &[Node] {
+    pub(super) fn last(&self) -> &[TurnNode] {
         self.turns.last().map_or(&[], Vec::as_slice)
     }
 
@@ -68,7 +68,7 @@ impl Laid {
 }
 
 /// Whether the last of turns runs along the end all the way.
-fn are_at_the_end(turns: &[Vec<Node>]) -> bool {
+fn are_at_the_end(turns: &[Vec<TurnNode>]) -> bool {
     matches!(turns, [_, .., last] if last.iter().all(|n| n.stop.is_some()))
 }
 
@@ -88,10 +88,10 @@ impl Rest {
 
     /// Whether, with one more turn, it has not become less for too long though some of it is at the
     /// end.
-    fn stays(&mut self, turn: &[Node]) -> bool {
-        let length = |w: &[Node]| (w[1].touch.centre - w[0].touch.centre).norm();
+    fn stays(&mut self, turn: &[TurnNode]) -> bool {
+        let length = |w: &[TurnNode]| (w[1].touch.centre - w[0].touch.centre).norm();
         let whole_mm: f64 = turn.windows(2).map(length).sum();
-        let is_free = |w: &&[Node]| w.iter().all(|n| n.stop.is_none());
+        let is_free = |w: &&[TurnNode]| w.iter().all(|n| n.stop.is_none());
         let rest_mm: f64 = turn.windows(2).filter(is_free).map(length).sum();
         if rest_mm < self.least_mm || rest_mm > (1.0 - LEAST_PART) * whole_mm {
             (self.least_mm, self.since) = (rest_mm, 0);
@@ -158,7 +158,7 @@ impl March<'_> {
     /// next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where
     /// turns follow one another at the end already, while the rest is not, a finer search tells
     /// better where it is, unless this one `is_finest`; over facets evened ways do.
-    pub(super) fn end_of(&self, turns: &[Vec<Node>], is_finest: bool) -> Option<Vec<Touch>> {
+    pub(super) fn end_of(&self, turns: &[Vec<TurnNode>], is_finest: bool) -> Option<Vec<Touch>> {
         if are_at_the_end(turns) {
             return turns.last().map(|last| self.smooth_end(&last[1..]));
         }
@@ -178,8 +178,8 @@ impl March<'_> {
     /// The end's touches. Over facets single ones stop the ball, and the end goes round them; turns
     /// that were laid round such an island in their turn would run into one another: it is passed
     /// by.
-    fn smooth_end(&self, end: &[Node]) -> Vec<Touch> {
-        let touches = |nodes: &[Node]| nodes.iter().map(|n| n.touch).collect();
+    fn smooth_end(&self, end: &[TurnNode]) -> Vec<Touch> {
+        let touches = |nodes: &[TurnNode]| nodes.iter().map(|n| n.touch).collect();
         if !self.across.level.is_over_facets() {
             return touches(end);
         }
@@ -195,7 +195,7 @@ impl March<'_> {
         let centre = |k: usize| Some(&ring[k % n].centre);
         let moved = |i: usize| {
             let along = curve::tangent(centre(i + n - 1), &ring[i], centre(i + 1));
-            let mut place = Place { touch: ring[i], along };
+            let mut place = Heading { touch: ring[i], along };
             for _ in 0..MOST_MOVES {
                 let above_mm = place.touch.contact.x - height_mm;
                 if above_mm.abs() < LEAST_SHARE * self.flat_mm {
@@ -210,8 +210,8 @@ impl March<'_> {
     }
 
     /// A first turn, closed, along a ring.
-    pub(super) fn along(&self, ring: &[Touch]) -> Vec<Vec<Node>> {
-        let node = |t: &Touch| Node { touch: *t, way_mm: self.flat_mm, stop: None };
+    pub(super) fn along(&self, ring: &[Touch]) -> Vec<Vec<TurnNode>> {
+        let node = |t: &Touch| TurnNode { touch: *t, way_mm: self.flat_mm, stop: None };
         vec![self.tidy(ring.iter().chain(ring.first()).map(node).collect())]
     }
 
@@ -219,12 +219,12 @@ impl March<'_> {
     /// all the way, or the surface is lost.
     pub(super) fn lay(
         &self,
-        turns: Vec<Vec<Node>>,
+        turns: Vec<Vec<TurnNode>>,
         progress: &dyn Fn(f64) -> Result<()>,
-        mut enough: impl FnMut(&[Node]) -> bool,
+        mut enough: impl FnMut(&[TurnNode]) -> bool,
     ) -> Result<Laid> {
         let mut laid = Laid { turns, lost: None };
-        let length_mm = |turn: &[Node]| arc_lengths(turn).last().copied().unwrap_or(0.0);
+        let length_mm = |turn: &[TurnNode]| arc_lengths(turn).last().copied().unwrap_or(0.0);
         let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t)).max(self.round_mm);
         while let Some((last, before)) = laid.turns.split_last_mut() {
             progress(last[0].touch.centre.x)?;
@@ -262,7 +262,11 @@ impl March<'_> {
 
     /// The turn after `turn`; without a turn `before` it, `turn` is closed and left slowly. `Err`:
     /// where the ball cannot go on.
-    fn next_turn(&self, before: Option<&Vec<Node>>, turn: &mut Vec<Node>) -> std::result::Result<Vec<Node>, Point> {
+    fn next_turn(
+        &self,
+        before: Option<&Vec<TurnNode>>,
+        turn: &mut Vec<TurnNode>,
+    ) -> std::result::Result<Vec<TurnNode>, Point> {
         // The end of a closed turn comes before its own beginning.
         let tail = self.tail(before.unwrap_or(turn)).to_vec();
         // Beside a ring the ramp brings a turn as near to it as it likes: to bring it back would be
@@ -280,7 +284,7 @@ impl March<'_> {
         let ahead = centre(1);
         let along = curve::tangents(Some(&back), &touches, closed.then_some(&ahead));
         let round: Vec<Touch> = tail.iter().map(|n| n.touch).chain(touches).collect();
-        let mut next: Vec<Option<Node>> =
+        let mut next: Vec<Option<TurnNode>> =
             (0..=n).into_par_iter().map(|i| self.next_node(&turn[i], &round, along[i], shares[i])).collect();
         next[0] = Some(turn[n]);
         if !closed && let Some(start) = next[1] {
@@ -306,7 +310,7 @@ impl March<'_> {
     }
 
     /// The end of a turn, as long as the evening of a front looks.
-    fn tail<'n>(&self, turn: &'n [Node]) -> &'n [Node] {
+    fn tail<'n>(&self, turn: &'n [TurnNode]) -> &'n [TurnNode] {
         let s_mm = arc_lengths(turn);
         let whole = s_mm.last().copied().unwrap_or(0.0);
         &turn[s_mm.partition_point(|s| *s < whole - self.look_mm())..]
@@ -314,12 +318,12 @@ impl March<'_> {
 
     /// The beginning of the turn after `turn`, as long as the evening of a front looks; its first
     /// touch, the last of `turn`, left out.
-    fn head(&self, before: &[Node], turn: &[Node]) -> Vec<Node> {
+    fn head(&self, before: &[TurnNode], turn: &[TurnNode]) -> Vec<TurnNode> {
         let count = arc_lengths(turn).partition_point(|s| *s <= self.look_mm());
         let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
         let first = &touches[..turn.len().min(count + 1)];
         let along = curve::tangents(Some(&before[before.len() - 2].touch.centre), first, None);
-        let mut head: Vec<Node> = Vec::with_capacity(count);
+        let mut head: Vec<TurnNode> = Vec::with_capacity(count);
         let last = &turn[turn.len() - 1];
         for i in 1..count {
             let Some(next) = self.next_node(&turn[i], &touches, along[i], 1.0) else { continue };
@@ -332,18 +336,18 @@ impl March<'_> {
     }
 
     /// The neighbour of one node of a turn, at the share `share` of the stepover.
-    fn next_node(&self, node: &Node, turn: &[Touch], along: Vector, share: f64) -> Option<Node> {
+    fn next_node(&self, node: &TurnNode, turn: &[Touch], along: Vector, share: f64) -> Option<TurnNode> {
         if node.stop.is_some() || share < LEAST_SHARE {
-            return Some(Node { way_mm: self.flat_mm, ..*node });
+            return Some(TurnNode { way_mm: self.flat_mm, ..*node });
         }
-        let from = Place { touch: node.touch, along };
+        let from = Heading { touch: node.touch, along };
         let h_mm = self.scallop_mm * share * share;
         let Next { touch, way_mm, stop } = self.across.neighbour(&from, turn, h_mm, node.way_mm * share)?;
         if stop.is_none() && way_mm < STUCK * share * self.flat_mm {
             return None;
         }
         // A last, shortened way says nothing about the next.
-        Some(Node { touch, way_mm: if stop.is_some() { node.way_mm } else { way_mm / share }, stop })
+        Some(TurnNode { touch, way_mm: if stop.is_some() { node.way_mm } else { way_mm / share }, stop })
     }
 }
 
@@ -351,7 +355,7 @@ impl March<'_> {
 /// curvature over the ramp's length. Round a thin edge the ball's centre goes a long way and its
 /// contact hardly any: a ramp there would send every contact along the edge, so the shorter of the
 /// two ways counts.
-fn ramp(turn: &[Node], ramp_mm: f64) -> Vec<f64> {
+fn ramp(turn: &[TurnNode], ramp_mm: f64) -> Vec<f64> {
     let way_mm = |a: &Touch, b: &Touch| (b.centre - a.centre).norm().min((b.contact - a.contact).norm());
     let mut at_mm = 0.0;
     let ways = turn.windows(2).map(|w| {
@@ -379,8 +383,8 @@ mod tests {
         let there = (0..=20).map(|k| touch(0.1 * f64::from(k), 0.0));
         let round = (1..=20).map(|k| touch(2.0, f64::from(k) * std::f64::consts::PI / 20.0));
         let back = (1..=20).map(|k| touch(2.0 - 0.1 * f64::from(k), std::f64::consts::PI));
-        let node = |touch| Node { touch, way_mm: 1.0, stop: None };
-        let turn: Vec<Node> = there.chain(round).chain(back).map(node).collect();
+        let node = |touch| TurnNode { touch, way_mm: 1.0, stop: None };
+        let turn: Vec<TurnNode> = there.chain(round).chain(back).map(node).collect();
         let shares = ramp(&turn, 4.0);
         assert!(shares.windows(2).all(|w| w[0] <= w[1]));
         assert!(shares[20..=40].iter().all(|s| (s - 0.5).abs() < 1e-9), "{shares:?}");

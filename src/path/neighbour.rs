@@ -79,7 +79,7 @@ fn rolls_round(a: &Next, b: &Next, share: f64) -> bool {
 /// Whether a turn, near one of its places, lies already beyond an edge over which the ball would
 /// roll from `onset` to `over`, and the edge runs up the blade more than round it: a blunt trailing
 /// edge, say, which the turn goes over aslant, to go on on its other side.
-fn is_beyond(turn: &[Touch], from: &Place, onset: &Touch, over: &Touch) -> bool {
+fn is_beyond(turn: &[Touch], from: &Heading, onset: &Touch, over: &Touch) -> bool {
     let edge = onset.normal.cross(&over.normal).try_normalize(1e-9);
     if edge.is_none_or(|e| e.x.abs() < UPRIGHT) {
         return false;
@@ -91,17 +91,17 @@ fn is_beyond(turn: &[Touch], from: &Place, onset: &Touch, over: &Touch) -> bool 
 
 /// The direction in which the path goes on from a touch, and the plane across it.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct Heading {
     /// The ball.
     pub touch: Touch,
     /// Unit direction of the path.
     pub along: Vector,
 }
 
-impl Place {
+impl Heading {
     /// The same place of the path run the other way: across lies to the other side.
-    pub fn back(&self) -> Place {
-        Place { along: -self.along, ..*self }
+    pub fn back(&self) -> Heading {
+        Heading { along: -self.along, ..*self }
     }
 }
 
@@ -119,7 +119,7 @@ pub struct Across<'a> {
 impl Across<'_> {
     /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off, and `turn` the
     /// turn round the place. `None` where the ball cannot go there.
-    pub fn neighbour(&self, from: &Place, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
+    pub fn neighbour(&self, from: &Heading, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
         let next = self.straight(from, h_mm, guess_mm).or_else(|| {
             let ridge = |t: &Touch, _: f64| {
                 ridge_over_creases(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY)
@@ -131,7 +131,7 @@ impl Across<'_> {
 
     /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the
     /// turn itself goes over that edge.
-    fn short_of_an_edge(&self, from: &Place, turn: &[Touch], next: Next) -> Next {
+    fn short_of_an_edge(&self, from: &Heading, turn: &[Touch], next: Next) -> Next {
         let radius = self.level.radius_mm;
         let (bend, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
         // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it
@@ -170,7 +170,7 @@ impl Across<'_> {
 
     /// The last place between two of a way, of which the second is rolling, at which the ball does
     /// not roll yet.
-    fn onset(&self, from: &Place, first: Next, rolling_mm: f64, rolls: impl Fn(&Next) -> bool) -> Next {
+    fn onset(&self, from: &Heading, first: Next, rolling_mm: f64, rolls: impl Fn(&Next) -> bool) -> Next {
         let (mut before, mut low, mut high) = (first, first.way_mm, rolling_mm);
         if rolls(&first) {
             return first;
@@ -187,12 +187,12 @@ impl Across<'_> {
 
     /// The place at the given way, or where the ball begins to roll over a sharp edge before it;
     /// `turn` is the turn round the place.
-    pub fn reach(&self, from: &Place, turn: &[Touch], way_mm: f64) -> Option<Next> {
+    pub fn reach(&self, from: &Heading, turn: &[Touch], way_mm: f64) -> Option<Next> {
         self.at_way(from, way_mm).map(|next| self.short_of_an_edge(from, turn, next))
     }
 
     /// The place at the given way.
-    fn at_way(&self, from: &Place, way_mm: f64) -> Option<Next> {
+    fn at_way(&self, from: &Heading, way_mm: f64) -> Option<Next> {
         if let Some((touch, way)) = self.beside(from, way_mm)
             && self.bounds.hold(&touch)
         {
@@ -203,7 +203,7 @@ impl Across<'_> {
 
     /// One step across by `way_mm` and onto the level set, with the way along it; `None` where the
     /// level set turns too fast for that.
-    fn beside(&self, from: &Place, way_mm: f64) -> Option<(Touch, f64)> {
+    fn beside(&self, from: &Heading, way_mm: f64) -> Option<(Touch, f64)> {
         let (touch, way) = self.step(from, way_mm, 0.8)?;
         let turn = from.touch.normal.dot(&touch.normal);
         let fair = (0.8..1.25).contains(&(way / way_mm.max(1e-300)));
@@ -212,7 +212,7 @@ impl Across<'_> {
 
     /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of
     /// the step, with the way along it.
-    pub fn step(&self, from: &Place, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
+    pub fn step(&self, from: &Heading, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
         let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
         let guess = from.touch.centre + side * way_mm;
         let touch = self.level.touch_across(&guess, &from.along, reach * way_mm)?;
@@ -223,7 +223,7 @@ impl Across<'_> {
         Some((touch, arc))
     }
 
-    fn straight(&self, from: &Place, h_mm: f64, guess_mm: f64) -> Option<Next> {
+    fn straight(&self, from: &Heading, h_mm: f64, guess_mm: f64) -> Option<Next> {
         let facets = usize::from(self.level.is_over_facets());
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut best: Option<Next> = None;
@@ -260,7 +260,7 @@ impl Across<'_> {
     }
 
     /// The last place within bounds on the way to `outside`.
-    fn stopped(&self, from: &Place, outside: &Touch, way_mm: f64) -> Option<Next> {
+    fn stopped(&self, from: &Heading, outside: &Touch, way_mm: f64) -> Option<Next> {
         let (mut inside, mut beyond) = ((from.touch, 0.0), *outside);
         let (mut low, mut high) = (0.0, way_mm);
         for _ in 0..HALVINGS {
@@ -277,7 +277,7 @@ impl Across<'_> {
 
     /// Walks across in short steps until `enough` says so of a touch and the way to it, or the
     /// bounds are met.
-    fn walk(&self, from: &Place, guess_mm: f64, enough: impl Fn(&Touch, f64) -> bool) -> Option<Next> {
+    fn walk(&self, from: &Heading, guess_mm: f64, enough: impl Fn(&Touch, f64) -> bool) -> Option<Next> {
         let mut here = *from;
         let mut walked = 0.0;
         let mut length = guess_mm / 6.0;
@@ -297,7 +297,7 @@ impl Across<'_> {
     }
 
     /// The last place between two touches of a walk that is within bounds and not yet enough.
-    fn close_in(&self, here: &Place, walked: f64, there: (Touch, f64), enough: impl Fn(&Touch, f64) -> bool) -> Next {
+    fn close_in(&self, here: &Heading, walked: f64, there: (Touch, f64), enough: impl Fn(&Touch, f64) -> bool) -> Next {
         let (mut inside, mut beyond) = ((here.touch, 0.0), there.0);
         let (mut low, mut high) = (0.0, there.1);
         let halvings = if self.bounds.hold(&there.0) { HALVINGS / 2 } else { HALVINGS };
@@ -318,7 +318,7 @@ impl Across<'_> {
     }
 
     /// One step of a walk; `length` is the step tried first and, afterwards, the one to try next.
-    fn advance(&self, here: &Place, length: &mut f64, most_mm: f64) -> Option<(Touch, f64)> {
+    fn advance(&self, here: &Heading, length: &mut f64, most_mm: f64) -> Option<(Touch, f64)> {
         let side = here.along.cross(&here.touch.normal).try_normalize(1e-6)?;
         let mut step = length.clamp(self.min_step_mm, most_mm.max(self.min_step_mm));
         loop {
@@ -342,7 +342,7 @@ impl Across<'_> {
 
     /// In a concave corner the ball touches two walls, and the way on is along the second: the one
     /// that a step along the first would cut into.
-    fn turn_corner(&self, here: &Place, there: &Touch, into_wall: &Point, side: &Vector) -> Option<(Touch, f64)> {
+    fn turn_corner(&self, here: &Heading, there: &Touch, into_wall: &Point, side: &Vector) -> Option<(Touch, f64)> {
         let radius = self.level.radius_mm;
         let second = self.level.part.closest(into_wall, 2.0 * radius)?;
         let normal = (there.centre - second.point).try_normalize(1e-9)?;

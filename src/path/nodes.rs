@@ -4,10 +4,10 @@
 use rayon::prelude::*;
 
 use super::bounds::Stop;
-use super::curve::{self, Curve};
+use super::curve::{self, LevelCurve};
 use super::level::Touch;
-use super::march::{LEAST_SHARE, March, Node};
-use super::neighbour::Place;
+use super::march::{LEAST_SHARE, March, TurnNode};
+use super::neighbour::Heading;
 use super::stepover::ridge_height;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
@@ -53,7 +53,7 @@ const MOST_ROUNDS: usize = 6;
 /// neighbours of the tongue's two sides cross, and what lies beyond the crossing is left out, as
 /// with the offset of any curve.
 pub(super) struct Overrun {
-    turn: Vec<Node>,
+    turn: Vec<TurnNode>,
     /// Where the turn begins in the chain of nodes looked at.
     first: usize,
     /// Arc length at the nodes, mm.
@@ -64,8 +64,8 @@ pub(super) struct Overrun {
 
 impl Overrun {
     /// Of a turn with what comes before its first node and after its last.
-    pub(super) fn of(before: &[Node], turn: &[Node], after: impl Iterator<Item = Node>) -> Self {
-        let chain: Vec<Node> = before.iter().chain(turn).copied().chain(after).collect();
+    pub(super) fn of(before: &[TurnNode], turn: &[TurnNode], after: impl Iterator<Item = TurnNode>) -> Self {
+        let chain: Vec<TurnNode> = before.iter().chain(turn).copied().chain(after).collect();
         let s_mm = arc_lengths(&chain);
         let longest_mm = s_mm.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
         Overrun { turn: chain, first: before.len(), s_mm, longest_mm }
@@ -106,7 +106,7 @@ impl Overrun {
     /// The turn without the stretches between places where it crosses itself. A turn that goes once
     /// round a part and does not cross itself has all that is cut on one side of it: where it does,
     /// it goes back over what was cut, and the turns after it would run the other way.
-    pub(super) fn without_loops(&self) -> Vec<Node> {
+    pub(super) fn without_loops(&self) -> Vec<TurnNode> {
         let nodes = &self.turn;
         let way = |k: usize| [&nodes[k].touch, &nodes[k + 1].touch];
         // The way from a node may come towards it by its own length.
@@ -115,7 +115,7 @@ impl Overrun {
 
     /// The turn without the stretches in which it goes round an island narrower than `width_mm`:
     /// away from the side of the turns after it, and back to near where it left.
-    pub(super) fn without_islands(&self, width_mm: f64) -> Vec<Node> {
+    pub(super) fn without_islands(&self, width_mm: f64) -> Vec<TurnNode> {
         self.shortened(width_mm, |at, k| {
             let apart_mm = (self.turn[k].touch.centre - self.turn[at].touch.centre).norm();
             let round_mm = self.s_mm[k] - self.s_mm[at];
@@ -127,7 +127,7 @@ impl Overrun {
     /// The turn without the stretches that `ends` tells of: from a node and a later one that may be
     /// as near to it as `near_mm`, the node at which the turn goes on, if what lies between is left
     /// out. The farthest counts.
-    fn shortened(&self, near_mm: f64, ends: impl Fn(usize, usize) -> Option<usize>) -> Vec<Node> {
+    fn shortened(&self, near_mm: f64, ends: impl Fn(usize, usize) -> Option<usize>) -> Vec<TurnNode> {
         let (nodes, s_mm) = (&self.turn, &self.s_mm);
         let most_mm = LOOP * s_mm.last().copied().unwrap_or(0.0);
         let mut kept = Vec::with_capacity(nodes.len());
@@ -158,7 +158,7 @@ impl Overrun {
         let [from, of, to] = [from, of, to].map(|k| self.first + k);
         let lo = self.s_mm.partition_point(|s| *s < self.s_mm[from] - look_mm);
         let hi = self.s_mm.partition_point(|s| *s <= self.s_mm[to] + look_mm);
-        let nearest = |nodes: &[Node]| {
+        let nearest = |nodes: &[TurnNode]| {
             let places = nodes.windows(2).map(|w| closest_on_segment(&w[0].touch.centre, &w[1].touch.centre, q));
             let least = places.min_by(|a, b| (a - q).norm_squared().total_cmp(&(b - q).norm_squared()));
             least.unwrap_or(self.turn[of].touch.centre)
@@ -174,25 +174,25 @@ impl March<'_> {
     /// the ball could not go on for a stretch.
     pub(super) fn without_folds(
         &self,
-        before: &[Node],
-        turn: &mut Vec<Node>,
+        before: &[TurnNode],
+        turn: &mut Vec<TurnNode>,
         along: &[Vector],
-        next: &[Option<Node>],
-    ) -> Result<Vec<Node>, Point> {
+        next: &[Option<TurnNode>],
+    ) -> Result<Vec<TurnNode>, Point> {
         // Where the turn bends to and fro, only the direction halfway between the two says which
         // way it goes on.
-        let behind = |a: (usize, &Node), b: (usize, &Node)| {
+        let behind = |a: (usize, &TurnNode), b: (usize, &TurnNode)| {
             let step = b.1.touch.centre - a.1.touch.centre;
             let onward = along[a.0] + along[b.0];
             step.dot(&onward) <= 0.1 * step.norm() * onward.norm()
         };
         let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
-        let overruns = |chain: &Overrun, i: usize, node: &Node| {
+        let overruns = |chain: &Overrun, i: usize, node: &TurnNode| {
             let way = (node.touch.centre - turn[i].touch.centre).norm();
             node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
         };
         let mut end = turn.len() - 1;
-        let mut kept: Vec<(usize, Node)> = Vec::new();
+        let mut kept: Vec<(usize, TurnNode)> = Vec::new();
         let mut chain = Overrun::of(before, turn, std::iter::empty());
         let late_mm = chain.s_mm.last().copied().unwrap_or(0.0) - self.look_mm();
         let mut is_late = false;
@@ -251,7 +251,7 @@ impl March<'_> {
 
     /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the
     /// last place that the sides cut.
-    fn beyond_corner(&self, chain: &Overrun, i: usize, next: Node) -> Node {
+    fn beyond_corner(&self, chain: &Overrun, i: usize, next: TurnNode) -> TurnNode {
         let from = chain.turn[chain.first + i].touch.centre;
         let way = next.touch.centre - from;
         if !self.follows_corners() || next.stop.is_some() || way.norm() < LEAST_CORNER * self.flat_mm {
@@ -268,13 +268,13 @@ impl March<'_> {
             if is_cut { low = middle } else { high = middle }
         }
         let touch = self.across.level.touch(&(from + way * (low + 0.5)), 0.5 * way.norm());
-        touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| Node { touch, ..next })
+        touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| TurnNode { touch, ..next })
     }
 
     /// The nodes kept after `first`, with more of them where others were left out: sides that run
     /// towards one another meet in a corner, and a straight way between the last nodes of the two
     /// would pass it by at more than a stepover.
-    fn bridged(&self, chain: &Overrun, first: Node, kept: &[(usize, Node)]) -> Vec<Node> {
+    fn bridged(&self, chain: &Overrun, first: TurnNode, kept: &[(usize, TurnNode)]) -> Vec<TurnNode> {
         let mut nodes = vec![first];
         let mut from = 0;
         for (to, node) in kept {
@@ -297,7 +297,7 @@ impl March<'_> {
                 nodes.extend((1..count).filter_map(|k| {
                     let guess = last.touch.centre + way * (k as f64 / count as f64);
                     let touch = back(self.across.level.touch(&guess, way.norm())?)?;
-                    Some(Node { touch, ..node })
+                    Some(TurnNode { touch, ..node })
                 }));
             }
             nodes.push(node);
@@ -344,9 +344,9 @@ impl March<'_> {
     /// Leaves out short stretches of neighbours that a wall or an edge stops, between others that
     /// go on: one touch that stays behind while all round it goes on would draw a tongue of
     /// crossing ways behind it.
-    pub(super) fn leave_out_burrs(&self, next: &mut [Option<Node>]) {
-        let stopped = |n: &Option<Node>| n.is_some_and(|n| n.stop.is_some_and(|s| s != Stop::Height));
-        let free = |n: &Option<Node>| n.filter(|n| n.stop.is_none()).map(|n| n.touch.centre);
+    pub(super) fn leave_out_burrs(&self, next: &mut [Option<TurnNode>]) {
+        let stopped = |n: &Option<TurnNode>| n.is_some_and(|n| n.stop.is_some_and(|s| s != Stop::Height));
+        let free = |n: &Option<TurnNode>| n.filter(|n| n.stop.is_none()).map(|n| n.touch.centre);
         let mut from = 0;
         while let Some(first) = (from..next.len()).find(|i| stopped(&next[*i])) {
             let after = (first..next.len()).find(|i| !stopped(&next[*i])).unwrap_or(next.len());
@@ -359,7 +359,7 @@ impl March<'_> {
     }
 
     /// The same turn with its touches neither too close nor too far apart; ends stay.
-    pub(super) fn tidy(&self, nodes: Vec<Node>) -> Vec<Node> {
+    pub(super) fn tidy(&self, nodes: Vec<TurnNode>) -> Vec<TurnNode> {
         let mut nodes = self.thinned(nodes);
         for _ in 0..MOST_ROUNDS {
             let (more, added) = self.filled(&nodes);
@@ -371,9 +371,9 @@ impl March<'_> {
         nodes
     }
 
-    fn thinned(&self, nodes: Vec<Node>) -> Vec<Node> {
-        let close = |a: &Node, b: &Node| (a.touch.centre - b.touch.centre).norm() < CLOSE * self.step_mm;
-        let mut kept: Vec<Node> = Vec::with_capacity(nodes.len());
+    fn thinned(&self, nodes: Vec<TurnNode>) -> Vec<TurnNode> {
+        let close = |a: &TurnNode, b: &TurnNode| (a.touch.centre - b.touch.centre).norm() < CLOSE * self.step_mm;
+        let mut kept: Vec<TurnNode> = Vec::with_capacity(nodes.len());
         let last = nodes.last().copied();
         for node in &nodes[..nodes.len().saturating_sub(1)] {
             if kept.last().is_none_or(|k| !close(k, node)) {
@@ -390,10 +390,10 @@ impl March<'_> {
     }
 
     /// One touch more in each gap that is too wide, and whether there was one.
-    fn filled(&self, nodes: &[Node]) -> (Vec<Node>, bool) {
+    fn filled(&self, nodes: &[TurnNode]) -> (Vec<TurnNode>, bool) {
         let touches: Vec<Touch> = nodes.iter().map(|n| n.touch).collect();
         let curve =
-            Curve { level: self.across.level, touches: &touches, tangents: curve::tangents(None, &touches, None) };
+            LevelCurve { level: self.across.level, touches: &touches, tangents: curve::tangents(None, &touches, None) };
         let mut out = Vec::with_capacity(nodes.len() + 8);
         let mut added = false;
         for (i, w) in nodes.windows(2).enumerate() {
@@ -406,7 +406,7 @@ impl March<'_> {
             if let Some(touch) = curve.between(i, 0.5) {
                 let outside = !self.across.bounds.hold(&touch);
                 let stop = if outside { w[0].stop.or(w[1].stop) } else { w[0].stop.and(w[1].stop) };
-                out.push(Node { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop });
+                out.push(TurnNode { touch, way_mm: 0.5 * (w[0].way_mm + w[1].way_mm), stop });
                 added = true;
             }
         }
@@ -420,12 +420,12 @@ impl March<'_> {
     /// before and the other's only from after, a step would grow there.
     pub(super) fn even_out(
         &self,
-        turn: &[Node],
+        turn: &[TurnNode],
         round: &[Touch],
         along: &[Vector],
         shares: &[f64],
-        next: Vec<Option<Node>>,
-    ) -> Vec<Option<Node>> {
+        next: Vec<Option<TurnNode>>,
+    ) -> Vec<Option<TurnNode>> {
         let n = turn.len() - 1;
         let s_mm = arc_lengths(turn);
         let ways: Vec<Option<f64>> = (0..=n)
@@ -462,12 +462,12 @@ impl March<'_> {
                 let Some(node) = next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE) else {
                     return next[i];
                 };
-                let from = Place { touch: turn[i].touch, along: along[i] };
+                let from = Heading { touch: turn[i].touch, along: along[i] };
                 let Some(found) = mean(i).and_then(|w| self.across.reach(&from, round, w * shares[i])) else {
                     return Some(node);
                 };
                 let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
-                Some(Node { touch: found.touch, way_mm, stop: found.stop })
+                Some(TurnNode { touch: found.touch, way_mm, stop: found.stop })
             })
             .collect()
     }
@@ -475,7 +475,7 @@ impl March<'_> {
 
 /// Whether a stretch of a turn, closed by a straight way, encloses what lies to the left of the
 /// straight way: it is run clockwise, seen along the surface's normals.
-fn runs_to_the_left(stretch: &[Node]) -> bool {
+fn runs_to_the_left(stretch: &[TurnNode]) -> bool {
     let from = stretch[0].touch.centre;
     let area: Vector = stretch.windows(2).map(|w| (w[0].touch.centre - from).cross(&(w[1].touch.centre - from))).sum();
     let normals: Vector = stretch.iter().map(|n| n.touch.normal).sum();
@@ -501,12 +501,12 @@ fn cross([a, b]: [&Touch; 2], [c, d]: [&Touch; 2]) -> bool {
 
 /// Whether a turn is closed: a ring, from which the first turn is laid, or one whose seam rests at
 /// the end of the region.
-pub(super) fn is_ring(turn: &[Node]) -> bool {
+pub(super) fn is_ring(turn: &[TurnNode]) -> bool {
     turn.first().zip(turn.last()).is_some_and(|(a, b)| a.touch.centre == b.touch.centre)
 }
 
 /// Arc lengths of a turn at its nodes, mm.
-pub(super) fn arc_lengths(turn: &[Node]) -> Vec<f64> {
+pub(super) fn arc_lengths(turn: &[TurnNode]) -> Vec<f64> {
     curve::arc_lengths(turn.iter().map(|n| &n.touch.centre))
 }
 
@@ -522,20 +522,20 @@ mod tests {
     use crate::geometry::allowance::Allowed;
 
     /// Nodes on the plane `z = 0` and on its other side.
-    fn nodes(places: &[(f64, f64)], up: f64) -> Vec<Node> {
+    fn nodes(places: &[(f64, f64)], up: f64) -> Vec<TurnNode> {
         let normal = Vector::new(0.0, 0.0, up);
         let touch = |p: &(f64, f64)| {
             let contact = Point::new(p.0, p.1, 0.0);
             Touch { centre: contact + normal, contact, normal, face: 0 }
         };
-        places.iter().map(|p| Node { touch: touch(p), way_mm: 1.0, stop: None }).collect()
+        places.iter().map(|p| TurnNode { touch: touch(p), way_mm: 1.0, stop: None }).collect()
     }
 
-    fn places(nodes: &[Node]) -> Vec<(f64, f64)> {
+    fn places(nodes: &[TurnNode]) -> Vec<(f64, f64)> {
         nodes.iter().map(|n| (n.touch.centre.x, n.touch.centre.y)).collect()
     }
 
-    fn without_loops(nodes: &[Node]) -> Vec<Node> {
+    fn without_loops(nodes: &[TurnNode]) -> Vec<TurnNode> {
         Overrun::of(&[], nodes, std::iter::empty()).without_loops()
     }
 
@@ -600,14 +600,14 @@ mod tests {
         let (out, along) = (Vector::new(0.0, 1.0, 1.0).normalize(), Vector::new(0.0, -1.0, 1.0).normalize());
         let on_side = |u: f64, v: f64| {
             let guess = Point::new(100.0 + v, 0.0, 0.0) + out * (50f64.hypot(50.0) + radius_mm) + along * u;
-            Node { touch: level.touch(&guess, 1.0).unwrap(), way_mm: flat_mm, stop: None }
+            TurnNode { touch: level.touch(&guess, 1.0).unwrap(), way_mm: flat_mm, stop: None }
         };
         for half_rad in [0.6f64, 1.0, 1.3] {
             let (sine, cosine) = half_rad.sin_cos();
             let place = |k: i32| (0.25 * flat_mm * f64::from(k), 0.25 * flat_mm * f64::from(k.abs()));
-            let turn: Vec<Node> = (-12..=12).map(place).map(|(u, v)| on_side(u * sine, v * cosine)).collect();
+            let turn: Vec<TurnNode> = (-12..=12).map(place).map(|(u, v)| on_side(u * sine, v * cosine)).collect();
             let chain = Overrun::of(&[], &turn, std::iter::empty());
-            let up = |node: &Node| (node.touch.centre.x - 100.0) / flat_mm;
+            let up = |node: &TurnNode| (node.touch.centre.x - 100.0) / flat_mm;
             // Sides cut as far as half a stepover from them, 1 / sin of that over the corner.
             let next = march.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
             assert!((up(&next) - 0.5 * (1.0 / sine + 1.0)).abs() < 0.01, "{half_rad}: {}", up(&next));

@@ -49,7 +49,7 @@ fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64
     let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
     let mut share = 0.5;
     // The nearest places known at which `a` leaves less than `b`, and more.
-    let (mut less, mut more): (Option<Side>, Option<Side>) = (None, None);
+    let (mut less, mut more): (Option<BetweenPasses>, Option<BetweenPasses>) = (None, None);
     let mut ridge: Option<f64> = None;
     for _ in 0..RIDGE_STEPS {
         let Some(between) = level.touch(&(a + (b - a) * share), reach) else { break };
@@ -64,7 +64,7 @@ fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64
         if (root_a - root_b).abs() <= EVEN * (root_a + root_b) {
             return Some((rate_a * rate_b / (rate_a + rate_b).max(1e-300)).powi(2));
         }
-        let side = Side { share, root_a, root_b, contact: between.contact, normal: between.normal };
+        let side = BetweenPasses { share, root_a, root_b, contact: between.contact, normal: between.normal };
         if root_a > root_b {
             more = Some(side)
         } else {
@@ -96,7 +96,7 @@ fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64
 
 /// What two passes leave at a place between them.
 #[derive(Clone, Copy)]
-struct Side {
+struct BetweenPasses {
     share: f64,
     /// Roots of the heights left by the one and the other.
     root_a: f64,
@@ -105,10 +105,10 @@ struct Side {
     normal: Vector,
 }
 
-impl Side {
+impl BetweenPasses {
     /// Whether the ball goes less far from here to `more` than its contact jumps: in a hollow
     /// narrower than itself. Round an edge it goes farther.
-    fn is_over_a_crease(&self, more: &Side, radius_mm: f64) -> bool {
+    fn is_over_a_crease(&self, more: &BetweenPasses, radius_mm: f64) -> bool {
         let jump = more.contact - self.contact;
         let gone = jump + (more.normal - self.normal) * radius_mm;
         jump.norm() > JUMP * gone.norm()
@@ -116,7 +116,7 @@ impl Side {
 
     /// The height that both passes leave over the ball between them, which touches here and at
     /// `more`: between its contacts it is the lowest that any ball comes to.
-    fn crease(&self, more: &Side, [a, b]: [&Point; 2], radius_mm: f64) -> f64 {
+    fn crease(&self, more: &BetweenPasses, [a, b]: [&Point; 2], radius_mm: f64) -> f64 {
         // The ball that touches the planes of both contacts.
         let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
         let middle = nalgebra::center(&centres[0], &centres[1]);
@@ -142,7 +142,7 @@ impl Side {
 
     /// The share of the way from here to `more` at which both leave the same if the roots run
     /// straight; no number where one is infinite.
-    fn crossing(&self, more: &Side) -> f64 {
+    fn crossing(&self, more: &BetweenPasses) -> f64 {
         let here = self.root_b - self.root_a;
         here / (here + more.root_a - more.root_b).max(1e-300)
     }

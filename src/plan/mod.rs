@@ -25,7 +25,7 @@ use crate::job::{Chosen, Draft, Job};
 use crate::machine::Machine;
 use crate::observe::{Observer, Warning};
 use crate::path::PathOptions;
-use crate::read::model::openings::{self, Reach};
+use crate::read::model::openings::{self, ToolReach};
 use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
@@ -232,11 +232,11 @@ pub fn post_name(file: &Path) -> String {
 
 /// Heights that the tool can take: ball centres run from the region's start to its end or, where
 /// that is left out, at most one ball radius below the airfoil.
-fn reach(job: &Job, blade: &Blade) -> Reach {
+fn reach(job: &Job, blade: &Blade) -> ToolReach {
     let r = &job.region;
     let end_mm = r.end_mm.unwrap_or(blade.regions.airfoil_x_mm()[0] - job.tool.radius_mm);
     let clearance_mm = job.channel.clearance_mm.max(job.channel.holder_clearance_mm);
-    Reach::new(&job.tool, [r.start_mm, end_mm], job.machine.b_deg.to_radians(), clearance_mm)
+    ToolReach::new(&job.tool, [r.start_mm, end_mm], job.machine.b_deg.to_radians(), clearance_mm)
 }
 
 /// A name that every control accepts: capitals, digits and underscores, beginning with a letter.

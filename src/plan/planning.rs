@@ -14,9 +14,9 @@ use crate::schedule;
 use crate::verify;
 
 /// A motion with its leads.
-type Moved = (AxisMotion, [Lead; 2]);
+type MotionAndLeads = (AxisMotion, [Lead; 2]);
 /// A schedule, with its motion where that is known.
-type Scheduled = (Schedule, Option<Moved>);
+type Scheduled = (Schedule, Option<MotionAndLeads>);
 
 /// How often walls are moved in for what happens between locations.
 const MOST_PROOFS: usize = 4;
@@ -115,7 +115,7 @@ fn keep_clear(
     setup: &Setup,
     path: &Toolpath,
     channel: &mut Channel,
-    (schedule, motion): (&mut Schedule, &mut Option<Moved>),
+    (schedule, motion): (&mut Schedule, &mut Option<MotionAndLeads>),
     observer: &dyn Observer,
 ) -> Result<()> {
     let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());

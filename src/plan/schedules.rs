@@ -24,17 +24,17 @@ pub(crate) fn least_time(
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
     let own = paced(&setup.machine, &feed, path, channel, &options)?;
-    let mut best: Option<Moved> = None;
+    let mut best: Option<MovedSchedule> = None;
     for schedule in own.into_iter().chain(rivals(path, channel, &options)) {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
         let (motion, leads) = leads::motion(setup, path, &schedule, leads, &told)?;
         if best.as_ref().is_none_or(|b| motion.time_s < b.motion.time_s) {
-            best = Some(Moved { schedule, motion, leads, warnings: told.warnings() });
+            best = Some(MovedSchedule { schedule, motion, leads, warnings: told.warnings() });
         }
     }
-    let Some(Moved { mut schedule, motion, leads, warnings }) = best else {
+    let Some(MovedSchedule { mut schedule, motion, leads, warnings }) = best else {
         return Err(Error::infeasible(
             crate::Stage::Schedule,
             "there is no schedule to be compared",
@@ -48,7 +48,7 @@ pub(crate) fn least_time(
 }
 
 /// A candidate with its fastest motion, leads included.
-struct Moved {
+struct MovedSchedule {
     schedule: Schedule,
     motion: AxisMotion,
     leads: [Lead; 2],

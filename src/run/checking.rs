@@ -25,14 +25,14 @@ pub(super) struct Checked {
 }
 
 /// What the stages of a run share.
-pub(super) struct Run<'a, 'b> {
+pub(super) struct RunAtWork<'a, 'b> {
     pub loaded: &'a Loaded,
     pub course: Course,
     pub folder: &'a mut RunFolder,
     pub observer: &'a Recorder<'b>,
 }
 
-impl Run<'_, '_> {
+impl RunAtWork<'_, '_> {
     /// Checks the plan and writes all that follows from it.
     pub fn check_and_write(
         &mut self,

@@ -61,7 +61,7 @@ pub struct Compared {
 
 /// One schedule under one set of limits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Run {
+pub struct ScheduleRun {
     /// Its name.
     pub name: String,
     /// Machining time at its own best feed, s.
@@ -90,7 +90,7 @@ pub struct Limits {
     /// contact allow, and the least turning in the channel at the rotary axis' greatest velocity.
     pub bound_s: f64,
     /// The schedules.
-    pub runs: Vec<Run>,
+    pub runs: Vec<ScheduleRun>,
 }
 
 /// The comparison.
@@ -237,7 +237,7 @@ fn under(
         .map(|own| run("time", own, &machine, path, feed, bound_s))
         .collect::<Result<Vec<_>>>()?;
     let others = runs.iter().zip(made).filter(|(_, (s, _))| machinable(s, channel));
-    candidates.extend(others.map(|(r, _)| Run { name: "time".into(), ..r.clone() }));
+    candidates.extend(others.map(|(r, _)| ScheduleRun { name: "time".into(), ..r.clone() }));
     runs.extend(candidates.into_iter().min_by(|a, b| a.time_s.total_cmp(&b.time_s)));
     let fixed = runs.first().map_or(0.0, |r| r.time_s);
     for r in &mut runs {
@@ -246,7 +246,14 @@ fn under(
     Ok(Limits { scale, bound_s, runs })
 }
 
-fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &FeedOptions, bound_s: f64) -> Result<Run> {
+fn run(
+    name: &str,
+    s: &Schedule,
+    machine: &Machine,
+    path: &Toolpath,
+    feed: &FeedOptions,
+    bound_s: f64,
+) -> Result<ScheduleRun> {
     let motion = feed::plan(path, s, machine, feed, &Silent)?;
     let at = feed::peaks(path, s, machine, feed)?;
     let mut share = 1.0f64;
@@ -265,7 +272,7 @@ fn run(name: &str, s: &Schedule, machine: &Machine, path: &Toolpath, feed: &Feed
         jerk: greatest(&motion.jerk),
     };
     let within = || axes.iter().zip(own.jerk.iter()).all(|(a, j)| *j <= JERK_ROUNDING * a.limits.jerk);
-    Ok(Run {
+    Ok(ScheduleRun {
         name: name.into(),
         time_s: motion.time_s,
         within_jerk: feed.limit_jerk.then(within),

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checking::Run;
+use super::checking::RunAtWork;
 use super::folder::RunFolder;
 use super::inputs::Loaded;
 use super::manifest::{self, Clock, Manifest, SCHEMA_VERSION, StageRecord};
@@ -84,7 +84,7 @@ pub fn run_on(
     let loaded = timed(&recorder, Stage::Model, || Loaded::read(draft, &recorder))?;
     let setup = &loaded.setup;
     folder.add_job(&setup.job.to_toml()?)?;
-    let mut run = Run { loaded: &loaded, course, folder: &mut folder, observer: &recorder };
+    let mut run = RunAtWork { loaded: &loaded, course, folder: &mut folder, observer: &recorder };
     let made = match repost::again(&mut run, earlier)? {
         Some(made) => made,
         None => make(&mut run, earlier)?,
@@ -134,7 +134,7 @@ pub(super) struct Made {
 }
 
 /// All stages after the model, as far as the course goes.
-fn make(run: &mut Run, earlier: &[Earlier]) -> Result<Made> {
+fn make(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Made> {
     let (setup, observer) = (&run.loaded.setup, run.observer);
     let sections = timed(observer, Stage::Section, || section::plan(&setup.blade, &setup.section_options(), observer))?;
     run.folder.add_json("sections.json", &sections)?;

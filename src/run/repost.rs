@@ -5,7 +5,7 @@
 //! `[post]`, whose files are as it left them (the hashes are in its manifest) and whose checks fit
 //! their seal. Where any of this is not so, the run is made in the ordinary way.
 
-use super::checking::{Run, post_all};
+use super::checking::{RunAtWork, post_all};
 use super::look::{self, Look};
 use super::making::Made;
 use super::reuse::{self, Earlier};
@@ -26,7 +26,7 @@ const TAKEN: [Stage; 7] =
     [Stage::Section, Stage::Path, Stage::Channel, Stage::Schedule, Stage::Feed, Stage::Verify, Stage::Preview];
 
 /// An earlier run but for its programs.
-struct Kept {
+struct KeptRun {
     files: Vec<(&'static str, Vec<u8>)>,
     /// But for its programs.
     summary: Summary,
@@ -36,7 +36,7 @@ struct Kept {
 }
 
 /// The run, if one of the earlier ones leaves only the programs to be written.
-pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> {
+pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<Made>> {
     if run.course.until.is_some() || run.course.preview_bytes.is_some() {
         return Ok(None);
     }
@@ -72,7 +72,7 @@ pub(super) fn again(run: &mut Run, earlier: &[Earlier]) -> Result<Option<Made>> 
 }
 
 /// Everything that is taken over; `None` where something of it is not as that run left it.
-fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
+fn open(run: &RunAtWork, earlier: &Earlier) -> Option<KeptRun> {
     let setup = &run.loaded.setup;
     let files: Vec<_> = KEPT.iter().map(|name| Some((*name, earlier.file(name)?))).collect::<Option<_>>()?;
     let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
@@ -84,5 +84,5 @@ fn open(run: &Run, earlier: &Earlier) -> Option<Kept> {
     let checks = earlier.checks()?;
     let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &about).ok()?.ok()?;
     let summary = serde_json::from_slice(&summary).ok()?;
-    Some(Kept { verdict, seal: checks.seal, summary, payload, files })
+    Some(KeptRun { verdict, seal: checks.seal, summary, payload, files })
 }

@@ -73,7 +73,7 @@ impl Staging {
         let moves = moves(staging, target, new, gone)?;
         std::fs::create_dir(staging.join(OLD))?;
         write_journal(staging, new)?;
-        let moved = moves.iter().try_for_each(Move::make).and_then(|()| {
+        let moved = moves.iter().try_for_each(FileMove::make).and_then(|()| {
             sync(target)?;
             std::fs::remove_file(staging.join(JOURNAL))
         });
@@ -101,12 +101,12 @@ fn write_journal(staging: &Path, new: &[String]) -> io::Result<()> {
 }
 
 /// One file on its way.
-struct Move {
+struct FileMove {
     from: PathBuf,
     to: PathBuf,
 }
 
-impl Move {
+impl FileMove {
     fn make(&self) -> io::Result<()> {
         let name = self.from.file_name().unwrap_or_default().display();
         std::fs::rename(&self.from, &self.to).map_err(|e| io::Error::new(e.kind(), format!("{name}: {e}")))
@@ -114,7 +114,7 @@ impl Move {
 }
 
 /// What is to be moved: first the old files out, then the new ones in.
-fn moves(staging: &Path, target: &Path, new: &[String], gone: &BTreeSet<String>) -> io::Result<Vec<Move>> {
+fn moves(staging: &Path, target: &Path, new: &[String], gone: &BTreeSet<String>) -> io::Result<Vec<FileMove>> {
     let mut all = Vec::new();
     for name in gone.iter().chain(new).collect::<BTreeSet<_>>() {
         let from = target.join(name);
@@ -122,12 +122,12 @@ fn moves(staging: &Path, target: &Path, new: &[String], gone: &BTreeSet<String>)
             Ok(meta) if meta.is_dir() => {
                 return Err(io::Error::new(io::ErrorKind::IsADirectory, format!("{name} is a folder")));
             }
-            Ok(_) => all.push(Move { from, to: staging.join(OLD).join(name) }),
+            Ok(_) => all.push(FileMove { from, to: staging.join(OLD).join(name) }),
             Err(e) if e.kind() == io::ErrorKind::NotFound => {}
             Err(e) => return Err(e),
         }
     }
-    all.extend(new.iter().map(|n| Move { from: staging.join(NEW).join(n), to: target.join(n) }));
+    all.extend(new.iter().map(|n| FileMove { from: staging.join(NEW).join(n), to: target.join(n) }));
     Ok(all)
 }
 

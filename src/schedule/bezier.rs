@@ -1,19 +1,19 @@
 //! Cubic Béziers in the (s, θ) plane: straight stretches and the two-piece corner of the piecewise
 //! method.
 
-use super::corridor::Node;
+use super::corridor::PathAngle;
 use crate::artifact::schedule::BezierPiece;
 use crate::numerics::bezier::{self as numerics, cubic};
 
 /// A straight stretch as a cubic.
-pub(super) fn straight(p: Node, q: Node) -> BezierPiece {
+pub(super) fn straight(p: PathAngle, q: PathAngle) -> BezierPiece {
     let at = |f: f64| [p[0] + f * (q[0] - p[0]), p[1] + f * (q[1] - p[1])];
     [p, at(1.0 / 3.0), at(2.0 / 3.0), q]
 }
 
 /// What a corner may use.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reach {
+pub(super) struct CornerReach {
     /// Length of `s` before and after the corner that it may use, mm.
     pub s_mm: [f64; 2],
     /// Vertical distance to the wall on the side of the curve, rad.
@@ -25,9 +25,9 @@ pub(super) struct Reach {
 /// The corner `p1 p2 p3` rounded by two cubics with doubled inner control points (method of Bézier
 /// control point assignment): zero curvature at all joints, so the whole is G2; its height over
 /// `p2` is as great as `reach` allows. `None` where the corner is straight.
-pub(super) fn corner(p1: Node, p2: Node, p3: Node, reach: &Reach) -> Option<[BezierPiece; 2]> {
+pub(super) fn corner(p1: PathAngle, p2: PathAngle, p3: PathAngle, reach: &CornerReach) -> Option<[BezierPiece; 2]> {
     let [ls, lt] = reach.scale;
-    let angle = |a: Node, b: Node| ((b[1] - a[1]) / lt).atan2((b[0] - a[0]) / ls);
+    let angle = |a: PathAngle, b: PathAngle| ((b[1] - a[1]) / lt).atan2((b[0] - a[0]) / ls);
     let (alpha, gamma) = (angle(p1, p2), angle(p2, p3));
     let mu = 0.5 * (alpha + gamma);
     let (sin1, sin2) = ((mu - alpha).sin(), (gamma - mu).sin());
@@ -148,7 +148,7 @@ mod tests {
     use super::*;
 
     fn rounded(room_rad: f64, s_mm: [f64; 2]) -> [BezierPiece; 2] {
-        let reach = Reach { s_mm, room_rad, scale: [10.0, 2.0] };
+        let reach = CornerReach { s_mm, room_rad, scale: [10.0, 2.0] };
         corner([0.0, 0.0], [4.0, 1.0], [10.0, 9.0], &reach).unwrap()
     }
 
@@ -193,7 +193,7 @@ mod tests {
     fn the_peak_of_a_symmetric_corner_has_a_closed_form() {
         // Equal lengths and symmetric slopes ∓m in equal scales: half the corner spans 2a of s and
         // turns the slope by m with A × C = m a², so the peak is (4/3) m / a.
-        let reach = Reach { s_mm: [1.0, 1.0], room_rad: 1e9, scale: [1.0, 1.0] };
+        let reach = CornerReach { s_mm: [1.0, 1.0], room_rad: 1e9, scale: [1.0, 1.0] };
         let m = 1e-3;
         let [i, j] = corner([-2.0, 2.0 * m], [0.0, 0.0], [2.0, 2.0 * m], &reach).unwrap();
         let want = 4.0 / 3.0 * m / 0.5;

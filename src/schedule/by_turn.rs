@@ -8,13 +8,13 @@
 //! of all; no bound is proved for that.
 
 use super::corridor::Corridor;
-use super::optimal::{Found, Goal, Scale, round_from};
+use super::optimal::{Goal, Solved, SolverUnits, round_from};
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::Measure;
 
 /// Value, slope and second derivative for every sample of the walls; `None` where a turn leaves no
 /// room.
-pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: &Scale) -> Option<Found> {
+pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: &SolverUnits) -> Option<Solved> {
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let last = walls.s.len() - 1;
     let bases = path.turns.iter().skip(1).filter_map(|t| path.locations.get(t.first)).map(|l| l.s_mm);
@@ -51,7 +51,7 @@ pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: 
             break;
         }
     }
-    (theta.len() == last + 1).then(|| Found { walls: walls.clone(), theta, slope, weights: Vec::new() })
+    (theta.len() == last + 1).then(|| Solved { walls: walls.clone(), theta, slope, weights: Vec::new() })
 }
 
 /// Samples of a turn at least.

@@ -2,10 +2,10 @@
 //! fall.
 
 /// A point of the S–θ plane: arc length from the start of the path (mm) and angle (rad).
-pub(super) type Node = [f64; 2];
+pub(super) type PathAngle = [f64; 2];
 
 /// Slope of the straight line from `p` to `q`, rad/mm.
-pub(super) fn slope(p: Node, q: Node) -> f64 {
+pub(super) fn slope(p: PathAngle, q: PathAngle) -> f64 {
     (q[1] - p[1]) / (q[0] - p[0])
 }
 
@@ -71,7 +71,7 @@ impl Corridor {
 
     /// Least distance of the straight line `p q` from the lower and from the upper wall; negative:
     /// it passes through.
-    pub fn room(&self, p: Node, q: Node) -> [f64; 2] {
+    pub fn room(&self, p: PathAngle, q: PathAngle) -> [f64; 2] {
         let m = slope(p, q);
         let mut least = [f64::INFINITY; 2];
         let mut take = |s: f64, lo: f64, hi: f64| {
@@ -93,7 +93,7 @@ impl Corridor {
     ///
     /// `h(m) = max(lo − m s) − min(hi − m s)` is convex in the slope `m`; a line of slope `m`
     /// exists where `h ≤ 0`.
-    pub fn straight(&self) -> Option<[Node; 2]> {
+    pub fn straight(&self) -> Option<[PathAngle; 2]> {
         let (s0, s1) = (*self.s.first()?, *self.s.last()?);
         if s1 <= s0 {
             return None;

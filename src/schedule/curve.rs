@@ -5,7 +5,7 @@ use super::corridor::Corridor;
 use crate::artifact::schedule::{BezierPiece, Quality, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Result, Stage};
-use crate::numerics::spline::{CubicSpline, Ends};
+use crate::numerics::spline::{CubicSpline, SplineEnds};
 
 /// Turning back by less is rounding, rad.
 const STILL: f64 = 1e-9;
@@ -174,7 +174,7 @@ pub(super) fn schedule(kind: ScheduleKind, pieces: Vec<BezierPiece>, theta: Vec<
 /// Kind `Usage` where a number is not finite.
 pub(super) fn through(kind: ScheduleKind, path: &Toolpath, theta: Vec<f64>, channel: &Channel) -> Result<Schedule> {
     let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
-    let spline = CubicSpline::new(&s, &theta, 1, &Ends::Natural)
+    let spline = CubicSpline::new(&s, &theta, 1, &SplineEnds::Natural)
         .map_err(|e| Error::usage(Stage::Schedule, format!("the schedule is no function of arc length: {e}")))?;
     let mut slope: Vec<f64> = (0..s.len() - 1).map(|i| spline.coefficients(i, 0).map_or(0.0, |c| c[1])).collect();
     let last = s.len() - 2;

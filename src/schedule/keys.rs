@@ -12,9 +12,9 @@
 //! peak of the curve itself. Costs are summed in their eighth power, which is close to the least
 //! peak and still blunts the other corners.
 
-use super::corridor::{Corridor, Node, slope};
+use super::corridor::{Corridor, PathAngle, slope};
 use super::taut;
-use super::turn::{End, Stretch};
+use super::turn::{PathSpan, SpanEnd};
 
 /// Lines tried from each key point onwards.
 const FAN: usize = 12;
@@ -34,15 +34,15 @@ pub(super) struct Walls {
 }
 
 /// Key points from end to end, with a level stretch at every base point.
-pub(super) fn linear(walls: &Walls, stretch: &Stretch, start: f64, end: f64) -> Vec<Node> {
-    let length = |e: End| if let End::Level(_, l) = e { l } else { 0.0 };
+pub(super) fn linear(walls: &Walls, stretch: &PathSpan, start: f64, end: f64) -> Vec<PathAngle> {
+    let length = |e: SpanEnd| if let SpanEnd::Level(_, l) = e { l } else { 0.0 };
     let (a, b) = (stretch.from + length(stretch.start), stretch.to - length(stretch.end));
     let mut keys = Vec::new();
-    if stretch.start != End::Free {
+    if stretch.start != SpanEnd::Free {
         keys.push([stretch.from, start]);
     }
     keys.extend(taut::string(&walls.string.between(a, b), start, end));
-    if stretch.end != End::Free {
+    if stretch.end != SpanEnd::Free {
         keys.push([stretch.to, end]);
     }
     let mut keys = gentlest(&keys, walls, stretch);
@@ -62,13 +62,13 @@ pub(super) fn linear(walls: &Walls, stretch: &Stretch, start: f64, end: f64) -> 
 
 /// Lengths of `s` that the corner at `p2` may use before and after it. Next to an end of the
 /// stretch no other corner needs the other half of the segment.
-pub(super) fn reaches(p: [Node; 3], stretch: &Stretch) -> [f64; 2] {
+pub(super) fn reaches(p: [PathAngle; 3], stretch: &PathSpan) -> [f64; 2] {
     let share = |outer: bool| if outer { 1.0 } else { 0.5 };
     [share(p[0][0] <= stretch.from) * (p[1][0] - p[0][0]), share(p[2][0] >= stretch.to) * (p[2][0] - p[1][0])]
 }
 
 /// See the module's page.
-fn cost(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> f64 {
+fn cost(p: [PathAngle; 3], curve: &Corridor, stretch: &PathSpan) -> f64 {
     let turn = slope(p[1], p[2]) - slope(p[0], p[1]);
     let [h1, h2] = reaches(p, stretch);
     let [lo, hi] = curve.at(p[1][0]);
@@ -80,20 +80,20 @@ fn cost(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> f64 {
 
 /// A line that starts at key point `from`, with the least cost of all corners up to its start and
 /// the line before it.
-struct Line {
+struct KeyLine {
     from: usize,
     cost: f64,
     before: Option<usize>,
 }
 
 /// The gentlest subsequence of the key points; the ends of level stretches stay.
-fn gentlest(keys: &[Node], walls: &Walls, stretch: &Stretch) -> Vec<Node> {
+fn gentlest(keys: &[PathAngle], walls: &Walls, stretch: &PathSpan) -> Vec<PathAngle> {
     let n = keys.len();
-    let level = [stretch.start != End::Free, stretch.end != End::Free];
+    let level = [stretch.start != SpanEnd::Free, stretch.end != SpanEnd::Free];
     if n < 3 {
         return keys.to_vec();
     }
-    let mut lines: Vec<Line> = Vec::new();
+    let mut lines: Vec<KeyLine> = Vec::new();
     let mut into: Vec<Vec<usize>> = vec![Vec::new(); n];
     for from in 0..n - 1 {
         let targets = if from == 0 && level[0] { vec![1] } else { visible(keys, from, &walls.lines, level[1]) };
@@ -107,7 +107,7 @@ fn gentlest(keys: &[Node], walls: &Walls, stretch: &Stretch) -> Vec<Node> {
             }
             if from == 0 || best.1.is_some() {
                 into[to].push(lines.len());
-                lines.push(Line { from, cost: best.0, before: best.1 });
+                lines.push(KeyLine { from, cost: best.0, before: best.1 });
             }
         }
     }
@@ -124,7 +124,7 @@ fn gentlest(keys: &[Node], walls: &Walls, stretch: &Stretch) -> Vec<Node> {
 /// Key points after `from` to which the straight line stays inside the walls: the next one, and a
 /// fan of at most [`FAN`] up to the farthest, about evenly spread. With a level end the last is
 /// reached only from the one before.
-fn visible(keys: &[Node], from: usize, lines: &Corridor, level_end: bool) -> Vec<usize> {
+fn visible(keys: &[PathAngle], from: usize, lines: &Corridor, level_end: bool) -> Vec<usize> {
     let n = keys.len();
     let last = if level_end && from + 2 < n { n - 2 } else { n - 1 };
     let mut seen = vec![from + 1];
@@ -162,11 +162,11 @@ fn visible(keys: &[Node], from: usize, lines: &Corridor, level_end: bool) -> Vec
 
 /// Moves each inner key point up or down while the corners around it become gentler and its lines
 /// stay inside.
-fn relax(keys: &mut [Node], walls: &Walls, stretch: &Stretch) {
-    let fixed = |e: End| if e == End::Free { 1 } else { 2 };
+fn relax(keys: &mut [PathAngle], walls: &Walls, stretch: &PathSpan) {
+    let fixed = |e: SpanEnd| if e == SpanEnd::Free { 1 } else { 2 };
     let (first, last) = (fixed(stretch.start), fixed(stretch.end));
     let n = keys.len();
-    let around = |keys: &[Node], i: usize| -> f64 {
+    let around = |keys: &[PathAngle], i: usize| -> f64 {
         (i.saturating_sub(1).max(1)..=(i + 1).min(n - 2))
             .map(|k| cost([keys[k - 1], keys[k], keys[k + 1]], &walls.curve, stretch))
             .sum()
@@ -201,7 +201,7 @@ fn relax(keys: &mut [Node], walls: &Walls, stretch: &Stretch) {
 
 /// The straight line from `p` to `q` is inside the walls (up to the rounding of a line along a
 /// wall).
-fn fits(lines: &Corridor, p: Node, q: Node) -> bool {
+fn fits(lines: &Corridor, p: PathAngle, q: PathAngle) -> bool {
     let [below, above] = lines.room(p, q);
     below >= -1e-12 && above >= -1e-12
 }

@@ -99,7 +99,7 @@ pub(super) fn least_second(path: &Toolpath, channel: &Channel) -> Option<f64> {
         return Some(0.0);
     }
     let thin = thinned(&hull, 8 * TRIAL);
-    let scale = Scale::of(&thin, path.turns.len());
+    let scale = SolverUnits::of(&thin, path.turns.len());
     let first = round(&thin, &scale, &Goal::Peak { third: false }, 1e-5)?;
     let y: Vec<f64> = first.costates.iter().map(|c| c[1]).collect();
     let other = pressure(&thin, &first);
@@ -113,7 +113,7 @@ fn either_sign(measure: Measure, walls: &Corridor, y: &[f64]) -> f64 {
 }
 
 /// What the solver came to.
-pub(super) struct Found {
+pub(super) struct Solved {
     /// The walls, at the joints of the curve.
     pub walls: Corridor,
     pub theta: Vec<f64>,
@@ -124,7 +124,7 @@ pub(super) struct Found {
 
 /// Units of the solver.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
+pub(super) struct SolverUnits {
     /// Length of a turn, mm.
     pub length: f64,
     /// Where the path starts, mm.
@@ -137,13 +137,13 @@ pub(super) struct Scale {
     third: f64,
 }
 
-impl Scale {
-    fn of(walls: &Corridor, turns: usize) -> Scale {
+impl SolverUnits {
+    fn of(walls: &Corridor, turns: usize) -> SolverUnits {
         let n = walls.s.len() - 1;
         let middle = |i: usize| 0.5 * (walls.lo[i] + walls.hi[i]);
         let whole = walls.s[n] - walls.s[0];
         let slope = (middle(n) - middle(0)) / whole;
-        Scale {
+        SolverUnits {
             length: whole / turns.max(1) as f64,
             from: walls.s[0],
             base: [middle(0), slope],
@@ -197,7 +197,7 @@ fn refining(
     options: &ScheduleOptions,
     pace: Option<Pace>,
     observer: &dyn Observer,
-) -> Result<Found> {
+) -> Result<Solved> {
     let n = walls.s.len().saturating_sub(1).max(1);
     let mut parts = FEWEST.div_ceil(n);
     loop {
@@ -221,7 +221,7 @@ fn solve(
     options: &ScheduleOptions,
     pace: Option<Pace>,
     observer: &dyn Observer,
-) -> Result<Found> {
+) -> Result<Solved> {
     let measure = options.settings.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
@@ -230,7 +230,7 @@ fn solve(
         Error::infeasible(Room::Schedule, message, since)
             .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
     };
-    let mut scale = Scale::of(walls, path.turns.len());
+    let mut scale = SolverUnits::of(walls, path.turns.len());
     let thin = thinned(walls, TRIAL);
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
@@ -274,7 +274,7 @@ fn solve(
     };
     let slope = last.v.iter().map(|v| scale.base[1] + v[1] / scale.length).collect();
     let theta = last.v.iter().enumerate().map(|(i, v)| scale.line(walls, i) + v[0]).collect();
-    Ok(Found { walls: walls.clone(), theta, slope, weights })
+    Ok(Solved { walls: walls.clone(), theta, slope, weights })
 }
 
 /// The multipliers of `|θ''| ≤ γ` per length: the other form of the weight, better where walls
@@ -308,20 +308,20 @@ fn borders(path: &Toolpath, walls: &Corridor) -> Vec<bool> {
 }
 
 /// Borders of blocks of equal length, about [`BLOCKS`] to a turn.
-fn blocks(walls: &Corridor, scale: &Scale) -> Vec<bool> {
+fn blocks(walls: &Corridor, scale: &SolverUnits) -> Vec<bool> {
     let block = |s: f64| ((s - walls.s[0]) / scale.length * BLOCKS).floor();
     walls.s.windows(2).map(|w| block(w[0]) != block(w[1])).collect()
 }
 
 /// One run of the solver. `None` where the rows cannot be met.
-fn round(walls: &Corridor, scale: &Scale, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
+fn round(walls: &Corridor, scale: &SolverUnits, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
     round_from(walls, scale, goal, gap, None)
 }
 
 /// One run of the solver, from a given (θ, θ', θ'') in its units.
 pub(super) fn round_from(
     walls: &Corridor,
-    scale: &Scale,
+    scale: &SolverUnits,
     goal: &Goal,
     gap: f64,
     from: Option<[f64; 3]>,
@@ -358,7 +358,7 @@ pub(super) fn round_from(
 }
 
 /// Dynamics, objective and rows of one interval (of the last sample: what holds there alone).
-fn stage(walls: &Corridor, scale: &Scale, goal: &Goal, i: usize) -> Stage<X, V> {
+fn stage(walls: &Corridor, scale: &SolverUnits, goal: &Goal, i: usize) -> Stage<X, V> {
     let last = i + 1 == walls.s.len();
     let (k, h) = if last { (i, 0.0) } else { (i + 1, (walls.s[i + 1] - walls.s[i]) / scale.length) };
     let u = scale.second;

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::bezier;
 use super::check;
-use super::corridor::{Corridor, Node};
-use super::turn::{self, End, MOST, Smoothed, Stretch};
+use super::corridor::{Corridor, PathAngle};
+use super::turn::{self, MOST, PathSpan, Smoothed, SpanEnd};
 use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
@@ -203,7 +203,7 @@ fn decoupled(
         .flat_map(|inset| shares.iter().map(move |level| (*inset, *level)))
         .flat_map(|(inset, level)| places.iter().map(move |base| Choice { inset, level, base: *base }))
         .collect();
-    let tried: Vec<Result<std::result::Result<Attempt, Node>>> = choices
+    let tried: Vec<Result<std::result::Result<Attempt, PathAngle>>> = choices
         .par_iter()
         .map(|choice| {
             observer.check(Stage::Schedule)?;
@@ -248,7 +248,7 @@ fn attempt(
     walls: &Corridor,
     options: &ScheduleOptions,
     choice: Choice,
-) -> std::result::Result<Attempt, Node> {
+) -> std::result::Result<Attempt, PathAngle> {
     let (Some(&start), Some(&end)) = (walls.s.first(), walls.s.last()) else { return Err([0.0, 0.0]) };
     let inner = walls.shrunk(choice.inset, MOST);
     let bases: Vec<(u32, f64)> = (1u32..)
@@ -258,7 +258,7 @@ fn attempt(
     let longest = path.turns.iter().fold(0.0, |m: f64, t| m.max(t.length_mm)).min(end - start);
     let mut found = Attempt { stretches: Vec::new(), cost: 0.0, shortened: Vec::new(), merged: Vec::new() };
     let mut stretches = Vec::new();
-    let (mut from, mut open) = (start, End::Free);
+    let (mut from, mut open) = (start, SpanEnd::Free);
     for (i, &(k, s)) in bases.iter().enumerate() {
         let next = bases.get(i + 1).map_or(end, |b| b.1);
         let short = SHORT_TURN * longest;
@@ -270,13 +270,13 @@ fn attempt(
                 if length < asked {
                     found.shortened.push((k, length));
                 }
-                stretches.push(Stretch { from, to: s, start: open, end: End::Level(theta, length) });
-                (from, open) = (s, End::Level(theta, length));
+                stretches.push(PathSpan { from, to: s, start: open, end: SpanEnd::Level(theta, length) });
+                (from, open) = (s, SpanEnd::Level(theta, length));
             }
             None => found.merged.push(k),
         }
     }
-    stretches.push(Stretch { from, to: end, start: open, end: End::Free });
+    stretches.push(PathSpan { from, to: end, start: open, end: SpanEnd::Free });
     found.stretches = stretches
         .par_iter()
         .map(|s| turn::plan(walls, s, choice.inset, options.pace))
@@ -315,8 +315,8 @@ impl Attempt {
     }
 
     /// Key points and pieces of all stretches in order, joined exactly.
-    fn assemble(self) -> (Vec<Node>, Vec<BezierPiece>) {
-        let mut keys: Vec<Node> = Vec::new();
+    fn assemble(self) -> (Vec<PathAngle>, Vec<BezierPiece>) {
+        let mut keys: Vec<PathAngle> = Vec::new();
         let mut pieces: Vec<BezierPiece> = Vec::new();
         for s in self.stretches {
             let skip = usize::from(!keys.is_empty() && keys.last() == s.keys.first());

@@ -10,11 +10,11 @@
 
 use std::collections::VecDeque;
 
-use super::corridor::{Corridor, Node, slope};
+use super::corridor::{Corridor, PathAngle, slope};
 
 /// Corners of the shortest path from `[s₀, start]` to `[sₙ, end]`, both included. The walls at the
 /// first and last sample do not matter: the points given do.
-pub(super) fn string(corridor: &Corridor, start: f64, end: f64) -> Vec<Node> {
+pub(super) fn string(corridor: &Corridor, start: f64, end: f64) -> Vec<PathAngle> {
     let n = corridor.s.len();
     let (Some(&s0), Some(&s1)) = (corridor.s.first(), corridor.s.last()) else { return Vec::new() };
     let apex = [s0, start];
@@ -32,16 +32,22 @@ pub(super) fn string(corridor: &Corridor, start: f64, end: f64) -> Vec<Node> {
 
 /// Shortest paths from the apex to the last sample of either wall; both begin with the apex.
 struct Funnel {
-    path: Vec<Node>,
-    upper: VecDeque<Node>,
-    lower: VecDeque<Node>,
+    path: Vec<PathAngle>,
+    upper: VecDeque<PathAngle>,
+    lower: VecDeque<PathAngle>,
 }
 
 impl Funnel {
     /// Adds a sample to the `own` side (`sign` +1: upper, whose slopes rise; −1: lower, whose
     /// slopes fall). Where it lies beyond the `other` side, that side's corners become corners of
     /// the path.
-    fn add(path: &mut Vec<Node>, own: &mut VecDeque<Node>, other: &mut VecDeque<Node>, p: Node, sign: f64) {
+    fn add(
+        path: &mut Vec<PathAngle>,
+        own: &mut VecDeque<PathAngle>,
+        other: &mut VecDeque<PathAngle>,
+        p: PathAngle,
+        sign: f64,
+    ) {
         while own.len() >= 2
             && sign * slope(own[own.len() - 2], own[own.len() - 1]) >= sign * slope(own[own.len() - 2], p)
         {

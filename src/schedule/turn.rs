@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::bezier::{self, Reach};
-use super::corridor::{Corridor, Node, slope};
+use super::bezier::{self, CornerReach};
+use super::corridor::{Corridor, PathAngle, slope};
 use super::keys::{self, Walls};
 use super::options::Pace;
 use crate::artifact::schedule::BezierPiece;
@@ -21,7 +21,7 @@ const FREE: usize = 5;
 
 /// One end of a stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+pub(super) enum SpanEnd {
     /// Base point: θ and the length over which it stands still, rad and mm.
     Level(f64, f64),
     /// Outer end of the path.
@@ -30,17 +30,17 @@ pub(super) enum End {
 
 /// A stretch of the path, in mm from its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stretch {
+pub(super) struct PathSpan {
     pub from: f64,
     pub to: f64,
-    pub start: End,
-    pub end: End,
+    pub start: SpanEnd,
+    pub end: SpanEnd,
 }
 
 /// What was made of it.
 #[derive(Clone, Debug)]
 pub(super) struct Smoothed {
-    pub keys: Vec<Node>,
+    pub keys: Vec<PathAngle>,
     pub pieces: Vec<BezierPiece>,
     /// See [`cost`].
     pub cost: f64,
@@ -57,7 +57,12 @@ fn cost(pieces: &[BezierPiece], pace: Option<Pace>) -> f64 {
 /// Plans one stretch with key points inset by shares of `inset` and keeps the one with the least
 /// cost. `walls`: where the curve may be. `Err`: the key point in which the channel leaves no room
 /// to bend.
-pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace>) -> Result<Smoothed, Node> {
+pub(super) fn plan(
+    walls: &Corridor,
+    stretch: &PathSpan,
+    inset: f64,
+    pace: Option<Pace>,
+) -> Result<Smoothed, PathAngle> {
     let local = walls.between(stretch.from, stretch.to);
     let mut best: Option<Smoothed> = None;
     let mut stuck = [stretch.from, 0.0];
@@ -72,12 +77,12 @@ pub(super) fn plan(walls: &Corridor, stretch: &Stretch, inset: f64, pace: Option
 }
 
 /// One inset: all angles of the free ends.
-fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace>) -> Result<Smoothed, Node> {
+fn with_inset(curve: &Corridor, stretch: &PathSpan, inset: f64, pace: Option<Pace>) -> Result<Smoothed, PathAngle> {
     let walls =
         Walls { curve: curve.clone(), string: curve.shrunk(inset, MOST), lines: curve.shrunk(0.5 * inset, 0.5 * MOST) };
-    let choices = |end: End, s: f64| match end {
-        End::Level(theta, _) => vec![theta],
-        End::Free => {
+    let choices = |end: SpanEnd, s: f64| match end {
+        SpanEnd::Level(theta, _) => vec![theta],
+        SpanEnd::Free => {
             let [lo, hi] = walls.string.at(s);
             (0..FREE).map(|i| lo + (hi - lo) * i as f64 / (FREE - 1) as f64).collect()
         }
@@ -101,7 +106,7 @@ fn with_inset(curve: &Corridor, stretch: &Stretch, inset: f64, pace: Option<Pace
 }
 
 /// What the corner `p` may use.
-fn reach(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> Reach {
+fn reach(p: [PathAngle; 3], curve: &Corridor, stretch: &PathSpan) -> CornerReach {
     let [before, after] = keys::reaches(p, stretch);
     let [p1, p2, p3] = p;
     let (m1, m2) = (slope(p1, p2), slope(p2, p3));
@@ -109,11 +114,11 @@ fn reach(p: [Node; 3], curve: &Corridor, stretch: &Stretch) -> Reach {
     let r2 = curve.room(p2, [p2[0] + after, p2[1] + m2 * after]);
     let side = usize::from(m2 > m1);
     let length = stretch.to - stretch.from;
-    Reach { s_mm: [before, after], room_rad: r1[side].min(r2[side]).max(0.0), scale: [length, THETA_SCALE] }
+    CornerReach { s_mm: [before, after], room_rad: r1[side].min(r2[side]).max(0.0), scale: [length, THETA_SCALE] }
 }
 
 /// Rounds all corners and fills in the straight stretches.
-fn smooth(keys: &[Node], curve: &Corridor, stretch: &Stretch, pace: Option<Pace>) -> Result<Smoothed, Node> {
+fn smooth(keys: &[PathAngle], curve: &Corridor, stretch: &PathSpan, pace: Option<Pace>) -> Result<Smoothed, PathAngle> {
     let (Some(&first), Some(&last)) = (keys.first(), keys.last()) else { return Err([stretch.from, 0.0]) };
     let mut pieces = Vec::with_capacity(3 * keys.len());
     let mut at = first;

@@ -9,7 +9,7 @@ use crate::artifact::section::AlteredPoint;
 
 /// A stretch of one sign: points `first .. first + count` round the loop.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct SameSign {
     first: usize,
     count: usize,
     length: f64,
@@ -17,7 +17,7 @@ struct Stretch {
     turning: f64,
 }
 
-impl Stretch {
+impl SameSign {
     fn bulge(&self) -> f64 {
         self.turning.abs() * self.length / 8.0
     }
@@ -65,11 +65,11 @@ pub(super) fn points(
 }
 
 /// Maximal stretches of one sign, round the loop.
-fn by_sign(s: &[f64], length: f64, curvature: &[f64]) -> Vec<Stretch> {
+fn by_sign(s: &[f64], length: f64, curvature: &[f64]) -> Vec<SameSign> {
     let n = s.len();
     let convex = |i: usize| curvature[i % n] >= 0.0;
     let Some(start) = (0..n).find(|&i| convex(i) != convex(i + n - 1)) else { return Vec::new() };
-    let mut out: Vec<Stretch> = Vec::new();
+    let mut out: Vec<SameSign> = Vec::new();
     for k in 0..n {
         let i = (start + k) % n;
         let ahead = if i + 1 == n { length } else { s[i + 1] } - s[i];
@@ -81,14 +81,14 @@ fn by_sign(s: &[f64], length: f64, curvature: &[f64]) -> Vec<Stretch> {
                 last.length += own;
                 last.turning += own * curvature[i];
             }
-            _ => out.push(Stretch { first: i, count: 1, length: own, turning: own * curvature[i] }),
+            _ => out.push(SameSign { first: i, count: 1, length: own, turning: own * curvature[i] }),
         }
     }
     out
 }
 
 /// Joins stretch `k` with the two beside it, which have the other sign.
-fn join(stretches: &mut Vec<Stretch>, k: usize) {
+fn join(stretches: &mut Vec<SameSign>, k: usize) {
     let n = stretches.len();
     if n <= 2 {
         stretches.clear();
@@ -96,7 +96,7 @@ fn join(stretches: &mut Vec<Stretch>, k: usize) {
     }
     let (before, after) = ((k + n - 1) % n, (k + 1) % n);
     let parts = [stretches[before], stretches[k], stretches[after]];
-    let joined = Stretch {
+    let joined = SameSign {
         first: parts[0].first,
         count: parts.iter().map(|p| p.count).sum(),
         length: parts.iter().map(|p| p.length).sum(),

@@ -47,7 +47,7 @@ use crate::artifact::section::{Section, SectionLoop, Side};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::{self, Outline};
-use crate::geometry::profile::{Ends, Names, Profile, Sides, TOLERANCE_MM, edges};
+use crate::geometry::profile::{Names, Profile, SectionEnds, Sides, TOLERANCE_MM, edges};
 use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
@@ -79,7 +79,7 @@ impl Default for SectionOptions {
 /// that does not close, `Cancelled`.
 pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
     let heights = heights(blade, options)?;
-    let cut: Vec<Cut> = heights
+    let cut: Vec<SectionCut> = heights
         .par_iter()
         .map(|&x_mm| {
             observer.check(Stage::Section)?;
@@ -90,7 +90,7 @@ pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) ->
     if cut.iter().all(|c| c.loops.is_empty()) {
         return Err(no_section(blade, &cut));
     }
-    for doubt in cut.iter().flat_map(Cut::doubts) {
+    for doubt in cut.iter().flat_map(SectionCut::doubts) {
         observer.warn(Warning { stage: Stage::Section, doubt });
     }
     let largest = || cut.iter().filter_map(|c| Some((c.x_mm, c.ends.first()?.clone()))).collect::<Vec<_>>();
@@ -99,12 +99,12 @@ pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) ->
 }
 
 /// What was found at a height.
-struct Cut {
+struct SectionCut {
     x_mm: f64,
     /// What closes.
     loops: Vec<SectionLoop>,
     /// The ends of each.
-    ends: Vec<Ends>,
+    ends: Vec<SectionEnds>,
     /// Holes and open chains that are left out.
     dropped: usize,
     /// Widest gap that was bridged, mm.
@@ -113,7 +113,7 @@ struct Cut {
     open_mm: f64,
 }
 
-impl Cut {
+impl SectionCut {
     /// The section, its edges and sides named; none where no loop closes.
     fn named(mut self, sides: Option<&Sides>) -> Option<Section> {
         let known = sides.map_or_else(Vec::new, |s| s.names(self.x_mm, &self.ends));
@@ -129,7 +129,7 @@ impl Cut {
 
     /// Warnings on this cut.
     fn doubts(&self) -> Vec<Doubt> {
-        let Cut { x_mm: height_mm, dropped, bridged_mm, open_mm, .. } = *self;
+        let SectionCut { x_mm: height_mm, dropped, bridged_mm, open_mm, .. } = *self;
         let mut out = Vec::new();
         if self.loops.is_empty() {
             out.push(Doubt::NoSection { height_mm, open_mm });
@@ -144,7 +144,7 @@ impl Cut {
 }
 
 /// Why there is nothing to write.
-fn no_section(blade: &Blade, cut: &[Cut]) -> Error {
+fn no_section(blade: &Blade, cut: &[SectionCut]) -> Error {
     let (first, last) = (cut.first().map_or(0.0, |c| c.x_mm), cut.last().map_or(0.0, |c| c.x_mm));
     let open_mm = cut.iter().map(|c| c.open_mm).fold(0.0, f64::max);
     Error::infeasible(
@@ -190,15 +190,15 @@ fn heights(blade: &Blade, options: &SectionOptions) -> Result<Vec<f64>> {
 }
 
 /// What a plane cuts out, measured.
-fn cut(part: &Part, x_mm: f64, tolerance_mm: f64) -> Cut {
+fn cut(part: &Part, x_mm: f64, tolerance_mm: f64) -> SectionCut {
     let outline::Outlines { loops, dropped, bridged_mm, open_mm } = outline::outlines(part, x_mm);
     let (loops, ends) = loops.into_iter().map(|o| measured(o, tolerance_mm)).unzip();
-    Cut { x_mm, loops, ends, dropped, bridged_mm, open_mm }
+    SectionCut { x_mm, loops, ends, dropped, bridged_mm, open_mm }
 }
 
 /// A loop with everything that is measured on it, its first end as the leading edge, and its ends;
 /// closed, counter-clockwise, at least three points.
-fn measured(outline: Outline, tolerance_mm: f64) -> (SectionLoop, Ends) {
+fn measured(outline: Outline, tolerance_mm: f64) -> (SectionLoop, SectionEnds) {
     let profile = Profile::of(outline, tolerance_mm);
     let ends = profile.ends();
     let Profile { outline: Outline { points, off_part_mm, .. }, s_mm, length_mm, fit } = profile;
@@ -221,7 +221,7 @@ fn measured(outline: Outline, tolerance_mm: f64) -> (SectionLoop, Ends) {
 }
 
 /// Says which end leads and which side is which.
-fn name(l: &mut SectionLoop, ends: &Ends, names: Names) {
+fn name(l: &mut SectionLoop, ends: &SectionEnds, names: Names) {
     let [first, second] = ends.s_mm;
     (l.leading_edge_s_mm, l.trailing_edge_s_mm) = if names.first_leads { (first, second) } else { (second, first) };
     l.side_after_leading_edge = if names.suction_follows_leading { Side::Suction } else { Side::Pressure };

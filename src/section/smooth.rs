@@ -86,13 +86,13 @@ fn one(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair], tolerance_m
 }
 
 /// Points of a curve to be, both ends included; a closed one does not repeat its first.
-struct Stretch {
+struct CurvePoints {
     points: Vec<Pair>,
     closed: bool,
 }
 
 /// The loop between its crossings with edges, as points on the part.
-fn stretches(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair]) -> Result<Vec<Stretch>> {
+fn stretches(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair]) -> Result<Vec<CurvePoints>> {
     let step = arc_length(polygon).1 / POINTS;
     let near = (2.0 * step).max(10.0 * part.deflection_mm);
     // (place along the polygon, point, whether it is a crossing)
@@ -130,12 +130,12 @@ fn stretches(part: &Part, x_mm: f64, polygon: &[Pair], crossings: &[Pair]) -> Re
     all.dedup_by(|b, a| distance(a.1, b.1) < SAME_MM && !b.2);
     let Some(first) = all.iter().position(|a| a.2) else {
         let points = all.into_iter().map(|a| a.1).collect();
-        return Ok(vec![Stretch { points, closed: true }]);
+        return Ok(vec![CurvePoints { points, closed: true }]);
     };
     all.rotate_left(first);
     all.push(all[0]);
     let at: Vec<usize> = (0..all.len()).filter(|k| all[*k].2).collect();
-    let between = |w: &[usize]| Stretch { points: all[w[0]..=w[1]].iter().map(|a| a.1).collect(), closed: false };
+    let between = |w: &[usize]| CurvePoints { points: all[w[0]..=w[1]].iter().map(|a| a.1).collect(), closed: false };
     Ok(at.windows(2).map(between).collect())
 }
 
@@ -158,7 +158,7 @@ fn nearest(polygon: &[Pair], q: Pair) -> (f64, f64) {
 
 /// The spline through some of the points, and through more of the section until it is within the
 /// tolerance; with the greatest distance measured, mm.
-fn fit(part: &Part, x_mm: f64, s: Stretch, tolerance_mm: f64) -> std::result::Result<(NurbsCurve, f64), FitError> {
+fn fit(part: &Part, x_mm: f64, s: CurvePoints, tolerance_mm: f64) -> std::result::Result<(NurbsCurve, f64), FitError> {
     let last = s.points.len() - 1;
     let mut nodes: Vec<Pair> = s.points.iter().copied().step_by(COARSE.min(last.max(4) / 4)).collect();
     if !s.closed && !last.is_multiple_of(COARSE.min(last.max(4) / 4)) {

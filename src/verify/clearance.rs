@@ -247,7 +247,7 @@ pub fn short_moves(path: &Toolpath, theta: &[f64], apart: &[Apart], options: &Ve
 
 /// How near a motion comes to a part.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Kept {
+pub(super) struct NearestApproach {
     /// The nearest place.
     pub near: Nearest,
     /// Face of the part there.
@@ -260,8 +260,14 @@ pub(super) struct Kept {
 
 /// How near `segments` come to a part. Where the part's mesh is too coarse to tell whether
 /// `limit_mm` is kept, by triangles that are nearer to its exact faces, and more closely.
-pub(super) fn kept(track: Track, part: &Part, segments: &[Segment], limit_mm: f64, options: &VerifyOptions) -> Kept {
-    let of = |on: &Part, (near, bound_mm): (Nearest, f64)| Kept {
+pub(super) fn kept(
+    track: Track,
+    part: &Part,
+    segments: &[Segment],
+    limit_mm: f64,
+    options: &VerifyOptions,
+) -> NearestApproach {
+    let of = |on: &Part, (near, bound_mm): (Nearest, f64)| NearestApproach {
         near,
         face: (near.triangle != u32::MAX).then(|| on.mesh.face(near.triangle as usize)),
         least_mm: bound_mm - on.deflection_mm,
@@ -375,7 +381,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &Verif
     (checks, least)
 }
 
-fn judge(a: &Apart, kept: &Kept, limit: f64, plan: &Plan, blade: &Blade) -> Check {
+fn judge(a: &Apart, kept: &NearestApproach, limit: f64, plan: &Plan, blade: &Blade) -> Check {
     let near = &kept.near;
     let (id, quantity) = match (a.obstacle, a.is_holder) {
         (None, false) => (CheckId::Clearance, "the tool without its ball to the part".to_owned()),

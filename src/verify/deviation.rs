@@ -80,11 +80,11 @@ pub fn deviation(blade: &Blade, path: &Toolpath, tolerance_mm: f64) -> Result<De
         return Err(Error::usage(Stage::Verify, what));
     }
     let part = Allowed::new(&blade.part, path.stock_mm);
-    Ok(measure(&part, &[Cut::new(Sweep::new(path), path.scallop_mm)], tolerance_mm))
+    Ok(measure(&part, &[ToolCut::new(Sweep::new(path), path.scallop_mm)], tolerance_mm))
 }
 
 /// What one tool has cut.
-pub(super) struct Cut {
+pub(super) struct ToolCut {
     sweep: Sweep,
     /// Stepover on a plane, mm.
     stepover_mm: f64,
@@ -92,20 +92,20 @@ pub(super) struct Cut {
     reach_mm: f64,
 }
 
-impl Cut {
+impl ToolCut {
     /// A swept ball whose passes leave ridges of about `scallop_mm`.
     pub(super) fn new(sweep: Sweep, scallop_mm: f64) -> Self {
         let stepover_mm = flat_stepover(sweep.radius_mm, scallop_mm);
-        Cut { sweep, stepover_mm, reach_mm: (REACH_STEPOVERS * stepover_mm).max(LEAST_REACH_MM) }
+        ToolCut { sweep, stepover_mm, reach_mm: (REACH_STEPOVERS * stepover_mm).max(LEAST_REACH_MM) }
     }
 }
 
 /// See [`deviation`]; of several tools what all of them together leave.
-pub(super) fn measure(part: &Allowed, cuts: &[Cut], tolerance_mm: f64) -> DeviationMap {
+pub(super) fn measure(part: &Allowed, cuts: &[ToolCut], tolerance_mm: f64) -> DeviationMap {
     measure_within(part, cuts, tolerance_mm, MOST)
 }
 
-fn measure_within(part: &Allowed, cuts: &[Cut], tolerance_mm: f64, most: usize) -> DeviationMap {
+fn measure_within(part: &Allowed, cuts: &[ToolCut], tolerance_mm: f64, most: usize) -> DeviationMap {
     let stepover_mm = cuts.iter().map(|c| c.stepover_mm).fold(f64::INFINITY, f64::min);
     let map = DeviationMap::default();
     let mut map = Growing { part, cuts, stepover_mm, tolerance_mm, most, map, faces: Vec::new(), coarse: Vec::new() };
@@ -118,7 +118,7 @@ fn measure_within(part: &Allowed, cuts: &[Cut], tolerance_mm: f64, most: usize) 
 
 struct Growing<'a> {
     part: &'a Allowed<'a>,
-    cuts: &'a [Cut],
+    cuts: &'a [ToolCut],
     stepover_mm: f64,
     tolerance_mm: f64,
     most: usize,
@@ -133,7 +133,7 @@ struct Growing<'a> {
 type Corner = (Point, Vector, f64);
 
 /// What is known of a triangle that is not fine enough.
-enum Bound {
+enum KnownBound {
     /// Nothing: the ball does not come to all corners.
     None,
     /// Heights are off the linear one by no more than this, mm.
@@ -178,14 +178,14 @@ impl Growing<'_> {
     /// What is known of the triangles that are not fine enough; see the module's page.
     fn bound_coarse(&mut self) {
         let all = self.coarse.par_iter().map(|t| self.triangle_bound(&self.map.triangles[*t]));
-        let bounds: Vec<Bound> = all.collect();
+        let bounds: Vec<KnownBound> = all.collect();
         let map = &mut self.map;
         map.coarse = bounds.len();
         for bound in bounds {
             match bound {
-                Bound::None => {}
-                Bound::Height(mm) => map.coarse_bound_mm = map.coarse_bound_mm.max(mm),
-                Bound::Distance(mm, area_mm2) => {
+                KnownBound::None => {}
+                KnownBound::Height(mm) => map.coarse_bound_mm = map.coarse_bound_mm.max(mm),
+                KnownBound::Distance(mm, area_mm2) => {
                     map.sharp += 1;
                     map.sharp_area_mm2 += area_mm2;
                     map.sharp_bound_mm = map.sharp_bound_mm.max(mm);
@@ -196,18 +196,18 @@ impl Growing<'_> {
 
     /// Distance of a place to the ball of any tool, negative inside.
     fn distance(&self, p: &Point) -> f64 {
-        let one = |c: &Cut| c.sweep.nearest(p, f64::INFINITY, |_| true).map(|n| n.distance_mm - c.sweep.radius_mm);
+        let one = |c: &ToolCut| c.sweep.nearest(p, f64::INFINITY, |_| true).map(|n| n.distance_mm - c.sweep.radius_mm);
         self.cuts.iter().filter_map(one).fold(f64::INFINITY, f64::min)
     }
 
     /// How far the height in a triangle, or the distance to the ball, may be off the linear height.
-    fn triangle_bound(&self, t: &[u32; 3]) -> Bound {
+    fn triangle_bound(&self, t: &[u32; 3]) -> KnownBound {
         let (_, length) = self.longest(t);
         let normals = t.map(|v| self.map.normals[v as usize]);
         let turn = (0..3).map(|k| (normals[(k + 1) % 3] - normals[k]).norm()).fold(0.0, f64::max);
         let heights = t.map(|v| self.map.heights_mm[v as usize]);
         if heights.iter().any(|h| h.is_nan()) {
-            return Bound::None;
+            return KnownBound::None;
         }
         let height = heights.iter().fold(0.0, |m: f64, h| m.max(h.abs()));
         let slope = |offset_mm: f64, radius_mm: f64| {
@@ -221,7 +221,7 @@ impl Growing<'_> {
         let from = |k: usize| {
             let (p, n) = (&self.map.points[t[k] as usize], &self.map.normals[t[k] as usize]);
             let lowest = heights[k] + 2.0 * steepest * way;
-            let one = |c: &Cut| {
+            let one = |c: &ToolCut| {
                 let radius = c.sweep.radius_mm;
                 let met = c.sweep.met(p, n, c.reach_mm + length + radius * turn);
                 let offsets = met.into_iter().filter(|m| m.0 <= lowest).map(|m| m.1);
@@ -232,12 +232,12 @@ impl Growing<'_> {
         let best = (0..3).map(from).fold(f64::INFINITY, f64::min);
         let bound = best * (length / 3f64.sqrt() + height * turn);
         if bound.is_finite() {
-            return Bound::Height(bound);
+            return KnownBound::Height(bound);
         }
         let points = t.map(|v| self.map.points[v as usize]);
         let apart = (0..3).map(|k| (self.distance(&points[k]) - heights[k]).abs()).fold(0.0, f64::max);
         let area = 0.5 * (points[1] - points[0]).cross(&(points[2] - points[0])).norm();
-        Bound::Distance(length / 3f64.sqrt() + apart, area)
+        KnownBound::Distance(length / 3f64.sqrt() + apart, area)
     }
 
     /// A place of a face of the mesh put onto the surface, with its height.
@@ -369,7 +369,7 @@ mod tests {
         let (blade, plan) = (sample::blade(), sample::plan(4, 90));
         let part = Allowed::new(&blade.part, 0.0);
         let path = &plan.toolpath;
-        let cut = || Cut::new(Sweep::new(path), path.scallop_mm);
+        let cut = || ToolCut::new(Sweep::new(path), path.scallop_mm);
         let mut before = f64::INFINITY;
         for most in [20_000, 80_000] {
             let cuts = [cut()];
@@ -418,7 +418,7 @@ mod tests {
     fn the_bound_of_distances_holds_where_normals_turn_too_fast() {
         let (blade, plan) = (sample::blade(), sample::plan(4, 90));
         let part = Allowed::new(&blade.part, 0.0);
-        let cuts = [Cut { reach_mm: 4.0, ..Cut::new(Sweep::new(&plan.toolpath), plan.toolpath.scallop_mm) }];
+        let cuts = [ToolCut { reach_mm: 4.0, ..ToolCut::new(Sweep::new(&plan.toolpath), plan.toolpath.scallop_mm) }];
         let mut map = DeviationMap::default();
         for (k, l) in plan.toolpath.locations.iter().enumerate().skip(95).step_by(7).take(30) {
             // Across the edge normals lean to both sides, by up to 35 degrees.
@@ -457,7 +457,7 @@ mod tests {
         );
         let (mut area, mut worst) = (0.0, 0.0f64);
         for t in &map.triangles {
-            let Bound::Distance(bound, own) = grown.triangle_bound(t) else { continue };
+            let KnownBound::Distance(bound, own) = grown.triangle_bound(t) else { continue };
             area += own;
             for (p, linear) in within(map, t) {
                 let off = (grown.distance(&p) - linear).abs();
@@ -490,7 +490,7 @@ mod tests {
         let blade = sample::blade();
         let part = Allowed::new(&blade.part, 0.0);
         let [a, b] = [sample::plan(4, 60), sample::plan(2, 60)].map(|p| p.toolpath);
-        let cut = |p: &Toolpath| Cut::new(Sweep::new(p), p.scallop_mm);
+        let cut = |p: &Toolpath| ToolCut::new(Sweep::new(p), p.scallop_mm);
         let map = measure_within(&part, &[cut(&a), cut(&b)], 0.001, 20_000);
         let each = [cut(&a), cut(&b)];
         let mut both = 0;

@@ -8,7 +8,7 @@
 //! for both.
 
 use super::apart::{Apart, apart};
-use super::clearance::{self, Kept, Track};
+use super::clearance::{self, NearestApproach, Track};
 use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
@@ -50,11 +50,11 @@ impl<'a> Room<'a> {
 }
 
 /// A way from the location outwards, whichever way it is run.
-struct Way {
+struct LeadWay {
     stands: Vec<Stand>,
 }
 
-impl Way {
+impl LeadWay {
     fn new(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Self {
         let mut stands: Vec<Stand> = lead.stands(foot.cone).collect();
         if inwards {
@@ -63,11 +63,11 @@ impl Way {
         stands.insert(0, foot);
         let outer = stands.last().copied().unwrap_or(foot);
         stands.push(outer.lifted(beyond(&room.blade.part, &outer.centre, &outer.axis(), room.tool.radius_mm)));
-        Way { stands }
+        LeadWay { stands }
     }
 
     /// How near the tool comes to what it is to keep `limit_mm` of.
-    fn least(&self, a: &Apart, limit_mm: f64, room: &Room) -> Kept {
+    fn least(&self, a: &Apart, limit_mm: f64, room: &Room) -> NearestApproach {
         let track = Track { stands: &self.stands, wanted: None };
         clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
@@ -91,7 +91,7 @@ fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
 /// What stands in the way of a lead to or from a location, in words; `None`: there is room: the
 /// tool keeps the clearance that is asked for.
 pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<String> {
-    let way = Way::new(lead, foot, inwards, room);
+    let way = LeadWay::new(lead, foot, inwards, room);
     let part = Allowed::new(&room.blade.part, room.stock_mm);
     let found = way.gouge(room);
     let depth = found.bound_mm.max(found.found_mm);
@@ -140,11 +140,11 @@ pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
 }
 
 /// Both ways with their names and the row of the location that they belong to.
-fn ways(plan: &Plan, room: &Room) -> Vec<(&'static str, usize, Way)> {
+fn ways(plan: &Plan, room: &Room) -> Vec<(&'static str, usize, LeadWay)> {
     let rows = &plan.toolpath.locations;
     let ends = [("lead-in", 0, true), ("lead-out", rows.len().saturating_sub(1), false)];
     let way = |((name, row, inwards), lead): ((&'static str, usize, bool), &Lead)| {
-        Some((name, row, Way::new(lead, plan.stand(row)?, inwards, room)))
+        Some((name, row, LeadWay::new(lead, plan.stand(row)?, inwards, room)))
     };
     ends.into_iter().zip(&plan.leads).filter_map(way).collect()
 }
@@ -154,7 +154,7 @@ fn at(check: Check, row: usize, point: Option<Point>, plan: &Plan, blade: &Blade
     Check { row: Some(row), turn: plan.toolpath.locations.get(row).map(|l| l.turn), point_mm, ..check }
 }
 
-fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
+fn deepest(ways: &[(&str, usize, LeadWay)], plan: &Plan, room: &Room) -> Check {
     let found = ways.iter().map(|(name, row, way)| (name, *row, way.gouge(room)));
     let worst = found.reduce(|a, b| if b.2.bound_mm > a.2.bound_mm { b } else { a });
     let (name, row, bound, centre) =
@@ -165,7 +165,7 @@ fn deepest(ways: &[(&str, usize, Way)], plan: &Plan, room: &Room) -> Check {
     at(check, row, centre, plan, room.blade)
 }
 
-fn nearest(ways: &[(&str, usize, Way)], a: &Apart, plan: &Plan, room: &Room) -> Check {
+fn nearest(ways: &[(&str, usize, LeadWay)], a: &Apart, plan: &Plan, room: &Room) -> Check {
     let id = match (a.obstacle, a.is_holder) {
         (None, false) => CheckId::LeadClearance,
         (None, true) => CheckId::LeadHolderClearance,

@@ -18,16 +18,16 @@ use crate::tool::Tool;
 
 /// A worst value and its row; the first of equals.
 #[derive(Clone, Copy)]
-struct Worst {
+struct WorstRow {
     value: f64,
     row: usize,
 }
 
-fn worst(values: impl Iterator<Item = f64>) -> Worst {
-    values.enumerate().fold(Worst { value: f64::NEG_INFINITY, row: 0 }, |w, (row, value)| {
+fn worst(values: impl Iterator<Item = f64>) -> WorstRow {
+    values.enumerate().fold(WorstRow { value: f64::NEG_INFINITY, row: 0 }, |w, (row, value)| {
         // What is not a number is worse than everything: a step of time that is 0.
         let value = if value.is_nan() { f64::INFINITY } else { value };
-        if value > w.value { Worst { value, row } } else { w }
+        if value > w.value { WorstRow { value, row } } else { w }
     })
 }
 
@@ -86,7 +86,7 @@ fn judge(
     axis: usize,
     kind: AxisCheck,
     quantity: &str,
-    found: Worst,
+    found: WorstRow,
     limit: f64,
     plan: &Plan,
     blade: &Blade,
@@ -136,7 +136,7 @@ fn placed(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &
         p.axis.cross(&a).norm().atan2(p.axis.dot(&a)).to_degrees()
     });
     let axis = worst(turned);
-    let check = |id: CheckId, quantity: &str, found: Worst, limit: f64, unit: &str| {
+    let check = |id: CheckId, quantity: &str, found: WorstRow, limit: f64, unit: &str| {
         Check::at_most(id, quantity, found.value, limit, unit, String::new()).at_location(found.row, plan, blade)
     };
     let limit = options.angle_tolerance_deg;

@@ -29,12 +29,12 @@ pub(super) struct Samples {
 
 /// A piece of a mesh triangle.
 #[derive(Clone, Copy)]
-struct Piece {
+struct TrianglePiece {
     triangle: usize,
     corners: [Point; 3],
 }
 
-impl Piece {
+impl TrianglePiece {
     fn area(&self) -> f64 {
         area_mm2(&self.corners)
     }
@@ -47,13 +47,13 @@ impl Piece {
         self.corners.iter().map(|c| (c - m).norm()).fold(0.0, f64::max)
     }
     /// Halves across the longest edge.
-    fn halves(&self) -> [Piece; 2] {
+    fn halves(&self) -> [TrianglePiece; 2] {
         let c = self.corners;
         let lengths = [(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()];
         let k = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
         let (a, b, opposite) = (c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
         let mid = a + (b - a) * 0.5;
-        let piece = |corners| Piece { triangle: self.triangle, corners };
+        let piece = |corners| TrianglePiece { triangle: self.triangle, corners };
         [piece([a, mid, opposite]), piece([mid, b, opposite])]
     }
 }
@@ -63,11 +63,11 @@ impl Piece {
 /// runs over all pieces in order. Where the part is NURBS, each point is moved to the exact
 /// surface, with the exact normal there.
 pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
-    let pieces: Vec<Piece> = (0..part.mesh.triangles.len())
+    let pieces: Vec<TrianglePiece> = (0..part.mesh.triangles.len())
         .into_par_iter()
         .flat_map_iter(|t| pieces_near(part, sweep, reach_mm, t))
         .collect();
-    let area: f64 = pieces.iter().map(Piece::area).sum();
+    let area: f64 = pieces.iter().map(TrianglePiece::area).sum();
     if !(area > 0.0) || count == 0 {
         return Samples { points: Vec::new(), area_mm2: 0.0 };
     }
@@ -93,11 +93,11 @@ pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usi
 }
 
 /// The pieces of a triangle that lie near the path, none much larger than `reach_mm`.
-fn pieces_near(part: &Allowed, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Vec<Piece> {
+fn pieces_near(part: &Allowed, sweep: &Sweep, reach_mm: f64, triangle: usize) -> Vec<TrianglePiece> {
     let normal = part.mesh.normal(triangle);
     // On a curved face the normals of a facet's points differ from the facet's own.
     let slack = if part.brep.is_some() { 0.5 * sweep.radius_mm } else { 0.0 };
-    let mut open = vec![Piece { triangle, corners: part.mesh.corners(triangle) }];
+    let mut open = vec![TrianglePiece { triangle, corners: part.mesh.corners(triangle) }];
     let mut near = Vec::new();
     while let Some(piece) = open.pop() {
         let (middle, size) = (piece.middle() + normal * (sweep.radius_mm + part.stock_mm), piece.reach());

@@ -59,12 +59,12 @@ pub(super) fn check(plan: &Plan, blade: &Blade, machine: &Machine) -> Vec<Check>
 
 /// Findings in a list, of which the first is told.
 #[derive(Default)]
-struct Found {
+struct Findings {
     count: usize,
     first: Option<(usize, String)>,
 }
 
-impl Found {
+impl Findings {
     fn add(&mut self, row: usize, says: impl FnOnce() -> String) {
         self.count += 1;
         self.first.get_or_insert_with(|| (row, says()));
@@ -90,7 +90,7 @@ impl Found {
 /// Turns and lengths.
 fn turns(plan: &Plan, blade: &Blade) -> Check {
     let (locations, turns) = (&plan.toolpath.locations, &plan.toolpath.turns);
-    let mut found = Found::default();
+    let mut found = Findings::default();
     let mut next = 0;
     for (k, turn) in turns.iter().enumerate() {
         if turn.first != next || turn.count == 0 || next + turn.count > locations.len() {
@@ -180,7 +180,7 @@ fn mean_square(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 fn motion(plan: &Plan, blade: &Blade, machine: &Machine) -> Check {
     let (m, centres) = all_rows(plan);
     let n = m.t_s.len();
-    let mut found = Found::default();
+    let mut found = Findings::default();
     let lengths = [m.feed.len(), m.velocity.len(), m.acceleration.len(), m.jerk.len(), centres.len()];
     let quantity = "numbers of the motion that are not what follows from positions and times";
     if lengths.iter().any(|l| *l != n) {

@@ -5,10 +5,10 @@ use std::f64::consts::{PI, TAU};
 use proptest::prelude::*;
 
 use super::super::arcs::{Arc, Witness};
-use super::super::forbidden::{Body, Scene, Search, View};
+use super::super::forbidden::{ObstacleBody, ObstacleScene, PlaceSearch, View};
 use super::super::moves::even_move;
 use super::super::options::ChannelOptions;
-use super::super::profile::Profile;
+use super::super::profile::ToolProfile;
 use super::super::region::EvenMove;
 use super::super::samples::Sample;
 use super::super::track::Tracker;
@@ -64,11 +64,11 @@ fn any_mesh() -> impl Strategy<Value = Mesh> {
     })
 }
 
-fn with_scene<T>(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, f: impl FnOnce(&mut Search) -> T) -> T {
+fn with_scene<T>(mesh: &Mesh, tool: &Tool, options: &ChannelOptions, f: impl FnOnce(&mut PlaceSearch) -> T) -> T {
     let tree = SphereTree::new(mesh, 4.0);
-    let profile = Profile::new(tool, [ROOM.0, ROOM.1], 0.0);
-    let scene = Scene { bodies: vec![Body { name: "part", mesh, tree: &tree, profile }], options };
-    f(&mut Search::new(&scene))
+    let profile = ToolProfile::new(tool, [ROOM.0, ROOM.1], 0.0);
+    let scene = ObstacleScene { bodies: vec![ObstacleBody { name: "part", mesh, tree: &tree, profile }], options };
+    f(&mut PlaceSearch::new(&scene))
 }
 
 /// Dense points of all triangles.
@@ -158,8 +158,8 @@ proptest! {
         let way = place * Vector::from(way);
         let (points, segments) = (dense(&mesh), tool.segments());
         let tree = SphereTree::new(&mesh, 4.0);
-        let profile = Profile::new(&tool, [ROOM.0, ROOM.1], 0.0);
-        let scene = Scene { bodies: vec![Body { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
+        let profile = ToolProfile::new(&tool, [ROOM.0, ROOM.1], 0.0);
+        let scene = ObstacleScene { bodies: vec![ObstacleBody { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
         let (mut tracker, mut centre, mut azimuth) = (Tracker::new(&scene), Point::origin(), 0.0);
         for (step, bend) in steps {
             (centre, azimuth) = (centre + way * step, azimuth + bend);
@@ -169,7 +169,7 @@ proptest! {
             cone = if x == 0.0 { cone } else { Cone { axis: by * cone.axis, reference: by * cone.reference, lean_rad } };
             let normal = cone.unseen(&Vector::new(0.0, f64::cos(azimuth), f64::sin(azimuth)));
             let tracked = tracker.next(&Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth });
-            let mut alone = Search::new(&scene).free(&at(centre, cone, azimuth), &normal, None);
+            let mut alone = PlaceSearch::new(&scene).free(&at(centre, cone, azimuth), &normal, None);
             alone.iter_mut().for_each(|f| (f.lo, f.hi) = (f.lo + azimuth, f.hi + azimuth));
             for (one, other) in [(&tracked, &alone), (&alone, &tracked)] {
                 for f in one.iter().filter(|f| f.hi - f.lo > 8.0 * TOL) {
@@ -287,9 +287,9 @@ proptest! {
     fn parry_agrees_on_convex_pieces(mesh in any_mesh(), tool in any_tool(), b in -0.3..0.4f64) {
         let o = open_options();
         let tree = SphereTree::new(&mesh, 4.0);
-        let profile = Profile::new(&tool, [0.0, 0.0], 0.0);
-        let scene = Scene { bodies: vec![Body { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
-        let found = Search::new(&scene).free(&at(Point::origin(), Cone::about_blade(b), 0.0), &Vector::y(), None);
+        let profile = ToolProfile::new(&tool, [0.0, 0.0], 0.0);
+        let scene = ObstacleScene { bodies: vec![ObstacleBody { name: "part", mesh: &mesh, tree: &tree, profile }], options: &o };
+        let found = PlaceSearch::new(&scene).free(&at(Point::origin(), Cone::about_blade(b), 0.0), &Vector::y(), None);
         // Inscribed, less a millionth; circumscribed, and a thousandth more for what is only nearly
         // touched.
         let (within, around) = (polyhedra(&tool, 1.0 - 1e-6), polyhedra(&tool, 1.0 / (PI / 64.0).cos() + 2e-3));

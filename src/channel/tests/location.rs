@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use proptest::prelude::*;
 
 use super::super::arcs::{Arc, Witness};
-use super::super::forbidden::{Body, Scene, Search, View};
+use super::super::forbidden::{ObstacleBody, ObstacleScene, PlaceSearch, View};
 use super::super::options::ChannelOptions;
-use super::super::profile::Profile;
+use super::super::profile::ToolProfile;
 use super::super::region::EvenMove;
 use super::super::tree::SphereTree;
 use super::world::{least_margin, tool};
@@ -31,11 +31,11 @@ fn leaning(b: f64) -> (f64, ChannelOptions) {
 
 fn free(mesh: &Mesh, tool: &Tool, (b, options): &(f64, ChannelOptions), centre: &Point, normal: &Vector) -> Vec<Arc> {
     let tree = SphereTree::new(mesh, 2.5);
-    let profile = Profile::new(tool, [options.settings.clearance_mm, options.settings.holder_clearance_mm], 0.0);
-    let scene = Scene { bodies: vec![Body { name: "part", mesh, tree: &tree, profile }], options };
+    let profile = ToolProfile::new(tool, [options.settings.clearance_mm, options.settings.holder_clearance_mm], 0.0);
+    let scene = ObstacleScene { bodies: vec![ObstacleBody { name: "part", mesh, tree: &tree, profile }], options };
     let azimuth = normal.z.atan2(normal.y);
     let view = View { centre: *centre, cone: Cone::about_blade(*b), azimuth, motion: EvenMove::none() };
-    Search::new(&scene).free(&view, normal, None)
+    PlaceSearch::new(&scene).free(&view, normal, None)
 }
 
 fn triangle(a: Point, b: Point, c: Point) -> Mesh {

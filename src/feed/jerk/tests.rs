@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::rows::{Rows, Shares};
 use super::*;
-use crate::numerics::spline::Ends;
+use crate::numerics::spline::SplineEnds;
 use crate::observe::Silent;
 
 fn limits() -> Limits {
@@ -22,7 +22,7 @@ fn curve(n: usize, noise: f64) -> CubicSpline {
             [wild(i, 12.9898), 20.0 * f.cos() + wild(i, 78.233), 20.0 * f.sin() + wild(i, 37.719), 0.0, 0.0]
         })
         .collect();
-    CubicSpline::new(&s, &q, 5, &Ends::Natural).unwrap()
+    CubicSpline::new(&s, &q, 5, &SplineEnds::Natural).unwrap()
 }
 
 proptest! {

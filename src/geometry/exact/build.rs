@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::leaf::{Arc, Leaf, NO_BORDER, Rect, Shape, bends, extents, hull};
+use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, bends, extents, hull};
 use super::patch::{CurveTable, SurfaceTable};
 use super::tree::Hull;
-use super::trim::{Border, Kind, Region};
+use super::trim::{Border, TrimKind, TrimTest};
 use crate::geometry::brep::Brep;
 use crate::geometry::{Point, Vector};
 
@@ -35,7 +35,7 @@ pub(super) struct Pieces {
 }
 
 /// The pieces of all faces, in order.
-pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], diagonal_mm: f64) -> Pieces {
+pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], diagonal_mm: f64) -> Pieces {
     let each: Vec<Pieces> =
         (0..brep.faces.len()).into_par_iter().map(|f| face(brep, tables, regions, f, diagonal_mm)).collect();
     let mut all = Pieces::default();
@@ -49,7 +49,7 @@ pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Reg
 }
 
 /// Rectangles of a face: its spans, and what its loops need beyond the domain.
-fn rects(shape: &Shape, region: &Region, face: u32) -> Vec<Rect> {
+fn rects(shape: &FaceForm, region: &TrimTest, face: u32) -> Vec<Rect> {
     let along = |a: usize| {
         let mut out: Vec<(u32, [f64; 2])> = (0..shape.spans(a) as u32).map(|k| (k, [-1.0, 1.0])).collect();
         let space = &region.trim.space;
@@ -73,17 +73,17 @@ fn rects(shape: &Shape, region: &Region, face: u32) -> Vec<Rect> {
     us.iter().flat_map(|u| vs.iter().map(|v| pair(u, v)).collect::<Vec<_>>()).collect()
 }
 
-fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usize, diagonal_mm: f64) -> Pieces {
-    let shape = Shape { surface: &brep.faces[f].surface, table: tables[f].as_ref() };
+fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], f: usize, diagonal_mm: f64) -> Pieces {
+    let shape = FaceForm { surface: &brep.faces[f].surface, table: tables[f].as_ref() };
     let region = &regions[f];
     let mut out = Pieces::default();
     for first in rects(&shape, region, f as u32) {
         let mut open = vec![(first, region.kind(&shape, &first, None), 0, 0)];
         while let Some((rect, kind, depth, wild_cuts)) = open.pop() {
             let borders = match kind {
-                Kind::Outside => continue,
-                Kind::Inside => None,
-                Kind::Crossed(borders) => Some(borders),
+                TrimKind::Outside => continue,
+                TrimKind::Inside => None,
+                TrimKind::Crossed(borders) => Some(borders),
             };
             let (points, row) = hull(&shape, &rect);
             let mut leaf = Leaf::boxed(&shape, rect, &points);
@@ -105,7 +105,7 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[Region], f: usi
                 for half in [b, a] {
                     let kind = match &borders {
                         Some(list) => region.kind(&shape, &half, Some(list)),
-                        None => Kind::Inside,
+                        None => TrimKind::Inside,
                     };
                     open.push((half, kind, depth + 1, wild_cuts + usize::from(wild)));
                 }

@@ -16,12 +16,12 @@ const ROUNDING: f64 = 1e-14;
 const SAMPLES: usize = 7;
 
 /// How one face is evaluated: in coordinates of a span.
-pub(super) struct Shape<'a> {
+pub(super) struct FaceForm<'a> {
     pub surface: &'a NurbsSurface,
     pub table: Option<&'a SurfaceTable>,
 }
 
-impl Shape<'_> {
+impl FaceForm<'_> {
     /// Middle and half length of a span along u (0) or v (1).
     pub fn frame(&self, along: usize, span: u32) -> [f64; 2] {
         match self.table {
@@ -210,7 +210,7 @@ fn dehomogenised(h: &[[f64; 4]]) -> Option<Vec<Point>> {
 }
 
 /// Points in whose convex hull the piece lies, row by row, and the number in a row.
-pub(super) fn hull(shape: &Shape, rect: &Rect) -> (Vec<Point>, usize) {
+pub(super) fn hull(shape: &FaceForm, rect: &Rect) -> (Vec<Point>, usize) {
     if let Some(t) = shape.table {
         let [p, q] = t.degree;
         let mut c = t.piece(rect.span.map(|s| s as usize)).to_vec();
@@ -272,7 +272,7 @@ pub(super) fn extents(points: &[Point], row: usize) -> [f64; 2] {
 
 impl Leaf {
     /// The piece's box from its hull; nothing yet of its curvature ([`Self::measure_bend`]).
-    pub fn boxed(shape: &Shape, rect: Rect, points: &[Point]) -> Self {
+    pub fn boxed(shape: &FaceForm, rect: Rect, points: &[Point]) -> Self {
         let m = rect.middle();
         let centre = shape.local(rect.span, m);
         let [hs, ht] = rect.range.map(|[a, b]| 0.5 * (b - a));
@@ -310,7 +310,7 @@ impl Leaf {
     }
 
     /// Measures curvature and normals.
-    pub fn measure_bend(&mut self, shape: &Shape) {
+    pub fn measure_bend(&mut self, shape: &FaceForm) {
         if shape.surface.degree_u == 1 && shape.surface.degree_v == 1 && self.slab.half[2] < 1e-9 && !self.wild {
             // Flat: nothing to measure. (The curvature of a plane's parametrisation is rounding
             // only.)
@@ -430,7 +430,7 @@ mod tests {
     fn pieces_lie_in_their_slabs_and_within_their_bounds() {
         for surface in [cylinder(3.0, 10.0), sphere(4.0), torus(10.0, 3.0), loft()] {
             let table = SurfaceTable::new(&surface).unwrap();
-            let shape = Shape { surface: &surface, table: Some(&table) };
+            let shape = FaceForm { surface: &surface, table: Some(&table) };
             for k in 0..30u32 {
                 let span = [k % table.spans[0].len() as u32, (k / 4) % table.spans[1].len() as u32];
                 let from = [0.07 * f64::from(k % 9) - 0.6, 0.05 * f64::from(k % 7) - 0.3];

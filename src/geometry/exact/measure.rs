@@ -11,7 +11,7 @@
 //! without sign, and a quarter of the slivers.
 
 use super::is_pole;
-use super::trim::Region;
+use super::trim::TrimTest;
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::foot::ParameterSpace;
@@ -44,7 +44,7 @@ const THREE: [([f64; 3], f64); 3] = {
 /// distances need.
 #[derive(Clone, Debug)]
 pub struct Loops {
-    pub(super) regions: Vec<Region>,
+    pub(super) regions: Vec<TrimTest>,
     pub(super) chords: Vec<Chord>,
 }
 
@@ -70,7 +70,7 @@ impl Loops {
 
     /// Those of a tessellation.
     pub fn new(t: &Tessellation) -> Self {
-        Loops { regions: t.trims.iter().map(|trim| Region::new(trim.clone())).collect(), chords: t.chords.clone() }
+        Loops { regions: t.trims.iter().map(|trim| TrimTest::new(trim.clone())).collect(), chords: t.chords.clone() }
     }
 
     /// Area and volume of the faces that `mesh` is the tessellation of; the volume means something

@@ -47,10 +47,10 @@ use super::nurbs::{NurbsSurface, SurfaceDerivatives};
 use super::part::Closest;
 use super::tessellate::Tessellation;
 use super::{Aabb, Point, Vector};
-use leaf::{Arc, Leaf, Shape};
+use leaf::{Arc, FaceForm, Leaf};
 use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
-use search::{Found, On};
+use search::{FoundPoint, On};
 use sign::Corners;
 use trace::Trace;
 use tree::{Hull, Tree};
@@ -109,8 +109,8 @@ impl Exact {
         Exact { loops, tables, curves, traces, leaves: pieces.leaves, borders: pieces.borders, arcs, tree, corners }
     }
 
-    fn shape<'a>(&'a self, brep: &'a Brep, face: u32) -> Shape<'a> {
-        Shape { surface: &brep.faces[face as usize].surface, table: self.tables[face as usize].as_ref() }
+    fn shape<'a>(&'a self, brep: &'a Brep, face: u32) -> FaceForm<'a> {
+        FaceForm { surface: &brep.faces[face as usize].surface, table: self.tables[face as usize].as_ref() }
     }
 
     /// The closest point of the part to `q`; `None` where that is farther than `cap_mm`.
@@ -119,7 +119,7 @@ impl Exact {
         Some(self.finish(brep, q, &found))
     }
 
-    fn finish(&self, brep: &Brep, q: &Point, found: &Found) -> Closest {
+    fn finish(&self, brep: &Brep, q: &Point, found: &FoundPoint) -> Closest {
         let (face, uv, normal) = match found.on {
             On::Face { face, uv, normal } => {
                 let outward = if brep.faces[face as usize].reversed { -normal } else { normal };

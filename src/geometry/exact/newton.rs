@@ -4,7 +4,7 @@
 //! guess, kept on the piece. A step that would lengthen the distance is shortened; where the
 //! Hessian is not positive definite a Gauss–Newton step is taken.
 
-use super::leaf::{Arc, Leaf, Shape};
+use super::leaf::{Arc, FaceForm, Leaf};
 use super::patch::CurveTable;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -27,7 +27,7 @@ pub(super) struct Foot {
 
 /// Newton for ½|S − q|² on a rectangle; at its sides along them. Where the Hessian is not positive
 /// definite a Gauss–Newton step, where the distance would grow a shorter one.
-pub(super) fn foot_on_piece(shape: &Shape, leaf: &Leaf, q: &Point) -> Foot {
+pub(super) fn foot_on_piece(shape: &FaceForm, leaf: &Leaf, q: &Point) -> Foot {
     let [[s0, s1], [t0, t1]] = leaf.rect.range;
     let clamp = |st: [f64; 2]| [st[0].max(s0).min(s1), st[1].max(t0).min(t1)];
     let r = q - leaf.slab.middle;

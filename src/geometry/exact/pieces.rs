@@ -12,9 +12,9 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::Exact;
-use super::leaf::{NO_BORDER, Rect, Shape, bends, extents, hull};
+use super::leaf::{FaceForm, NO_BORDER, Rect, bends, extents, hull};
 use super::tree::Child;
-use super::trim::{BEYOND_EDGE_MM, Border, Kind};
+use super::trim::{BEYOND_EDGE_MM, Border, TrimKind};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -27,7 +27,7 @@ const DEEPEST: u32 = 64;
 const FLAT: f64 = 0.02;
 
 /// A piece of a face as a visitor sees it.
-pub struct Piece<'a> {
+pub struct SeenPiece<'a> {
     /// It lies in the convex hull of these points.
     pub hull: &'a [Point],
     /// A point of the surface, in the middle of the piece.
@@ -46,7 +46,7 @@ pub trait Visitor {
     /// looked at.
     fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool;
     /// How pressing it is to look closer at a piece (the least first); `None`: it is done with.
-    fn presses(&mut self, piece: &Piece) -> Option<f64>;
+    fn presses(&mut self, piece: &SeenPiece) -> Option<f64>;
     /// Takes a point of the part, of a piece that is not done with; false: nothing more need be
     /// looked at.
     fn takes(&mut self, point: &Point) -> bool;
@@ -55,7 +55,7 @@ pub trait Visitor {
 }
 
 /// A piece, kept for later questions.
-struct Kept {
+struct KeptPiece {
     rect: Rect,
     depth: u32,
     /// Index into the borders, or [`NO_BORDER`].
@@ -84,11 +84,11 @@ enum Held {
     Beyond,
 }
 
-impl Kept {
-    fn piece(&self) -> Piece<'_> {
+impl KeptPiece {
+    fn piece(&self) -> SeenPiece<'_> {
         let (n, row) = (self.hull.len(), self.row);
         let corners = Some([0, row - 1, n - 1, n - row].map(|k| self.hull[k]));
-        Piece { hull: &self.hull, middle: self.middle, radius: self.radius, normal: self.normal, corners }
+        SeenPiece { hull: &self.hull, middle: self.middle, radius: self.radius, normal: self.normal, corners }
     }
 }
 
@@ -105,7 +105,7 @@ pub struct Walker<'a> {
     brep: &'a Brep,
     /// First piece of each leaf, where it is known.
     first: Vec<u32>,
-    kept: Vec<Kept>,
+    kept: Vec<KeptPiece>,
     /// Borders of parts of pieces, numbered on from those of all faces.
     borders: Vec<Vec<Border>>,
     /// What is open: key, order, piece, state of the visitor that saw it.
@@ -173,7 +173,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    fn shape(&self, face: u32) -> Shape<'a> {
+    fn shape(&self, face: u32) -> FaceForm<'a> {
         self.exact.shape(self.brep, face)
     }
 
@@ -192,7 +192,7 @@ impl<'a> Walker<'a> {
             let (middle, radius) = (leaf.centre, radius(&hull, &leaf.centre));
             // What is known of the box holds for the piece in it: the answer is the same without
             // it.
-            if visitor.presses(&Piece { hull: &hull, middle, radius, normal, corners: None }).is_none() {
+            if visitor.presses(&SeenPiece { hull: &hull, middle, radius, normal, corners: None }).is_none() {
                 return;
             }
             self.first[item as usize] = self.keep(leaf.rect, 0, leaf.border);
@@ -206,7 +206,7 @@ impl<'a> Walker<'a> {
         let at = shape.local(rect.span, rect.middle());
         let (middle, normal) = (at.p, at.normal().unwrap_or_else(Vector::zeros));
         let (radius, held) = (radius(&hull, &middle), (border == NO_BORDER).then_some(Held::On));
-        self.kept.push(Kept { rect, depth, border, hull, row, middle, radius, normal, held, halves: None });
+        self.kept.push(KeptPiece { rect, depth, border, hull, row, middle, radius, normal, held, halves: None });
         (self.kept.len() - 1) as u32
     }
 
@@ -260,9 +260,9 @@ impl<'a> Walker<'a> {
             if border != NO_BORDER {
                 let region = &self.exact.loops.regions[rect.face as usize];
                 match region.kind(&self.shape(rect.face), &half, Some(self.borders(border))) {
-                    Kind::Outside => return NONE,
-                    Kind::Inside => {}
-                    Kind::Crossed(borders) => {
+                    TrimKind::Outside => return NONE,
+                    TrimKind::Inside => {}
+                    TrimKind::Crossed(borders) => {
                         own = (self.exact.borders.len() + self.borders.len()) as u32;
                         self.borders.push(borders);
                     }
@@ -305,7 +305,7 @@ mod tests {
             let across: f64 = sides.iter().map(|s| self.normal.dot(s).abs()).sum();
             self.normal.dot(&middle.coords) + across > self.least + self.enough
         }
-        fn presses(&mut self, piece: &Piece) -> Option<f64> {
+        fn presses(&mut self, piece: &SeenPiece) -> Option<f64> {
             self.looked += 1;
             assert!(piece.hull.iter().all(|p| (p - piece.middle).norm() <= piece.radius));
             let high = piece.hull.iter().map(|p| self.normal.dot(&p.coords)).fold(f64::NEG_INFINITY, f64::max);

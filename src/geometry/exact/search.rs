@@ -20,11 +20,11 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::Exact;
-use super::leaf::{Arc, Leaf, NO_BORDER, Rect, Shape, extents, hull};
+use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, extents, hull};
 use super::newton::{Foot, foot_on_arc, foot_on_piece};
 use super::patch::CurveTable;
 use super::tree::{Child, Seen};
-use super::trim::{Border, Kind};
+use super::trim::{Border, TrimKind};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -41,7 +41,7 @@ const MOST_CUTS: u32 = 5_000;
 
 /// The closest point, and what it lies on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct FoundPoint {
     pub d2: f64,
     pub point: Point,
     pub on: On,
@@ -74,11 +74,11 @@ fn key(d2: f64, what: u64) -> u64 {
     (d2.to_bits() & !3) | what
 }
 
-struct Search<'a> {
+struct ClosestSearch<'a> {
     exact: &'a Exact,
     brep: &'a Brep,
     q: Point,
-    best: Option<Found>,
+    best: Option<FoundPoint>,
     limit2: f64,
     /// Nothing farther need be looked at: as `limit2`, or less where a point of the part is known
     /// to be nearer.
@@ -95,12 +95,12 @@ struct Search<'a> {
 }
 
 /// The closest point no farther than `cap_mm`.
-pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Option<Found> {
+pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Option<FoundPoint> {
     counted(exact, brep, q, cap_mm).0
 }
 
 /// The same, and how many pieces were halved for it.
-pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Option<Found>, u32) {
+pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Option<FoundPoint>, u32) {
     if !q.coords.iter().all(|x| x.is_finite()) || exact.tree.is_empty() || !(cap_mm >= 0.0) {
         return (None, 0);
     }
@@ -108,7 +108,7 @@ pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Op
     heap.clear();
     // One ulp or so more keeps a point at the cap itself.
     let limit2 = (cap_mm * cap_mm * (1.0 + 4.0 * f64::EPSILON)).min(f64::MAX);
-    let mut search = Search {
+    let mut search = ClosestSearch {
         exact,
         brep,
         q: *q,
@@ -122,7 +122,7 @@ pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Op
         cuts: 0,
     };
     search.run(&mut heap);
-    let promised = |s: &Search| s.best.is_none_or(|b| b.d2.sqrt() > s.reach2.sqrt() + 2.0 * MOST_NEGLIGIBLE_MM);
+    let promised = |s: &ClosestSearch| s.best.is_none_or(|b| b.d2.sqrt() > s.reach2.sqrt() + 2.0 * MOST_NEGLIGIBLE_MM);
     if search.reach2 < limit2 && promised(&search) {
         // A point was promised, but Newton found none as near: once more, without promises.
         (search.eager, search.reach2) = (false, search.limit2);
@@ -142,7 +142,7 @@ fn next(beside: Option<Entry>, heap: &mut BinaryHeap<Entry>) -> Option<Entry> {
     })
 }
 
-impl Search<'_> {
+impl ClosestSearch<'_> {
     fn run(&mut self, heap: &mut BinaryHeap<Entry>) {
         let seen = self.exact.tree.see(&self.q);
         let mut nearest = self.open(0, &seen, heap);
@@ -213,7 +213,7 @@ impl Search<'_> {
         if d2 < self.limit2 {
             self.limit2 = d2;
             self.reach2 = self.reach2.min(d2);
-            self.best = Some(Found { d2, point, on });
+            self.best = Some(FoundPoint { d2, point, on });
         }
     }
 
@@ -221,10 +221,10 @@ impl Search<'_> {
     fn face_piece(&mut self, leaf: &Leaf, depth: u32, heap: &mut BinaryHeap<Entry>) {
         let shape = self.exact.shape(self.brep, leaf.rect.face);
         let mut bend = leaf.bend_at(&self.q);
-        if matches!(bend, Bend::Unsure(_)) && !leaf.wild {
+        if matches!(bend, Minima::Unsure(_)) && !leaf.wild {
             bend = leaf.bend_sampled(&shape, &self.q);
         }
-        if bend == Bend::NoMinimum {
+        if bend == Minima::NoMinimum {
             return;
         }
         let foot = foot_on_piece(&shape, leaf, &self.q);
@@ -237,7 +237,7 @@ impl Search<'_> {
             self.keep(foot.d2, foot.point, On::Face { face: leaf.rect.face, uv, normal });
         }
         let beyond = match bend {
-            Bend::Unsure(beyond) => beyond,
+            Minima::Unsure(beyond) => beyond,
             _ if foot.settled => return,
             _ => f64::INFINITY,
         };
@@ -267,9 +267,9 @@ impl Search<'_> {
                 continue;
             }
             match self.border_of(leaf, &shape, &half) {
-                Kind::Outside => continue,
-                Kind::Inside => child.border = NO_BORDER,
-                Kind::Crossed(borders) => {
+                TrimKind::Outside => continue,
+                TrimKind::Inside => child.border = NO_BORDER,
+                TrimKind::Crossed(borders) => {
                     child.border = (self.exact.borders.len() + self.borders.len()) as u32;
                     self.borders.push(borders);
                 }
@@ -287,9 +287,9 @@ impl Search<'_> {
     }
 
     /// What the loops make of a part of a piece.
-    fn border_of(&self, leaf: &Leaf, shape: &Shape, half: &Rect) -> Kind {
+    fn border_of(&self, leaf: &Leaf, shape: &FaceForm, half: &Rect) -> TrimKind {
         if leaf.border == NO_BORDER {
-            return Kind::Inside;
+            return TrimKind::Inside;
         }
         self.exact.loops.regions[leaf.rect.face as usize].kind(shape, half, Some(self.borders(leaf)))
     }
@@ -314,7 +314,7 @@ impl Search<'_> {
     }
 
     /// Whether a foot belongs to its face.
-    fn counts(&self, shape: &Shape, leaf: &Leaf, foot: &Foot) -> bool {
+    fn counts(&self, shape: &FaceForm, leaf: &Leaf, foot: &Foot) -> bool {
         if leaf.border == NO_BORDER {
             return true;
         }
@@ -377,7 +377,7 @@ impl Search<'_> {
 
 /// What the curvature of a piece says about minima of the distance on it.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Bend {
+pub(super) enum Minima {
     /// Convex: one minimum.
     One,
     /// None inside.
@@ -389,9 +389,9 @@ pub(super) enum Bend {
 impl Leaf {
     /// Bounds of `1 - κ s` for all curvatures `κ` of the piece, with `s` the height of `q` above
     /// its tangent planes.
-    pub(super) fn bend_at(&self, q: &Point) -> Bend {
+    pub(super) fn bend_at(&self, q: &Point) -> Minima {
         if self.wild {
-            return Bend::Unsure(f64::INFINITY);
+            return Minima::Unsure(f64::INFINITY);
         }
         let r = q - self.slab.middle;
         let height = r.dot(&self.slab.axes[2]);
@@ -401,34 +401,34 @@ impl Leaf {
         let most =
             (self.greater[1] * high).max(self.greater[1] * low).max(self.lesser[0] * low).max(self.lesser[0] * high);
         if most < 1.0 {
-            return Bend::One;
+            return Minima::One;
         }
         if (low > 0.0 && self.greater[0] * low > 1.0) || (high < 0.0 && self.lesser[1] * high > 1.0) {
-            return Bend::NoMinimum;
+            return Minima::NoMinimum;
         }
-        Bend::Unsure(most - 1.0)
+        Minima::Unsure(most - 1.0)
     }
 
     /// The same from 3 × 3 places, with half of what they differ by as a margin: dearer, but not
     /// misled where a query point is the centre of curvature of the whole piece.
-    fn bend_sampled(&self, shape: &Shape, q: &Point) -> Bend {
+    fn bend_sampled(&self, shape: &FaceForm, q: &Point) -> Minima {
         // The greatest eigenvalue of the product of curvature and height, at its least and at its
         // greatest.
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         for st in self.rect.places() {
             let d = shape.local(self.rect.span, st);
-            let Some((n, [greater, lesser])) = d.bent() else { return Bend::Unsure(f64::INFINITY) };
+            let Some((n, [greater, lesser])) = d.bent() else { return Minima::Unsure(f64::INFINITY) };
             let s = (q - d.p).dot(&n);
             let here = (greater * s).max(lesser * s);
             (least, most) = (least.min(here), most.max(here));
         }
         let margin = 0.5 * (most - least);
         if most + margin < 1.0 {
-            Bend::One
+            Minima::One
         } else if least - margin > 1.0 {
-            Bend::NoMinimum
+            Minima::NoMinimum
         } else {
-            Bend::Unsure(most + margin - 1.0)
+            Minima::Unsure(most + margin - 1.0)
         }
     }
 }

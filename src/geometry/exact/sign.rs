@@ -12,10 +12,10 @@
 use std::collections::BTreeMap;
 
 use super::search::{self, On};
-use super::trim::Region;
+use super::trim::TrimTest;
 use super::{Exact, is_pole};
 use crate::geometry::brep::Brep;
-use crate::geometry::tessellate::loops::Node;
+use crate::geometry::tessellate::loops::RingCorner;
 use crate::geometry::tessellate::{NO_CHORD, OWN, Tessellation};
 use crate::geometry::triangle::angle_between;
 use crate::geometry::{Point, Rigid, Vector};
@@ -48,7 +48,7 @@ pub(super) struct Corners {
 }
 
 impl Corners {
-    pub fn new(t: &Tessellation, regions: &[Region]) -> Self {
+    pub fn new(t: &Tessellation, regions: &[TrimTest]) -> Self {
         let mut beside: Vec<Vec<Beside>> = vec![Vec::new(); t.chords.len()];
         for (f, trim) in t.trims.iter().enumerate() {
             for ring in &trim.rings {
@@ -76,7 +76,7 @@ impl Corners {
     }
 
     /// Sums normals at the ends of edges.
-    fn weigh(&mut self, t: &Tessellation, regions: &[Region]) {
+    fn weigh(&mut self, t: &Tessellation, regions: &[TrimTest]) {
         let mut at: BTreeMap<u32, Vertex> = BTreeMap::new();
         for (f, trim) in t.trims.iter().enumerate() {
             for (r, ring) in trim.rings.iter().enumerate() {
@@ -140,7 +140,7 @@ fn leaving(t: &Tessellation, chord: u32, against: bool) -> Option<Vector> {
 
 /// A face's outward normal at a node of its ring, times the angle that the face spans there; `None`
 /// at poles and bridges.
-fn corner(t: &Tessellation, face: usize, node: &Node, before: &Node, left: bool) -> Option<Vector> {
+fn corner(t: &Tessellation, face: usize, node: &RingCorner, before: &RingCorner, left: bool) -> Option<Vector> {
     let (away, back) = (leaving(t, node.chord, node.against)?, leaving(t, before.chord, !before.against)?);
     let space = &t.trims[face].space;
     let uv = space.normal_form(node.uv);

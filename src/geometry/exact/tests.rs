@@ -9,7 +9,7 @@ use crate::geometry::mesh::topology;
 use crate::geometry::nurbs::shapes::{cone, cylinder, loft, sphere, torus};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::part::Part;
-use crate::geometry::tessellate::{Options, tessellate};
+use crate::geometry::tessellate::{TessellateOptions, tessellate};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
@@ -423,7 +423,7 @@ fn points_on_the_axis_of_a_round_face_are_soon_done() {
         let edges = vec![circle(&wall, 0.2), circle(&wall, 0.8)];
         let loops = vec![vec![used(0, false)], vec![used(1, true)]];
         let brep = Brep { faces: vec![face(wall, false, loops)], edges };
-        let t = tessellate(&brep, &Options::with_deflection(0.02), &Silent).unwrap();
+        let t = tessellate(&brep, &TessellateOptions::with_deflection(0.02), &Silent).unwrap();
         let exact = Exact::new(&t);
         for k in 0..60 {
             for off in [0.0, 1e-6, 1e-3] {

@@ -12,7 +12,7 @@ use super::measure::{Loops, OnFace};
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Edge};
 use crate::geometry::nurbs::NurbsCurve;
-use crate::geometry::tessellate::loops::Node;
+use crate::geometry::tessellate::loops::RingCorner;
 
 /// An edge nearer than this to a face bounds it by itself, mm.
 const APART_MM: f64 = 1e-3;
@@ -30,20 +30,20 @@ pub(super) struct Trace {
 }
 
 /// A place of a trace: parameter of the edge, parameters of the face, point of the face.
-type Place = (f64, [f64; 2], Point);
+type TracePlace = (f64, [f64; 2], Point);
 
 /// Of all edges that lie off a face that they bound.
 pub(super) fn traces(brep: &Brep, loops: &Loops) -> Vec<Trace> {
     let mut out = Vec::new();
     for (f, region) in loops.regions.iter().enumerate().filter(|(_, r)| r.trim.blur_mm > APART_MM) {
-        let on = Side { loops, on: loops.face(brep, f) };
+        let on = TracedFace { loops, on: loops.face(brep, f) };
         for ring in &region.trim.rings {
             let next = |k: usize| &ring.nodes[(k + 1) % ring.nodes.len()];
-            let chords: Vec<[Place; 2]> =
+            let chords: Vec<[TracePlace; 2]> =
                 ring.nodes.iter().enumerate().filter_map(|(k, n)| on.chord(n, next(k))).collect();
             // All of an edge that leaves the face somewhere, so that its traces hang together.
             let mut apart = vec![false; brep.edges.len()];
-            let edge = |n: &Node| loops.chords.get(n.chord as usize).map(|c| c.edge);
+            let edge = |n: &RingCorner| loops.chords.get(n.chord as usize).map(|c| c.edge);
             let bounding = || ring.nodes.iter().filter(|n| !n.seam).filter_map(edge);
             for (e, places) in bounding().zip(&chords) {
                 let curve = &brep.edges[e as usize].curve;
@@ -59,23 +59,23 @@ pub(super) fn traces(brep: &Brep, loops: &Loops) -> Vec<Trace> {
 }
 
 /// A face beside its edges.
-struct Side<'a> {
+struct TracedFace<'a> {
     loops: &'a Loops,
     on: OnFace<'a>,
 }
 
-impl Side<'_> {
+impl TracedFace<'_> {
     /// Both ends of a side of a ring, in the sense of its edge; `None` where it stands for no edge
     /// that bounds the face.
-    fn chord(&self, from: &Node, to: &Node) -> Option<[Place; 2]> {
+    fn chord(&self, from: &RingCorner, to: &RingCorner) -> Option<[TracePlace; 2]> {
         let chord = self.loops.chords.get(from.chord as usize).filter(|_| !from.seam)?;
-        let place = |t: f64, n: &Node| (t, n.uv, self.on.at(n.uv));
+        let place = |t: f64, n: &RingCorner| (t, n.uv, self.on.at(n.uv));
         let [a, b] = if from.against { [to, from] } else { [from, to] };
         Some([place(chord.t[0], a), place(chord.t[1], b)])
     }
 
     /// The trace between two places: halved until it is straight.
-    fn trace(&self, edge: &Edge, [from, to]: [Place; 2]) -> Option<NurbsCurve> {
+    fn trace(&self, edge: &Edge, [from, to]: [TracePlace; 2]) -> Option<NurbsCurve> {
         let (mut kept, mut open) = (vec![from], vec![(to, 0)]);
         while let (Some(&a), Some((b, depth))) = (kept.last(), open.pop()) {
             let t = 0.5 * (a.0 + b.0);

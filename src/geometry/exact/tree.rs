@@ -69,7 +69,7 @@ impl Hull {
 
 /// One node: boxes in its frame by component, and what they hold.
 #[derive(Clone, Debug)]
-struct Node {
+struct WideNode {
     axes: [Vector; 3],
     low: [[f32; WIDTH]; 3],
     high: [[f32; WIDTH]; 3],
@@ -90,7 +90,7 @@ pub(super) enum Child {
 /// The tree.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
-    nodes: Vec<Node>,
+    nodes: Vec<WideNode>,
     middle: Point,
     /// Within this distance of the middle single precision holds, mm.
     reach_mm: f64,
@@ -128,7 +128,7 @@ impl Tree {
         let axes = frame(hulls, items);
         items.iter().for_each(|i| boxes[*i as usize] = boxed(&hulls[*i as usize], &axes, &self.middle));
         let groups = groups(boxes, items);
-        let mut node = Node::empty(axes);
+        let mut node = WideNode::empty(axes);
         for (k, (from, to)) in groups.iter().enumerate() {
             let b = around(boxes, &items[*from..*to]);
             for a in 0..3 {
@@ -198,10 +198,10 @@ impl Tree {
     }
 }
 
-impl Node {
+impl WideNode {
     fn empty(axes: [Vector; 3]) -> Self {
         let low = [[f32::INFINITY; WIDTH]; 3];
-        Node {
+        WideNode {
             axes,
             low,
             high: low.map(|x| x.map(|y| -y)),

@@ -5,11 +5,11 @@
 //! number of sides. Near a side the exact edge curve decides: on which side of its tangent the foot
 //! lies.
 
-use super::leaf::{Rect, Shape};
+use super::leaf::{FaceForm, Rect};
 use crate::geometry::Point;
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
-use crate::geometry::tessellate::loops::Ring;
+use crate::geometry::tessellate::loops::TrimRing;
 use crate::geometry::tessellate::{Chord, NO_CHORD, Trim};
 
 /// Feet this far beyond an edge still count, mm: smooth joints then have no crack.
@@ -19,17 +19,17 @@ pub(super) const BEYOND_EDGE_MM: f64 = 1e-4;
 const ON_SEAM: f64 = 1e-9;
 
 /// A side of a ring: (ring, node at which it begins).
-pub(super) type Side = [u32; 2];
+pub(super) type RingSide = [u32; 2];
 
 /// A face's trimming, ready for tests.
 #[derive(Clone, Debug)]
-pub(super) struct Region {
+pub(super) struct TrimTest {
     pub trim: Trim,
     bounds: [[f64; 2]; 2],
     /// Per ring: the face lies to the left of its sides in the parameter plane.
     left: Vec<bool>,
     /// All sides.
-    all: Vec<Side>,
+    all: Vec<RingSide>,
 }
 
 /// The sides that matter in one piece, for one copy of it along the face's closed directions.
@@ -39,7 +39,7 @@ pub(super) struct Border {
     shift: [f64; 2],
     /// A point of the copy, and whether it is inside.
     known: ([f64; 2], bool),
-    sides: Vec<Side>,
+    sides: Vec<RingSide>,
 }
 
 impl Border {
@@ -50,13 +50,13 @@ impl Border {
 }
 
 /// What a piece of the parameter plane is to its face.
-pub(super) enum Kind {
+pub(super) enum TrimKind {
     Inside,
     Outside,
     Crossed(Vec<Border>),
 }
 
-impl Region {
+impl TrimTest {
     pub fn new(trim: Trim) -> Self {
         let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
         for n in trim.rings.iter().flat_map(|r| &r.nodes) {
@@ -74,9 +74,10 @@ impl Region {
                 (ring.signed_area() > 0.0) != hole
             })
             .collect();
-        let of = |(r, ring): (usize, &Ring)| (0..ring.nodes.len()).map(|k| [r as u32, k as u32]).collect::<Vec<_>>();
+        let of =
+            |(r, ring): (usize, &TrimRing)| (0..ring.nodes.len()).map(|k| [r as u32, k as u32]).collect::<Vec<_>>();
         let all = trim.rings.iter().enumerate().flat_map(of).collect();
-        Region { trim, bounds, left, all }
+        TrimTest { trim, bounds, left, all }
     }
 
     /// Whether the face lies to the left of a ring, seen against `S_u × S_v`.
@@ -84,20 +85,20 @@ impl Region {
         self.left.get(ring).copied().unwrap_or(true)
     }
 
-    fn ends(&self, [r, k]: Side) -> [[f64; 2]; 2] {
+    fn ends(&self, [r, k]: RingSide) -> [[f64; 2]; 2] {
         let nodes = &self.trim.rings[r as usize].nodes;
         [nodes[k as usize].uv, nodes[(k as usize + 1) % nodes.len()].uv]
     }
 
     /// A side that bounds the face: no seam, no bridge.
-    fn bounds_face(&self, [r, k]: Side) -> bool {
+    fn bounds_face(&self, [r, k]: RingSide) -> bool {
         let node = &self.trim.rings[r as usize].nodes[k as usize];
         node.chord != NO_CHORD && !node.seam
     }
 
     /// Points of the part: one on each edge near these borders.
     pub fn points_beside(&self, brep: &Brep, chords: &[Chord], borders: &[Border]) -> Vec<Point> {
-        let point = |[r, k]: &Side| {
+        let point = |[r, k]: &RingSide| {
             let chord = chords.get(self.trim.rings[*r as usize].nodes[*k as usize].chord as usize)?;
             Some(brep.edges[chord.edge as usize].curve.point(0.5 * (chord.t[0] + chord.t[1])))
         };
@@ -122,7 +123,7 @@ impl Region {
 
     /// What a rectangle is, given the sides that may matter in it (those of a rectangle around it;
     /// `None`: all).
-    pub fn kind(&self, shape: &Shape, rect: &Rect, around: Option<&[Border]>) -> Kind {
+    pub fn kind(&self, shape: &FaceForm, rect: &Rect, around: Option<&[Border]>) -> TrimKind {
         let low = shape.uv(rect.span, [rect.range[0][0], rect.range[1][0]]);
         let high = shape.uv(rect.span, [rect.range[0][1], rect.range[1][1]]);
         let margin = self.margins(shape, rect, [high[0] - low[0], high[1] - low[1]]);
@@ -133,8 +134,8 @@ impl Region {
             let wide = [0, 1].map(|a| [box_[a][0] - margin[a], box_[a][1] + margin[a]]);
             // Not the middle itself, through which sides like to run.
             let middle = [0, 1].map(|a| box_[a][0] + [0.487_137, 0.513_811][a] * (box_[a][1] - box_[a][0]));
-            let near = |sides: &[Side]| sides.iter().copied().filter(|s| meets(self.ends(*s), wide)).collect();
-            let sides: Vec<Side> = before.map_or_else(|| near(&self.all), |b| near(&b.sides));
+            let near = |sides: &[RingSide]| sides.iter().copied().filter(|s| meets(self.ends(*s), wide)).collect();
+            let sides: Vec<RingSide> = before.map_or_else(|| near(&self.all), |b| near(&b.sides));
             let known = before.map_or_else(|| self.by_ray(middle), |b| self.by_way(b, middle));
             if sides.iter().any(|s| self.bounds_face(*s)) {
                 crossed.push(Border { shift, known: (middle, known), sides });
@@ -154,14 +155,14 @@ impl Region {
             }
         }
         match (inside, crossed.is_empty()) {
-            (true, _) => Kind::Inside,
-            (false, true) => Kind::Outside,
-            (false, false) => Kind::Crossed(crossed),
+            (true, _) => TrimKind::Inside,
+            (false, true) => TrimKind::Outside,
+            (false, false) => TrimKind::Crossed(crossed),
         }
     }
 
     /// How far, in parameters, a side may be from a rectangle and yet matter in it.
-    fn margins(&self, shape: &Shape, rect: &Rect, size: [f64; 2]) -> [f64; 2] {
+    fn margins(&self, shape: &FaceForm, rect: &Rect, size: [f64; 2]) -> [f64; 2] {
         let mut least = [f64::INFINITY; 2];
         for st in rect.places() {
             let d = shape.local(rect.span, st);
@@ -207,7 +208,7 @@ impl Region {
         borders.iter().any(|border| {
             let uv = [0, 1].map(|a| uv[a] + border.shift[a]);
             let metric = [at.du.norm_squared(), at.du.dot(&at.dv), at.dv.norm_squared()];
-            let mut nearest: Option<(f64, Side)> = None;
+            let mut nearest: Option<(f64, RingSide)> = None;
             for side in border.sides.iter().filter(|s| self.bounds_face(**s)) {
                 let [a, b] = self.ends(*side);
                 let d2 = side_distance2(a, b, uv, metric);
@@ -264,7 +265,14 @@ impl Region {
     }
 
     /// Decides by the exact edge curve on which side of it the foot lies.
-    fn beside_edge(&self, brep: &Brep, chords: &[Chord], side: Side, at: &SurfaceDerivatives, inside: bool) -> bool {
+    fn beside_edge(
+        &self,
+        brep: &Brep,
+        chords: &[Chord],
+        side: RingSide,
+        at: &SurfaceDerivatives,
+        inside: bool,
+    ) -> bool {
         let node = &self.trim.rings[side[0] as usize].nodes[side[1] as usize];
         let Some(chord) = chords.get(node.chord as usize) else { return inside };
         let edge = &brep.edges[chord.edge as usize];
@@ -292,7 +300,7 @@ fn crosses(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> bool {
     (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
 }
 
-fn crossings(ring: &Ring, p: [f64; 2]) -> usize {
+fn crossings(ring: &TrimRing, p: [f64; 2]) -> usize {
     let n = ring.nodes.len();
     (0..n).filter(|k| crosses(ring.nodes[*k].uv, ring.nodes[(k + 1) % n].uv, p)).count()
 }

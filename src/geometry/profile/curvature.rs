@@ -25,7 +25,7 @@ pub struct Fit {
 /// Curvature at every point of a closed polygon of the given perimeter; fits only where the faces
 /// say nothing.
 pub fn fit(points: &[[f64; 2]], exact: &[Option<OnFace>], s: &[f64], length: f64, tolerance: f64) -> Fit {
-    let ring = Ring { points, s, length };
+    let ring = LoopPoints { points, s, length };
     let mut out =
         Fit { curvature: Vec::with_capacity(points.len()), normal: Vec::with_capacity(points.len()), error_mm: 0.0 };
     let mut width = 0.02 * length;
@@ -54,13 +54,13 @@ struct Local {
     off: f64,
 }
 
-struct Ring<'a> {
+struct LoopPoints<'a> {
     points: &'a [[f64; 2]],
     s: &'a [f64],
     length: f64,
 }
 
-impl Ring<'_> {
+impl LoopPoints<'_> {
     /// The fit over the widest window about point `i`, and its half width; `start` is a guess at
     /// that.
     fn widest(&self, i: usize, start: f64, tolerance: f64) -> (Local, f64) {

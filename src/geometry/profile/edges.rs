@@ -4,7 +4,7 @@ use super::outline::{area, distance};
 
 /// The two ends of a section, in no order that means anything.
 #[derive(Clone, Debug)]
-pub struct Ends {
+pub struct SectionEnds {
     /// Arc length from the section's first point, mm.
     pub s_mm: [f64; 2],
     /// (y, z), mm.
@@ -16,7 +16,7 @@ pub struct Ends {
     pub bulge_mm2: [f64; 2],
 }
 
-impl Ends {
+impl SectionEnds {
     /// From the second end to the first.
     pub fn chord(&self) -> [f64; 2] {
         let [a, b] = self.at_mm;
@@ -35,11 +35,11 @@ impl Ends {
     }
 
     /// The same with the ends exchanged.
-    pub fn exchanged(&self) -> Ends {
+    pub fn exchanged(&self) -> SectionEnds {
         let turn = |[a, b]: [f64; 2]| [b, a];
         let [a, b] = self.at_mm;
         let (s_mm, radius_mm, bulge_mm2) = (turn(self.s_mm), turn(self.radius_mm), turn(self.bulge_mm2));
-        Ends { s_mm, at_mm: [b, a], radius_mm, bulge_mm2 }
+        SectionEnds { s_mm, at_mm: [b, a], radius_mm, bulge_mm2 }
     }
 }
 
@@ -54,11 +54,11 @@ struct Edge {
 
 /// Finds the ends of a closed counter-clockwise polygon: about each end of its greatest extent, the
 /// middle of the stretch that bends at least half as sharply as its sharpest point.
-pub fn find(points: &[[f64; 2]], s: &[f64], length: f64, curvature: &[f64]) -> Ends {
+pub fn find(points: &[[f64; 2]], s: &[f64], length: f64, curvature: &[f64]) -> SectionEnds {
     let (a, b) = farthest(points);
-    let ring = Ring { points, s, length, curvature };
+    let ring = LoopCurvature { points, s, length, curvature };
     let (a, b) = (ring.edge_near(a), ring.edge_near(b));
-    Ends {
+    SectionEnds {
         s_mm: [a.s_mm, b.s_mm],
         at_mm: [a.point, b.point],
         radius_mm: [a.radius_mm, b.radius_mm],
@@ -117,14 +117,14 @@ fn bulge_mm2(points: &[[f64; 2]], from: usize, to: usize) -> f64 {
     area(&side)
 }
 
-struct Ring<'a> {
+struct LoopCurvature<'a> {
     points: &'a [[f64; 2]],
     s: &'a [f64],
     length: f64,
     curvature: &'a [f64],
 }
 
-impl Ring<'_> {
+impl LoopCurvature<'_> {
     /// Arc length from point `i` to point `j`, the shorter way, signed.
     fn length_between(&self, i: usize, j: usize) -> f64 {
         let d = self.s[j] - self.s[i];

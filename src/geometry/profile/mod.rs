@@ -9,7 +9,7 @@ pub mod edges;
 pub mod outline;
 pub mod sides;
 
-pub use edges::Ends;
+pub use edges::SectionEnds;
 pub use outline::Outline;
 pub use sides::{Names, Sides};
 
@@ -40,7 +40,7 @@ impl Profile {
     }
 
     /// The two ends.
-    pub fn ends(&self) -> Ends {
+    pub fn ends(&self) -> SectionEnds {
         edges::find(&self.outline.points, &self.s_mm, self.length_mm, &self.fit.curvature)
     }
 }

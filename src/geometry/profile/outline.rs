@@ -139,7 +139,7 @@ fn refined(part: &Part, x_mm: f64, points: &[[f64; 2]]) -> Outline {
 }
 
 /// A point of a section of exact faces.
-pub struct Placed {
+pub struct PlacedPoint {
     /// (y, z), mm.
     pub at: [f64; 2],
     /// What the face says there, inside one.
@@ -151,11 +151,11 @@ pub struct Placed {
 /// Newton's method within the section's plane for the point where the surface meets it,
 /// `S(u, v) · e_x = x`: each step goes to the tangent plane of the closest point. Keeps the guess
 /// where that leads away (walls along the plane).
-pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
+pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> PlacedPoint {
     let cap = 10.0 * part.deflection_mm + 1e-3;
     let stays = || {
         let foot = part.closest(&Point::new(x_mm, guess[0], guess[1]), f64::INFINITY);
-        Placed { at: guess, exact: None, off_mm: foot.map_or(f64::MAX, |f| f.distance_mm) }
+        PlacedPoint { at: guess, exact: None, off_mm: foot.map_or(f64::MAX, |f| f.distance_mm) }
     };
     let mut q = Point::new(x_mm, guess[0], guess[1]);
     for _ in 0..MOST_STEPS {
@@ -165,7 +165,7 @@ pub fn on_part(part: &Part, x_mm: f64, guess: [f64; 2]) -> Placed {
             return stays();
         }
         if foot.distance_mm < ON_SURFACE_MM {
-            return Placed { at: [q.y, q.z], exact: on_face(part, &foot), off_mm: foot.distance_mm };
+            return PlacedPoint { at: [q.y, q.z], exact: on_face(part, &foot), off_mm: foot.distance_mm };
         }
         let off = (foot.point - q).dot(&foot.normal);
         q += Vector::new(0.0, foot.normal.y, foot.normal.z) * (off / across);

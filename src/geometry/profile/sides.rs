@@ -10,7 +10,7 @@
 //! equal ones (within 2 %) that with the lesser y, then z. The suction side is the one that bulges
 //! more over the chord, in sum.
 
-use super::edges::Ends;
+use super::edges::SectionEnds;
 use super::outline::distance;
 use crate::geometry::Point;
 
@@ -52,7 +52,7 @@ pub struct Names {
 
 impl Names {
     /// Those of a section of which nothing else is known.
-    pub fn alone(ends: &Ends) -> Names {
+    pub fn alone(ends: &SectionEnds) -> Names {
         let first_leads = leads(std::slice::from_ref(ends));
         let [first, second] = if first_leads { ends.bulge_mm2 } else { ends.exchanged().bulge_mm2 };
         Names { first_leads, suction_follows_leading: first >= second }
@@ -62,19 +62,19 @@ impl Names {
 impl Sides {
     /// The edges through the ends of sections at these heights, mm, which rise; `None` where there
     /// is no section.
-    pub fn along(sections: &[(f64, Ends)]) -> Option<Sides> {
+    pub fn along(sections: &[(f64, SectionEnds)]) -> Option<Sides> {
         let rank = |k: &usize| sections[*k].1.roundness();
         let slenderest = (0..sections.len()).min_by(|a, b| rank(a).total_cmp(&rank(b)))?;
         let mut joined = vec![(sections[slenderest].0, sections[slenderest].1.clone())];
         continued(&mut joined, sections[..slenderest].iter().rev());
         joined.reverse();
         continued(&mut joined, sections[slenderest + 1..].iter());
-        let (heights, mut joined): (Vec<f64>, Vec<Ends>) = joined.into_iter().unzip();
+        let (heights, mut joined): (Vec<f64>, Vec<SectionEnds>) = joined.into_iter().unzip();
         if !leads(&joined) {
             joined.iter_mut().for_each(|ends| *ends = ends.exchanged());
         }
         let bulges = joined.iter().map(|e| (e.bulge_mm2[0] - e.bulge_mm2[1]) / e.chord_mm().powi(2));
-        let point = |(x, e): (&f64, &Ends), k: usize| Point::new(*x, e.at_mm[k][0], e.at_mm[k][1]);
+        let point = |(x, e): (&f64, &SectionEnds), k: usize| Point::new(*x, e.at_mm[k][0], e.at_mm[k][1]);
         let edge = |k: usize| heights.iter().zip(&joined).map(|at| point(at, k)).collect();
         Some(Sides {
             leading_edge_mm: edge(0),
@@ -104,7 +104,7 @@ impl Sides {
 
     /// What the ends of the sections of one height are, one name for each; `None` for those that
     /// are not the airfoil's.
-    pub fn names(&self, x_mm: f64, loops: &[Ends]) -> Vec<Option<Names>> {
+    pub fn names(&self, x_mm: f64, loops: &[SectionEnds]) -> Vec<Option<Names>> {
         let away: Vec<f64> = loops.iter().map(|ends| self.away(x_mm, ends)).collect();
         let nearest = (0..loops.len()).min_by(|a, b| away[*a].total_cmp(&away[*b]));
         let [lo, hi] = self.x_mm();
@@ -120,12 +120,12 @@ impl Sides {
 
     /// Whether the ends that were found on a section of the airfoil are not its edges: its outline
     /// is folded there, or torn.
-    pub fn are_elsewhere(&self, x_mm: f64, ends: &Ends) -> bool {
+    pub fn are_elsewhere(&self, x_mm: f64, ends: &SectionEnds) -> bool {
         self.away(x_mm, ends) > NEAR
     }
 
     /// How far the ends of a section are from the edges, over the chord.
-    fn away(&self, x_mm: f64, ends: &Ends) -> f64 {
+    fn away(&self, x_mm: f64, ends: &SectionEnds) -> f64 {
         let [leading, trailing] = self.at(x_mm);
         let off = |k: usize, p: [f64; 2]| distance(ends.at_mm[k], p);
         let off_mm = f64::min(off(0, leading).max(off(1, trailing)), off(1, leading).max(off(0, trailing)));
@@ -146,7 +146,7 @@ impl Sides {
 
 /// Appends sections to those that are joined, the ends of each in the order of the last one's, as
 /// far as it can be told.
-fn continued<'a>(joined: &mut Vec<(f64, Ends)>, sections: impl Iterator<Item = &'a (f64, Ends)>) {
+fn continued<'a>(joined: &mut Vec<(f64, SectionEnds)>, sections: impl Iterator<Item = &'a (f64, SectionEnds)>) {
     for (x_mm, ends) in sections.filter(|(_, ends)| ends.roundness() < ROUND) {
         let Some((_, last)) = joined.last() else { return };
         let turn = cosine(last.chord(), ends.chord());
@@ -158,9 +158,9 @@ fn continued<'a>(joined: &mut Vec<(f64, Ends)>, sections: impl Iterator<Item = &
 }
 
 /// Whether the first ends of all sections together are the leading edge.
-fn leads(sections: &[Ends]) -> bool {
+fn leads(sections: &[SectionEnds]) -> bool {
     let most = MOST_RATIO.ln();
-    let blunter = |e: &Ends| (e.radius_mm[0] / e.radius_mm[1]).ln().clamp(-most, most);
+    let blunter = |e: &SectionEnds| (e.radius_mm[0] / e.radius_mm[1]).ln().clamp(-most, most);
     let mean = sections.iter().map(blunter).sum::<f64>() / sections.len() as f64;
     if mean.abs() > EQUAL.ln() {
         return mean > 0.0;
@@ -185,18 +185,22 @@ mod tests {
 
     /// Ends of a thin section at a share of the span: its chord is turned by `turn` rad, its first
     /// end leans on `radius` mm. Every other section gives its ends in the other order.
-    fn ends(k: usize, turn: f64, radius: [f64; 2]) -> Ends {
+    fn ends(k: usize, turn: f64, radius: [f64; 2]) -> SectionEnds {
         let (s, c) = turn.sin_cos();
         let middle = [3.0 * s, 0.5 * k as f64];
         let at = |half: f64| [middle[0] + half * c, middle[1] + half * s];
-        let own =
-            Ends { s_mm: [0.0, 42.0], at_mm: [at(20.0), at(-20.0)], radius_mm: radius, bulge_mm2: [150.0, -20.0] };
+        let own = SectionEnds {
+            s_mm: [0.0, 42.0],
+            at_mm: [at(20.0), at(-20.0)],
+            radius_mm: radius,
+            bulge_mm2: [150.0, -20.0],
+        };
         if k.is_multiple_of(2) { own } else { own.exchanged() }
     }
 
     /// A blade that twists by more than half a turn and whose first end is the blunter only in the
     /// lower part of its height.
-    fn twisted(blunter_up_to: f64) -> Vec<(f64, Ends)> {
+    fn twisted(blunter_up_to: f64) -> Vec<(f64, SectionEnds)> {
         let section = |k: usize| {
             let share = k as f64 / (HEIGHTS - 1) as f64;
             let radius = 0.6 + 0.4 * (blunter_up_to - share);
@@ -251,7 +255,7 @@ mod tests {
 
     #[test]
     fn equally_blunt_edges_are_named_by_their_place() {
-        let alike: Vec<(f64, Ends)> = (0..4).map(|k| (k as f64, ends(k, 0.1, [0.6, 0.6]))).collect();
+        let alike: Vec<(f64, SectionEnds)> = (0..4).map(|k| (k as f64, ends(k, 0.1, [0.6, 0.6]))).collect();
         let sides = Sides::along(&alike).unwrap();
         assert!(sides.leading_edge_mm.iter().zip(&sides.trailing_edge_mm).all(|(a, b)| a.y < b.y));
         assert_eq!(sides.mirrored().mirrored(), sides);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector4;
 
-use super::{Chord, Options, face_error};
+use super::{Chord, TessellateOptions, face_error};
 use crate::error::Result;
 use crate::geometry::brep::{Brep, Coedge, Edge};
 use crate::geometry::nurbs::basis::Basis;
@@ -110,7 +110,7 @@ impl EdgeNet {
     ///
     /// # Errors
     /// An edge that evaluates to something that is not finite, named by its face.
-    pub fn new(brep: &mut Brep, options: &Options) -> Result<Self> {
+    pub fn new(brep: &mut Brep, options: &TessellateOptions) -> Result<Self> {
         let ends: Vec<Point> = brep.edges.iter().flat_map(|e| e.t.map(|t| e.curve.point(t))).collect();
         check_finite(brep, &ends)?;
         let (vertex_of, points) = weld_vertices(brep, &ends, options.weld_mm);
@@ -160,7 +160,7 @@ impl EdgeNet {
         (changed, renumbered)
     }
 
-    fn cut(&mut self, e: u32, edge: &Edge, vertices: [u32; 2], options: &Options) -> EdgeLine {
+    fn cut(&mut self, e: u32, edge: &Edge, vertices: [u32; 2], options: &TessellateOptions) -> EdgeLine {
         let closed = vertices[0] == vertices[1];
         let (ts, ps) = cut_curve(edge, closed, options);
         let length: f64 = ps.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
@@ -242,7 +242,7 @@ fn edge_size(ends: &[Point], e: usize) -> f64 {
 }
 
 /// Edges between the same vertices that run along one another become the first of them.
-fn merge_edges(brep: &mut Brep, vertex_of: &[u32], options: &Options) {
+fn merge_edges(brep: &mut Brep, vertex_of: &[u32], options: &TessellateOptions) {
     let mut by_ends: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
     let mut instead: Vec<(usize, bool)> = (0..brep.edges.len()).map(|e| (e, false)).collect();
     for e in 0..brep.edges.len() {
@@ -265,7 +265,7 @@ fn merge_edges(brep: &mut Brep, vertex_of: &[u32], options: &Options) {
 }
 
 /// Whether two edges run along the same course, and if so, whether in opposite directions.
-fn same_course(a: &Edge, b: &Edge, options: &Options) -> Option<bool> {
+fn same_course(a: &Edge, b: &Edge, options: &TessellateOptions) -> Option<bool> {
     let limit = (10.0 * options.weld_mm).min(0.1 * options.deflection_mm);
     let on = |e: &Edge, s: f64| e.curve.point(e.t[0] + s * (e.t[1] - e.t[0]));
     let guess = |p: &Point| {
@@ -286,7 +286,7 @@ fn same_course(a: &Edge, b: &Edge, options: &Options) -> Option<bool> {
 }
 
 /// Parameters and points along an edge so that chords stay within tolerance and angle.
-fn cut_curve(edge: &Edge, closed: bool, options: &Options) -> (Vec<f64>, Vec<Point>) {
+fn cut_curve(edge: &Edge, closed: bool, options: &TessellateOptions) -> (Vec<f64>, Vec<Point>) {
     let [from, to] = edge.t;
     let mut stops = vec![from];
     stops.extend(edge.curve.knots.iter().copied().filter(|k| *k > from && *k < to));
@@ -311,7 +311,7 @@ fn bisect(
     edge: &Edge,
     before: &mut (f64, Point, Vector),
     to: f64,
-    o: &Options,
+    o: &TessellateOptions,
     depth: usize,
     ts: &mut Vec<f64>,
     ps: &mut Vec<Point>,
@@ -330,7 +330,14 @@ fn bisect(
 
 /// Whether one chord between two parameters is near enough; half the deflection is left to the
 /// faces.
-fn chord_fits(edge: &Edge, t0: f64, t1: f64, a: (&Point, &Vector), b: (&Point, &Vector), o: &Options) -> bool {
+fn chord_fits(
+    edge: &Edge,
+    t0: f64,
+    t1: f64,
+    a: (&Point, &Vector),
+    b: (&Point, &Vector),
+    o: &TessellateOptions,
+) -> bool {
     let near = [0.2, 0.5, 0.8].iter().all(|s| {
         let on = edge.curve.point(t0 + s * (t1 - t0));
         (closest_on_segment(a.0, b.0, &on) - on).norm() <= 0.5 * o.deflection_mm
@@ -340,7 +347,7 @@ fn chord_fits(edge: &Edge, t0: f64, t1: f64, a: (&Point, &Vector), b: (&Point, &
 }
 
 /// Drops points that the chord over them does not need.
-fn thin(edge: &Edge, closed: bool, o: &Options, ts: &mut Vec<f64>, ps: &mut Vec<Point>) {
+fn thin(edge: &Edge, closed: bool, o: &TessellateOptions, ts: &mut Vec<f64>, ps: &mut Vec<Point>) {
     let least = if closed { 5 } else { 2 };
     let mut k = 1;
     let mut run = 0;

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::edges::EdgeNet;
-use super::grid::{Scale, scales};
-use super::loops::{Ring, Rings, rings_of};
-use super::{NO_CHORD, OWN, Options, Trim, face_error};
+use super::grid::{GridScale, scales};
+use super::loops::{Rings, TrimRing, rings_of};
+use super::{NO_CHORD, OWN, TessellateOptions, Trim, face_error};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Face};
@@ -58,7 +58,13 @@ impl Filled {
 ///
 /// # Errors
 /// See [`super::tessellate`].
-pub fn fill_face(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, options: &Options) -> Result<Filled> {
+pub fn fill_face(
+    brep: &Brep,
+    f: usize,
+    net: &EdgeNet,
+    space: ParameterSpace,
+    options: &TessellateOptions,
+) -> Result<Filled> {
     let face = &brep.faces[f];
     let rings = rings_of(brep, f, net, space, options)?;
     let bounds = bounds_of(&rings.rings);
@@ -97,7 +103,7 @@ pub fn fill_face(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, op
     Ok(filled)
 }
 
-fn bounds_of(rings: &[Ring]) -> [[f64; 2]; 2] {
+fn bounds_of(rings: &[TrimRing]) -> [[f64; 2]; 2] {
     let mut b = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for n in rings.iter().flat_map(|r| &r.nodes) {
         for (side, x) in b.iter_mut().zip(n.uv) {
@@ -109,7 +115,7 @@ fn bounds_of(rings: &[Ring]) -> [[f64; 2]; 2] {
 
 /// Greatest distance between sides of the rings on the surface and the curves that they stand for,
 /// mm.
-fn blur(brep: &Brep, face: &Face, net: &EdgeNet, rings: &[Ring], space: &ParameterSpace) -> f64 {
+fn blur(brep: &Brep, face: &Face, net: &EdgeNet, rings: &[TrimRing], space: &ParameterSpace) -> f64 {
     let mut worst = 0.0f64;
     for ring in rings {
         for (k, n) in ring.nodes.iter().enumerate() {
@@ -129,7 +135,7 @@ fn blur(brep: &Brep, face: &Face, net: &EdgeNet, rings: &[Ring], space: &Paramet
 }
 
 /// Greatest distance between the face's edges and its surface, mm.
-fn gap(face: &Face, net: &EdgeNet, rings: &[Ring], space: &ParameterSpace) -> f64 {
+fn gap(face: &Face, net: &EdgeNet, rings: &[TrimRing], space: &ParameterSpace) -> f64 {
     let off = rings.iter().flat_map(|r| &r.nodes).filter(|n| n.id < OWN).map(|n| {
         let uv = space.normal_form(n.uv);
         (face.surface.point(uv[0], uv[1]) - net.points[n.id as usize]).norm()
@@ -143,7 +149,7 @@ type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 fn triangulate(
     face: &Face,
     outline: &Rings,
-    scale: &[Scale; 2],
+    scale: &[GridScale; 2],
     space: &ParameterSpace,
     points: &mut Vec<Point>,
 ) -> Result<Vec<Triangle>> {
@@ -200,7 +206,7 @@ fn triangulate(
 }
 
 /// Grid points inside the rings that keep off their sides, in grid coordinates.
-fn inner_grid(rings: &[Ring], xy: &dyn Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
+fn inner_grid(rings: &[TrimRing], xy: &dyn Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
     let polygons: Vec<Vec<[f64; 2]>> = rings.iter().map(|r| r.nodes.iter().map(|n| xy(n.uv)).collect()).collect();
     let sides = || polygons.iter().flat_map(|p| (0..p.len()).map(move |k| (p[k], p[(k + 1) % p.len()])));
     let mut crossings: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
@@ -312,7 +318,7 @@ fn at(face: &Face, [u, v]: [f64; 2]) -> String {
 }
 
 /// Per shared point: the chords that meet there, with their lengths, mm.
-fn chords_at(rings: &[Ring], net: &EdgeNet) -> BTreeMap<u32, Vec<(u32, f64)>> {
+fn chords_at(rings: &[TrimRing], net: &EdgeNet) -> BTreeMap<u32, Vec<(u32, f64)>> {
     let mut out: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
     for ring in rings {
         for (k, n) in ring.nodes.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! How densely a face needs points along u and along v: a map of its parameter plane in which one
 //! unit is one triangle.
 
-use super::Options;
+use super::TessellateOptions;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::foot::ParameterSpace;
 
@@ -15,12 +15,12 @@ const MOST_CELLS: f64 = 2e5;
 
 /// A monotone map of one parameter: piecewise linear, one unit per line of the grid.
 #[derive(Clone, Debug)]
-pub struct Scale {
+pub struct GridScale {
     at: Vec<f64>,
     to: Vec<f64>,
 }
 
-impl Scale {
+impl GridScale {
     fn new(at: Vec<f64>, density: &[f64]) -> Self {
         let mut to = vec![0.0];
         let mut sum = 0.0;
@@ -31,7 +31,7 @@ impl Scale {
         // A whole number of lines where there is more than one.
         let factor = if sum > 1.0 { sum.min(MOST_LINES).ceil() / sum } else { 1.0 };
         to.iter_mut().for_each(|x| *x *= factor);
-        Scale { at, to }
+        GridScale { at, to }
     }
     /// Grid coordinate of a parameter; continued in a straight line beyond the ends.
     pub fn map(&self, x: f64) -> f64 {
@@ -51,7 +51,13 @@ fn interpolate(xs: &[f64], ys: &[f64], x: f64) -> f64 {
 
 /// Both scales over the box of the rings (`[u, v][from, to]`, unrolled); `finer` multiplies all
 /// densities.
-pub fn scales(s: &NurbsSurface, space: &ParameterSpace, bounds: [[f64; 2]; 2], o: &Options, finer: f64) -> [Scale; 2] {
+pub fn scales(
+    s: &NurbsSurface,
+    space: &ParameterSpace,
+    bounds: [[f64; 2]; 2],
+    o: &TessellateOptions,
+    finer: f64,
+) -> [GridScale; 2] {
     let line = |along: usize| -> Vec<f64> {
         let [from, to] = bounds[along];
         (0..SAMPLES).map(|k| from + (to - from) * k as f64 / (SAMPLES - 1) as f64).collect()
@@ -94,11 +100,11 @@ pub fn scales(s: &NurbsSurface, space: &ParameterSpace, bounds: [[f64; 2]; 2], o
         let factor = (MOST_CELLS / cells).sqrt();
         densities.iter_mut().flatten().for_each(|d| *d *= factor);
     }
-    [0, 1].map(|a| Scale::new(at[a].clone(), &densities[a]))
+    [0, 1].map(|a| GridScale::new(at[a].clone(), &densities[a]))
 }
 
 /// Lines per unit of one parameter that its own curvature asks for.
-fn density(length: f64, bend: f64, o: &Options) -> f64 {
+fn density(length: f64, bend: f64, o: &TessellateOptions) -> f64 {
     // Sagitta h² |S_uu · n| / 8 within a third of the deflection; turn h |S_uu · n| / |S_u| within
     // the angle.
     let sag = (bend / (8.0 * o.deflection_mm / 3.0)).sqrt();
@@ -109,7 +115,7 @@ fn density(length: f64, bend: f64, o: &Options) -> f64 {
 
 /// Raises both densities until the twist of a cell, h_u h_v |S_uv · n| / 4, is within a third of
 /// the deflection too: first the direction in which cells are longer, then both alike.
-fn twist(wanted: &mut [f64; 2], length: [f64; 2], extent: [f64; 2], uv: f64, o: &Options) {
+fn twist(wanted: &mut [f64; 2], length: [f64; 2], extent: [f64; 2], uv: f64, o: &TessellateOptions) {
     let area = 4.0 * o.deflection_mm / (3.0 * uv) * length[0] * length[1];
     let cell = [0, 1].map(|a| length[a] * extent[a].min(1.0 / wanted[a]));
     if !area.is_finite() || cell[0] * cell[1] <= area {

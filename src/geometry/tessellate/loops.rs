@@ -7,7 +7,7 @@
 //! by a bridge.
 
 use super::edges::EdgeNet;
-use super::{NO_CHORD, OWN, Options, face_error};
+use super::{NO_CHORD, OWN, TessellateOptions, face_error};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Face};
@@ -19,14 +19,14 @@ const OFF_SURFACE_MM: f64 = 0.05;
 
 /// A closed polygon in the parameter plane.
 #[derive(Clone, Debug, Default)]
-pub struct Ring {
+pub struct TrimRing {
     /// Its corners.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<RingCorner>,
 }
 
 /// A corner of a ring and the side that leaves it.
 #[derive(Clone, Copy, Debug)]
-pub struct Node {
+pub struct RingCorner {
     /// Parameters; along closed directions unrolled.
     pub uv: [f64; 2],
     /// Mesh point: shared by index, the face's own from [`OWN`] on.
@@ -43,7 +43,7 @@ pub struct Node {
 #[derive(Debug, Default)]
 pub struct Rings {
     /// Closed rings.
-    pub rings: Vec<Ring>,
+    pub rings: Vec<TrimRing>,
     /// Points on bridges; the first has the id [`OWN`].
     pub points: Vec<Point>,
     /// Mesh points that are poles, with the parameter that is free there (0 for u, 1 for v).
@@ -114,7 +114,13 @@ impl Seeds {
 /// # Errors
 /// A loop that does not close, whose points do not lie on the surface, or that runs round a closed
 /// surface without a partner.
-pub fn rings_of(brep: &Brep, f: usize, net: &EdgeNet, space: ParameterSpace, options: &Options) -> Result<Rings> {
+pub fn rings_of(
+    brep: &Brep,
+    f: usize,
+    net: &EdgeNet,
+    space: ParameterSpace,
+    options: &TessellateOptions,
+) -> Result<Rings> {
     let face = &brep.faces[f];
     let tolerance = 10.0 * options.weld_mm;
     let projector = Projector {
@@ -166,7 +172,7 @@ fn poles_of(surface: &NurbsSurface, tolerance: f64) -> Vec<Pole> {
 }
 
 /// The corners of a loop in order, each with the chord to the next one; `uv` still to come.
-fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -> bool) -> Result<Vec<Node>> {
+fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -> bool) -> Result<Vec<RingCorner>> {
     let mut left: Vec<Coedge> = one.iter().copied().filter(|c| net.lines[c.edge].ids.len() > 1).collect();
     let ends = |c: &Coedge| {
         let ids = &net.lines[c.edge].ids;
@@ -207,7 +213,13 @@ fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -
         let seam = seam(c.edge);
         out.extend((0..n).map(|k| {
             let (from, chord) = if c.reversed { (n - k, n - 1 - k) } else { (k, k) };
-            Node { uv: [0.0; 2], id: line.ids[from], chord: line.first_chord + chord as u32, against: c.reversed, seam }
+            RingCorner {
+                uv: [0.0; 2],
+                id: line.ids[from],
+                chord: line.first_chord + chord as u32,
+                against: c.reversed,
+                seam,
+            }
         }));
     }
     Ok(out)
@@ -245,10 +257,15 @@ impl Projector<'_> {
 
     /// Gives the corners their parameters. Also returns how often the loop runs round the surface
     /// along u and v.
-    fn carry(&self, corners: &[Node], net: &EdgeNet, poles: &mut Vec<(u32, usize)>) -> Result<(Ring, [i64; 2])> {
-        let point = |n: &Node| net.points[n.id as usize];
+    fn carry(
+        &self,
+        corners: &[RingCorner],
+        net: &EdgeNet,
+        poles: &mut Vec<(u32, usize)>,
+    ) -> Result<(TrimRing, [i64; 2])> {
+        let point = |n: &RingCorner| net.points[n.id as usize];
         let start = corners.iter().position(|n| self.pole_at(&point(n)).is_none()).unwrap_or(0);
-        let mut nodes: Vec<Node> = Vec::with_capacity(corners.len() + 2);
+        let mut nodes: Vec<RingCorner> = Vec::with_capacity(corners.len() + 2);
         let mut after_pole: Vec<(usize, usize)> = Vec::new();
         for k in 0..corners.len() {
             let mut node = corners[(start + k) % corners.len()];
@@ -259,7 +276,7 @@ impl Projector<'_> {
                 // the next point).
                 node.uv = before;
                 node.uv[pole.fixed] = pole.value;
-                nodes.push(Node { chord: NO_CHORD, seam: false, ..node });
+                nodes.push(RingCorner { chord: NO_CHORD, seam: false, ..node });
                 nodes.push(node);
                 let next = point(&corners[(start + k + 1) % corners.len()]);
                 let onward = self.project(&next, None)?;
@@ -273,24 +290,24 @@ impl Projector<'_> {
             }
         }
         let (Some(first), Some(last)) = (nodes.first().copied(), nodes.last().copied()) else {
-            return Ok((Ring::default(), [0, 0]));
+            return Ok((TrimRing::default(), [0, 0]));
         };
         let closing = self.space.nearest_copy(first.uv, last.uv);
         let mut turns = [0, 1].map(|a| ((closing[a] - first.uv[a]) / self.space.period(a)).round() as i64);
         self.turn_at_poles(&mut nodes, &after_pole, &mut turns);
-        Ok((Ring { nodes }, turns))
+        Ok((TrimRing { nodes }, turns))
     }
 
     /// Which way round a pole is free: the way that closes the ring, or for a slit from pole to
     /// pole the full round. `after` holds the second node at each pole and the parameter that is
     /// free there.
-    fn turn_at_poles(&self, nodes: &mut [Node], after: &[(usize, usize)], turns: &mut [i64; 2]) {
+    fn turn_at_poles(&self, nodes: &mut [RingCorner], after: &[(usize, usize)], turns: &mut [i64; 2]) {
         let Some(&(last, free)) = after.last() else { return };
         let period = self.space.period(free);
         let shift = -(turns[free] as f64) * period;
         turns[free] = 0;
         nodes[last..].iter_mut().for_each(|n| n.uv[free] += shift);
-        let area = Ring { nodes: nodes.to_vec() }.signed_area().abs();
+        let area = TrimRing { nodes: nodes.to_vec() }.signed_area().abs();
         if self.space.closed[free] && area < 1e-6 * self.space.period(0) * self.space.period(1) {
             // Between the two poles, or from the only one to the end.
             let (from, to) = if after.len() > 1 { (after[0].0, last) } else { (last, nodes.len()) };
@@ -299,12 +316,17 @@ impl Projector<'_> {
     }
 
     /// Joins loops that run round the surface: two of them by a bridge, or one with a pole.
-    fn join_wound(&self, mut wound: Vec<(Ring, [i64; 2])>, options: &Options, out: &mut Rings) -> Result<()> {
+    fn join_wound(
+        &self,
+        mut wound: Vec<(TrimRing, [i64; 2])>,
+        options: &TessellateOptions,
+        out: &mut Rings,
+    ) -> Result<()> {
         let Some((first, turns)) = wound.pop() else { return Ok(()) };
         let along = usize::from(turns[0] == 0);
         let step = turns[along] as f64 * self.space.period(along);
-        let end = Node { chord: NO_CHORD, seam: false, ..first.nodes[0] };
-        let shifted = |n: Node, by: f64| {
+        let end = RingCorner { chord: NO_CHORD, seam: false, ..first.nodes[0] };
+        let shifted = |n: RingCorner, by: f64| {
             let mut n = n;
             n.uv[along] += by;
             n
@@ -321,7 +343,7 @@ impl Projector<'_> {
                 // another.
                 let second = if other[along] == turns[along] { second.backwards() } else { second };
                 let goal = first.nodes[0].uv;
-                let away = |n: &Node| (self.space.nearest_copy(n.uv, goal)[along] - goal[along]).abs();
+                let away = |n: &RingCorner| (self.space.nearest_copy(n.uv, goal)[along] - goal[along]).abs();
                 let k = (0..second.nodes.len())
                     .min_by(|a, b| away(&second.nodes[*a]).total_cmp(&away(&second.nodes[*b])))
                     .unwrap_or(0);
@@ -331,10 +353,10 @@ impl Projector<'_> {
                 // first.
                 let m = second.nodes.len();
                 let by = to[along] - there[along] + step;
-                let mut back: Vec<Node> = (0..m)
+                let mut back: Vec<RingCorner> = (0..m)
                     .map(|j| shifted(second.nodes[(k + j) % m], by + if k + j >= m { -step } else { 0.0 }))
                     .collect();
-                back.push(Node { chord: NO_CHORD, seam: false, ..shifted(second.nodes[k], by - step) });
+                back.push(RingCorner { chord: NO_CHORD, seam: false, ..shifted(second.nodes[k], by - step) });
                 let bridge = self.bridge(goal, to, options, out);
                 nodes.push(shifted(end, step));
                 nodes.extend(bridge.iter().map(|n| shifted(*n, step)));
@@ -354,19 +376,19 @@ impl Projector<'_> {
                 out.poles.push((id, along));
                 nodes.push(shifted(end, step));
                 for by in [step, 0.0] {
-                    let mut node = Node { id, ..shifted(end, by) };
+                    let mut node = RingCorner { id, ..shifted(end, by) };
                     node.uv[1 - along] = pole.value;
                     nodes.push(node);
                 }
             }
             _ => return Err(face_error(self.face, "has loops round its closed surface that do not pair up")),
         }
-        out.rings.push(Ring { nodes });
+        out.rings.push(TrimRing { nodes });
         Ok(())
     }
 
     /// Inner nodes of a bridge, as many as its deflection needs.
-    fn bridge(&self, from: [f64; 2], to: [f64; 2], options: &Options, out: &mut Rings) -> Vec<Node> {
+    fn bridge(&self, from: [f64; 2], to: [f64; 2], options: &TessellateOptions, out: &mut Rings) -> Vec<RingCorner> {
         let at = |s: f64| {
             let uv = [0, 1].map(|a| from[a] + s * (to[a] - from[a]));
             let n = self.space.normal_form(uv);
@@ -388,22 +410,22 @@ impl Projector<'_> {
                 let (uv, p) = at(k as f64 / pieces as f64);
                 out.points.push(p);
                 let id = OWN + out.points.len() as u32 - 1;
-                Node { uv, id, chord: NO_CHORD, against: false, seam: false }
+                RingCorner { uv, id, chord: NO_CHORD, against: false, seam: false }
             })
             .collect()
     }
 }
 
-impl Ring {
+impl TrimRing {
     /// The same ring walked the other way.
-    fn backwards(&self) -> Ring {
+    fn backwards(&self) -> TrimRing {
         let n = self.nodes.len();
         // The side to the next node is now the one to the node before.
         let turned = |k: usize| {
             let (node, side) = (self.nodes[k], self.nodes[(k + n - 1) % n]);
-            Node { chord: side.chord, against: !side.against, seam: side.seam, ..node }
+            RingCorner { chord: side.chord, against: !side.against, seam: side.seam, ..node }
         };
-        Ring { nodes: (0..n).rev().map(turned).collect() }
+        TrimRing { nodes: (0..n).rev().map(turned).collect() }
     }
 
     /// Area in the parameter plane, positive counter-clockwise.

@@ -34,11 +34,11 @@ use super::nurbs::foot::ParameterSpace;
 use super::{Point, Vector};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
-use loops::Ring;
+use loops::TrimRing;
 
 /// What the tessellation aims at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct TessellateOptions {
     /// Greatest distance between mesh and part, mm.
     pub deflection_mm: f64,
     /// Greatest turn of the normal across one triangle or of the tangent along one chord, rad.
@@ -48,10 +48,10 @@ pub struct Options {
     pub weld_mm: f64,
 }
 
-impl Options {
+impl TessellateOptions {
     /// A deflection with usual other values: 12°, welding at 10⁻⁴ mm.
     pub fn with_deflection(deflection_mm: f64) -> Self {
-        Options { deflection_mm, angle_rad: 12f64.to_radians(), weld_mm: 1e-4 }
+        TessellateOptions { deflection_mm, angle_rad: 12f64.to_radians(), weld_mm: 1e-4 }
     }
 }
 
@@ -83,7 +83,7 @@ pub struct Trim {
     /// How its parameters run.
     pub space: ParameterSpace,
     /// Loops around the face.
-    pub rings: Vec<Ring>,
+    pub rings: Vec<TrimRing>,
     /// Greatest distance between the trimming curve and the sides of `rings`, on the surface, mm.
     pub blur_mm: f64,
 }
@@ -122,7 +122,7 @@ pub(crate) fn face_error(face: &Face, what: &str) -> Error {
 /// Options that are not positive; curves and surfaces that cannot be evaluated; loops that do not
 /// close or do not lie on their face; a region that cannot be filled: each with the face's name.
 /// `Cancelled`.
-pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Result<Tessellation> {
+pub fn tessellate(brep: &Brep, options: &TessellateOptions, observer: &dyn Observer) -> Result<Tessellation> {
     if !(options.deflection_mm > 0.0 && options.angle_rad > 0.0 && options.weld_mm > 0.0) {
         return Err(Error::usage(
             Stage::Model,
@@ -131,7 +131,7 @@ pub fn tessellate(brep: &Brep, options: &Options, observer: &dyn Observer) -> Re
     }
     validate(brep)?;
     let mut brep = brep.clone();
-    let options = &Options { weld_mm: options.weld_mm.min(WELD * size_mm(&brep)), ..*options };
+    let options = &TessellateOptions { weld_mm: options.weld_mm.min(WELD * size_mm(&brep)), ..*options };
     let spaces: Vec<ParameterSpace> =
         brep.faces.iter().map(|f| ParameterSpace::of(&f.surface, 10.0 * options.weld_mm)).collect();
     edges::add_natural_loops(&mut brep, &spaces);
@@ -184,7 +184,7 @@ fn fill_missing(
     brep: &Brep,
     net: &edges::EdgeNet,
     spaces: &[ParameterSpace],
-    options: &Options,
+    options: &TessellateOptions,
     observer: &dyn Observer,
     filled: &mut [Option<fill::Filled>],
 ) -> Result<()> {

@@ -1,6 +1,6 @@
 //! What readers of exact faces give.
 
-use super::units::Source;
+use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::geometry::Vector;
 use crate::geometry::brep::Brep;
@@ -18,7 +18,7 @@ pub struct FaceModel {
     /// Unit taken, and why.
     pub unit_reason: String,
     /// Who says so.
-    pub unit_source: Source,
+    pub unit_source: UnitSource,
     /// What the user should know.
     pub notes: Vec<String>,
     /// How the sections are stacked, where the faces were lofted through a table of them.

@@ -60,7 +60,7 @@ fn read_guarded(path: &Path, bytes: &[u8]) -> Said<Soup> {
     let format = if bytes.starts_with(b"glTF") { "GLB" } else { "glTF" };
     let soup = Soup { format: format!("{format} 2.0"), unit: Some(Unit::M), ..Soup::default() };
     let seen = vec![false; document.nodes().len()];
-    let mut scene = Scene { buffers, soup, seen, other: 0, posed: false };
+    let mut scene = GltfScene { buffers, soup, seen, other: 0, posed: false };
     for node in roots(&document) {
         scene.node(&node, &Matrix4::identity(), 0)?;
     }
@@ -160,7 +160,7 @@ fn base64(text: &str) -> Option<Vec<u8>> {
     Some(out)
 }
 
-struct Scene {
+struct GltfScene {
     buffers: Vec<Vec<u8>>,
     soup: Soup,
     /// Nodes that were visited: each may have one parent.
@@ -169,7 +169,7 @@ struct Scene {
     posed: bool,
 }
 
-impl Scene {
+impl GltfScene {
     fn node(&mut self, node: &Node, above: &Matrix4<f64>, depth: usize) -> Said<()> {
         let again = self.seen.get_mut(node.index()).is_none_or(|seen| std::mem::replace(seen, true));
         if again || depth > DEEPEST {

@@ -2,7 +2,8 @@
 //!
 //! In: a blade whose mesh may be open, the tool, and the heights of the ball centre. The rule: the
 //! ball centre moves between two heights along the blade axis; with B fixed and any θ, the tool
-//! with its holder then fills a band of heights, widened by the clearances ([`Reach`]). An opening
+//! with its holder then fills a band of heights, widened by the clearances ([`ToolReach`]). An
+//! opening
 //!
 //! * none of whose heights lies in the band cannot be met by any part of the tool: a warning;
 //! * in the band, but so narrow that the ball on it sinks by less than [`SINK_MM`] (w² / 8R for the
@@ -25,16 +26,16 @@ const SINK_MM: f64 = 0.0005;
 
 /// Heights that any part of the tool can take, whatever θ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reach {
+pub struct ToolReach {
     /// Least and greatest height in the blade frame, mm.
     pub x_mm: [f64; 2],
     /// Ball radius, mm.
     pub radius_mm: f64,
 }
 
-impl Reach {
+impl ToolReach {
     /// For ball centres between two heights, a fixed B and a clearance around everything.
-    pub fn new(tool: &Tool, centres_x_mm: [f64; 2], b_rad: f64, clearance_mm: f64) -> Reach {
+    pub fn new(tool: &Tool, centres_x_mm: [f64; 2], b_rad: f64, clearance_mm: f64) -> ToolReach {
         let r = tool.radius_mm;
         let (sin, cos) = (b_rad.sin(), b_rad.cos().abs());
         // A circle of radius r about the axis at height z over the centre spans z sin B ± r cos B;
@@ -42,7 +43,7 @@ impl Reach {
         let spans = tool.segments().into_iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
         let (lo, hi) = spans.fold((-r, r), |(lo, hi), (z, r)| (lo.min(z * sin - r * cos), hi.max(z * sin + r * cos)));
         let [a, b] = centres_x_mm;
-        Reach { x_mm: [a.min(b) + lo - clearance_mm, a.max(b) + hi + clearance_mm], radius_mm: r }
+        ToolReach { x_mm: [a.min(b) + lo - clearance_mm, a.max(b) + hi + clearance_mm], radius_mm: r }
     }
 
     /// Openings up to this width do not show, mm.
@@ -56,7 +57,7 @@ impl Reach {
 /// # Errors
 /// `InputOutput`: openings that the tool can meet, with their number, the widest and its place in
 /// the model frame.
-pub fn check(blade: &Blade, reach: &Reach) -> Result<Vec<Doubt>> {
+pub fn check(blade: &Blade, reach: &ToolReach) -> Result<Vec<Doubt>> {
     let mesh = &blade.part.mesh;
     let [lo, hi] = reach.x_mm;
     let (mut far, mut narrow) = (Vec::new(), Vec::new());
@@ -118,11 +119,11 @@ mod tests {
     #[test]
     fn the_reach_is_that_of_the_outermost_circle() {
         let b = 5f64.to_radians();
-        let r = Reach::new(&tool(), [10.0, 2.0], b, 1.0);
+        let r = ToolReach::new(&tool(), [10.0, 2.0], b, 1.0);
         assert!((r.x_mm[1] - (10.0 + 110.0 * b.sin() + 20.0 * b.cos() + 1.0)).abs() < 1e-12);
         assert!((r.x_mm[0] - (2.0 + 50.0 * b.sin() - 20.0 * b.cos() - 1.0)).abs() < 1e-12);
         // Leaning the other way mirrors it.
-        let m = Reach::new(&tool(), [-10.0, -2.0], -b, 1.0);
+        let m = ToolReach::new(&tool(), [-10.0, -2.0], -b, 1.0);
         assert!((r.x_mm[0] + m.x_mm[1]).abs() < 1e-12 && (r.x_mm[1] + m.x_mm[0]).abs() < 1e-12);
         // w²/8R.
         let w = r.harmless_mm();
@@ -148,7 +149,7 @@ mod tests {
         let whole = opened(|_| false);
         let b = whole.part.mesh.aabb().unwrap();
         let (lo, hi) = (b.min.x, b.max.x);
-        let at = |x: f64| Reach { x_mm: [x, x + 0.1 * (hi - lo)], radius_mm: 4.0 };
+        let at = |x: f64| ToolReach { x_mm: [x, x + 0.1 * (hi - lo)], radius_mm: 4.0 };
         let middle = at(0.5 * (lo + hi));
         assert!(check(&whole, &middle).unwrap().is_empty());
         let no_lid = opened(|x| x > hi - 1e-6);

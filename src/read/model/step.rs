@@ -21,7 +21,7 @@ use step_io::scene::{Solid, SurfaceKind as StepKind, SurfaceModel};
 use step_io::{Orientation, Report, StepModel};
 
 use super::faces::FaceModel;
-use super::units::Source;
+use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
@@ -74,9 +74,9 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
     };
     notes.extend(scene.warnings().iter().map(|w| format!("STEP reader: {w}")));
     let unit_source = match (told, scene.units().length.is_some()) {
-        (true, _) => Source::Told,
-        (false, true) => Source::Declared,
-        (false, false) => Source::Assumed,
+        (true, _) => UnitSource::Told,
+        (false, true) => UnitSource::Declared,
+        (false, false) => UnitSource::Assumed,
     };
     Ok(FaceModel {
         brep: build.brep,
@@ -141,31 +141,31 @@ fn length_unit(scene: &Scene, told: Option<Unit>) -> (Unit, f64, String) {
 }
 
 /// A body where the assembly puts it.
-struct Placed<'m> {
-    body: Body<'m>,
+struct PlacedBody<'m> {
+    body: StepBody<'m>,
     /// Placement in file units.
     to: Matrix4<f64>,
 }
 
-enum Body<'m> {
+enum StepBody<'m> {
     Solid(Solid<'m>),
     Surfaces(SurfaceModel<'m>),
     Loose(Vec<StepFace<'m>>),
 }
 
-impl Placed<'_> {
+impl PlacedBody<'_> {
     fn key(&self) -> Option<EntityKey> {
         match &self.body {
-            Body::Solid(s) => Some(s.key()),
-            Body::Surfaces(s) => Some(s.key()),
-            Body::Loose(_) => None,
+            StepBody::Solid(s) => Some(s.key()),
+            StepBody::Surfaces(s) => Some(s.key()),
+            StepBody::Loose(_) => None,
         }
     }
 }
 
 /// All bodies with their placements: those of the product structure, mapped items, and whatever
 /// belongs to neither.
-fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<Placed<'m>> {
+fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<PlacedBody<'m>> {
     let (mut products, mut mapped) = (Vec::new(), Vec::new());
     let mut assembled = false;
     for root in scene.root_definitions() {
@@ -183,11 +183,11 @@ fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<Placed<'m>> {
     let (mut out, others) = if assembled { (products, mapped) } else { (mapped, products) };
     let bare = scene
         .all_solids()
-        .map(Body::Solid)
-        .chain(scene.all_surface_models().map(Body::Surfaces))
-        .map(|body| Placed { body, to: Matrix4::identity() });
+        .map(StepBody::Solid)
+        .chain(scene.all_surface_models().map(StepBody::Surfaces))
+        .map(|body| PlacedBody { body, to: Matrix4::identity() });
     for group in [others, bare.collect()] {
-        let reached: Vec<Option<EntityKey>> = out.iter().map(Placed::key).collect();
+        let reached: Vec<Option<EntityKey>> = out.iter().map(PlacedBody::key).collect();
         out.extend(group.into_iter().filter(|p| !reached.contains(&p.key())));
     }
     let owned = |f: &StepFace| {
@@ -195,7 +195,7 @@ fn place_all<'m>(scene: &'m Scene<'m>) -> Vec<Placed<'m>> {
     };
     let loose: Vec<StepFace> = scene.all_faces().filter(|f| !owned(f)).collect();
     if !loose.is_empty() {
-        out.push(Placed { body: Body::Loose(loose), to: Matrix4::identity() });
+        out.push(PlacedBody { body: StepBody::Loose(loose), to: Matrix4::identity() });
     }
     out
 }
@@ -204,12 +204,12 @@ fn matrix(transform: Option<step_io::scene::Transform>) -> Matrix4<f64> {
     transform.and_then(|t| t.matrix()).map_or_else(Matrix4::identity, |m| Matrix4::from_fn(|i, j| m[i][j]))
 }
 
-fn place_product<'m>(def: &ProductDef<'m>, to: Matrix4<f64>, depth: usize, out: &mut Vec<Placed<'m>>) {
+fn place_product<'m>(def: &ProductDef<'m>, to: Matrix4<f64>, depth: usize, out: &mut Vec<PlacedBody<'m>>) {
     if depth > DEEPEST {
         return;
     }
-    out.extend(def.solids().map(|s| Placed { body: Body::Solid(s), to }));
-    out.extend(def.surface_models().map(|s| Placed { body: Body::Surfaces(s), to }));
+    out.extend(def.solids().map(|s| PlacedBody { body: StepBody::Solid(s), to }));
+    out.extend(def.surface_models().map(|s| PlacedBody { body: StepBody::Surfaces(s), to }));
     for part in def.occurrences() {
         if let Some(child) = part.definition() {
             place_product(&child, to * matrix(part.transform()), depth + 1, out);
@@ -217,12 +217,12 @@ fn place_product<'m>(def: &ProductDef<'m>, to: Matrix4<f64>, depth: usize, out: 
     }
 }
 
-fn place_mapped<'m>(item: &MappedInstance<'m>, to: Matrix4<f64>, depth: usize, out: &mut Vec<Placed<'m>>) {
+fn place_mapped<'m>(item: &MappedInstance<'m>, to: Matrix4<f64>, depth: usize, out: &mut Vec<PlacedBody<'m>>) {
     // A mapped item without a frame in space is a view of a drawing.
     let Some(transform) = item.transform().filter(|_| depth <= DEEPEST) else { return };
     let to = to * matrix(Some(transform));
-    out.extend(item.solids().map(|s| Placed { body: Body::Solid(s), to }));
-    out.extend(item.surface_models().map(|s| Placed { body: Body::Surfaces(s), to }));
+    out.extend(item.solids().map(|s| PlacedBody { body: StepBody::Solid(s), to }));
+    out.extend(item.surface_models().map(|s| PlacedBody { body: StepBody::Surfaces(s), to }));
     for child in item.mapped_children() {
         place_mapped(&child, to, depth + 1, out);
     }
@@ -241,20 +241,20 @@ struct Build<'a> {
 }
 
 impl Build<'_> {
-    fn body(&mut self, placed: &Placed) -> Result<()> {
+    fn body(&mut self, placed: &PlacedBody) -> Result<()> {
         let before = self.brep.faces.len();
         match &placed.body {
-            Body::Solid(s) => {
+            StepBody::Solid(s) => {
                 for (shell, orientation) in s.outer().into_iter().chain(s.voids()) {
                     self.shell(&shell, orientation, &placed.to)?;
                 }
             }
-            Body::Surfaces(s) => {
+            StepBody::Surfaces(s) => {
                 for (shell, orientation) in s.shells() {
                     self.shell(&shell, orientation, &placed.to)?;
                 }
             }
-            Body::Loose(faces) => {
+            StepBody::Loose(faces) => {
                 for face in faces {
                     self.face(face, false, &placed.to)?;
                 }

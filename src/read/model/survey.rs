@@ -19,7 +19,7 @@ use super::recognise::{self, Recognised};
 use super::rescue;
 use super::sew::listed;
 use super::soup::Soup;
-use super::units::{self, Guess, Source};
+use super::units::{self, Guess, UnitSource};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Blade, Diagnosis, Opening, Unit};
 use crate::artifact::region::Area;
@@ -229,9 +229,9 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     let mut diagnosis = Diagnosis { format: soup.format.clone(), unit_reason, ..Diagnosis::default() };
     diagnosis.faces = vec![("groups".into(), soup.groups.len())];
     let source = match (options.unit, soup.unit) {
-        (Some(_), _) => Source::Told,
-        (None, Some(_)) => Source::Declared,
-        (None, None) => Source::Assumed,
+        (Some(_), _) => UnitSource::Told,
+        (None, Some(_)) => UnitSource::Declared,
+        (None, None) => UnitSource::Assumed,
     };
     let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, source);
     let (unit, obstacle) = guess.take(unit, &mut diagnosis);
@@ -252,7 +252,7 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
 #[allow(clippy::too_many_arguments)]
 fn finish(
     path: &Path,
-    (unit, source): (Unit, Source),
+    (unit, source): (Unit, UnitSource),
     part: Part,
     face_names: Vec<String>,
     mut diagnosis: Diagnosis,

@@ -26,7 +26,7 @@ const WIND_TURBINE_M: [f64; 2] = [15.0, 150.0];
 
 /// Who says what unit a file is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Source {
+pub enum UnitSource {
     /// The user.
     Told,
     /// The file.
@@ -119,10 +119,10 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
 /// so is its length if the file's numbers are metres: such models are drawn in metres, whatever the
 /// file says, and nothing else in the file tells. Nothing is planned then before the user has told
 /// the unit.
-pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: Source) -> Option<String> {
+pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: UnitSource) -> Option<String> {
     let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
     let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
-    (fits && source != Source::Told && unit != Unit::M).then(|| {
+    (fits && source != UnitSource::Told && unit != Unit::M).then(|| {
         format!(
             "the unit is not certain: the blade is {ratio:.0} times as long as its mean chord, as slender as a wind turbine's, and \
              {} m would be the length of one; if the file is in metres, pass --unit m, else --unit {}",
@@ -133,7 +133,7 @@ pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: Source) -> Opt
 }
 
 /// Judges the unit by the part's box, mm. A unit that the user told is taken whatever the size.
-pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, source: Source) -> Guess {
+pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, source: UnitSource) -> Guess {
     judge_size(path, b.map(|b| (b.max - b.min).max()), unit, source)
 }
 
@@ -154,11 +154,11 @@ fn unlikely(size_mm: f64, unit: Unit) -> String {
 }
 
 /// As [`judge`], from the longest side of the box, mm.
-pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, source: Source) -> Guess {
+pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, source: UnitSource) -> Guess {
     let Some(size_mm) = size_mm.filter(|s| s.is_finite()) else { return Guess::Fits };
-    let told = source == Source::Told;
+    let told = source == UnitSource::Told;
     if (USUAL_MM[0]..=USUAL_MM[1]).contains(&size_mm) {
-        let sure = source != Source::Assumed || (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&size_mm);
+        let sure = source != UnitSource::Assumed || (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&size_mm);
         return if sure { Guess::Fits } else { Guess::Odd(unlikely(size_mm, unit)) };
     }
     let other = likely(size_mm / unit.mm(), unit);
@@ -193,30 +193,30 @@ mod tests {
     use super::*;
 
     fn guess(size_mm: f64, unit: Unit, told: bool) -> Guess {
-        let source = if told { Source::Told } else { Source::Declared };
+        let source = if told { UnitSource::Told } else { UnitSource::Declared };
         judge_size(Path::new("a.stl"), Some(size_mm), unit, source)
     }
 
     #[test]
     fn what_only_the_size_tells_is_told_to_be_uncertain_where_the_size_is_unusual() {
-        let guess = |size| judge_size(Path::new("a.dat"), Some(size), Unit::Mm, Source::Assumed);
+        let guess = |size| judge_size(Path::new("a.dat"), Some(size), Unit::Mm, UnitSource::Assumed);
         assert!(matches!(guess(90.0), Guess::Fits));
         assert!(matches!(guess(7.4), Guess::Odd(n) if n.contains("in cm 74.00 mm, in inch 188.0 mm would be usual")));
-        assert!(matches!(judge_size(Path::new("a.stp"), Some(7.4), Unit::Mm, Source::Declared), Guess::Fits));
+        assert!(matches!(judge_size(Path::new("a.stp"), Some(7.4), Unit::Mm, UnitSource::Declared), Guess::Fits));
     }
 
     #[test]
     fn a_slender_blade_of_a_wind_turbines_length_in_metres_is_doubted() {
         assert!(
-            slender(117.0, 4.0, Unit::Mm, Source::Declared)
+            slender(117.0, 4.0, Unit::Mm, UnitSource::Declared)
                 .is_some_and(|n| n.contains("117.0 m") && n.contains("--unit m,"))
         );
         // As long, but a usual blade; slender, but of no such length; the user knows; it is in
         // metres.
-        assert!(slender(117.0, 40.0, Unit::Mm, Source::Assumed).is_none());
-        assert!(slender(600.0, 30.0, Unit::Mm, Source::Assumed).is_none());
-        assert!(slender(117.0, 4.0, Unit::Mm, Source::Told).is_none());
-        assert!(slender(117_000.0, 4000.0, Unit::M, Source::Declared).is_none());
+        assert!(slender(117.0, 40.0, Unit::Mm, UnitSource::Assumed).is_none());
+        assert!(slender(600.0, 30.0, Unit::Mm, UnitSource::Assumed).is_none());
+        assert!(slender(117.0, 4.0, Unit::Mm, UnitSource::Told).is_none());
+        assert!(slender(117_000.0, 4000.0, Unit::M, UnitSource::Declared).is_none());
     }
 
     #[test]

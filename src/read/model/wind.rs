@@ -18,7 +18,7 @@ const SAMPLES: usize = 16;
 const MOST_PIECES: usize = 64;
 
 /// Triangles that hang together over edges with two triangles.
-struct Piece {
+struct ConnectedTriangles {
     triangles: Vec<usize>,
     /// Triangles turned so that all agree with the first.
     turned: usize,
@@ -65,7 +65,7 @@ pub fn orient(mesh: &mut Mesh) -> Vec<String> {
 }
 
 /// Winds all triangles of each piece like its first one.
-fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
+fn pieces(mesh: &mut Mesh) -> Vec<ConnectedTriangles> {
     let n = mesh.triangles.len();
     let mut neighbours: Vec<Vec<(u32, bool)>> = vec![Vec::new(); n];
     let mut full = vec![0u8; n];
@@ -98,7 +98,12 @@ fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
         // The sense of most stays: less is changed, and a sheet keeps what the file meant.
         let other = piece.iter().filter(|t| turn[**t] == Some(true)).count();
         let most = 2 * other > piece.len();
-        let mut p = Piece { closed: piece.iter().all(|t| full[*t] == 3), triangles: piece, turned: 0, given_mm3: 0.0 };
+        let mut p = ConnectedTriangles {
+            closed: piece.iter().all(|t| full[*t] == 3),
+            triangles: piece,
+            turned: 0,
+            given_mm3: 0.0,
+        };
         p.given_mm3 = signed_volume(mesh, &p);
         for &t in &p.triangles {
             if turn[t] == Some(!most) {
@@ -113,7 +118,7 @@ fn pieces(mesh: &mut Mesh) -> Vec<Piece> {
 
 /// Volume of a piece, mm³; of an open one with its openings closed by cones to their middle, 0 for
 /// a sheet.
-fn signed_volume(mesh: &Mesh, piece: &Piece) -> f64 {
+fn signed_volume(mesh: &Mesh, piece: &ConnectedTriangles) -> f64 {
     let corners = |t: usize| mesh.corners(t);
     let apex = if piece.closed { corners(piece.triangles[0])[0] } else { middle_of_openings(mesh, piece) };
     let (mut volume, mut area) = (0.0, 0.0);
@@ -131,7 +136,7 @@ fn signed_volume(mesh: &Mesh, piece: &Piece) -> f64 {
 }
 
 /// Mean of the middles of the piece's open edges.
-fn middle_of_openings(mesh: &Mesh, piece: &Piece) -> Point {
+fn middle_of_openings(mesh: &Mesh, piece: &ConnectedTriangles) -> Point {
     let triangles: Vec<[u32; 3]> = piece.triangles.iter().map(|&t| mesh.triangles[t]).collect();
     let points: Vec<Point> = edge_uses(&triangles)
         .chunk_by(|a, b| a.edge == b.edge)
@@ -143,11 +148,11 @@ fn middle_of_openings(mesh: &Mesh, piece: &Piece) -> Point {
 }
 
 /// Pieces wound inward in the file that lie inside another closed piece.
-fn cavities(mesh: &Mesh, pieces: &[Piece], inward: &[bool]) -> Vec<usize> {
+fn cavities(mesh: &Mesh, pieces: &[ConnectedTriangles], inward: &[bool]) -> Vec<usize> {
     if !(2..=MOST_PIECES).contains(&pieces.len()) {
         return Vec::new();
     }
-    let alone = |p: &Piece| {
+    let alone = |p: &ConnectedTriangles| {
         let triangles: Vec<[u32; 3]> = p.triangles.iter().map(|&t| mesh.triangles[t]).collect();
         let mut number = std::collections::BTreeMap::new();
         let mut m = Mesh::default();
@@ -165,11 +170,11 @@ fn cavities(mesh: &Mesh, pieces: &[Piece], inward: &[bool]) -> Vec<usize> {
     for i in (0..pieces.len()).filter(|&i| inward[i]) {
         let inner = alone(&pieces[i]);
         let every = inner.points.len().div_ceil(SAMPLES).max(1);
-        let within = |outer: &Piece| {
+        let within = |outer: &ConnectedTriangles| {
             let part = Part::from_mesh(alone(outer));
             inner.points.iter().step_by(every).all(|p| part.inside(p))
         };
-        let covers = |o: &Piece| {
+        let covers = |o: &ConnectedTriangles| {
             let outer = alone(o).aabb();
             outer.zip(inner.aabb()).is_some_and(|(o, i)| (0..3).all(|k| o.min[k] < i.min[k] && o.max[k] > i.max[k]))
         };

@@ -2,7 +2,7 @@
 //!
 //! A statement either is acted on, is known to be harmless, or is refused.
 
-use super::block::{Block, Call, Feed, Place, Script};
+use super::block::{Block, Call, Destination, Feed, Script};
 use super::unreadable;
 use crate::artifact::program::{LengthOffset, Setting, Turning};
 use crate::error::Result;
@@ -14,7 +14,7 @@ const LINE: usize = 72;
 type Read<T> = std::result::Result<T, String>;
 
 /// State that stays from statement to statement.
-struct Reader {
+struct AptReader {
     script: Script,
     feed: Option<f64>,
     rapid: bool,
@@ -30,7 +30,7 @@ struct Reader {
 /// # Errors
 /// A statement that is not understood or a line that is too long, with the line.
 pub(super) fn read(text: &str) -> Result<Script> {
-    let mut reader = Reader {
+    let mut reader = AptReader {
         script: Script::default(),
         feed: None,
         rapid: false,
@@ -56,7 +56,7 @@ pub(super) fn read(text: &str) -> Result<Script> {
     Ok(reader.script)
 }
 
-impl Reader {
+impl AptReader {
     fn statement(&mut self, line: usize, whole: &str) -> Read<()> {
         let (major, minor) = whole.split_once('/').unwrap_or((whole, ""));
         let major = major.trim();
@@ -73,7 +73,7 @@ impl Reader {
             ("LOADTL", [tool]) => self.load(line, tool)?,
             // Where home is, is the machine's: from then on nothing is known.
             ("GOHOME", []) => {
-                let unknown = Place::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] };
+                let unknown = Destination::Words { point: [Some(f64::NAN); 3], rotary: [None; 3] };
                 let block = Block { machine: true, ..Block::straight(line, unknown, Feed::Rapid) };
                 self.push(block);
             }
@@ -159,7 +159,7 @@ impl Reader {
             return Err("GOTO needs x, y, z, i, j, k".into());
         };
         let point = [x, y, z].map(|c| Some(c * self.unit_mm));
-        let place = Place::Vector { point, axis: [i, j, k] };
+        let place = Destination::Vector { point, axis: [i, j, k] };
         let feed = match (std::mem::take(&mut self.rapid), self.feed) {
             (true, _) => Feed::Rapid,
             (false, Some(f)) => Feed::PerMinute(f),

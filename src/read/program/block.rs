@@ -4,7 +4,7 @@ use crate::artifact::program::Setting;
 
 /// Where a line goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
+pub enum Destination {
     /// Words of the programmed point (mm) and of rotary axes (degrees); what is not given stays.
     Words {
         /// X, Y, Z.
@@ -23,7 +23,7 @@ pub enum Place {
 
 /// How a rotary word is meant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Way {
+pub enum RotaryWay {
     /// A position over all turns, or the shorter way to it where the control goes that way.
     #[default]
     To,
@@ -64,11 +64,11 @@ pub struct Block {
     /// Number of the line in the text, from 1.
     pub line: usize,
     /// Where to.
-    pub place: Place,
+    pub place: Destination,
     /// X, Y, Z are steps from where they are.
     pub steps: [bool; 3],
     /// How the rotary words are meant.
-    pub ways: [Way; 3],
+    pub ways: [RotaryWay; 3],
     /// Polynomials; `None`: every word goes evenly.
     pub bend: Option<Bend>,
     /// How fast.
@@ -126,12 +126,12 @@ impl Script {
 impl Block {
     /// A straight move to a place in the program's coordinates, its words as they stand, under
     /// tool-centre-point control, before any tool call.
-    pub(super) fn straight(line: usize, place: Place, feed: Feed) -> Self {
+    pub(super) fn straight(line: usize, place: Destination, feed: Feed) -> Self {
         Block {
             line,
             place,
             steps: [false; 3],
-            ways: [Way::To; 3],
+            ways: [RotaryWay::To; 3],
             bend: None,
             feed,
             machine: false,

@@ -9,7 +9,7 @@
 
 use std::f64::consts::TAU;
 
-use super::block::{Block, Feed, Place, Way};
+use super::block::{Block, Destination, Feed, RotaryWay};
 use super::unreachable;
 use crate::artifact::Axes;
 use crate::artifact::program::{Grammar, Language, Programmed};
@@ -210,8 +210,8 @@ impl Follower<'_> {
         let stands = self.stands;
         self.fix(block, &stands, false);
         let (point, to) = match block.place {
-            Place::Words { point, rotary } => (point, self.rotary(block, rotary)?),
-            Place::Vector { point, axis } => {
+            Destination::Words { point, rotary } => (point, self.rotary(block, rotary)?),
+            Destination::Vector { point, axis } => {
                 let axis = self.blade_from_program().rotation * Vector::from(axis);
                 let machine = self.bench.machine;
                 // Along the first rotary axis any position of that would do: it stays where the
@@ -320,12 +320,12 @@ impl Follower<'_> {
             let at = &mut to[k];
             let nearest = nearest_turn(word, *at);
             *at = match way {
-                Way::By => *at + word,
-                Way::Shorter => nearest,
-                Way::Up => *at + (word - *at).rem_euclid(TAU),
-                Way::Down => *at - (*at - word).rem_euclid(TAU),
-                Way::To if self.shortest_way() && k == machine.turning_axis() => nearest,
-                Way::To => word,
+                RotaryWay::By => *at + word,
+                RotaryWay::Shorter => nearest,
+                RotaryWay::Up => *at + (word - *at).rem_euclid(TAU),
+                RotaryWay::Down => *at - (*at - word).rem_euclid(TAU),
+                RotaryWay::To if self.shortest_way() && k == machine.turning_axis() => nearest,
+                RotaryWay::To => word,
             };
         }
         Ok(to)

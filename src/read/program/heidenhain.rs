@@ -2,7 +2,7 @@
 //!
 //! A word either is acted on, is known to be harmless, or is refused.
 
-use super::block::{Block, Call, Feed, Place, Script, Way};
+use super::block::{Block, Call, Destination, Feed, RotaryWay, Script};
 use super::unreadable;
 use crate::artifact::program::{LengthOffset, Programmed, Setting, Turning};
 use crate::error::Result;
@@ -23,7 +23,7 @@ struct Modal {
     setting: Setting,
 }
 
-struct Reader {
+struct HeidenhainReader {
     programmed: Programmed,
     modal: Modal,
     script: Script,
@@ -34,7 +34,7 @@ struct Reader {
 /// # Errors
 /// A block that is not understood or not in sequence, with the line.
 pub(super) fn read(text: &str, programmed: Programmed) -> Result<Script> {
-    let mut reader = Reader { programmed, modal: Modal::default(), script: Script::default() };
+    let mut reader = HeidenhainReader { programmed, modal: Modal::default(), script: Script::default() };
     for (i, line) in text.lines().enumerate() {
         let code = line.split(';').next().unwrap_or("").trim();
         let (count, rest) = code.split_once(' ').unwrap_or((code, ""));
@@ -56,7 +56,7 @@ pub(super) fn read(text: &str, programmed: Programmed) -> Result<Script> {
     Ok(reader.script)
 }
 
-impl Reader {
+impl HeidenhainReader {
     fn statement(&mut self, number: usize, rest: &str) -> Read<()> {
         let words: Vec<&str> = rest.split_whitespace().collect();
         match &words[..] {
@@ -211,11 +211,11 @@ impl Reader {
         }
         let [axis, point, rotary] = said;
         let place = match axis {
-            [None, None, None] => Place::Words { point, rotary },
-            [Some(x), Some(y), Some(z)] => Place::Vector { point, axis: [x, y, z] },
+            [None, None, None] => Destination::Words { point, rotary },
+            [Some(x), Some(y), Some(z)] => Destination::Vector { point, axis: [x, y, z] },
             _ => return Err("an LN block needs TX, TY and TZ".into()),
         };
-        if matches!(place, Place::Vector { .. }) && rotary.iter().any(Option::is_some) {
+        if matches!(place, Destination::Vector { .. }) && rotary.iter().any(Option::is_some) {
             return Err("a vector and words of rotary axes in one block".into());
         }
         if point.iter().chain(&rotary).chain(&axis).any(Option::is_some) {
@@ -224,7 +224,7 @@ impl Reader {
                 (false, Some(f)) if f > 0.0 => Feed::PerMinute(f),
                 _ => return Err("a straight block before any F".into()),
             };
-            let way = if self.modal.shorter { Way::Shorter } else { Way::To };
+            let way = if self.modal.shorter { RotaryWay::Shorter } else { RotaryWay::To };
             self.script.blocks.push(Block {
                 machine,
                 centre_point: self.modal.centre_point,

@@ -25,7 +25,7 @@ mod heidenhain;
 #[cfg(test)]
 mod tests;
 
-pub use block::{Bend, Block, Call, Feed, Place, Script, Way};
+pub use block::{Bend, Block, Call, Destination, Feed, RotaryWay, Script};
 pub use follow::{Bench, Moved, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
 

@@ -19,12 +19,15 @@ fn words_modes_and_comments() {
     .unwrap();
     assert_eq!(b.len(), 4);
     assert_eq!((b[0].line, b[0].feed), (4, Feed::Rapid));
-    assert_eq!(b[0].place, Place::Words { point: [Some(1.0), Some(-2.5), Some(3.0)], rotary: [None; 3] });
+    assert_eq!(b[0].place, Destination::Words { point: [Some(1.0), Some(-2.5), Some(3.0)], rotary: [None; 3] });
     assert_eq!(b[1].feed, Feed::PerMinute(100.0));
     assert_eq!(b[2].feed, Feed::PerMove(2.0));
     assert_eq!(
         (b[2].ways, b[2].place),
-        ([Way::By, Way::To, Way::To], Place::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0), None] })
+        (
+            [RotaryWay::By, RotaryWay::To, RotaryWay::To],
+            Destination::Words { point: [None; 3], rotary: [Some(5.0), Some(3.0), None] }
+        )
     );
     assert!(b[3].machine && b[3].feed == Feed::Rapid);
 }
@@ -32,10 +35,10 @@ fn words_modes_and_comments() {
 #[test]
 fn inches_are_read_as_millimetres_and_vectors_as_vectors() {
     let b = gcode("G20 G94 G43.5 H1\nG1 X1 I0 K2 F10\nTRAORI\nG71 G1 X1 A3=0 B3=0 C3=1").unwrap();
-    assert_eq!(b[0].place, Place::Vector { point: [Some(25.4), None, None], axis: [0.0, 0.0, 2.0] });
+    assert_eq!(b[0].place, Destination::Vector { point: [Some(25.4), None, None], axis: [0.0, 0.0, 2.0] });
     assert_eq!(
         (b[1].centre_point, b[1].place),
-        (true, Place::Vector { point: [Some(1.0), None, None], axis: [0.0, 0.0, 1.0] })
+        (true, Destination::Vector { point: [Some(1.0), None, None], axis: [0.0, 0.0, 1.0] })
     );
 }
 

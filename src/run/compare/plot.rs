@@ -3,7 +3,7 @@
 use super::Comparison;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::write::draw::chart::{self, BLUE, Chart, Curve, LOOKS};
+use crate::write::draw::chart::{self, BLUE, Chart, ChartCurve, LOOKS};
 
 /// Two panels, one under the other.
 pub(super) fn svg(c: &Comparison, path: &Toolpath, channel: &Channel, curves: &[(&str, &Schedule)]) -> String {
@@ -20,10 +20,11 @@ fn turn(path: &Toolpath, channel: &Channel, schedules: &[(&str, &Schedule)]) -> 
     };
     let wall = |f: fn(&ChannelRow) -> f64| line(&|i| channel.rows.get(i).map(f));
     let (low, high) = (wall(|r| r.theta_min), wall(|r| r.theta_max));
-    let walls = [&low, &high].map(|wall| Curve::line("channel", wall.clone(), BLUE, "", 1.5));
+    let walls = [&low, &high].map(|wall| ChartCurve::line("channel", wall.clone(), BLUE, "", 1.5));
     let made = schedules.iter().zip(LOOKS.into_iter().cycle());
-    let made = made
-        .map(|((name, s), (colour, dash))| Curve::line(name, line(&|i| s.theta.get(i).copied()), colour, dash, 1.5));
+    let made = made.map(|((name, s), (colour, dash))| {
+        ChartCurve::line(name, line(&|i| s.theta.get(i).copied()), colour, dash, 1.5)
+    });
     Some(Chart {
         title: "S–θ channel of the middle turn".into(),
         x: "S, mm (middle turn)".into(),
@@ -40,7 +41,7 @@ fn sweep(c: &Comparison) -> Chart {
     let names = c.sweep.first().map(|l| l.runs.iter().map(|r| r.name.as_str())).into_iter().flatten();
     let curves = names.enumerate().zip(LOOKS.into_iter().cycle()).map(|((k, name), (colour, dash))| {
         let points = c.sweep.iter().filter_map(|l| l.runs.get(k).map(|r| [at(l.scale), r.over_bound]));
-        Curve::line(name, points.collect(), colour, dash, 1.5)
+        ChartCurve::line(name, points.collect(), colour, dash, 1.5)
     });
     Chart {
         title: "Machining time over its lower bound".into(),

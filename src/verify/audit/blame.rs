@@ -2,8 +2,8 @@
 //! with the other sign of B, and with the other sense of A.
 
 use super::legs::Legs;
-use super::report::{Limit, LineCheck, Worst};
-use super::{Scene, checks};
+use super::report::{Limit, LineCheck, WorstMove};
+use super::{AuditScene, checks};
 use crate::artifact::CheckId;
 use crate::error::Result;
 use crate::machine::Machine;
@@ -17,7 +17,7 @@ const WIDESPREAD: f64 = 0.05;
 ///
 /// # Errors
 /// As [`Legs::new`].
-pub(super) fn signs(scene: &Scene) -> Result<Vec<LineCheck>> {
+pub(super) fn signs(scene: &AuditScene) -> Result<Vec<LineCheck>> {
     let mut out = Vec::new();
     let contact = checks::contact(scene, &scene.passes()).check.passed;
     if contact && checks::share_bad(scene) < WIDESPREAD {
@@ -58,11 +58,11 @@ fn other_sign(moves: &[Moved], axis: usize) -> Vec<Moved> {
 }
 
 /// Neither gouge nor touch.
-fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
+fn well(scene: &AuditScene, moves: &[Moved], machine: &Machine) -> Result<bool> {
     let bench = Bench { machine, ..*scene.bench };
     let legs = Legs::new(moves, &bench)?;
     let turns = vec![0; legs.stands.len()];
-    let other = Scene {
+    let other = AuditScene {
         blade: scene.blade,
         part: scene.part,
         bench: &bench,
@@ -75,8 +75,8 @@ fn well(scene: &Scene, moves: &[Moved], machine: &Machine) -> Result<bool> {
     Ok(checks::clean(&other))
 }
 
-fn blamed(scene: &Scene, id: CheckId, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
+fn blamed(scene: &AuditScene, id: CheckId, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
     let limit = Limit { id, quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
     let moved = scene.moves.iter().position(says);
-    scene.judged(limit, &Worst { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
+    scene.judged(limit, &WorstMove { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
 }

@@ -1,8 +1,8 @@
 //! Gouge, clearance, rapids and travel of a program.
 
-use super::legs::Kind;
-use super::report::{Limit, LineCheck, Worst};
-use super::{Scene, Source};
+use super::legs::LegKind;
+use super::report::{Limit, LineCheck, WorstMove};
+use super::{AuditScene, MovesSource};
 use crate::artifact::program::Programmed;
 use crate::artifact::{AxisCheck, CheckId};
 use crate::tool::Segment;
@@ -22,8 +22,8 @@ const OVER_VELOCITY: f64 = 1.1;
 const ROUNDING: f64 = 1e-9;
 
 /// How much of the feed moves runs along the part.
-pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
-    let cut = scene.legs.of(Kind::Cut);
+pub(super) fn contact(scene: &AuditScene, passes: &Sweep) -> LineCheck {
+    let cut = scene.legs.of(LegKind::Cut);
     let along: Vec<usize> = (0..cut.len()).filter(|i| passes.counts(*i)).collect();
     let share = along.len() as f64 / cut.iter().filter(|c| **c).count().max(1) as f64;
     let limit = Limit {
@@ -39,7 +39,7 @@ pub(super) fn contact(scene: &Scene, passes: &Sweep) -> LineCheck {
 }
 
 /// The deepest cut of the ball.
-pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
+pub(super) fn gouge(scene: &AuditScene, sweep: &Sweep) -> LineCheck {
     let options = scene.options;
     let found = match inside(scene) {
         Some((leg, depth)) => {
@@ -67,9 +67,9 @@ pub(super) fn gouge(scene: &Scene, sweep: &Sweep) -> LineCheck {
 
 /// A place where the way begins inside the part, and how deep the ball is there: from then on
 /// distances to the surface tell nothing.
-fn inside(scene: &Scene) -> Option<(usize, f64)> {
+fn inside(scene: &AuditScene) -> Option<(usize, f64)> {
     let legs = &scene.legs.legs;
-    let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == Kind::Gap);
+    let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == LegKind::Gap);
     (0..legs.len()).filter(begins).find_map(|i| {
         let c = &scene.legs.stands[i].centre;
         let depth = || scene.part.closest(c, f64::INFINITY).map_or(0.0, |f| f.distance_mm);
@@ -77,7 +77,7 @@ fn inside(scene: &Scene) -> Option<(usize, f64)> {
     })
 }
 
-impl Scene<'_> {
+impl AuditScene<'_> {
     fn track<'a>(&'a self, wanted: &'a [bool]) -> Track<'a> {
         Track { stands: &self.legs.stands, wanted: Some(wanted) }
     }
@@ -102,7 +102,7 @@ impl Scene<'_> {
     }
 }
 
-fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
+fn who(scene: &AuditScene, segments: &[Segment], near: &Nearest) -> String {
     let name = segments.get(near.segment).map_or_else(String::new, |s| s.part.to_string());
     let mesh = &scene.blade.part.mesh;
     match near.triangle {
@@ -112,9 +112,9 @@ fn who(scene: &Scene, segments: &[Segment], near: &Nearest) -> String {
 }
 
 /// Taper and shank, and the holder, at a feed.
-pub(super) fn clearances(scene: &Scene) -> Vec<LineCheck> {
+pub(super) fn clearances(scene: &AuditScene) -> Vec<LineCheck> {
     let [cutter, holder] = scene.bench.tool.cutter_and_holder();
-    let wanted = scene.legs.of(Kind::Cut);
+    let wanted = scene.legs.of(LegKind::Cut);
     let groups = [(CheckId::Clearance, "taper and shank", cutter), (CheckId::HolderClearance, "the holder", holder)];
     let check = |(id, what, segments): (CheckId, &str, Vec<Segment>)| {
         let limit = Limit {
@@ -130,8 +130,8 @@ pub(super) fn clearances(scene: &Scene) -> Vec<LineCheck> {
 }
 
 /// The whole tool in rapids.
-pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
-    let wanted = scene.legs.of(Kind::Rapid);
+pub(super) fn rapid(scene: &AuditScene) -> Option<LineCheck> {
+    let wanted = scene.legs.of(LegKind::Rapid);
     if !wanted.contains(&true) {
         return None;
     }
@@ -143,7 +143,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
         passed: false,
     };
     let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted);
-    let sweep = scene.sweep(Kind::Rapid);
+    let sweep = scene.sweep(LegKind::Rapid);
     let ball = gouge::measure_within(&scene.part, &sweep, scene.options.clearance_resolution_mm, FAR_MM);
     let least = -ball.bound_mm.max(ball.found_mm);
     if upper.check.worst <= least || !least.is_finite() {
@@ -161,7 +161,7 @@ pub(super) fn rapid(scene: &Scene) -> Option<LineCheck> {
 }
 
 /// Every axis that has an end of travel.
-pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
+pub(super) fn travel(scene: &AuditScene) -> Vec<LineCheck> {
     let machine = scene.bench.machine;
     let reached = reached(scene);
     let mut out = Vec::new();
@@ -186,7 +186,7 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
         };
         let point =
             scene.moves.get(worst.0).filter(|m| m.known()).map(|m| m.pose(1.0, scene.bench.tool, machine).centre);
-        let place = Worst { value: (worst.1 * scale).max(0.0), moved: Some(worst.0), turn: None, point };
+        let place = WorstMove { value: (worst.1 * scale).max(0.0), moved: Some(worst.0), turn: None, point };
         let mut check =
             scene.judged(limit, &place, format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}"));
         if !check.check.passed {
@@ -199,11 +199,11 @@ pub(super) fn travel(scene: &Scene) -> Vec<LineCheck> {
 }
 
 /// What the programmed feeds ask of every axis, leg by leg.
-pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
+pub(super) fn velocity(scene: &AuditScene) -> Vec<LineCheck> {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
     let axes = machine.axes();
     let mut fastest = vec![Vec::new(); axes.len()];
-    for (leg, l) in scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == Kind::Cut) {
+    for (leg, l) in scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == LegKind::Cut) {
         let m = &scene.moves[l.moved];
         let time = m.seconds.unwrap_or(0.0) * (l.share[1] - l.share[0]);
         let [from, to] = l.share.map(|f| m.axes(f, tool, machine));
@@ -241,7 +241,7 @@ pub(super) fn velocity(scene: &Scene) -> Vec<LineCheck> {
 }
 
 /// What the program sets beside its motion, in the feed moves at the part.
-pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<LineCheck> {
+pub(super) fn settings(scene: &AuditScene, source: &MovesSource, passes: &Sweep) -> Vec<LineCheck> {
     let mut cuts = vec![false; source.blocks.len()];
     for (leg, l) in scene.legs.legs.iter().enumerate() {
         if let (true, Some(cut)) = (passes.counts(leg), cuts.get_mut(l.moved)) {
@@ -259,7 +259,7 @@ pub(super) fn settings(scene: &Scene, source: &Source, passes: &Sweep) -> Vec<Li
 /// left out.
 type Reached = Vec<Vec<(usize, f64, f64)>>;
 
-fn reached(scene: &Scene) -> Reached {
+fn reached(scene: &AuditScene) -> Reached {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
     let mut out: Reached = vec![Vec::new(); machine.axes().len()];
     for (k, m) in scene.moves.iter().enumerate() {
@@ -270,7 +270,7 @@ fn reached(scene: &Scene) -> Reached {
             }
         }
     }
-    for leg in scene.legs.legs.iter().filter(|l| l.kind != Kind::Gap) {
+    for leg in scene.legs.legs.iter().filter(|l| l.kind != LegKind::Gap) {
         let m = &scene.moves[leg.moved];
         if m.words == Programmed::Machine && m.even() {
             continue;
@@ -296,8 +296,8 @@ fn extent(a: f64, mid: f64, b: f64) -> (f64, f64) {
 }
 
 /// The share of feed legs with a gouge or a touch, of a few looked at.
-pub(super) fn share_bad(scene: &Scene) -> f64 {
-    let cuts: Vec<usize> = (0..scene.legs.legs.len()).filter(|i| scene.legs.legs[*i].kind == Kind::Cut).collect();
+pub(super) fn share_bad(scene: &AuditScene) -> f64 {
+    let cuts: Vec<usize> = (0..scene.legs.legs.len()).filter(|i| scene.legs.legs[*i].kind == LegKind::Cut).collect();
     let mut few = vec![false; scene.legs.legs.len()];
     cuts.iter().step_by(cuts.len().div_ceil(A_FEW).max(1)).for_each(|i| few[*i] = true);
     let looked = few.iter().filter(|w| **w).count();
@@ -310,8 +310,8 @@ pub(super) fn share_bad(scene: &Scene) -> f64 {
 
 /// Whether there is contact but neither gouge nor touch, for trying another motion. Looks at a few
 /// places first: most motions that are wrong are so nearly everywhere.
-pub(super) fn clean(scene: &Scene) -> bool {
-    let wanted = scene.legs.of(Kind::Cut);
+pub(super) fn clean(scene: &AuditScene) -> bool {
+    let wanted = scene.legs.of(LegKind::Cut);
     let first = wanted.iter().position(|w| *w).and_then(|i| scene.legs.stands.get(i).map(|s| s.centre));
     if first.is_none_or(|c| scene.part.inside(&c)) {
         return false;
@@ -320,6 +320,6 @@ pub(super) fn clean(scene: &Scene) -> bool {
     if share_bad(scene) > 0.0 || !contact(scene, &scene.passes()).check.passed {
         return false;
     }
-    let gouge = gouge::measure(&scene.part, &scene.sweep(Kind::Cut), scene.options.resolution_mm);
+    let gouge = gouge::measure(&scene.part, &scene.sweep(LegKind::Cut), scene.options.resolution_mm);
     gouge.bound_mm <= limit && clearances(scene).iter().all(|c| c.check.passed)
 }

@@ -26,7 +26,7 @@ pub(super) const NEAR_MM: f64 = 0.05;
 
 /// What a leg is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum LegKind {
     /// At a feed.
     Cut,
     /// Rapid.
@@ -38,7 +38,7 @@ pub(super) enum Kind {
 /// From place `i` to place `i + 1`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
-    pub kind: Kind,
+    pub kind: LegKind,
     /// Index of the move.
     pub moved: usize,
     /// From which to which share of the move.
@@ -68,7 +68,7 @@ impl Legs {
                 out.unknown += 1;
                 continue;
             }
-            let kind = if m.seconds.is_some() { Kind::Cut } else { Kind::Rapid };
+            let kind = if m.seconds.is_some() { LegKind::Cut } else { LegKind::Rapid };
             let parts = parts(m, bench);
             if parts > MOST[0] || out.stands.len() + parts > MOST[1] {
                 let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
@@ -76,7 +76,7 @@ impl Legs {
             }
             let apart = out.stands.last().map(|s| (s.centre - m.pose(0.0, bench.tool, bench.machine).centre).norm());
             if apart.is_none_or(|d| d > GAP_MM) {
-                out.push(m, 0.0, Leg { kind: Kind::Gap, moved, share: [0.0; 2] }, bench);
+                out.push(m, 0.0, Leg { kind: LegKind::Gap, moved, share: [0.0; 2] }, bench);
             }
             // A line that only says a feed or a function again moves nothing.
             if m.from != m.to || !m.even() {
@@ -100,7 +100,7 @@ impl Legs {
     }
 
     /// Which legs are of a kind.
-    pub fn of(&self, kind: Kind) -> Vec<bool> {
+    pub fn of(&self, kind: LegKind) -> Vec<bool> {
         self.legs.iter().map(|l| l.kind == kind).collect()
     }
 
@@ -113,7 +113,7 @@ impl Legs {
             let step = angle(&w[1].centre) - angle(&w[0].centre);
             turned[i + 1] = turned[i] + within_half_turn(step);
         }
-        let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
+        let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == LegKind::Cut);
         let first = (0..self.stands.len()).filter(cuts).find(|i| touches(&self.stands[*i].centre)).unwrap_or(0);
         let from = turned.get(first).copied().unwrap_or(0.0);
         let count = |(i, t): (usize, &f64)| if i < first { 0 } else { ((t - from).abs() / TAU + 1e-9) as u32 };

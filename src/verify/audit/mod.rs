@@ -39,7 +39,7 @@ pub use report::{Audit, LineCheck, Span};
 
 use rayon::prelude::*;
 
-use super::deviation::{self, Cut};
+use super::deviation::{self, ToolCut};
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
@@ -48,7 +48,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
 use crate::read::program::{self, Bench, Block, Script};
-use legs::{Kind, Legs};
+use legs::{LegKind, Legs};
 
 /// Limits and sampling of [`audit`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +94,7 @@ impl Default for AuditOptions {
 const AWRY: [CheckId; 4] = [CheckId::Contact, CheckId::Gouge, CheckId::Clearance, CheckId::HolderClearance];
 
 /// Everything the checks look at.
-struct Scene<'a> {
+struct AuditScene<'a> {
     blade: &'a Blade,
     part: Allowed<'a>,
     bench: &'a Bench<'a>,
@@ -107,7 +107,7 @@ struct Scene<'a> {
 
 /// Moves, and what they were read from.
 #[derive(Clone, Copy)]
-struct Source<'a> {
+struct MovesSource<'a> {
     text: &'a str,
     script: &'a Script,
     /// The moves' blocks, one of each.
@@ -132,13 +132,13 @@ pub fn audit(
     bench.tool.validate()?;
     let script = program::read(text, bench.language)?;
     let moves = program::follow(&script.blocks, bench)?;
-    let source = Source { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
+    let source = MovesSource { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
     let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
     Ok(Audit { map: map(blade, options, &[cut]), ..audit })
 }
 
 /// What all cuts together leave.
-fn map(blade: &Blade, options: &AuditOptions, cuts: &[Cut]) -> Option<DeviationMap> {
+fn map(blade: &Blade, options: &AuditOptions, cuts: &[ToolCut]) -> Option<DeviationMap> {
     let part = Allowed::new(&blade.part, options.stock_mm);
     options.map_mm.map(|tolerance| deviation::measure(&part, cuts, tolerance))
 }
@@ -170,7 +170,7 @@ pub fn audit_each(
     for (bench, moves) in benches.iter().zip(&moves) {
         let (blocks, later) = rest.split_at(moves.len().min(rest.len()));
         rest = later;
-        let source = Source { text, script: &script, blocks, moves, last: later.is_empty() };
+        let source = MovesSource { text, script: &script, blocks, moves, last: later.is_empty() };
         let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
         audits.push(audit);
         cuts.push(cut);
@@ -182,12 +182,12 @@ pub fn audit_each(
 }
 
 fn audit_moves(
-    source: &Source,
+    source: &MovesSource,
     blade: &Blade,
     bench: &Bench,
     options: &AuditOptions,
     observer: &dyn Observer,
-) -> Result<(Audit, Cut)> {
+) -> Result<(Audit, ToolCut)> {
     let step = |done: usize| {
         observer.progress(Stage::Verify, done, 5);
         observer.check(Stage::Verify)
@@ -195,14 +195,14 @@ fn audit_moves(
     step(0)?;
     let (text, moves) = (source.text, source.moves);
     let legs = Legs::new(moves, bench)?;
-    if !legs.legs.iter().any(|l| l.kind == Kind::Cut) {
+    if !legs.legs.iter().any(|l| l.kind == LegKind::Cut) {
         return Err(Error::usage(Stage::Verify, "the program has no feed move that is known from its beginning")
             .advise("its first moves must say X, Y and Z"));
     }
     let part = Allowed::new(&blade.part, options.stock_mm);
     let turns = legs.turns(|c| part.closest(c, bench.tool.radius_mm + legs::NEAR_MM).is_some());
-    let scene = Scene { blade, part, bench, options, text, moves, legs: &legs, turns };
-    let cutting = scene.sweep(Kind::Cut);
+    let scene = AuditScene { blade, part, bench, options, text, moves, legs: &legs, turns };
+    let cutting = scene.sweep(LegKind::Cut);
     let passes = scene.passes();
     let mut checks = vec![checks::contact(&scene, &passes), checks::gouge(&scene, &cutting)];
     step(1)?;
@@ -221,7 +221,7 @@ fn audit_moves(
     }
     step(5)?;
     let widest = scallop::widest_mm(&scene);
-    Ok((report::report(&scene, checks, &heights), Cut::new(cutting, widest)))
+    Ok((report::report(&scene, checks, &heights), ToolCut::new(cutting, widest)))
 }
 
 /// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is
@@ -234,7 +234,7 @@ pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     let legs = Legs::new(&moves, bench)?;
     let part = Allowed::new(&blade.part, 0.0);
     let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
-    let scene = Scene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
+    let scene = AuditScene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
     let found = checks::rapid(&scene);
     Ok(found.map(|f| {
         let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
@@ -251,7 +251,7 @@ pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     let legs = Legs::new(moves, bench)?;
     let part = Allowed::new(&blade.part, 0.0);
     let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
-    let scene = Scene { blade, part, bench, options, text, moves, legs: &legs, turns };
+    let scene = AuditScene { blade, part, bench, options, text, moves, legs: &legs, turns };
     // What fails first, then by how much.
     let rank = |c: &report::LineCheck| (!c.check.passed, c.check.worst);
     let worst = checks::travel(&scene).into_iter().reduce(|a, b| if rank(&b) > rank(&a) { b } else { a });
@@ -264,9 +264,9 @@ pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     }))
 }
 
-impl Scene<'_> {
+impl AuditScene<'_> {
     /// The ball swept over the moves of a kind.
-    fn sweep(&self, kind: Kind) -> Sweep {
+    fn sweep(&self, kind: LegKind) -> Sweep {
         self.sweep_of(self.legs.of(kind))
     }
 
@@ -276,7 +276,7 @@ impl Scene<'_> {
         let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
         let touching: Vec<bool> =
             self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect();
-        let wanted = self.legs.of(Kind::Cut).into_iter().zip(touching.windows(2));
+        let wanted = self.legs.of(LegKind::Cut).into_iter().zip(touching.windows(2));
         self.sweep_of(wanted.map(|(cut, ends)| cut && ends[0] && ends[1]).collect())
     }
 

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::Scene;
-use super::legs::Kind;
+use super::AuditScene;
+use super::legs::LegKind;
 use super::scallop::Heights;
 use crate::artifact::CheckId;
 use crate::artifact::deviation::DeviationMap;
@@ -83,7 +83,7 @@ impl Audit {
 
 /// A worst value and where.
 #[derive(Clone, Copy)]
-pub(super) struct Worst {
+pub(super) struct WorstMove {
     pub value: f64,
     /// Index of the move.
     pub moved: Option<usize>,
@@ -101,15 +101,15 @@ pub(super) struct Limit {
     pub passed: bool,
 }
 
-impl Scene<'_> {
+impl AuditScene<'_> {
     /// A worst value on a leg.
-    pub(super) fn on_leg(&self, value: f64, leg: usize, point: Option<Point>) -> Worst {
+    pub(super) fn on_leg(&self, value: f64, leg: usize, point: Option<Point>) -> WorstMove {
         let moved = self.legs.legs.get(leg).map(|l| l.moved);
-        Worst { value, moved, turn: self.turns.get(leg).copied(), point }
+        WorstMove { value, moved, turn: self.turns.get(leg).copied(), point }
     }
 
     /// A check, placed.
-    pub(super) fn judged(&self, limit: Limit, worst: &Worst, note: String) -> LineCheck {
+    pub(super) fn judged(&self, limit: Limit, worst: &WorstMove, note: String) -> LineCheck {
         let point = worst.point.map(|p| self.blade.model_from_blade * p);
         let line = worst.moved.and_then(|m| self.moves.get(m)).map(|m| m.line);
         let block = self.line(line);
@@ -144,7 +144,7 @@ impl Scene<'_> {
             passed: found.worst <= found.limit,
         };
         let mut check =
-            self.judged(limit, &Worst { value: found.worst, moved: None, turn: None, point: None }, found.note);
+            self.judged(limit, &WorstMove { value: found.worst, moved: None, turn: None, point: None }, found.note);
         check.line = found.line;
         check.block = self.line(found.line);
         check
@@ -180,9 +180,9 @@ impl Scene<'_> {
 }
 
 /// The audit with its figures.
-pub(super) fn report(scene: &Scene, checks: Vec<LineCheck>, heights: &Heights) -> Audit {
+pub(super) fn report(scene: &AuditScene, checks: Vec<LineCheck>, heights: &Heights) -> Audit {
     let legs = scene.legs;
-    let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == Kind::Cut);
+    let cut = |i: &usize| legs.legs.get(*i).is_some_and(|l| l.kind == LegKind::Cut);
     let feeds = || (0..legs.legs.len()).filter(cut);
     let leans = feeds().flat_map(|i| [i, i + 1].map(|k| legs.stands[k].cone.lean_rad)).map(f64::to_degrees);
     let b = leans.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], b| [lo.min(b), hi.max(b)]);

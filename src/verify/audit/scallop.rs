@@ -12,7 +12,7 @@
 
 use rayon::prelude::*;
 
-use super::Scene;
+use super::AuditScene;
 use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
 use crate::artifact::CheckId;
@@ -62,12 +62,12 @@ fn percentile(sorted: &[Height], q: f64) -> Option<&Height> {
 }
 
 /// The scallop that reaches are measured by, mm.
-pub(super) fn widest_mm(scene: &Scene) -> f64 {
+pub(super) fn widest_mm(scene: &AuditScene) -> f64 {
     scene.options.scallop_mm.unwrap_or(WIDEST * scene.bench.tool.radius_mm)
 }
 
 /// Measures.
-pub(super) fn heights(scene: &Scene, sweep: &Sweep) -> Heights {
+pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
     let radius = sweep.radius_mm;
     let widest = widest_mm(scene);
     let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
@@ -119,7 +119,7 @@ fn between(sweep: &Sweep, q: &Point, reach_mm: f64, ends: &[bool]) -> Option<(us
 }
 
 /// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
-pub(super) fn checks(scene: &Scene, heights: &Heights) -> Vec<LineCheck> {
+pub(super) fn checks(scene: &AuditScene, heights: &Heights) -> Vec<LineCheck> {
     let Some(asked) = scene.options.scallop_mm else { return Vec::new() };
     let all = &heights.sorted;
     let (Some(highest), Some(p99)) = (all.last(), percentile(all, 0.99)) else {
@@ -155,7 +155,7 @@ pub(super) fn checks(scene: &Scene, heights: &Heights) -> Vec<LineCheck> {
 }
 
 /// The turn with the highest 95th percentile, that, and its highest place.
-fn worst_turn(scene: &Scene, sorted: &[Height]) -> Option<(u32, Height, Height)> {
+fn worst_turn(scene: &AuditScene, sorted: &[Height]) -> Option<(u32, Height, Height)> {
     let turn = |h: &Height| scene.turns.get(h.leg).copied().unwrap_or(0) as usize;
     let count = sorted.iter().map(|h| turn(h) + 1).max()?;
     let mut by_turn: Vec<Vec<Height>> = vec![Vec::new(); count];

@@ -39,18 +39,18 @@ const AHEAD: usize = 12;
 
 /// A worst value, with the line and the cutter location.
 #[derive(Clone, Copy, Default)]
-struct Worst {
+struct WorstLine {
     value: f64,
     line: usize,
     row: usize,
 }
 
-impl Worst {
+impl WorstLine {
     fn take(&mut self, value: f64, line: usize, row: usize) {
         // What is not a number is worse than everything.
         let value = if value.is_nan() { f64::MAX } else { value };
         if value > self.value {
-            *self = Worst { value, line, row };
+            *self = WorstLine { value, line, row };
         }
     }
 }
@@ -68,13 +68,13 @@ struct Comparison<'a> {
     motion: Motion<'a>,
     tool: &'a Tool,
     machine: &'a Machine,
-    centre: Worst,
-    direction: Worst,
+    centre: WorstLine,
+    direction: WorstLine,
     /// Within polynomial lines; `None`: the program has none.
-    curve: Option<Worst>,
-    chord: Worst,
-    missing: Worst,
-    feed: Worst,
+    curve: Option<WorstLine>,
+    chord: WorstLine,
+    missing: WorstLine,
+    feed: WorstLine,
     /// When the plan is where the line before ended, s.
     planned_s: f64,
     /// The planned θ there, over all turns, rad.
@@ -94,19 +94,19 @@ pub(super) fn checks(
         motion: Motion::of(plan),
         tool,
         machine,
-        centre: Worst::default(),
-        direction: Worst::default(),
-        curve: moves.iter().any(|m| m.bend.is_some()).then(Worst::default),
-        chord: Worst::default(),
-        missing: Worst::default(),
-        feed: Worst::default(),
+        centre: WorstLine::default(),
+        direction: WorstLine::default(),
+        curve: moves.iter().any(|m| m.bend.is_some()).then(WorstLine::default),
+        chord: WorstLine::default(),
+        missing: WorstLine::default(),
+        feed: WorstLine::default(),
         planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
         planned_theta: plan.rows().next().map_or(0.0, |r| r.stand.theta),
     };
     let time = c.run(moves);
     let planned = c.motion.rows().last().map_or(0.0, |r| r.t_s) - c.motion.rows().first().map_or(0.0, |r| r.t_s);
     let before = plan.leads[0].centres.len();
-    let off = Worst { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
+    let off = WorstLine { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
     let chord_mm = plan.toolpath.chord_mm;
     let curve = c.curve.map(|worst| {
         (
@@ -164,7 +164,7 @@ impl Comparison<'_> {
         let last = rows.len().saturating_sub(1);
         let (first, end) = (moves.iter().position(|m| near(m, 0)), moves.iter().rposition(|m| near(m, last)));
         let (Some(first), Some(end)) = (first, end) else {
-            self.missing = Worst { value: f64::MAX, line: 0, row: if first.is_none() { 0 } else { last } };
+            self.missing = WorstLine { value: f64::MAX, line: 0, row: if first.is_none() { 0 } else { last } };
             return 0.0;
         };
         let mut at = 0;

@@ -25,13 +25,13 @@ pub(crate) const LOOKS: [(&str, &str); 6] =
     [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5"), (BLACK, ""), (PURPLE, "7 4"), (ORANGE, "2 5")];
 
 /// Points in order.
-pub(crate) type Line = Vec<[f64; 2]>;
+pub(crate) type ChartLine = Vec<[f64; 2]>;
 
 /// One curve.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Curve {
+pub(crate) struct ChartCurve {
     pub name: String,
-    pub points: Line,
+    pub points: ChartLine,
     pub colour: &'static str,
     /// SVG's dashes; empty: solid.
     pub dash: &'static str,
@@ -40,9 +40,9 @@ pub(crate) struct Curve {
     pub marks: bool,
 }
 
-impl Curve {
+impl ChartCurve {
     /// A line through points; it breaks where a value is not a number.
-    pub(crate) fn line(name: &str, points: Line, colour: &'static str, dash: &'static str, width: f64) -> Self {
+    pub(crate) fn line(name: &str, points: ChartLine, colour: &'static str, dash: &'static str, width: f64) -> Self {
         Self { name: name.into(), points, colour, dash, width, marks: false }
     }
 
@@ -79,9 +79,9 @@ pub(crate) struct Chart {
     pub title: String,
     pub x: String,
     pub y: String,
-    pub curves: Vec<Curve>,
+    pub curves: Vec<ChartCurve>,
     /// Lower and upper edge of a shaded band.
-    pub band: Option<(Line, Line)>,
+    pub band: Option<(ChartLine, ChartLine)>,
     /// Left edge, width and height of bars.
     pub bars: Vec<[f64; 3]>,
     pub dots: Option<Dots>,

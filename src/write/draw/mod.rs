@@ -14,7 +14,7 @@ mod widths;
 
 use std::sync::Arc;
 
-use chart::{BLACK, BLUE, Chart, Curve, Dots, GREEN, ORANGE, PINK, PURPLE};
+use chart::{BLACK, BLUE, Chart, ChartCurve, Dots, GREEN, ORANGE, PINK, PURPLE};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 
@@ -91,24 +91,30 @@ fn channel(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>) -> Char
     let r = &plan.channel.rows;
     let (low, high) = (line(&|i| r[i].theta_min), line(&|i| r[i].theta_max));
     let mut curves = vec![
-        Curve::line("true channel", low.clone(), BLUE, "", 1.5),
-        Curve::line("true channel", high.clone(), BLUE, "", 1.5),
-        Curve::line("monotone hull", line(&|i| r[i].hull_min), GREEN, "7 4", 1.5),
-        Curve::line("monotone hull", line(&|i| r[i].hull_max), GREEN, "7 4", 1.5),
-        Curve::line("tangent channel", line(&|i| r[i].tangent_min), PURPLE, "2 3", 1.5),
-        Curve::line("tangent channel", line(&|i| r[i].tangent_max), PURPLE, "2 3", 1.5),
+        ChartCurve::line("true channel", low.clone(), BLUE, "", 1.5),
+        ChartCurve::line("true channel", high.clone(), BLUE, "", 1.5),
+        ChartCurve::line("monotone hull", line(&|i| r[i].hull_min), GREEN, "7 4", 1.5),
+        ChartCurve::line("monotone hull", line(&|i| r[i].hull_max), GREEN, "7 4", 1.5),
+        ChartCurve::line("tangent channel", line(&|i| r[i].tangent_min), PURPLE, "2 3", 1.5),
+        ChartCurve::line("tangent channel", line(&|i| r[i].tangent_max), PURPLE, "2 3", 1.5),
     ];
     let looks = [(ORANGE, "13 4"), (PINK, "5 3"), (GREEN, "2 5"), (PINK, "13 4"), (ORANGE, "2 5")];
     for (o, (colour, dash)) in input.others.iter().zip(looks.into_iter().cycle()) {
         let of = |i: usize| o.schedule.theta.get(i).copied().unwrap_or(f64::NAN);
-        curves.push(Curve::line(o.name, line(&of), colour, dash, 1.5));
+        curves.push(ChartCurve::line(o.name, line(&of), colour, dash, 1.5));
     }
     let kind = format!("{:?}", plan.schedule.kind).to_lowercase();
-    curves.push(Curve::line(&kind, line(&|i| theta[i]), BLACK, "", 2.4));
+    curves.push(ChartCurve::line(&kind, line(&|i| theta[i]), BLACK, "", 2.4));
     let from = plan.toolpath.locations[start].s_mm;
     let inside = plan.schedule.key_points.iter().filter(|k| (-1e-9..=s(end) + 1e-9).contains(&(k[0] - from)));
     let keys = inside.map(|k| [k[0] - from, (k[1] - theta[start] - slope * (k[0] - from)).to_degrees()]).collect();
-    curves.push(Curve { name: "key points".into(), points: keys, colour: BLACK, marks: true, ..Curve::default() });
+    curves.push(ChartCurve {
+        name: "key points".into(),
+        points: keys,
+        colour: BLACK,
+        marks: true,
+        ..ChartCurve::default()
+    });
     Chart {
         title: format!("S–θ channel of turn {turn}"),
         x: format!("S, mm (turn {turn})"),
@@ -133,11 +139,11 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
     };
     let mut curves = Vec::new();
     for o in input.others {
-        curves.extend(o.motion.map(|m| Curve::line(o.name, line(m), ORANGE, "13 4", 1.5)));
+        curves.extend(o.motion.map(|m| ChartCurve::line(o.name, line(m), ORANGE, "13 4", 1.5)));
     }
     let own = line(&input.plan.motion);
     let ends = [own.first(), own.last()].map(|p| p.map_or(0.0, |p| p[0]));
-    curves.push(Curve::line("this plan", own, BLUE, "", 2.0));
+    curves.push(ChartCurve::line("this plan", own, BLUE, "", 2.0));
     let l = own_axis.limits;
     if let Some(limit) = [None, Some(l.velocity), Some(l.acceleration), Some(l.jerk)][kind] {
         // A limit far above all values would press them flat.
@@ -145,7 +151,7 @@ fn motion(input: &PlotInput, turn: usize, rows: std::ops::Range<usize>, axis: us
         for sign in [1.0, -1.0] {
             if most > 0.3 * limit * scale {
                 let level = sign * limit * scale;
-                curves.push(Curve::line("limit", vec![[ends[0], level], [ends[1], level]], BLACK, "2 3", 1.2));
+                curves.push(ChartCurve::line("limit", vec![[ends[0], level], [ends[1], level]], BLACK, "2 3", 1.2));
             }
         }
     }
@@ -169,12 +175,12 @@ fn histogram(input: &PlotInput) -> Option<Chart> {
     let edge = |k: usize| 1000.0 * (h.from + k as f64 * h.step);
     let bars = shares(&h.samples).iter().enumerate().map(|(k, v)| [edge(k), 1000.0 * h.step, *v]).collect();
     let steps = shares(&h.ridges).iter().enumerate().flat_map(|(k, v)| [[edge(k), *v], [edge(k + 1), *v]]).collect();
-    let surface = Curve { name: "surface (bars)".into(), colour: BLUE, width: 8.0, ..Curve::default() };
+    let surface = ChartCurve { name: "surface (bars)".into(), colour: BLUE, width: 8.0, ..ChartCurve::default() };
     Some(Chart {
         title: "How often which scallop occurs".into(),
         x: "height, µm".into(),
         y: "share, %".into(),
-        curves: vec![surface, Curve::line("ridges", steps, ORANGE, "", 2.0)],
+        curves: vec![surface, ChartCurve::line("ridges", steps, ORANGE, "", 2.0)],
         bars,
         lines: vec![(1000.0 * input.plan.toolpath.scallop_mm, "asked for".into())],
         ..Chart::default()
@@ -203,12 +209,12 @@ fn map(input: &PlotInput) -> Option<Chart> {
 /// Outlines, and the airfoil's curvature.
 fn section(s: &Section) -> Vec<Chart> {
     let closed = |points: &[[f64; 2]]| points.iter().chain(points.first()).copied().collect::<Vec<_>>();
-    let mut outline: Vec<Curve> =
-        s.loops.iter().map(|l| Curve::line("", closed(&l.points_mm), BLUE, "", 1.8)).collect();
+    let mut outline: Vec<ChartCurve> =
+        s.loops.iter().map(|l| ChartCurve::line("", closed(&l.points_mm), BLUE, "", 1.8)).collect();
     for (name, into, colour) in [("into concave", true, ORANGE), ("into convex", false, PURPLE)] {
         let all = s.loops.iter().flat_map(|l| &l.altered_points).filter(|a| a.into_concave == into);
         let points = all.map(|a| a.point_mm).collect();
-        outline.push(Curve { name: name.into(), points, colour, marks: true, ..Curve::default() });
+        outline.push(ChartCurve { name: name.into(), points, colour, marks: true, ..ChartCurve::default() });
     }
     let x = format!("y, mm (section at {:.3} mm)", s.x_mm);
     let mut out =
@@ -219,7 +225,7 @@ fn section(s: &Section) -> Vec<Chart> {
             title: "Curvature".into(),
             x: "arc length round the airfoil, mm".into(),
             y: "curvature, 1/mm".into(),
-            curves: vec![Curve::line("curvature", points, BLUE, "", 1.8)],
+            curves: vec![ChartCurve::line("curvature", points, BLUE, "", 1.8)],
             ..Chart::default()
         });
     }

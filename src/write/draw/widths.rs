@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::artifact::channel::Width;
-use crate::write::draw::chart::{self, BLUE, Chart, Curve, ORANGE};
+use crate::write::draw::chart::{self, BLUE, Chart, ChartCurve, ORANGE};
 
 /// `sweep_b.csv`: one row per B; empty where the channel is closed.
 pub fn widths_csv(widths: &[Width]) -> String {
@@ -50,8 +50,14 @@ fn chart_of(widths: &[Width]) -> Option<Chart> {
         x: "B, °".into(),
         y: "width, °".into(),
         curves: vec![
-            Curve::line("narrowest place", line(|w| w.narrowest_deg), BLUE, "", 2.0),
-            Curve::line("between the monotone hulls", line(|w| w.monotone_deg.map(|v| v.max(0.0))), ORANGE, "", 2.0),
+            ChartCurve::line("narrowest place", line(|w| w.narrowest_deg), BLUE, "", 2.0),
+            ChartCurve::line(
+                "between the monotone hulls",
+                line(|w| w.monotone_deg.map(|v| v.max(0.0))),
+                ORANGE,
+                "",
+                2.0,
+            ),
         ],
         closed: closed.map(|w| [(w.b_deg - half).max(first), (w.b_deg + half).min(last)]).collect(),
         floor: Some(0.0),

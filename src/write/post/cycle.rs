@@ -6,7 +6,7 @@
 //! wherever the machine stood to over the part.
 
 use super::dialect::Dialect;
-use super::{End, Run, turn_in};
+use super::{OperationRun, WayEnd, turn_in};
 use crate::artifact::Axes;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::CycleTime;
@@ -14,7 +14,7 @@ use crate::machine::{Axis, AxisLimits, Machine};
 use crate::numerics::angle::within_half_turn;
 
 /// The time of an operation as a dialect writes it.
-pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
+pub(super) fn time(run: &OperationRun, dialect: &Dialect) -> CycleTime {
     let [first, last] = &run.ends;
     let [lead_in_s, cutting_s, lead_out_s] = planned(run);
     let places = if dialect.turns_in() { turn_in::places(run, dialect.file.programmed) } else { Vec::new() };
@@ -25,7 +25,7 @@ pub(super) fn time(run: &Run, dialect: &Dialect) -> CycleTime {
 }
 
 /// Lead-in, path and lead-out by the plan's times.
-fn planned(run: &Run) -> [f64; 3] {
+fn planned(run: &OperationRun) -> [f64; 3] {
     let (mut first, mut path, mut last) = (None, [None; 2], 0.0);
     for row in run.plan.rows() {
         first = first.or(Some(row.t_s));
@@ -40,7 +40,7 @@ fn planned(run: &Run) -> [f64; 3] {
 
 /// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by
 /// places one after another, the approach feed to the feed height, the plunge feed from there on.
-fn outside(run: &Run, end: &End, by: &[Axes]) -> f64 {
+fn outside(run: &OperationRun, end: &WayEnd, by: &[Axes]) -> f64 {
     let (o, height) = (&run.options.settings, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
@@ -52,20 +52,20 @@ fn outside(run: &Run, end: &End, by: &[Axes]) -> f64 {
 }
 
 /// The end of travel in Z, where programs retract to.
-pub(super) fn safe_z(run: &Run) -> f64 {
+pub(super) fn safe_z(run: &OperationRun) -> f64 {
     let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[up(run)];
     run.machine.axes()[up(run)].limits.travel.map_or(here, |[_, up]| up)
 }
 
 /// Column of Z.
-pub(super) fn up(run: &Run) -> usize {
+pub(super) fn up(run: &OperationRun) -> usize {
     let [_, _, z] = run.machine.linear();
     z
 }
 
 /// The rotary axes back to where the program began with them: at `begun`, or at the first
 /// location's.
-fn unwinding(run: &Run, dialect: &Dialect, begun: Option<&[f64]>) -> f64 {
+fn unwinding(run: &OperationRun, dialect: &Dialect, begun: Option<&[f64]>) -> f64 {
     if dialect.unwind.is_empty() || !run.ends.iter().all(|e| e.clear) {
         return 0.0;
     }

@@ -27,7 +27,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::template::{Line, lines};
+use super::template::{TemplateLine, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
 
@@ -246,23 +246,23 @@ impl PostFile {
 pub struct Dialect {
     /// As in the file.
     pub(super) file: PostFile,
-    pub(super) file_begin: Vec<Line>,
-    pub(super) warnings: Vec<Line>,
-    pub(super) notes: Vec<Line>,
-    pub(super) start: Vec<Line>,
-    pub(super) turn_in: Vec<Line>,
-    pub(super) approach: Vec<Line>,
-    pub(super) plunge: Vec<Line>,
-    pub(super) cutting: Vec<Line>,
-    pub(super) turn: Vec<Line>,
-    pub(super) cut: Vec<Line>,
-    pub(super) cutting_end: Vec<Line>,
-    pub(super) leave: Vec<Line>,
-    pub(super) retract: Vec<Line>,
-    pub(super) unwind: Vec<Line>,
-    pub(super) operation_end: Vec<Line>,
-    pub(super) end: Vec<Line>,
-    pub(super) file_end: Vec<Line>,
+    pub(super) file_begin: Vec<TemplateLine>,
+    pub(super) warnings: Vec<TemplateLine>,
+    pub(super) notes: Vec<TemplateLine>,
+    pub(super) start: Vec<TemplateLine>,
+    pub(super) turn_in: Vec<TemplateLine>,
+    pub(super) approach: Vec<TemplateLine>,
+    pub(super) plunge: Vec<TemplateLine>,
+    pub(super) cutting: Vec<TemplateLine>,
+    pub(super) turn: Vec<TemplateLine>,
+    pub(super) cut: Vec<TemplateLine>,
+    pub(super) cutting_end: Vec<TemplateLine>,
+    pub(super) leave: Vec<TemplateLine>,
+    pub(super) retract: Vec<TemplateLine>,
+    pub(super) unwind: Vec<TemplateLine>,
+    pub(super) operation_end: Vec<TemplateLine>,
+    pub(super) end: Vec<TemplateLine>,
+    pub(super) file_end: Vec<TemplateLine>,
 }
 
 impl Control {
@@ -307,13 +307,13 @@ impl Dialect {
         file.validate(origin)?;
         let take =
             |name: &str, text: &[String]| lines(text, &file.modal).map_err(|e| bad(origin, format!("{name}: {e}")));
-        let filled = |name: &str, text: &[String], mark: &str, with: &[String]| -> Result<Vec<Line>> {
+        let filled = |name: &str, text: &[String], mark: &str, with: &[String]| -> Result<Vec<TemplateLine>> {
             let mut out = Vec::new();
             for part in text.split_inclusive(|line| line == mark) {
                 let (own, marked) = part.split_at(part.len() - usize::from(part.last().is_some_and(|l| l == mark)));
                 out.extend(take(name, own)?);
                 if !marked.is_empty() {
-                    out.extend(take(name, with)?.into_iter().map(|l| Line { look_ahead: true, ..l }));
+                    out.extend(take(name, with)?.into_iter().map(|l| TemplateLine { look_ahead: true, ..l }));
                 }
             }
             Ok(out)

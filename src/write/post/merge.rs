@@ -6,7 +6,7 @@
 //! stretched line would be another motion than the one that was checked.
 
 use super::moves::{Move, ball_centre};
-use super::{Dialect, Run};
+use super::{Dialect, OperationRun};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::triangle::share_of_segment;
@@ -22,7 +22,7 @@ const SAME: f64 = 1e-9;
 ///
 /// # Errors
 /// `Infeasible` where moves are too short and cannot be joined.
-pub(super) fn joined(run: &Run, dialect: &Dialect, moves: Vec<Move>, least_s: f64) -> Result<Vec<Move>> {
+pub(super) fn joined(run: &OperationRun, dialect: &Dialect, moves: Vec<Move>, least_s: f64) -> Result<Vec<Move>> {
     let long = |from: &Move, to: &Move| to.t_s - from.t_s >= least_s * (1.0 - SAME);
     if moves.windows(2).all(|w| long(&w[0], &w[1])) {
         return Ok(moves);
@@ -59,7 +59,7 @@ pub(super) fn joined(run: &Run, dialect: &Dialect, moves: Vec<Move>, least_s: f6
 
 /// Whether the straight move from the first to the last keeps to all that is between them, and they
 /// to it.
-fn close(run: &Run, dialect: &Dialect, moves: &[Move]) -> bool {
+fn close(run: &OperationRun, dialect: &Dialect, moves: &[Move]) -> bool {
     let (Some(from), Some(to)) = (moves.first(), moves.last()) else { return true };
     if moves.len() <= 2 {
         return true;
@@ -78,7 +78,7 @@ fn to_segment(q: &Point, ends: &[Point]) -> f64 {
     (q - (ends[0] + (ends[1] - ends[0]) * share)).norm()
 }
 
-fn too_short(run: &Run, dialect: &Dialect, from: &Move, to: &Move, least_s: f64) -> Error {
+fn too_short(run: &OperationRun, dialect: &Dialect, from: &Move, to: &Move, least_s: f64) -> Error {
     let (name, dt, f) = (&dialect.file.name, to.t_s - from.t_s, dialect.file.feed_range());
     let slower = run.plan.motion.feed.iter().copied().fold(0.0, f64::max) * 60.0 * (dt / least_s).max(0.01);
     Error::infeasible(

@@ -177,7 +177,7 @@ pub fn join(
     for (k, (o, plan)) in operations.iter().zip(&written).enumerate() {
         o.options.validate()?;
         o.tool.validate()?;
-        runs.push(Run {
+        runs.push(OperationRun {
             number: first + k,
             plan,
             report: o.plan.report(),
@@ -227,7 +227,7 @@ fn different_tools_have_different_numbers(operations: &[Operation]) -> Result<()
 }
 
 /// Everything a dialect needs for an operation.
-struct Run<'a> {
+struct OperationRun<'a> {
     /// Its number in the program, from 1.
     number: usize,
     plan: &'a Plan,
@@ -237,13 +237,13 @@ struct Run<'a> {
     tool: &'a Tool,
     machine: &'a Machine,
     options: &'a PostOptions,
-    ends: [End; 2],
+    ends: [WayEnd; 2],
 }
 
 /// Where the straight way along the tool axis begins or ends: the outer end of the lead, or the
 /// first or last location.
 #[derive(Clone, Copy, Debug)]
-struct End {
+struct WayEnd {
     /// Where the tool stands there.
     stand: Stand,
     /// Where the axes stand at the location beside it.
@@ -254,9 +254,9 @@ struct End {
     clear: bool,
 }
 
-impl Run<'_> {
+impl OperationRun<'_> {
     /// Axis positions with the ball centre `lift_mm` along the tool axis over an end of the path.
-    fn axes_at(&self, end: &End, lift_mm: f64) -> Axes {
+    fn axes_at(&self, end: &WayEnd, lift_mm: f64) -> Axes {
         self.machine.place(&end.stand.lifted(lift_mm), Some(&end.near), self.tool.length_mm())
     }
     /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool
@@ -265,17 +265,17 @@ impl Run<'_> {
         self.machine.turns_the_blade() && self.plan.toolpath.cones.same().is_some_and(|c| c.is_about_blade())
     }
     /// Height of the feed height, never over the safe position.
-    fn feed_height(&self, end: &End) -> f64 {
+    fn feed_height(&self, end: &WayEnd) -> f64 {
         self.options.settings.feed_height_mm.min(end.safe_mm)
     }
 }
 
 /// The outer ends of the leads, or first and last location where they are straight, with their safe
 /// positions.
-fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[End; 2]> {
+fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[WayEnd; 2]> {
     moves::well_formed(plan)?;
     let sphere = sphere_on_axis(blade);
-    let end = |row: usize, name: &str, outer: Option<Stand>| -> Result<End> {
+    let end = |row: usize, name: &str, outer: Option<Stand>| -> Result<WayEnd> {
         let at = plan.toolpath.locations.get(row).zip(plan.stand(row)).zip(plan.motion.position.get(row));
         let Some(((at, foot), near)) = at else {
             return Err(Error::usage(Stage::Post, format!("the plan has no location {row}")));
@@ -305,7 +305,7 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
         let wanted = over.max(options.settings.safe_clearance_mm);
         let gauge = tool.length_mm();
         let reach = travel_along(machine, &stand, near, gauge);
-        Ok(End { stand, near: near.into(), safe_mm: wanted.min(reach), clear: wanted <= reach })
+        Ok(WayEnd { stand, near: near.into(), safe_mm: wanted.min(reach), clear: wanted <= reach })
     };
     let last = plan.toolpath.locations.len().saturating_sub(1);
     let [before, after] = &plan.leads;

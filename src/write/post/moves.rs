@@ -13,8 +13,8 @@ use crate::artifact::{Axes, Motion, Plan, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
-use super::Run;
-use super::polynomial::Bend;
+use super::OperationRun;
+use super::polynomial::WordBends;
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
@@ -36,7 +36,7 @@ pub(super) struct Move {
     /// What it belongs to.
     pub(super) stretch: Stretch,
     /// How its words bend on the way.
-    pub(super) bend: Option<Bend>,
+    pub(super) bend: Option<WordBends>,
 }
 
 impl Move {
@@ -53,7 +53,7 @@ impl Move {
     }
 
     /// Axis positions there.
-    pub(super) fn axes(&self, run: &Run) -> Axes {
+    pub(super) fn axes(&self, run: &OperationRun) -> Axes {
         run.machine.place(&self.stand, Some(&self.near), run.tool.length_mm())
     }
 }
@@ -113,7 +113,7 @@ pub(super) fn feed_word(f: f64, range: &WordRange) -> Option<String> {
 }
 
 /// The first row and all moves after it.
-pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
+pub(super) fn all(run: &OperationRun, programmed: Programmed) -> Result<Vec<Move>> {
     let plan = run.plan;
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     for (row, next) in Move::rows(plan).enumerate() {
@@ -144,7 +144,7 @@ pub(super) fn all(run: &Run, programmed: Programmed) -> Result<Vec<Move>> {
 
 /// In how many equal parts a move has to be written: the deviation falls with the square of their
 /// number.
-fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
+fn parts(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) -> usize {
     // Half of the tolerance: the other half is for the rounding of words and the path's own chords.
     let allowed = 0.5 * run.plan.toolpath.chord_mm.max(1e-6);
     let mid = deviation_mm(run, programmed, a, b);
@@ -153,7 +153,7 @@ fn parts(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> usize {
 
 /// Distance, halfway, of the ball centre as the control moves it from halfway between two
 /// locations.
-fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
+fn deviation_mm(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     let middle = nalgebra::center(&a.stand.centre, &b.stand.centre);
     let radius = run.tool.radius_mm;
     match programmed {
@@ -177,7 +177,7 @@ fn deviation_mm(run: &Run, programmed: Programmed, a: &Move, b: &Move) -> f64 {
 
 /// The ball centre at a share of the move from one place to another, as the control moves it: every
 /// word evenly.
-pub(super) fn ball_centre(run: &Run, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
+pub(super) fn ball_centre(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
     let (radius, gauge) = (run.tool.radius_mm, run.tool.length_mm());
     let centre = a.stand.centre + (b.stand.centre - a.stand.centre) * share;
     let [p, q] = [a, b].map(|m| m.axes(run));
@@ -204,14 +204,14 @@ fn halfway(a: &Move, b: &Move) -> Stand {
 }
 
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
-fn halfway_axis(run: &Run, a: &Move, b: &Move) -> Vector {
+fn halfway_axis(run: &OperationRun, a: &Move, b: &Move) -> Vector {
     let [p, q] = [a, b].map(|m| run.machine.turn_to(&m.stand, Some(&m.near)));
     run.machine.axis_at(&mean(&p, &q))
 }
 
 /// How far the tool's gauge line is off halfway where both rotary axes move: evenly turning axes
 /// then leave the cone. In mm of the chord tolerance, [`ASKEW_RAD`] being half of it.
-fn askew_mm(run: &Run, a: &Move, b: &Move) -> f64 {
+fn askew_mm(run: &OperationRun, a: &Move, b: &Move) -> f64 {
     if run.turns_the_blade_alone() {
         return 0.0;
     }

@@ -23,13 +23,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Run;
+use super::OperationRun;
 use super::moves::Move;
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
 
 /// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
-pub(super) type Bend = Axes<[f64; 4]>;
+pub(super) type WordBends = Axes<[f64; 4]>;
 
 /// A polynomial is at most this far off its word, mm: half of what reading back allows.
 const OFF_MM: f64 = 5e-4;
@@ -77,7 +77,7 @@ fn bent(a: &[f64; 4], p: f64) -> f64 {
 }
 
 /// The way between two rows.
-struct Way<'a> {
+struct RowWay<'a> {
     from: Move,
     to: Move,
     motion: &'a Motion<'a>,
@@ -88,7 +88,7 @@ struct Way<'a> {
     most_off: &'a [f64],
 }
 
-impl Way<'_> {
+impl RowWay<'_> {
     fn at(&self, share: f64) -> Move {
         Move { stand: self.motion.curved(self.row, share).unwrap_or(self.to.stand), ..self.from }
     }
@@ -98,7 +98,7 @@ impl Way<'_> {
     }
 
     /// The polynomials of a part of the way; `None`: they are too far off.
-    fn bend(&self, fit: &Fit, [from, to]: [f64; 2]) -> Option<Bend> {
+    fn bend(&self, fit: &Fit, [from, to]: [f64; 2]) -> Option<WordBends> {
         let at = |p: f64| self.words(from + (to - from) * p);
         let (first, last) = (at(0.0), at(1.0));
         let off_straight = |p: f64| {
@@ -106,7 +106,7 @@ impl Way<'_> {
             Axes::from_fn(here.len(), |w| here[w] - first[w] - (last[w] - first[w]) * p)
         };
         let met: Vec<Axes> = fit.at.iter().map(|p| off_straight(*p)).collect();
-        let bend = Bend::from_fn(first.len(), |w| fit.solve(met.iter().map(|m| m[w]).collect()));
+        let bend = WordBends::from_fn(first.len(), |w| fit.solve(met.iter().map(|m| m[w]).collect()));
         let close = (0..LOOKED_AT).all(|k| {
             let p = (k as f64 + 0.5) / LOOKED_AT as f64;
             let off = off_straight(p);
@@ -146,7 +146,7 @@ impl Way<'_> {
 ///
 /// # Errors
 /// `Infeasible` where the motion turns so wildly that no polynomial of a short part follows it.
-pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> {
+pub(super) fn all(run: &OperationRun, degree: usize, words: &Words) -> Result<Vec<Move>> {
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
@@ -158,7 +158,7 @@ pub(super) fn all(run: &Run, degree: usize, words: &Words) -> Result<Vec<Move>> 
         match from {
             None => out.push(next),
             Some(from) => {
-                let way = Way { from, to: next, motion: &motion, row: k - 1, words, most_off: &most_off };
+                let way = RowWay { from, to: next, motion: &motion, row: k - 1, words, most_off: &most_off };
                 way.write(&fit, [0.0, 1.0], 0, &mut out)?;
             }
         }

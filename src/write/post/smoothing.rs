@@ -13,7 +13,7 @@
 //! the path already. Where the tool tip is programmed, a tool axis that is off by δ takes the ball
 //! centre along by `R δ`: what the tolerance leaves of the room bounds that too.
 
-use super::Run;
+use super::OperationRun;
 use super::dialect::PostFile;
 use crate::artifact::CheckId;
 use crate::artifact::program::Programmed;
@@ -33,7 +33,7 @@ pub(super) struct Smoothing {
 }
 
 /// Tolerances of an operation in a dialect.
-pub(super) fn of(run: &Run, file: &PostFile) -> Smoothing {
+pub(super) fn of(run: &OperationRun, file: &PostFile) -> Smoothing {
     let (asked_mm, chord_mm) = (run.options.settings.smoothing_mm, run.plan.toolpath.chord_mm);
     let asked = Smoothing { mm: 0.0, axis_deg: run.options.smoothing_axis_deg, beyond_mm: 0.0 };
     let (Some(step), None) = (file.resolution_mm, asked_mm) else {
@@ -75,7 +75,7 @@ mod tests {
             let ends = ends(&plan, &blade, &tool, &machine, options).unwrap();
             let (plan, report) = (&plan, &report);
             let (blade, tool, machine) = (&blade, &tool, &machine);
-            of(&Run { number: 1, plan, report, forced: false, blade, tool, machine, options, ends }, file)
+            of(&OperationRun { number: 1, plan, report, forced: false, blade, tool, machine, options, ends }, file)
         };
         // Limit 0.003, chord 0.0004: 0.003 - 0.00087 - 0.0002 leaves one step of a micrometre, and
         // 0.93 µm for the tool axis.

@@ -107,7 +107,7 @@ pub(super) fn key(name: &str) -> Option<usize> {
 
 /// Piece of a word.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Piece {
+pub(super) enum WordPiece {
     Text(String),
     /// Index into [`KEYS`], and digits after the point where told.
     Value(usize, Option<usize>),
@@ -116,14 +116,14 @@ pub(super) enum Piece {
 /// What stands between two spaces.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Word {
-    pub(super) pieces: Vec<Piece>,
+    pub(super) pieces: Vec<WordPiece>,
     /// Left out while its values stay.
     pub(super) modal: bool,
 }
 
 /// A line.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Line {
+pub(super) struct TemplateLine {
     pub(super) comment: bool,
     /// Of `text.look_ahead` or `text.look_ahead_end`: left out where the job does without.
     pub(super) look_ahead: bool,
@@ -140,7 +140,7 @@ pub(super) enum Value {
 }
 
 /// Takes lines apart. `Err`: what is wrong, with the line.
-pub(super) fn lines(text: &[String], modal: &[String]) -> Result<Vec<Line>, String> {
+pub(super) fn lines(text: &[String], modal: &[String]) -> Result<Vec<TemplateLine>, String> {
     let modal: Vec<usize> = modal.iter().map(|m| key(m).ok_or_else(|| unknown(m))).collect::<Result<_, String>>()?;
     text.iter().map(|t| line(t, &modal).map_err(|e| format!("line \"{t}\": {e}"))).collect()
 }
@@ -149,15 +149,15 @@ fn unknown(name: &str) -> String {
     format!("there is no value {{{name}}}; values: {}", KEYS.map(|(k, ..)| k).join(", "))
 }
 
-fn line(text: &str, modal: &[usize]) -> Result<Line, String> {
+fn line(text: &str, modal: &[usize]) -> Result<TemplateLine, String> {
     if !text.chars().all(|c| c.is_ascii_graphic() || c == ' ') {
         return Err("only printable ASCII can be written".into());
     }
     if let Some(comment) = text.strip_prefix("; ") {
         // Spaces in a comment are part of it.
-        return Ok(Line { comment: true, look_ahead: false, words: vec![word(comment, &[])?] });
+        return Ok(TemplateLine { comment: true, look_ahead: false, words: vec![word(comment, &[])?] });
     }
-    Ok(Line {
+    Ok(TemplateLine {
         comment: false,
         look_ahead: false,
         words: text.split_whitespace().map(|w| word(w, modal)).collect::<Result<_, _>>()?,
@@ -170,7 +170,7 @@ fn word(text: &str, modal: &[usize]) -> Result<Word, String> {
     while let Some((before, after)) = rest.split_once('{') {
         let (inside, behind) = after.split_once('}').ok_or("a { without its }")?;
         if !before.is_empty() {
-            pieces.push(Piece::Text(before.into()));
+            pieces.push(WordPiece::Text(before.into()));
         }
         let (name, digits) = match inside.split_once(':') {
             Some((name, digits)) => (name, Some(digits)),
@@ -180,13 +180,13 @@ fn word(text: &str, modal: &[usize]) -> Result<Word, String> {
         let digits = digits
             .map(|d| d.parse().ok().filter(|n| *n <= 9).ok_or_else(|| format!("{{{inside}}}: digits must be 0 to 9")))
             .transpose()?;
-        pieces.push(Piece::Value(k, digits));
+        pieces.push(WordPiece::Value(k, digits));
         rest = behind;
     }
     if !rest.is_empty() {
-        pieces.push(Piece::Text(rest.into()));
+        pieces.push(WordPiece::Text(rest.into()));
     }
-    let modal = pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if modal.contains(k)));
+    let modal = pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if modal.contains(k)));
     Ok(Word { pieces, modal })
 }
 
@@ -202,10 +202,10 @@ mod tests {
         assert!(got[0].words[1].modal && !got[0].words[2].modal);
         assert_eq!(
             got[0].words[2].pieces,
-            [Piece::Text("A=IC(".into()), Piece::Value(key("da").unwrap(), None), Piece::Text(")".into())]
+            [WordPiece::Text("A=IC(".into()), WordPiece::Value(key("da").unwrap(), None), WordPiece::Text(")".into())]
         );
         assert!(got[1].comment);
-        assert_eq!(got[1].words[0].pieces[0], Piece::Text("two  spaces ".into()));
+        assert_eq!(got[1].words[0].pieces[0], WordPiece::Text("two  spaces ".into()));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::artifact::program::CycleTime;
 use crate::error::{Error, Result, Stage};
 
-use super::Run;
+use super::OperationRun;
 use super::dialect::{Numbered, PostFile};
 
 /// A number in fixed point, exactly as rounded: an integer count of `10^-decimals`.
@@ -194,14 +194,14 @@ impl<'a> Lines<'a> {
 }
 
 /// What the program is, at its very head.
-pub(super) fn title(run: &Run, lines: &mut Lines, control: &str) {
+pub(super) fn title(run: &OperationRun, lines: &mut Lines, control: &str) {
     lines.comment(&"=".repeat(78));
     let name = &run.options.program_name;
     lines.comment(&format!("{name}  for {control}, by bladewright {}", env!("CARGO_PKG_VERSION")));
 }
 
 /// The comments at the head of every program, under its title.
-pub(super) fn header(run: &Run, cycle: &CycleTime, beyond_mm: f64, lines: &mut Lines) {
+pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, lines: &mut Lines) {
     let (o, t, path) = (run.options, run.tool, &run.plan.toolpath);
     lines.comment(&format!("Part     {}  file {}", run.blade.name, o.part_file));
     lines.comment(&format!("Hash     {}", o.part_hash));
@@ -269,7 +269,7 @@ pub(super) fn header(run: &Run, cycle: &CycleTime, beyond_mm: f64, lines: &mut L
     lines.comment(&"=".repeat(78));
 }
 
-fn checks(run: &Run, lines: &mut Lines) {
+fn checks(run: &OperationRun, lines: &mut Lines) {
     if run.forced {
         lines.comment("NOT VERIFIED: CHECKS FAILED, PROGRAM WRITTEN ON REQUEST. DO NOT RUN ON A PART.");
     } else {
@@ -284,7 +284,7 @@ fn checks(run: &Run, lines: &mut Lines) {
     }
 }
 
-fn notes(run: &Run, lines: &mut Lines) {
+fn notes(run: &OperationRun, lines: &mut Lines) {
     let stages: Vec<f64> = run.tool.segments().iter().flat_map(|s| [s.r0, s.r1]).collect();
     if stages.windows(2).any(|w| w[1] < w[0] - 1e-9) {
         lines.comment("CAUTION  tool or holder narrows towards the spindle: check approach and retract by hand.");

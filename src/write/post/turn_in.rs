@@ -8,7 +8,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{Run, cycle};
+use super::{OperationRun, cycle};
 use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
 use crate::geometry::Vector;
@@ -28,7 +28,7 @@ const MOST_STEPS: usize = 1000;
 
 /// Axis positions one after another: where tool-centre-point control comes on, the ends of the
 /// steps, the safe position over the first location.
-pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
+pub(super) fn places(run: &OperationRun, programmed: Programmed) -> Vec<Axes> {
     let first = &run.ends[0];
     let safe = run.axes_at(first, first.safe_mm);
     let stray_mm = STRAY * run.options.settings.safe_clearance_mm;
@@ -55,7 +55,7 @@ pub(super) fn places(run: &Run, programmed: Programmed) -> Vec<Axes> {
 /// Whether the linear axes, at a share of the way between two places on which the programmed point
 /// goes straight over the part, are near the one where they stand at both ends, and within their
 /// travel.
-fn keeps(run: &Run, programmed: Programmed, ends: &[Axes], share: f64, stray_mm: f64) -> bool {
+fn keeps(run: &OperationRun, programmed: Programmed, ends: &[Axes], share: f64, stray_mm: f64) -> bool {
     let (machine, gauge) = (run.machine, run.tool.length_mm());
     let lift_mm = if programmed == Programmed::Tip { run.tool.radius_mm } else { 0.0 };
     let [p, q] = [0, 1].map(|k| machine.forward(&ends[k], gauge).tip(lift_mm));
@@ -74,7 +74,7 @@ fn keeps(run: &Run, programmed: Programmed, ends: &[Axes], share: f64, stray_mm:
     off_mm <= stray_mm && linear.iter().all(inside)
 }
 
-impl Run<'_> {
+impl OperationRun<'_> {
     /// Whole turns of the first rotary axis that a program drops: all dialects begin in the same
     /// one, from 0 on. None where it has ends of travel and stands where it is told. Rad.
     pub(super) fn turns_before_rad(&self) -> f64 {

@@ -2,10 +2,10 @@
 
 use super::dialect::{Dialect, FeedWord, Rotary};
 use super::moves::{self, Move};
-use super::polynomial::{self, Bend};
-use super::template::{Class, KEYS, Line, Piece, Value, Word, key};
+use super::polynomial::{self, WordBends};
+use super::template::{Class, KEYS, TemplateLine, Value, Word, WordPiece, key};
 use super::text::{Fixed, Lines, ascii, header, title};
-use super::{End, Run, cycle, merge, smoothing, turn_in};
+use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Programmed;
 use crate::artifact::{Axes, Stand};
@@ -14,7 +14,7 @@ use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
 
 /// The whole program: one operation after another.
-pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
+pub(super) fn write(runs: &[OperationRun], dialect: &Dialect) -> Result<String> {
     let mut lines = Lines::new(&dialect.file);
     for (k, run) in runs.iter().enumerate() {
         let mut w = Writer::new(run, dialect, lines);
@@ -39,7 +39,7 @@ pub(super) fn write(runs: &[Run], dialect: &Dialect) -> Result<String> {
 }
 
 /// From the tool call to the unwound axis.
-fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
+fn operation(w: &mut Writer, run: &OperationRun, dialect: &Dialect) -> Result<()> {
     title(run, &mut w.lines, &dialect.file.name);
     w.put(&dialect.warnings)?;
     let beyond_mm = if run.options.settings.look_ahead { smoothing::of(run, &dialect.file).beyond_mm } else { 0.0 };
@@ -87,7 +87,7 @@ fn operation(w: &mut Writer, run: &Run, dialect: &Dialect) -> Result<()> {
 
 /// Values, and the lines written with them.
 struct Writer<'a> {
-    run: &'a Run<'a>,
+    run: &'a OperationRun<'a>,
     dialect: &'a Dialect,
     lines: Lines<'a>,
     values: Vec<Value>,
@@ -98,7 +98,7 @@ struct Writer<'a> {
 }
 
 /// A pose as a program sees it.
-struct Placed {
+struct PlacedPose {
     /// The programmed point, mm.
     point: [f64; 3],
     /// A as the program counts it, and B, degrees.
@@ -108,7 +108,7 @@ struct Placed {
 }
 
 impl<'a> Writer<'a> {
-    fn new(run: &'a Run, dialect: &'a Dialect, lines: Lines<'a>) -> Self {
+    fn new(run: &'a OperationRun, dialect: &'a Dialect, lines: Lines<'a>) -> Self {
         let values = vec![Value::Number(0.0); KEYS.len()];
         let mut w = Writer { run, dialect, lines, values, stands: None, modal: Vec::new() };
         w.fixed_values();
@@ -178,7 +178,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Sets the values of a pose over an end of the path.
-    fn at(&mut self, end: &End, lift_mm: f64) -> Result<()> {
+    fn at(&mut self, end: &WayEnd, lift_mm: f64) -> Result<()> {
         let placed = self.placed(&end.stand.lifted(lift_mm), &end.near);
         self.take(&placed, None)
     }
@@ -189,20 +189,20 @@ impl<'a> Writer<'a> {
         self.take(&self.placed_by(&pose.centre, &pose.axis, axes.into()), None)
     }
 
-    fn placed(&self, stand: &Stand, near: &[f64]) -> Placed {
+    fn placed(&self, stand: &Stand, near: &[f64]) -> PlacedPose {
         let axes = self.run.machine.place(stand, Some(near), self.run.tool.length_mm());
         self.placed_by(&stand.centre, &stand.axis(), axes)
     }
 
     /// A pose by its centre and tool axis, and the axis positions that bring it about.
-    fn placed_by(&self, centre: &Point, axis: &Vector, axes: Axes) -> Placed {
+    fn placed_by(&self, centre: &Point, axis: &Vector, axes: Axes) -> PlacedPose {
         let point = match self.dialect.file.programmed {
             Programmed::Tip => tool::tip(centre, axis, self.run.tool.radius_mm).into(),
             Programmed::Centre => (*centre).into(),
             Programmed::Machine => self.run.machine.linear().map(|k| axes[k]),
         };
         let turning = self.run.machine.turning_axis();
-        Placed { point, a_deg: self.a_deg(axes[turning]), axes, axis: (*axis).into() }
+        PlacedPose { point, a_deg: self.a_deg(axes[turning]), axes, axis: (*axis).into() }
     }
 
     /// `A` in degrees as the program counts it.
@@ -228,7 +228,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Takes over a pose, reached with words that bend; the step of `A` is from the pose before.
-    fn take(&mut self, p: &Placed, bend: Option<&Bend>) -> Result<()> {
+    fn take(&mut self, p: &PlacedPose, bend: Option<&WordBends>) -> Result<()> {
         let numbers = &self.dialect.file.numbers;
         let length = |v: f64| Fixed::new(v, numbers.length_decimals);
         let mut a = Fixed::new(p.a_deg, numbers.angle_decimals)?;
@@ -265,7 +265,12 @@ impl<'a> Writer<'a> {
     }
 
     /// Sets the polynomials that end at a pose: steps or positions as the rotary axes are told.
-    fn take_polynomials(&mut self, ends: &Axes<Fixed>, before: Option<Axes<Fixed>>, bend: Option<&Bend>) -> Result<()> {
+    fn take_polynomials(
+        &mut self,
+        ends: &Axes<Fixed>,
+        before: Option<Axes<Fixed>>,
+        bend: Option<&WordBends>,
+    ) -> Result<()> {
         let numbers = &self.dialect.file.numbers;
         let steps = before.filter(|_| self.dialect.file.rotary == Rotary::Incremental);
         let axes = self.run.machine.axes();
@@ -303,7 +308,7 @@ impl<'a> Writer<'a> {
         let dialect = self.dialect;
         let lines = &dialect.cut;
         let words = |m: &Move| {
-            let Placed { point, a_deg, axes, .. } = self.placed(&m.stand, &m.near);
+            let PlacedPose { point, a_deg, axes, .. } = self.placed(&m.stand, &m.near);
             let mut words = axes.map(f64::to_degrees);
             self.run.machine.linear().into_iter().zip(point).for_each(|(k, v)| words[k] = v);
             words[self.run.machine.turning_axis()] = a_deg;
@@ -318,7 +323,7 @@ impl<'a> Writer<'a> {
             }
         };
         let mut written = 0usize;
-        let mut last: Option<(Vec<Fixed>, f64, Placed)> = None;
+        let mut last: Option<(Vec<Fixed>, f64, PlacedPose)> = None;
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
@@ -376,10 +381,10 @@ impl<'a> Writer<'a> {
     }
 
     /// The rounded numbers of a cutting line that say where; steps are taken as positions.
-    fn position(&self, lines: &[Line]) -> Result<Vec<Fixed>> {
+    fn position(&self, lines: &[TemplateLine]) -> Result<Vec<Fixed>> {
         let mut out = Vec::new();
         for piece in lines.iter().flat_map(|l| &l.words).flat_map(|w| &w.pieces) {
-            let Piece::Value(k, digits) = piece else { continue };
+            let WordPiece::Value(k, digits) = piece else { continue };
             let said = match KEYS.get(*k).map(|(name, ..)| *name) {
                 Some("f") => None,
                 Some("da") => self.rounded(key("a").unwrap_or(*k), *digits)?,
@@ -407,8 +412,8 @@ impl<'a> Writer<'a> {
     fn feed_word(
         &self,
         before: Option<Axes<Fixed>>,
-        from: &Placed,
-        to: &Placed,
+        from: &PlacedPose,
+        to: &PlacedPose,
         [since, t_s]: [f64; 2],
     ) -> Result<String> {
         let (file, dt_s) = (&self.dialect.file, t_s - since);
@@ -439,8 +444,8 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes lines with the values as they are.
-    fn put(&mut self, lines: &[Line]) -> Result<()> {
-        let wanted = |l: &&Line| self.run.options.settings.look_ahead || !l.look_ahead;
+    fn put(&mut self, lines: &[TemplateLine]) -> Result<()> {
+        let wanted = |l: &&TemplateLine| self.run.options.settings.look_ahead || !l.look_ahead;
         for line in lines.iter().filter(wanted) {
             let mut text = String::new();
             for word in &line.words {
@@ -450,8 +455,8 @@ impl<'a> Writer<'a> {
                 let mut w = String::new();
                 for piece in &word.pieces {
                     match piece {
-                        Piece::Text(t) => w.push_str(t),
-                        Piece::Value(k, digits) => w.push_str(&self.value_text(*k, *digits)?),
+                        WordPiece::Text(t) => w.push_str(t),
+                        WordPiece::Value(k, digits) => w.push_str(&self.value_text(*k, *digits)?),
                     }
                 }
                 if word.modal && self.repeats(word, &w) {
@@ -474,7 +479,8 @@ impl<'a> Writer<'a> {
     /// A word of the second rotary axis that the machine has not, or that stands still and need not
     /// be told again.
     fn left_out(&self, word: &Word) -> bool {
-        let says = |name: &str| word.pieces.iter().any(|p| matches!(p, Piece::Value(k, _) if Some(*k) == key(name)));
+        let says =
+            |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));
         let none = self.leaning().is_none();
         let still = none || self.run.turns_the_blade_alone();
         none && (says("b") || says("pb")) || still && (says("b_moving") || says("pb_moving"))

@@ -18,17 +18,17 @@ const FULL_CIRCLE: f64 = 1e-9;
 
 /// A curve with the map from its parameter in the file.
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub struct MappedCurve {
     /// The curve, in mm (or in parameters, where the identity places it).
     pub nurbs: NurbsCurve,
     /// From the file's parameter to that of `nurbs`.
     pub map: ParamMap,
 }
 
-impl Curve {
+impl MappedCurve {
     fn even(nurbs: NurbsCurve) -> Self {
         let d = nurbs.domain();
-        Curve { nurbs, map: ParamMap::even(d, d) }
+        MappedCurve { nurbs, map: ParamMap::even(d, d) }
     }
 }
 
@@ -36,7 +36,7 @@ impl Curve {
 ///
 /// # Errors
 /// Damaged parameters; an entity that is no curve or one that cannot be written as NURBS.
-pub fn curve_pieces(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Vec<Curve>> {
+pub fn curve_pieces(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Vec<MappedCurve>> {
     let mut out = Vec::new();
     let mut room = file.most_poles();
     collect(file, e, to, 0, &mut room, &mut out)?;
@@ -47,7 +47,7 @@ pub fn curve_pieces(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Vec<Cu
 ///
 /// # Errors
 /// See [`curve_pieces`].
-pub fn curve(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Curve> {
+pub fn curve(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<MappedCurve> {
     let mut pieces = curve_pieces(file, e, to)?;
     if pieces.len() == 1
         && let Some(one) = pieces.pop()
@@ -58,7 +58,7 @@ pub fn curve(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Curve> {
     let curves: Vec<NurbsCurve> = pieces.into_iter().map(|c| c.nurbs).collect();
     let nurbs = joined(&curves).ok_or_else(|| file.error(e, "is a composite of no curves"))?;
     nurbs.validate().map_err(|m| file.error(e, format!("cannot be joined: {}", m.message)))?;
-    Ok(Curve { nurbs, map: ParamMap::chain(&maps) })
+    Ok(MappedCurve { nurbs, map: ParamMap::chain(&maps) })
 }
 
 fn collect(
@@ -67,7 +67,7 @@ fn collect(
     to: &Matrix4<f64>,
     depth: usize,
     room: &mut usize,
-    out: &mut Vec<Curve>,
+    out: &mut Vec<MappedCurve>,
 ) -> Result<()> {
     let to = to * file.transform(e)?;
     let mut p = file.params(e)?;
@@ -86,11 +86,11 @@ fn collect(
     }
     let mut c = match e.kind {
         100 => arc(&mut p)?,
-        104 => Curve::even(conic(&mut p)?),
-        106 => Curve::even(polyline(&mut p, e.form)?),
-        110 => Curve::even(chain(&[p.triple()?, p.triple()?].map(pole))),
-        112 => Curve::even(polynomial(&mut p)?),
-        126 => Curve::even(nurbs(&mut p)?),
+        104 => MappedCurve::even(conic(&mut p)?),
+        106 => MappedCurve::even(polyline(&mut p, e.form)?),
+        110 => MappedCurve::even(chain(&[p.triple()?, p.triple()?].map(pole))),
+        112 => MappedCurve::even(polynomial(&mut p)?),
+        126 => MappedCurve::even(nurbs(&mut p)?),
         _ => return Err(p.error("is no curve that can be read (100, 102, 104, 106, 110, 112 and 126 can)")),
     };
     *room = room
@@ -144,7 +144,7 @@ pub fn arc_segments(angle: f64) -> usize {
 
 /// 100: counter-clockwise from start to end in a plane of constant z; a full circle where both are
 /// the same.
-fn arc(p: &mut Params) -> Result<Curve> {
+fn arc(p: &mut Params) -> Result<MappedCurve> {
     let z = p.real()?;
     let [cx, cy, sx, sy] = [p.real()?, p.real()?, p.real()?, p.real()?];
     let (ex, ey) = (p.real()?, p.real()?);
@@ -161,7 +161,7 @@ fn arc(p: &mut Params) -> Result<Curve> {
         to = from + std::f64::consts::TAU;
     }
     let (nurbs, segments) = ellipse([cx, cy], [radius; 2], z, [from, to]);
-    Ok(Curve { nurbs, map: ParamMap::arcs(from, to, segments) })
+    Ok(MappedCurve { nurbs, map: ParamMap::arcs(from, to, segments) })
 }
 
 /// 104: `A x² + B x y + C y² + D x + E y + F = 0` from start to end.

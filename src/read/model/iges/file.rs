@@ -5,7 +5,7 @@ use std::path::Path;
 
 use nalgebra::Matrix4;
 
-use super::text::{Sections, Value, sections, values};
+use super::text::{FileSections, Value, sections, values};
 use crate::error::{Error, Result, Stage};
 
 /// Chains of transforms longer than this are taken for circular.
@@ -68,7 +68,7 @@ impl<'a> File<'a> {
             Error::io(Stage::Model, format!("{} {what}", path.display()))
                 .advise("the file is damaged or no IGES: export it again as ASCII IGES 5.3")
         };
-        let Sections { global, directory, parameters } = sections(bytes).map_err(broken)?;
+        let FileSections { global, directory, parameters } = sections(bytes).map_err(broken)?;
         let global = read_global(&global).map_err(|m| broken(format!("has a damaged global section: {m}")))?;
         if directory.len() % 2 == 1 {
             return Err(broken("has an odd number of directory lines".into()));

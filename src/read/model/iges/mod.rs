@@ -33,7 +33,7 @@ use std::path::Path;
 use nalgebra::Matrix4;
 
 use super::faces::FaceModel;
-use super::units::Source;
+use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use build::Build;
@@ -69,7 +69,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
         11 => "IGES 5.3".to_owned(),
         _ => "IGES".to_owned(),
     };
-    let unit_source = if told { Source::Told } else { Source::Declared };
+    let unit_source = if told { UnitSource::Told } else { UnitSource::Declared };
     Ok(FaceModel {
         brep: build.brep,
         bodies: build.bodies,

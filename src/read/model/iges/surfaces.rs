@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-use super::curves::{Curve, HIGHEST_DEGREE, arc_segments, curve, monomial_to_bezier};
+use super::curves::{HIGHEST_DEGREE, MappedCurve, arc_segments, curve, monomial_to_bezier};
 use super::file::{Entity, File, Params};
 use super::fit::{by_length, by_parameter};
 use super::param::ParamMap;
@@ -28,19 +28,19 @@ pub struct Carrier {
     /// What it is in the file.
     pub kind: SurfaceKind,
     /// Its shape.
-    pub shape: Shape,
+    pub shape: SurfaceShape,
 }
 
 /// Shape of a surface.
-pub enum Shape {
+pub enum SurfaceShape {
     /// As it is.
-    Patch(Box<Patch>),
+    Patch(Box<SplinePatch>),
     /// In a frame of its own, without end or with ends of its own.
     Elementary(Elementary),
 }
 
 /// A surface that is NURBS from the start.
-pub struct Patch {
+pub struct SplinePatch {
     /// The surface, mm.
     pub surface: NurbsSurface,
     /// From the file's u and v to the surface's.
@@ -66,10 +66,10 @@ enum Form {
     Torus { major: f64, minor: f64 },
 }
 
-impl Patch {
+impl SplinePatch {
     fn new(surface: NurbsSurface, maps: [ParamMap; 2]) -> Self {
         let space = ParameterSpace::of(&surface, CLOSED_MM);
-        Patch { surface, maps, space }
+        SplinePatch { surface, maps, space }
     }
 
     /// Our parameters of the file's.
@@ -82,11 +82,11 @@ impl Carrier {
     /// The point at the file's parameters, mm.
     pub fn at(&self, uv: [f64; 2]) -> Point {
         match &self.shape {
-            Shape::Patch(p) => {
+            SurfaceShape::Patch(p) => {
                 let n = p.space.normal_form(p.ours(uv));
                 p.surface.point(n[0], n[1])
             }
-            Shape::Elementary(e) => e.at(uv),
+            SurfaceShape::Elementary(e) => e.at(uv),
         }
     }
 
@@ -94,8 +94,8 @@ impl Carrier {
     /// where there are too few of them to tell.
     pub fn nurbs(&self, points: &[Point]) -> Option<NurbsSurface> {
         match &self.shape {
-            Shape::Patch(p) => Some(p.surface.clone()),
-            Shape::Elementary(e) => e.nurbs(points),
+            SurfaceShape::Patch(p) => Some(p.surface.clone()),
+            SurfaceShape::Elementary(e) => e.nurbs(points),
         }
     }
 }
@@ -122,7 +122,7 @@ pub fn carrier(file: &File, e: &Entity, to: &Matrix4<f64>) -> Result<Carrier> {
         surface.points.iter_mut().for_each(|q| *q = to * *q);
     }
     surface.validate().map_err(|m| p.error(format!("is damaged: {}", m.message)))?;
-    Ok(Carrier { kind, shape: Shape::Patch(Box::new(Patch::new(surface, maps))) })
+    Ok(Carrier { kind, shape: SurfaceShape::Patch(Box::new(SplinePatch::new(surface, maps))) })
 }
 
 type Mapped = (NurbsSurface, [ParamMap; 2]);
@@ -218,7 +218,7 @@ fn polynomial(p: &mut Params) -> Result<Mapped> {
 fn ruled(file: &File, form: i64, p: &mut Params, to: &Matrix4<f64>) -> Result<Mapped> {
     let (first, second) = (p.target()?, p.target()?);
     let (against, _developable) = (p.int()?, p.optional()?);
-    let unit = |c: Curve| (over(c.nurbs, [0.0, 1.0]), c.map.over(Some([0.0, 1.0]), Some([0.0, 1.0])));
+    let unit = |c: MappedCurve| (over(c.nurbs, [0.0, 1.0]), c.map.over(Some([0.0, 1.0]), Some([0.0, 1.0])));
     let (a, map) = unit(curve(file, first, to)?);
     let (b, other) = unit(curve(file, second, to)?);
     let b = if against == 1 { super::super::sew::backwards(&b) } else { b };
@@ -319,7 +319,7 @@ fn plane(p: &mut Params, to: &Matrix4<f64>) -> Result<Carrier> {
         return Err(p.error("is a plane without normal"));
     }
     let origin = Point::from(n * (d / (size * size)));
-    let shape = Shape::Elementary(Elementary { form: Form::Plane, to: to * frame(&origin, &n, None) });
+    let shape = SurfaceShape::Elementary(Elementary { form: Form::Plane, to: to * frame(&origin, &n, None) });
     Ok(Carrier { kind: SurfaceKind::Plane, shape })
 }
 
@@ -370,7 +370,7 @@ fn elementary(file: &File, e: &Entity, p: &mut Params, to: &Matrix4<f64>) -> Res
     if !(z.norm() > 0.0) {
         return Err(p.error("has an axis without direction"));
     }
-    Ok(Carrier { kind, shape: Shape::Elementary(Elementary { form, to: to * frame(&origin, &z, x) }) })
+    Ok(Carrier { kind, shape: SurfaceShape::Elementary(Elementary { form, to: to * frame(&origin, &z, x) }) })
 }
 
 impl Elementary {

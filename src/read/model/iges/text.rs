@@ -1,6 +1,6 @@
 //! The text of an IGES file: lines of 80 columns in five sections, and parameters in free format.
 //!
-//! In: bytes. Out: [`Sections`], the lines of each section without their sequence columns, and
+//! In: bytes. Out: [`FileSections`], the lines of each section without their sequence columns, and
 //! [`values`], the parameters of one record. Lines may be shorter than 80 columns where trailing
 //! blanks were cut off, and end in LF, CR LF or nothing.
 
@@ -22,7 +22,7 @@ pub enum Value {
 
 /// The lines of a file by section.
 #[derive(Debug, Default)]
-pub struct Sections<'a> {
+pub struct FileSections<'a> {
     /// The global section's columns 1–72, joined.
     pub global: Vec<u8>,
     /// Directory lines.
@@ -57,8 +57,8 @@ fn letter(line: &[u8]) -> Option<u8> {
 /// # Errors
 /// A sentence: a line without a section letter, a binary or compressed file, a file without
 /// directory or parameters.
-pub fn sections(bytes: &[u8]) -> Result<Sections<'_>, String> {
-    let mut out = Sections::default();
+pub fn sections(bytes: &[u8]) -> Result<FileSections<'_>, String> {
+    let mut out = FileSections::default();
     let mut terminated = false;
     for (k, line) in lines(bytes).enumerate() {
         match letter(line) {

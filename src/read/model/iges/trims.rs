@@ -7,10 +7,10 @@
 use nalgebra::Matrix4;
 
 use super::build::Build;
-use super::curves::{Curve, curve_pieces};
+use super::curves::{MappedCurve, curve_pieces};
 use super::file::Entity;
 use super::fit::fit;
-use super::surfaces::{Carrier, Patch, Shape, carrier};
+use super::surfaces::{Carrier, SplinePatch, SurfaceShape, carrier};
 use crate::error::Result;
 use crate::geometry::Point;
 use crate::geometry::brep::{Coedge, Edge, Face};
@@ -134,8 +134,8 @@ pub fn boundary(
         if against {
             pieces.reverse();
         }
-        let long = |c: &Curve| length(&|t| c.nurbs.point(t), c.nurbs.domain()) > POINT_MM;
-        let edge = |c: Curve| (Edge { t: c.nurbs.domain(), curve: c.nurbs }, against);
+        let long = |c: &MappedCurve| length(&|t| c.nurbs.point(t), c.nurbs.domain()) > POINT_MM;
+        let edge = |c: MappedCurve| (Edge { t: c.nurbs.domain(), curve: c.nurbs }, against);
         return Ok(pieces.into_iter().filter(long).map(edge).collect());
     }
     let mut walk = Vec::new();
@@ -155,8 +155,8 @@ pub fn boundary(
 }
 
 /// Whether curves lie on a surface, by samples; unbounded ones are taken at their word.
-fn lies_on(pieces: &[Curve], c: &Carrier) -> bool {
-    let Shape::Patch(p) = &c.shape else { return true };
+fn lies_on(pieces: &[MappedCurve], c: &Carrier) -> bool {
+    let SurfaceShape::Patch(p) = &c.shape else { return true };
     let seeds = crate::geometry::tessellate::loops::Seeds::new(&p.surface);
     pieces.iter().all(|piece| {
         let [a, b] = piece.nurbs.domain();
@@ -189,7 +189,7 @@ fn carried(c: &Carrier, flat: &NurbsCurve) -> Option<Walk> {
         if size <= POINT_MM {
             continue;
         }
-        if let Shape::Patch(p) = &c.shape
+        if let SurfaceShape::Patch(p) = &c.shape
             && let Some(edge) = along_parameter(p, flat, range)
         {
             walk.push(edge);
@@ -215,7 +215,7 @@ fn smooth_ranges(c: &NurbsCurve) -> Vec<[f64; 2]> {
 
 /// The exact parameter line of a surface, where a stretch of a curve in the parameter plane is a
 /// piece of one.
-fn along_parameter(p: &Patch, flat: &NurbsCurve, range: [f64; 2]) -> Option<(Edge, bool)> {
+fn along_parameter(p: &SplinePatch, flat: &NurbsCurve, range: [f64; 2]) -> Option<(Edge, bool)> {
     let poles: Vec<[f64; 2]> = part(flat, range).points.iter().map(|q| p.ours([q.x / q.w, q.y / q.w])).collect();
     let domain = p.space.domain;
     let close = |along: usize| 1e-9 * p.space.period(along);

@@ -13,7 +13,7 @@
 use std::collections::BTreeMap;
 
 use super::run::{Link, Run, frame_along};
-use super::shape::Shape;
+use super::shape::LoopShape;
 use crate::geometry::mesh::{EdgeUse, Mesh, root};
 use crate::geometry::slice::Loop;
 use crate::geometry::{Point, Vector};
@@ -45,25 +45,25 @@ const ASLANT_DEG: f64 = 70.0;
 const WALL: [f64; 2] = [0.6, 1.6];
 
 /// A nearly flat patch.
-pub struct Patch {
+pub struct FlatPatch {
     /// Length of the mean normal: 1 for a plane.
     flatness: f64,
     area_mm2: f64,
     normal: Vector,
     middle: Point,
     /// Its longest outline, seen along the normal.
-    outline: Option<Shape>,
+    outline: Option<LoopShape>,
 }
 
 /// The nearly flat patches of the mesh that creases bound, largest first. `sides`:
 /// [`crate::geometry::mesh::edge_uses`] of its triangles.
-pub fn patches(mesh: &Mesh, sides: &[EdgeUse]) -> Vec<Patch> {
+pub fn patches(mesh: &Mesh, sides: &[EdgeUse]) -> Vec<FlatPatch> {
     let cos = CREASE_DEG.to_radians().cos();
     bounded(mesh, sides, |a, b| mesh.normal(a as usize).dot(&mesh.normal(b as usize)) > cos)
 }
 
 /// The nearly flat patches of triangles that neighbours join, largest first.
-fn bounded(mesh: &Mesh, sides: &[EdgeUse], joins: impl Fn(u32, u32) -> bool) -> Vec<Patch> {
+fn bounded(mesh: &Mesh, sides: &[EdgeUse], joins: impl Fn(u32, u32) -> bool) -> Vec<FlatPatch> {
     let n = mesh.triangles.len();
     let mut parent: Vec<u32> = (0..n as u32).collect();
     let smooth = |pair: &[EdgeUse]| matches!(pair, [a, b] if joins(a.triangle, b.triangle));
@@ -94,9 +94,9 @@ fn bounded(mesh: &Mesh, sides: &[EdgeUse], joins: impl Fn(u32, u32) -> bool) -> 
             }
         }
     }
-    let mut out: Vec<Patch> = sums
+    let mut out: Vec<FlatPatch> = sums
         .into_iter()
-        .map(|(k, (area, normal, middle))| Patch {
+        .map(|(k, (area, normal, middle))| FlatPatch {
             flatness: normal.norm() / area,
             area_mm2: area,
             normal: normal.normalize(),
@@ -109,10 +109,10 @@ fn bounded(mesh: &Mesh, sides: &[EdgeUse], joins: impl Fn(u32, u32) -> bool) -> 
 }
 
 /// The longest ring of these sides, seen along a normal.
-fn outline(mesh: &Mesh, border: &[[u32; 2]], normal: &Vector) -> Option<Shape> {
+fn outline(mesh: &Mesh, border: &[[u32; 2]], normal: &Vector) -> Option<LoopShape> {
     let plane = frame_along(normal).inverse();
     let mut next: BTreeMap<u32, u32> = border.iter().map(|[a, b]| (*a, *b)).collect();
-    let mut most: Option<Shape> = None;
+    let mut most: Option<LoopShape> = None;
     while let Some((&first, _)) = next.iter().next() {
         let mut points = Vec::new();
         let mut at = first;
@@ -122,7 +122,7 @@ fn outline(mesh: &Mesh, border: &[[u32; 2]], normal: &Vector) -> Option<Shape> {
             at = to;
         }
         let triangles = vec![0; points.len()];
-        let ring = Shape::new(&Loop { points, triangles, closed: at == first });
+        let ring = LoopShape::new(&Loop { points, triangles, closed: at == first });
         most = [most, ring].into_iter().flatten().max_by(|a, b| a.perimeter_mm.total_cmp(&b.perimeter_mm));
     }
     most
@@ -130,7 +130,7 @@ fn outline(mesh: &Mesh, border: &[[u32; 2]], normal: &Vector) -> Option<Shape> {
 
 /// Both ends of an airfoil alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends {
+pub struct AirfoilEnds {
     /// Unit vector from the middle of the larger one to that of the other.
     pub line: Vector,
     /// Area of the larger one over that of the other.
@@ -144,16 +144,16 @@ pub struct Ends {
 /// has. They are sought between creases, else among faces or groups of the file: a fillet that runs
 /// out into its end leaves no crease. `sides`: [`crate::geometry::mesh::edge_uses`] of the
 /// triangles. `None`: there are none.
-pub fn end_to_end(mesh: &Mesh, sides: &[EdgeUse], patches: &[Patch]) -> Option<Ends> {
+pub fn end_to_end(mesh: &Mesh, sides: &[EdgeUse], patches: &[FlatPatch]) -> Option<AirfoilEnds> {
     let area_mm2 = mesh.area_mm2();
     ends(area_mm2, patches)
         .or_else(|| ends(area_mm2, &bounded(mesh, sides, |a, b| mesh.face(a as usize) == mesh.face(b as usize))))
 }
 
-fn ends(area_mm2: f64, patches: &[Patch]) -> Option<Ends> {
-    let like: Vec<(&Patch, &Shape)> =
+fn ends(area_mm2: f64, patches: &[FlatPatch]) -> Option<AirfoilEnds> {
+    let like: Vec<(&FlatPatch, &LoopShape)> =
         patches.iter().filter_map(|p| Some((p, p.outline.as_ref().filter(|o| o.likeness > OUTLINE)?))).collect();
-    let mut best: Option<(f64, Ends)> = None;
+    let mut best: Option<(f64, AirfoilEnds)> = None;
     // Patches come largest first.
     for (k, (a, around_a)) in like.iter().enumerate() {
         for (b, around_b) in &like[k + 1..] {
@@ -168,7 +168,7 @@ fn ends(area_mm2: f64, patches: &[Patch]) -> Option<Ends> {
                 && best.is_none_or(|(most, _)| alike > most)
             {
                 let flat = a.flatness > PLANE && b.flatness > PLANE;
-                best = Some((alike, Ends { line, ratio: a.area_mm2 / b.area_mm2, flat }));
+                best = Some((alike, AirfoilEnds { line, ratio: a.area_mm2 / b.area_mm2, flat }));
             }
         }
     }
@@ -176,14 +176,14 @@ fn ends(area_mm2: f64, patches: &[Patch]) -> Option<Ends> {
 }
 
 /// Directions in which the largest patches face.
-pub fn directions(patches: &[Patch]) -> Vec<Vector> {
+pub fn directions(patches: &[FlatPatch]) -> Vec<Vector> {
     patches.iter().take(TRIED).map(|p| p.normal).collect()
 }
 
 /// Normals of patches that are planes, largest first, and whether another such patch has the same
 /// one, in either sense, within this angle, degrees.
-pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
-    let planes: Vec<&Patch> = patches.iter().filter(|p| p.flatness > PLANE).collect();
+pub fn flat_normals(patches: &[FlatPatch], common_deg: f64) -> Vec<(Vector, bool)> {
+    let planes: Vec<&FlatPatch> = patches.iter().filter(|p| p.flatness > PLANE).collect();
     let common = |k: usize, n: &Vector| {
         planes.iter().enumerate().any(|(i, p)| i != k && p.normal.dot(n).abs() > common_deg.to_radians().cos())
     };
@@ -192,10 +192,10 @@ pub fn flat_normals(patches: &[Patch], common_deg: f64) -> Vec<(Vector, bool)> {
 
 /// The common normal of two planes that close both ends of the run and lean from its direction by
 /// more than `lean_deg`, but by less than [`MOST_LEAN_DEG`]; `None` where there are none.
-pub fn slanted_ends(patches: &[Patch], run: &Run, common_deg: f64, lean_deg: f64) -> Option<Vector> {
+pub fn slanted_ends(patches: &[FlatPatch], run: &Run, common_deg: f64, lean_deg: f64) -> Option<Vector> {
     let (first, last) = (run.links.first()?, run.links.last()?);
     let middle = &run.links[run.links.len() / 2].shape;
-    let leans = |p: &&Patch| {
+    let leans = |p: &&FlatPatch| {
         let facing = p.normal.dot(&run.direction).abs();
         let share = facing * p.area_mm2 / middle.area_mm2.max(f64::MIN_POSITIVE);
         p.flatness > PLANE
@@ -204,12 +204,13 @@ pub fn slanted_ends(patches: &[Patch], run: &Run, common_deg: f64, lean_deg: f64
             && (LIKE[0]..=LIKE[1]).contains(&share)
     };
     let room = 0.25 * middle.perimeter_mm;
-    let height = |p: &Patch| p.middle.coords.dot(&run.direction);
-    let top = |p: &&Patch| p.normal.dot(&run.direction) > 0.0 && height(p) > last.height_mm - room;
-    let bottom = |p: &&Patch| p.normal.dot(&run.direction) < 0.0 && height(p) < first.height_mm + room;
-    let ends: Vec<&Patch> = patches.iter().filter(leans).collect();
-    let opposite =
-        |p: &Patch| ends.iter().filter(|q| bottom(q)).any(|q| q.normal.dot(&p.normal) < -common_deg.to_radians().cos());
+    let height = |p: &FlatPatch| p.middle.coords.dot(&run.direction);
+    let top = |p: &&FlatPatch| p.normal.dot(&run.direction) > 0.0 && height(p) > last.height_mm - room;
+    let bottom = |p: &&FlatPatch| p.normal.dot(&run.direction) < 0.0 && height(p) < first.height_mm + room;
+    let ends: Vec<&FlatPatch> = patches.iter().filter(leans).collect();
+    let opposite = |p: &FlatPatch| {
+        ends.iter().filter(|q| bottom(q)).any(|q| q.normal.dot(&p.normal) < -common_deg.to_radians().cos())
+    };
     ends.iter().filter(|p| top(p)).find(|p| opposite(p)).map(|p| p.normal)
 }
 
@@ -217,7 +218,7 @@ pub fn slanted_ends(patches: &[Patch], run: &Run, common_deg: f64, lean_deg: f64
 const MOST_LEAN_DEG: f64 = 65.0;
 
 /// How many ends of the run, 0 to 2, have a lid.
-pub fn lids(patches: &[Patch], run: &Run) -> usize {
+pub fn lids(patches: &[FlatPatch], run: &Run) -> usize {
     let blade_from_mesh = frame_along(&run.direction).inverse();
     let lid = |end: &Link, outward: &Vector| {
         patches.iter().any(|p| {

@@ -71,7 +71,7 @@ impl Foot {
 }
 
 /// Where a way bends outwards.
-struct Bend {
+struct OutwardBend {
     ends: [Point; 2],
     radius_mm: f64,
     /// Share of the turning that one edge of the mesh has.
@@ -96,7 +96,7 @@ pub fn joint(mesh: &Mesh, sections: &[(f64, Loop)], platform_mm: f64) -> Joint {
             bends.extend(bend(&way, &out, length_mm).filter(|b| b.ends[0].x > lowest_mm));
         }
     }
-    let round: Vec<&Bend> = bends.iter().filter(|b| b.share < ROUND).collect();
+    let round: Vec<&OutwardBend> = bends.iter().filter(|b| b.share < ROUND).collect();
     if bends.is_empty() || (bends.len() as f64) < HEARD * f64::from(asked) {
         return Joint::Unsure;
     }
@@ -183,7 +183,7 @@ impl Across {
 }
 
 /// The first turn outwards of a way.
-fn bend(way: &[Point], out: &Vector, length_mm: f64) -> Option<Bend> {
+fn bend(way: &[Point], out: &Vector, length_mm: f64) -> Option<OutwardBend> {
     // Direction of each step, 0 down the axis, growing outwards, and the place and way done at its
     // end.
     let (mut angle, mut ends, mut done): (Vec<f64>, Vec<Point>, Vec<f64>) = Default::default();
@@ -221,7 +221,7 @@ fn bend(way: &[Point], out: &Vector, length_mm: f64) -> Option<Bend> {
     let most = (begin..=end).map(together).fold(0.0, f64::max);
     let turned = angle[end + 1] - angle[begin] - 0.5 * (at(begin) + at(end));
     let radius_mm = if turned > 0.0 { (done[end] - done[begin]) / turned } else { 0.0 };
-    Some(Bend { ends: [ends[begin], ends[end]], radius_mm, share: most / turn })
+    Some(OutwardBend { ends: [ends[begin], ends[end]], radius_mm, share: most / turn })
 }
 
 #[cfg(test)]

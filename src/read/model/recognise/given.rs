@@ -6,7 +6,7 @@
 //! like an airfoil. What the user gave stands in any case.
 
 use super::run::{self, Run};
-use super::search::{self, Found};
+use super::search::{self, FoundAxis};
 use super::{no_blade, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
@@ -54,7 +54,7 @@ pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Opti
 }
 
 /// What is said where the search settles on another axis.
-fn against(mesh: &Mesh, run: &Run, found: &Found, faces: Option<&[bool]>) -> Option<String> {
+fn against(mesh: &Mesh, run: &Run, found: &FoundAxis, faces: Option<&[bool]>) -> Option<String> {
     let (given, other) = (&run.direction, &found.run.direction);
     let apart_deg = given.angle(other).to_degrees();
     if apart_deg > 180.0 - APART_DEG {
@@ -80,7 +80,7 @@ fn against(mesh: &Mesh, run: &Run, found: &Found, faces: Option<&[bool]>) -> Opt
 }
 
 /// No sections along the axis that was given.
-fn nothing_along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>, found: Option<Found>) -> Error {
+fn nothing_along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>, found: Option<FoundAxis>) -> Error {
     if let Some(e) = faces.and_then(|f| beside_named(mesh, &[*direction], f)) {
         return e;
     }

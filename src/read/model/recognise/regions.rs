@@ -3,7 +3,7 @@
 use super::Heights;
 use super::foot::{Foot, Joint, joint};
 use super::run::{HEIGHTS, LOOSENESS, Link, Run};
-use super::shape::Shape;
+use super::shape::LoopShape;
 use super::stitch::stitched;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
@@ -21,13 +21,13 @@ const CUT_SHORT: f64 = 0.8;
 const PLATFORM: f64 = 1.2;
 
 /// What bounds the airfoil at one end.
-struct End {
+struct AirfoilEnd {
     /// Last height with the airfoil alone, mm.
     x_mm: f64,
     /// Largest loop at the airfoil's place just beyond; `None`: the part (or body) ends.
-    beyond: Option<Shape>,
+    beyond: Option<LoopShape>,
     /// The airfoil's loop at `x_mm`.
-    shape: Shape,
+    shape: LoopShape,
 }
 
 /// Finds the regions, and the fillet where it climbs along the foot so that no heights bound it;
@@ -49,7 +49,7 @@ pub fn find(mesh: &Mesh, bvh: &MeshBvh, run: &Run) -> Option<(Heights, Option<Fo
          ({:.1} mm² at x = {:.3}, {:.1} mm² at x = {:.3})",
         airfoil_x_mm[0], airfoil_x_mm[1], first.shape.area_mm2, first.height_mm, last.shape.area_mm2, last.height_mm
     ));
-    let change = |e: &End, b: &Shape| {
+    let change = |e: &AirfoilEnd, b: &LoopShape| {
         format!(
             "x = {:.3} mm, where the section changes from {:.1} mm² ({:.1} mm around) to {:.1} mm² ({:.1} mm around)",
             e.x_mm, e.shape.area_mm2, e.shape.perimeter_mm, b.area_mm2, b.perimeter_mm
@@ -119,7 +119,7 @@ fn fillet(
 }
 
 /// Follows the airfoil's loop beyond the run in quarter steps and halves the last one.
-fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, part_mm: [f64; 2]) -> End {
+fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &LoopShape, step: f64, part_mm: [f64; 2]) -> AirfoilEnd {
     let (mut good, mut shape) = (from_mm, *reference);
     let mut bad = None;
     let mut part_ends = false;
@@ -164,19 +164,19 @@ fn end(mesh: &Mesh, bvh: &MeshBvh, from_mm: f64, reference: &Shape, step: f64, p
             .filter_map(|x| surrounding(mesh, bvh, x, &shape))
             .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
     };
-    End { x_mm: good, beyond, shape }
+    AirfoilEnd { x_mm: good, beyond, shape }
 }
 
 /// The airfoil's loop at a height.
-fn airfoil_loop(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, reference: &Shape) -> Option<(Loop, Shape)> {
-    let near = |l: &(Loop, Shape)| {
+fn airfoil_loop(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, reference: &LoopShape) -> Option<(Loop, LoopShape)> {
+    let near = |l: &(Loop, LoopShape)| {
         let d = [0, 1].map(|k| l.1.centroid[k] - reference.centroid[k]);
         l.1.area_mm2 > 0.3 * reference.area_mm2 && d[0].hypot(d[1]) < 0.5 * reference.perimeter_mm
     };
-    let away = |l: &(Loop, Shape)| (l.1.area_mm2 - reference.area_mm2).abs();
+    let away = |l: &(Loop, LoopShape)| (l.1.area_mm2 - reference.area_mm2).abs();
     stitched(slice(mesh, bvh, x_mm))
         .into_iter()
-        .filter_map(|l| Shape::new(&l).map(|s| (l, s)))
+        .filter_map(|l| LoopShape::new(&l).map(|s| (l, s)))
         .filter(near)
         .min_by(|a, b| away(a).total_cmp(&away(b)))
 }
@@ -187,7 +187,13 @@ fn airfoil_loop(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, reference: &Shape) -> Opt
 /// The lean is the mean of the normal's component along the axis round the airfoil's loop. On a
 /// fillet of radius r it is 1 − h/r at height h, so the top is found a share [`LEAN`] of r too low,
 /// which is added.
-fn leaning(mesh: &Mesh, bvh: &MeshBvh, platform_mm: f64, airfoil_mm: [f64; 2], reference: &Shape) -> Option<[f64; 2]> {
+fn leaning(
+    mesh: &Mesh,
+    bvh: &MeshBvh,
+    platform_mm: f64,
+    airfoil_mm: [f64; 2],
+    reference: &LoopShape,
+) -> Option<[f64; 2]> {
     let length = airfoil_mm[1] - airfoil_mm[0];
     let lean = |x: f64| -> Option<f64> {
         let (l, _) = airfoil_loop(mesh, bvh, x, reference)?;
@@ -224,21 +230,21 @@ const JUDGED_FROM: [f64; 3] = [0.3, 0.55, 0.8];
 const FILLET_HEIGHTS: u32 = 96;
 
 /// The loop at x that continues `before` and has not outgrown `reference`.
-fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &Shape, reference: &Shape) -> Option<Shape> {
+fn follow(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, before: &LoopShape, reference: &LoopShape) -> Option<LoopShape> {
     stitched(slice(mesh, bvh, x_mm))
         .iter()
-        .filter_map(Shape::new)
+        .filter_map(LoopShape::new)
         .filter(|s| s.continues(before, LOOSENESS))
         .filter(|s| s.area_mm2 < FILLET_AREA * reference.area_mm2 && s.area_mm2 > CUT_SHORT * reference.area_mm2)
         .find(|s| s.perimeter_mm < FILLET_LENGTH * reference.perimeter_mm)
 }
 
 /// The largest loop whose box meets the box of the airfoil's loop.
-fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &Shape) -> Option<Shape> {
+fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &LoopShape) -> Option<LoopShape> {
     let b = airfoil.bounds;
     stitched(slice(mesh, bvh, x_mm))
         .iter()
-        .filter_map(Shape::new)
+        .filter_map(LoopShape::new)
         .filter(|s| s.bounds[0] < b[2] && s.bounds[2] > b[0] && s.bounds[1] < b[3] && s.bounds[3] > b[1])
         .max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))
 }

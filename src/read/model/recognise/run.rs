@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, UnitQuaternion};
 
-use super::shape::Shape;
+use super::shape::LoopShape;
 use super::stitch::stitched;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice_triangles};
@@ -41,7 +41,7 @@ pub struct Link {
     /// Height along the direction, mm.
     pub height_mm: f64,
     /// Measures of its loop.
-    pub shape: Shape,
+    pub shape: LoopShape,
 }
 
 /// The best chain along a direction.
@@ -130,16 +130,16 @@ pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {
 
 /// Whether a second chain looks like the first, beside it or farther along than a snubber is thick:
 /// another airfoil.
-fn twin(sections: &Sections, step: f64, chain: &[(usize, usize)]) -> bool {
+fn twin(sections: &SectionsByHeight, step: f64, chain: &[(usize, usize)]) -> bool {
     let other = best_chain(sections, step, chain);
     let (Some(a), Some(b)) = (span(chain), span(&other)) else { return false };
     let apart = if a[0] > b[0] { a[0].saturating_sub(b[1]) } else { b[0].saturating_sub(a[1]) };
     let beside = a[0].max(b[0]) <= a[1].min(b[1]);
     let long = other.len() as f64 >= ALIKE * chain.len() as f64;
-    let mean = |chain: &[(usize, usize)], of: fn(&Shape) -> f64| {
+    let mean = |chain: &[(usize, usize)], of: fn(&LoopShape) -> f64| {
         chain.iter().map(|&(i, j)| of(&sections[i].1[j].1)).sum::<f64>() / chain.len() as f64
     };
-    let alike = |of: fn(&Shape) -> f64| {
+    let alike = |of: fn(&LoopShape) -> f64| {
         let (p, q) = (mean(chain, of), mean(&other, of));
         p.min(q) > ALIKE * p.max(q)
     };
@@ -155,9 +155,9 @@ fn span(chain: &[(usize, usize)]) -> Option<[usize; 2]> {
     Some([chain.first()?.0, chain.last()?.0])
 }
 
-type Sections = Vec<(f64, Vec<(Loop, Shape)>)>;
+type SectionsByHeight = Vec<(f64, Vec<(Loop, LoopShape)>)>;
 
-fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>) -> Sections {
+fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>) -> SectionsByHeight {
     let mut buckets: Vec<Vec<u32>> = vec![Vec::new(); HEIGHTS];
     for (t, corners) in turned.triangles.iter().enumerate() {
         let xs = corners.map(|i| turned.points[i as usize].x);
@@ -185,7 +185,7 @@ fn sections(turned: &Mesh, part_mm: [f64; 2], step: f64, faces: Option<&[bool]>)
             if let Some(faces) = faces {
                 loops.retain(|l| lies_on(turned, l, faces));
             }
-            (height, loops.into_iter().filter_map(|l| Shape::new(&l).map(|s| (l, s))).collect())
+            (height, loops.into_iter().filter_map(|l| LoopShape::new(&l).map(|s| (l, s))).collect())
         })
         .collect()
 }
@@ -227,7 +227,7 @@ fn lies_on(mesh: &Mesh, l: &Loop, faces: &[bool]) -> bool {
 
 /// Longest path: `best[i][j]` is the airfoil-like surface of the best chain that ends with loop j
 /// of section i. Loops in `without` do not count.
-fn best_chain(sections: &Sections, step: f64, without: &[(usize, usize)]) -> Vec<(usize, usize)> {
+fn best_chain(sections: &SectionsByHeight, step: f64, without: &[(usize, usize)]) -> Vec<(usize, usize)> {
     let mut best: Vec<Vec<(f64, Option<usize>)>> = Vec::with_capacity(sections.len());
     let mut end: Option<(usize, usize, f64)> = None;
     for (i, (_, loops)) in sections.iter().enumerate() {
@@ -273,7 +273,7 @@ fn summarise(
     direction: &Vector,
     part_mm: [f64; 2],
     step: f64,
-    sections: &Sections,
+    sections: &SectionsByHeight,
     chain: &[(usize, usize)],
 ) -> Run {
     let mut covariance = Matrix3::zeros();
@@ -344,8 +344,8 @@ fn summarise(
 }
 
 /// Whether larger sections lie beyond the chain's low and high end.
-fn bodies(sections: &Sections, chain: &[(usize, usize)]) -> [bool; 2] {
-    let larger = |beyond: &[(f64, Vec<(Loop, Shape)>)], end: Option<&(usize, usize)>| {
+fn bodies(sections: &SectionsByHeight, chain: &[(usize, usize)]) -> [bool; 2] {
+    let larger = |beyond: &[(f64, Vec<(Loop, LoopShape)>)], end: Option<&(usize, usize)>| {
         let own = end.map_or(f64::INFINITY, |&(i, j)| sections[i].1[j].1.area_mm2);
         beyond.iter().flat_map(|s| &s.1).any(|l| l.1.area_mm2 > LARGER * own)
     };

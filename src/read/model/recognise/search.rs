@@ -16,7 +16,7 @@
 use nalgebra::Matrix3;
 use rayon::prelude::*;
 
-use super::caps::{self, Ends, Patch};
+use super::caps::{self, AirfoilEnds, FlatPatch};
 use super::run::{self, Run};
 use super::{DOUBTFUL, given, rotor, words};
 use crate::error::{Error, Result, Stage};
@@ -57,7 +57,7 @@ const ROUNDS: usize = 4;
 const PROPOSES: f64 = 0.3;
 
 /// The axis that the search settled on.
-pub struct Found {
+pub struct FoundAxis {
     /// The run along it, from root to tip.
     pub run: Run,
     /// Axis and sense, and why.
@@ -74,7 +74,7 @@ pub struct Found {
 /// # Errors
 /// `InputOutput`: no direction along which sections continue; several airfoils; nothing like an
 /// airfoil.
-pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
+pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<FoundAxis> {
     let sides = edge_uses(&mesh.triangles);
     let patches = caps::patches(mesh, &sides);
     let along = |d: &Vector| run_along(mesh, d, faces, &patches);
@@ -111,14 +111,14 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<Found> {
     let direction = if flip { -run.direction } else { run.direction };
     let run = if flip { run::along(mesh, &direction, faces) } else { run };
     let reason = format!("axis: {}, {why}; {sense}", words(&direction));
-    Ok(Found { run, reason, sense: Some(sense).filter(|s| s != ENDS_ALIKE), doubt })
+    Ok(FoundAxis { run, reason, sense: Some(sense).filter(|s| s != ENDS_ALIKE), doubt })
 }
 
 /// The run along the line of a table's sections, from the first to the last.
 ///
 /// # Errors
 /// `InputOutput`: no sections along it.
-pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Result<Found> {
+pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Result<FoundAxis> {
     let (mut direction, what) = if stacking.parallel {
         (stacking.normal, "normal to the sections of the table, which are parallel planes")
     } else {
@@ -152,21 +152,21 @@ pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Resu
     };
     let sense = "root at the table's first section".to_owned();
     let reason = format!("axis: {}, {why}; {sense}", words(&direction));
-    Ok(Found { run, reason, sense: Some(sense), doubt })
+    Ok(FoundAxis { run, reason, sense: Some(sense), doubt })
 }
 
 /// A table whose last section is larger than the first by this factor may run from tip to root.
 const GROWS: f64 = 1.5;
 
 /// A run with its lids counted.
-fn run_along(mesh: &Mesh, d: &Vector, faces: Option<&[bool]>, patches: &[Patch]) -> Run {
+fn run_along(mesh: &Mesh, d: &Vector, faces: Option<&[bool]>, patches: &[FlatPatch]) -> Run {
     let mut run = run::along(mesh, d, faces);
     run.score *= 1.0 + LID * caps::lids(patches, &run) as f64;
     run
 }
 
 /// Runs along all candidates and along what good runs propose.
-fn tried(mesh: &Mesh, patches: &[Patch], along: impl Fn(&Vector) -> Run + Sync) -> Vec<Run> {
+fn tried(mesh: &Mesh, patches: &[FlatPatch], along: impl Fn(&Vector) -> Run + Sync) -> Vec<Run> {
     let mut directions = candidates(mesh);
     directions.extend(caps::directions(patches));
     let mut runs: Vec<Run> = directions.par_iter().map(&along).collect();
@@ -222,7 +222,7 @@ fn nearest_axis(direction: &Vector) -> (Vector, f64) {
 }
 
 /// The datum direction for the best run, or the run itself, and why.
-fn datum(runs: &mut Vec<Run>, top: usize, patches: &[Patch], along: impl Fn(&Vector) -> Run) -> (usize, String) {
+fn datum(runs: &mut Vec<Run>, top: usize, patches: &[FlatPatch], along: impl Fn(&Vector) -> Run) -> (usize, String) {
     let (direction, score) = (runs[top].direction, runs[top].score);
     let (axis, off_deg) = nearest_axis(&direction);
     let k = axis.iamax();
@@ -280,7 +280,7 @@ fn between_deg(a: &Vector, b: &Vector) -> f64 {
 /// Whether the blade stands along the first run rather than along the second, whose sections are
 /// cut short by its ends: along the first they are so less, and look like an airfoil over as much
 /// of the surface. Normals are not asked, since those of a wide blade with much twist say little.
-fn stands(radius: &Run, chosen: &Run, patches: &[Patch]) -> bool {
+fn stands(radius: &Run, chosen: &Run, patches: &[FlatPatch]) -> bool {
     if fading(chosen, caps::lids(patches, chosen)).is_none() || radius.covered() < chosen.covered() {
         return false;
     }
@@ -302,8 +302,8 @@ fn doubted(
     mesh: &Mesh,
     runs: &[Run],
     chosen: usize,
-    patches: &[Patch],
-    ends: Option<Ends>,
+    patches: &[FlatPatch],
+    ends: Option<AirfoilEnds>,
     radius: Option<usize>,
 ) -> Option<String> {
     let run = &runs[chosen];
@@ -330,9 +330,9 @@ struct Other {
 
 /// The line to take where the blade leans; also where both ends of an airfoil are known, curved or
 /// askew, and no section square to the direction comes near them. `None`: neither.
-fn aslant(run: &Run, patches: &[Patch], ends: Option<Ends>) -> Option<Other> {
+fn aslant(run: &Run, patches: &[FlatPatch], ends: Option<AirfoilEnds>) -> Option<Other> {
     const WHY: &str = "the line from the middle of one end to that of the other";
-    let sense = |e: Ends| {
+    let sense = |e: AirfoilEnds| {
         (e.ratio > TAPERS).then(|| (false, format!("root at the larger of both ends, by {:.1} times", e.ratio)))
     };
     let d = run.direction;
@@ -394,7 +394,7 @@ fn fading(run: &Run, lids: usize) -> Option<String> {
 }
 
 /// What is said where both ends are flat, parallel, and far from square to the axis.
-fn slanted(run: &Run, patches: &[Patch]) -> Option<String> {
+fn slanted(run: &Run, patches: &[FlatPatch]) -> Option<String> {
     let normal = caps::slanted_ends(patches, run, COMMON_DEG, LEAN_DEG)?;
     let deg = normal.dot(&run.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
     Some(format!(

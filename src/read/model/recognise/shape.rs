@@ -7,7 +7,7 @@ use crate::geometry::slice::Loop;
 
 /// Measures of one closed loop.
 #[derive(Clone, Copy, Debug)]
-pub struct Shape {
+pub struct LoopShape {
     /// Area, mm².
     pub area_mm2: f64,
     /// Length of the loop, mm.
@@ -31,9 +31,9 @@ const HOLLOW: f64 = 0.04;
 /// Where the ends' width is taken, as a share of the extent along the main axis.
 const NEAR_END: f64 = 0.03;
 
-impl Shape {
+impl LoopShape {
     /// Measures a closed loop of positive area; `None` for others.
-    pub fn new(l: &Loop) -> Option<Shape> {
+    pub fn new(l: &Loop) -> Option<LoopShape> {
         let area = l.area_mm2();
         let perimeter = l.length_mm();
         if !l.closed || area <= 0.0 || perimeter <= 0.0 {
@@ -49,7 +49,7 @@ impl Shape {
         let likeness = falling(roundness, 0.55, 0.9)
             * [1.0, 1.0, 0.7, 0.1].get(hollows).copied().unwrap_or(0.0)
             * (0.3 + 0.7 * falling(bluntness, 0.65, 0.95));
-        Some(Shape {
+        Some(LoopShape {
             area_mm2: area,
             perimeter_mm: perimeter,
             centroid,
@@ -62,7 +62,7 @@ impl Shape {
     }
 
     /// The same loop seen from an origin at (y, z).
-    pub fn seen_from(mut self, origin: [f64; 2]) -> Shape {
+    pub fn seen_from(mut self, origin: [f64; 2]) -> LoopShape {
         for k in 0..2 {
             self.centroid[k] -= origin[k];
             self.bounds[k] -= origin[k];
@@ -73,7 +73,7 @@ impl Shape {
 
     /// Whether this loop continues the other one a small step along the axis: area, perimeter and
     /// place change little.
-    pub fn continues(&self, other: &Shape, looseness: f64) -> bool {
+    pub fn continues(&self, other: &LoopShape, looseness: f64) -> bool {
         let near = |a: f64, b: f64| a.max(b) < (1.0 + looseness) * a.min(b);
         let shift = (self.centroid[0] - other.centroid[0]).hypot(self.centroid[1] - other.centroid[1]);
         near(self.area_mm2, other.area_mm2)
@@ -259,9 +259,9 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    fn shape(points: Vec<[f64; 2]>) -> Shape {
+    fn shape(points: Vec<[f64; 2]>) -> LoopShape {
         let triangles = vec![0; points.len()];
-        Shape::new(&Loop { points, triangles, closed: true }).unwrap()
+        LoopShape::new(&Loop { points, triangles, closed: true }).unwrap()
     }
 
     /// An arc-shaped airfoil: camber arc of this height, parabolic thickness.

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::outlines;
-use crate::geometry::profile::{Ends, Outline, Profile, Sides, TOLERANCE_MM};
+use crate::geometry::profile::{Outline, Profile, SectionEnds, Sides, TOLERANCE_MM};
 
 /// Sections that say it: a blade that twists by a right angle turns by some degrees from one to the
 /// next.
@@ -15,14 +15,14 @@ const SECTIONS: usize = 33;
 /// heights.
 pub fn sides(part: &Part, [lo, hi]: [f64; 2], boxes: &[(f64, [f64; 4])]) -> Option<Sides> {
     let height = |k: usize| lo + (hi - lo) * (k as f64 + 0.5) / SECTIONS as f64;
-    let ends = |x_mm: f64| -> Option<(f64, Ends)> {
+    let ends = |x_mm: f64| -> Option<(f64, SectionEnds)> {
         let airfoil = outlines(part, x_mm).loops.into_iter().min_by(|a, b| {
             let [a, b] = [a, b].map(|o| away_mm(boxes, x_mm, o));
             a.total_cmp(&b)
         })?;
         Some((x_mm, Profile::of(airfoil, TOLERANCE_MM).ends()))
     };
-    let sections: Vec<(f64, Ends)> = (0..SECTIONS).into_par_iter().filter_map(|k| ends(height(k))).collect();
+    let sections: Vec<(f64, SectionEnds)> = (0..SECTIONS).into_par_iter().filter_map(|k| ends(height(k))).collect();
     Sides::along(&sections)
 }
 

@@ -6,7 +6,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::tessellate::edges::add_natural_loops;
 use crate::geometry::tessellate::loops::Seeds;
-use crate::geometry::tessellate::{Options, tessellate};
+use crate::geometry::tessellate::{TessellateOptions, tessellate};
 use crate::observe::Silent;
 
 use super::curve::{foot, length};
@@ -147,7 +147,7 @@ fn alone(brep: &Brep, f: &Face) -> Option<Mesh> {
             own.edges.len() - 1
         });
     }
-    tessellate(&own, &Options::with_deflection(0.05), &Silent).ok().map(|t| t.mesh)
+    tessellate(&own, &TessellateOptions::with_deflection(0.05), &Silent).ok().map(|t| t.mesh)
 }
 
 /// Removes faces; their names. Their edges stay, without use.

@@ -102,7 +102,7 @@ fn loose_box(size: [f64; 3], off: f64) -> Brep {
 /// The volume that the faces enclose once they are turned alike; area and volume of the turned
 /// faces themselves must agree with those of their triangles.
 fn volume(brep: &Brep) -> Option<f64> {
-    let options = crate::geometry::tessellate::Options::with_deflection(0.01);
+    let options = crate::geometry::tessellate::TessellateOptions::with_deflection(0.01);
     let t = crate::geometry::tessellate::tessellate(brep, &options, &crate::observe::Silent).unwrap();
     let loops = crate::geometry::exact::measure::Loops::new(&t);
     let (mut brep, mut mesh) = (t.brep, t.mesh);

@@ -8,7 +8,7 @@ use crate::geometry::Point;
 
 /// Points of one block in the file's unit. Tables that give both sides in one row have two lists.
 #[derive(Clone, Debug, Default)]
-pub struct Block {
+pub struct PointBlock {
     /// File and first line, for messages.
     pub place: String,
     /// Points of the block; with columns for each side, of side 1.
@@ -159,7 +159,7 @@ fn name(role: Role) -> &'static str {
 
 /// A line of a table.
 #[derive(Debug, PartialEq)]
-pub enum Line {
+pub enum TableLine {
     /// Nothing.
     Blank,
     /// Not beginning with a number.
@@ -171,27 +171,27 @@ pub enum Line {
 }
 
 /// What a line holds. Numbers are parted by white space, commas and semicolons.
-pub fn line(text: &str, decimal_comma: bool) -> Line {
+pub fn line(text: &str, decimal_comma: bool) -> TableLine {
     let text = text.trim();
     if text.is_empty() {
-        return Line::Blank;
+        return TableLine::Blank;
     }
     let text = text.trim_end_matches([',', ';']);
     let separator = if decimal_comma || text.contains(';') { ';' } else { ',' };
     let mut numbers = Vec::new();
     for cell in text.split(separator) {
         if cell.trim().is_empty() {
-            return if numbers.is_empty() { Line::Text } else { Line::Damaged("an empty cell".into()) };
+            return if numbers.is_empty() { TableLine::Text } else { TableLine::Damaged("an empty cell".into()) };
         }
         for word in cell.split_whitespace() {
             match number(word, decimal_comma) {
                 Some(x) => numbers.push(x),
-                None if numbers.is_empty() => return Line::Text,
-                None => return Line::Damaged(format!("\"{}\"", word.chars().take(30).collect::<String>())),
+                None if numbers.is_empty() => return TableLine::Text,
+                None => return TableLine::Damaged(format!("\"{}\"", word.chars().take(30).collect::<String>())),
             }
         }
     }
-    if numbers.is_empty() { Line::Text } else { Line::Numbers(numbers) }
+    if numbers.is_empty() { TableLine::Text } else { TableLine::Numbers(numbers) }
 }
 
 /// A number, also with Fortran's `D` for the exponent.
@@ -219,16 +219,16 @@ pub fn blocks(text: &str, file: &str, header: &Header, columns: usize) -> Result
         let ends =
             |by: Blocks| header.points_per_block.is_none() && (header.blocks == by || header.blocks == Blocks::Any);
         let row = match line(raw, header.decimal_comma) {
-            Line::Blank => {
+            TableLine::Blank => {
                 open &= !ends(Blocks::BlankLine);
                 continue;
             }
-            Line::Text => {
+            TableLine::Text => {
                 open &= !ends(Blocks::TextLine);
                 continue;
             }
-            Line::Damaged(word) => return Err(format!("{}: {word} is not a number", place())),
-            Line::Numbers(row) => row,
+            TableLine::Damaged(word) => return Err(format!("{}: {word} is not a number", place())),
+            TableLine::Numbers(row) => row,
         };
         if row.len() < columns && row.iter().all(|x| x.fract() == 0.0 && *x >= 0.0) {
             // A count of points before them.
@@ -263,14 +263,14 @@ pub fn blocks(text: &str, file: &str, header: &Header, columns: usize) -> Result
 /// rows of different length: line and count.
 pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
     let width = |l: &str| match line(l, false) {
-        Line::Numbers(row) if row.len() > 1 => row.len(),
+        TableLine::Numbers(row) if row.len() > 1 => row.len(),
         _ => 0,
     };
     let widths: Vec<usize> = text.lines().map(width).collect();
     let most = widths.iter().copied().max().unwrap_or(0);
     // Counts of points, in rows shorter than those of the points, part blocks.
     let is_count =
-        |l: &str| matches!(line(l, false), Line::Numbers(r) if r.iter().all(|x| x.fract() == 0.0 && *x > 0.0));
+        |l: &str| matches!(line(l, false), TableLine::Numbers(r) if r.iter().all(|x| x.fract() == 0.0 && *x > 0.0));
     let counts = text.lines().zip(&widths).map(|(l, w)| *w < most && is_count(l)).collect::<Vec<_>>();
     let widths: Vec<usize> = widths.into_iter().zip(counts).map(|(w, count)| if count { 0 } else { w }).collect();
     let starts = widths.iter().enumerate().filter(|(k, w)| **w > 0 && (*k == 0 || widths[k - 1] == 0)).count();
@@ -283,7 +283,7 @@ pub fn count_blocks(text: &str) -> (usize, Option<[(usize, usize); 2]>) {
 /// order.
 pub fn points(text: &str) -> Vec<Point> {
     let point = |l: &str| match line(l, false) {
-        Line::Numbers(row) if row.len() > 1 => {
+        TableLine::Numbers(row) if row.len() > 1 => {
             let at = |k: usize| row.get(row.len().saturating_sub(3) + k).copied().unwrap_or(0.0);
             Some(Point::new(at(0), at(1), at(2)))
         }
@@ -352,18 +352,18 @@ mod tests {
 
     #[test]
     fn lines() {
-        assert_eq!(line("  1 2.5e1 -3D-1", false), Line::Numbers(vec![1.0, 25.0, -0.3]));
-        assert_eq!(line("1,2 ,3,", false), Line::Numbers(vec![1.0, 2.0, 3.0]));
-        assert_eq!(line("1;2;3", false), Line::Numbers(vec![1.0, 2.0, 3.0]));
-        assert_eq!(line("1,5; 2 ; 3,25", true), Line::Numbers(vec![1.5, 2.0, 3.25]));
-        assert_eq!(line("1,5 2,5", true), Line::Numbers(vec![1.5, 2.5]));
-        assert_eq!(line("x,y,z", false), Line::Text);
-        assert_eq!(line("# 1 2 3", false), Line::Text);
-        assert_eq!(line("nan 1 2", false), Line::Text);
-        assert_eq!(line(" \t", false), Line::Blank);
-        assert!(matches!(line("1 2 three", false), Line::Damaged(w) if w.contains("three")));
-        assert!(matches!(line("1,,3", false), Line::Damaged(_)));
-        assert!(matches!(line("1 nan 3", false), Line::Damaged(_)));
+        assert_eq!(line("  1 2.5e1 -3D-1", false), TableLine::Numbers(vec![1.0, 25.0, -0.3]));
+        assert_eq!(line("1,2 ,3,", false), TableLine::Numbers(vec![1.0, 2.0, 3.0]));
+        assert_eq!(line("1;2;3", false), TableLine::Numbers(vec![1.0, 2.0, 3.0]));
+        assert_eq!(line("1,5; 2 ; 3,25", true), TableLine::Numbers(vec![1.5, 2.0, 3.25]));
+        assert_eq!(line("1,5 2,5", true), TableLine::Numbers(vec![1.5, 2.5]));
+        assert_eq!(line("x,y,z", false), TableLine::Text);
+        assert_eq!(line("# 1 2 3", false), TableLine::Text);
+        assert_eq!(line("nan 1 2", false), TableLine::Text);
+        assert_eq!(line(" \t", false), TableLine::Blank);
+        assert!(matches!(line("1 2 three", false), TableLine::Damaged(w) if w.contains("three")));
+        assert!(matches!(line("1,,3", false), TableLine::Damaged(_)));
+        assert!(matches!(line("1 nan 3", false), TableLine::Damaged(_)));
     }
 
     #[test]

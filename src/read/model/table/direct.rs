@@ -1,12 +1,12 @@
 //! Tables that say themselves what they are: Tecplot zones, TurboGrid curves, T-Blade3 sections.
 
-use super::columns::{self, Columns, Line, Rows};
+use super::columns::{self, Columns, Rows, TableLine};
 use super::header::{Angle, Blocks, Header};
 use super::suspect;
 
 /// What a text is, by its content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum TableKind {
     /// `VARIABLES`, `ZONE`, points.
     Tecplot,
     /// Sections of three columns, each below a line that begins with `#`.
@@ -17,20 +17,20 @@ pub enum Kind {
     Numbers,
 }
 
-impl Kind {
+impl TableKind {
     /// As people call it.
     pub fn name(self) -> &'static str {
         match self {
-            Kind::Tecplot => "Tecplot zones",
-            Kind::TurboGrid => "TurboGrid curves",
-            Kind::TBlade3 => "T-Blade3",
-            Kind::Numbers => "rows of numbers",
+            TableKind::Tecplot => "Tecplot zones",
+            TableKind::TurboGrid => "TurboGrid curves",
+            TableKind::TBlade3 => "T-Blade3",
+            TableKind::Numbers => "rows of numbers",
         }
     }
 }
 
 /// Blocks of a file with the columns to read them by.
-pub struct Table {
+pub struct PointTable {
     /// The blocks.
     pub blocks: Vec<Rows>,
     /// Their columns.
@@ -43,7 +43,7 @@ pub struct Table {
 const LOOK: usize = 400;
 
 /// Tells a table by its first lines; `None`: not a table.
-pub fn detect(bytes: &[u8]) -> Option<Kind> {
+pub fn detect(bytes: &[u8]) -> Option<TableKind> {
     let head = &bytes[..bytes.len().min(1 << 16)];
     if head.contains(&0) {
         return None;
@@ -51,20 +51,21 @@ pub fn detect(bytes: &[u8]) -> Option<Kind> {
     let text = String::from_utf8_lossy(head);
     let lines: Vec<&str> = text.lines().map(str::trim).filter(|l| !l.is_empty()).take(LOOK).collect();
     if lines.iter().find(|l| !l.starts_with('#')).is_some_and(|l| keyword(l).is_some()) {
-        return Some(Kind::Tecplot);
+        return Some(TableKind::Tecplot);
     }
     if let [counts, first, ..] = lines[..]
-        && let (Line::Numbers(n), Line::Numbers(row)) = (columns::line(counts, false), columns::line(first, false))
+        && let (TableLine::Numbers(n), TableLine::Numbers(row)) =
+            (columns::line(counts, false), columns::line(first, false))
         && n.len() == 2
         && row.len() == 3
         && n.iter().all(|x| x.fract() == 0.0 && *x >= 1.0)
     {
-        return Some(Kind::TBlade3);
+        return Some(TableKind::TBlade3);
     }
     // A damaged row is still a row: its reader says where it is.
     let width = |l: &str| match columns::line(curve_row(l), false) {
-        Line::Numbers(row) => row.len(),
-        Line::Damaged(_) => 2,
+        TableLine::Numbers(row) => row.len(),
+        TableLine::Damaged(_) => 2,
         _ => 0,
     };
     let rows = lines.iter().filter(|l| width(l) >= 2).count();
@@ -74,10 +75,10 @@ pub fn detect(bytes: &[u8]) -> Option<Kind> {
         let three = lines.iter().filter(|l| width(l) == 3).count();
         let others = lines.iter().filter(|l| !l.starts_with('#')).count();
         if 10 * three >= 9 * others && (headers > 1 || bytes.len() > head.len()) {
-            return Some(Kind::TurboGrid);
+            return Some(TableKind::TurboGrid);
         }
     }
-    (rows > 3 && 10 * rows >= 6 * lines.len()).then_some(Kind::Numbers)
+    (rows > 3 && 10 * rows >= 6 * lines.len()).then_some(TableKind::Numbers)
 }
 
 /// A row of a TurboGrid curve without the marks of leading and trailing edge (`le1`, `te1`) that
@@ -98,22 +99,22 @@ fn curve_row(line: &str) -> &str {
 ///
 /// # Errors
 /// A sentence with file and line.
-pub fn read(kind: Kind, text: &str, file: &str, header: &Header) -> Result<Table, String> {
+pub fn read(kind: TableKind, text: &str, file: &str, header: &Header) -> Result<PointTable, String> {
     let xyz = || Columns::new(&["x", "y", "z"].map(String::from), Angle::Rad, false);
     match kind {
-        Kind::Tecplot => tecplot(text, file, header),
-        Kind::TurboGrid => {
+        TableKind::Tecplot => tecplot(text, file, header),
+        TableKind::TurboGrid => {
             let text: Vec<&str> = text.lines().map(curve_row).collect();
             let header = Header { blocks: Blocks::TextLine, ..header.clone() };
-            Ok(Table {
+            Ok(PointTable {
                 blocks: columns::blocks(&text.join("\n"), file, &header, 3)?,
                 columns: xyz()?,
                 notes: Vec::new(),
             })
         }
-        Kind::TBlade3 => {
+        TableKind::TBlade3 => {
             let first = text.lines().position(|l| !l.trim().is_empty()).unwrap_or(0);
-            let Line::Numbers(counts) = columns::line(text.lines().nth(first).unwrap_or(""), false) else {
+            let TableLine::Numbers(counts) = columns::line(text.lines().nth(first).unwrap_or(""), false) else {
                 return Err(format!("{file}: the counts of points and sections are missing"));
             };
             let (points, sections) = match counts[..] {
@@ -128,9 +129,9 @@ pub fn read(kind: Kind, text: &str, file: &str, header: &Header) -> Result<Table
                     blocks.len()
                 ));
             }
-            Ok(Table { blocks, columns: xyz()?, notes: Vec::new() })
+            Ok(PointTable { blocks, columns: xyz()?, notes: Vec::new() })
         }
-        Kind::Numbers => Err(match columns::count_blocks(text) {
+        TableKind::Numbers => Err(match columns::count_blocks(text) {
             (_, Some([(l, n), (k, m)])) => {
                 format!(
                     "it holds rows of different length ({n} numbers in line {l}, {m} in line {k}), and nothing says what they mean"
@@ -209,7 +210,7 @@ impl Zone {
     }
 }
 
-fn tecplot(text: &str, file: &str, header: &Header) -> Result<Table, String> {
+fn tecplot(text: &str, file: &str, header: &Header) -> Result<PointTable, String> {
     let (variables, zones) = zones(text, file, header.skip_lines)?;
     let chosen = choose(zones, file, header)?;
     let mut blocks = Vec::new();
@@ -244,7 +245,7 @@ fn tecplot(text: &str, file: &str, header: &Header) -> Result<Table, String> {
         return Err(format!("{file}: {} columns are named, the zones have {width} variables", names.len()));
     }
     let columns = Columns::new(&names, header.angle, !header.heights.is_empty())?;
-    Ok(Table { blocks, columns, notes: Vec::new() })
+    Ok(PointTable { blocks, columns, notes: Vec::new() })
 }
 
 /// The zones that are asked for; several zones that are surfaces of their own are not one blade.
@@ -293,7 +294,7 @@ fn zones(text: &str, file: &str, skip: usize) -> Result<(Vec<String>, Vec<Zone>)
             None => {}
         }
         match columns::line(line, false) {
-            Line::Numbers(row) => {
+            TableLine::Numbers(row) => {
                 naming = false;
                 if zones.last().is_none_or(|z| z.ended) {
                     zones.push(Zone { place: place(), ..Zone::default() });
@@ -303,7 +304,7 @@ fn zones(text: &str, file: &str, skip: usize) -> Result<(Vec<String>, Vec<Zone>)
                     zone.values.extend(row);
                 }
             }
-            Line::Damaged(word) => return Err(format!("{}: {word} is not a number", place())),
+            TableLine::Damaged(word) => return Err(format!("{}: {word} is not a number", place())),
             _ if naming => variables.extend(words(line)),
             _ => match zones.last_mut() {
                 Some(zone) if zone.values.is_empty() => zone.keys.extend(pairs(line)),
@@ -359,12 +360,12 @@ mod tests {
     fn kinds_are_told_by_content() {
         let rows = "1 2 3\n".repeat(9);
         let kind = |t: String| detect(t.as_bytes());
-        assert_eq!(kind(format!("# made by\nVariables= X  Y  Z \nzone i= 9\n{rows}")), Some(Kind::Tecplot));
-        assert_eq!(kind(format!("# Profile 1 at 0.00%\n{rows}# Profile 2\n{rows}")), Some(Kind::TurboGrid));
-        assert_eq!(kind(format!("## Profile 1\n{rows}1 2 3 le1\n## Profile 2\n{rows}")), Some(Kind::TurboGrid));
-        assert_eq!(kind(format!("  9   1\n{rows}")), Some(Kind::TBlade3));
-        assert_eq!(kind(rows.clone()), Some(Kind::Numbers));
-        assert_eq!(kind(format!("X,Y,Z\n{rows}")), Some(Kind::Numbers));
+        assert_eq!(kind(format!("# made by\nVariables= X  Y  Z \nzone i= 9\n{rows}")), Some(TableKind::Tecplot));
+        assert_eq!(kind(format!("# Profile 1 at 0.00%\n{rows}# Profile 2\n{rows}")), Some(TableKind::TurboGrid));
+        assert_eq!(kind(format!("## Profile 1\n{rows}1 2 3 le1\n## Profile 2\n{rows}")), Some(TableKind::TurboGrid));
+        assert_eq!(kind(format!("  9   1\n{rows}")), Some(TableKind::TBlade3));
+        assert_eq!(kind(rows.clone()), Some(TableKind::Numbers));
+        assert_eq!(kind(format!("X,Y,Z\n{rows}")), Some(TableKind::Numbers));
         assert_eq!(kind("a text\nof words\n".into()), None);
         assert_eq!(detect(b"1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n\0"), None);
         assert_eq!(kind("zoned out\n".into()), None);
@@ -374,7 +375,7 @@ mod tests {
     fn tecplot_in_its_forms() {
         let read = |t: &str, zones: &[&str]| {
             let header = Header { zones: zones.iter().map(|z| (*z).to_owned()).collect(), ..Header::default() };
-            read(Kind::Tecplot, t, "t", &header)
+            read(TableKind::Tecplot, t, "t", &header)
         };
         // Points, a title over two lines, a variable before the coordinates.
         let t = read(
@@ -414,9 +415,9 @@ mod tests {
     #[test]
     fn counts_of_tblade3_are_held_against_the_rows() {
         let good = "3 2\n0 0 0\n1 0 0\n0 1 0\n0 0 5\n1 0 5\n0 1 5\n";
-        assert_eq!(read(Kind::TBlade3, good, "t", &Header::default()).unwrap().blocks.len(), 2);
+        assert_eq!(read(TableKind::TBlade3, good, "t", &Header::default()).unwrap().blocks.len(), 2);
         for bad in [good.replacen("3 2", "3 3", 1), good.replacen("3 2", "4 2", 1)] {
-            assert!(read(Kind::TBlade3, &bad, "t", &Header::default()).is_err());
+            assert!(read(TableKind::TBlade3, &bad, "t", &Header::default()).is_err());
         }
     }
 }

@@ -4,7 +4,7 @@
 //! number belong together and the grid is the table itself. Otherwise each section becomes a spline
 //! of its own, cut at its edges, and is sampled at shares of the length between them.
 
-use super::outline::{Outline, steps};
+use super::outline::{TableOutline, steps};
 use crate::geometry::Point;
 use crate::geometry::nurbs::fit::{ControlRows, FitError, PeriodicRows, interpolate_rows};
 
@@ -105,7 +105,7 @@ fn cumulative(steps: &[f64]) -> Vec<f64> {
 }
 
 /// The table itself as a grid, if points of one number belong together.
-pub fn by_number(outlines: &[Outline]) -> Option<Grid> {
+pub fn by_number(outlines: &[TableOutline]) -> Option<Grid> {
     let first = outlines.first()?;
     let n = first.points.len();
     if outlines.iter().any(|o| o.points.len() != n || o.ends != first.ends) || !alike(outlines) {
@@ -113,7 +113,7 @@ pub fn by_number(outlines: &[Outline]) -> Option<Grid> {
     }
     // An edge is where most sections have one.
     let mut votes = vec![0; n];
-    outlines.iter().flat_map(Outline::corners).for_each(|i| votes[i] += 1);
+    outlines.iter().flat_map(TableOutline::corners).for_each(|i| votes[i] += 1);
     let sharp: Vec<usize> = (0..n).filter(|&i| 2 * votes[i] > outlines.len()).collect();
     let ends = first.ends.unwrap_or_else(|| farthest_in_all(outlines));
     let share: Vec<f64> = {
@@ -133,7 +133,7 @@ pub fn by_number(outlines: &[Outline]) -> Option<Grid> {
 }
 
 /// Steps in like proportions, and no other start that fits far better.
-fn alike(outlines: &[Outline]) -> bool {
+fn alike(outlines: &[TableOutline]) -> bool {
     let shares: Vec<Vec<f64>> = outlines
         .iter()
         .map(|o| {
@@ -152,7 +152,7 @@ fn alike(outlines: &[Outline]) -> bool {
         return false;
     }
     outlines.windows(2).all(|w| {
-        let centred = |o: &Outline| {
+        let centred = |o: &TableOutline| {
             let c = o.centroid();
             o.points.iter().map(|p| p - c).collect::<Vec<_>>()
         };
@@ -166,7 +166,7 @@ fn alike(outlines: &[Outline]) -> bool {
 }
 
 /// The two columns that are farthest apart in all sections together.
-fn farthest_in_all(outlines: &[Outline]) -> [usize; 2] {
+fn farthest_in_all(outlines: &[TableOutline]) -> [usize; 2] {
     let n = outlines[0].points.len();
     let mut best = ([0, n / 2], -1.0);
     for i in 0..n {
@@ -208,7 +208,7 @@ fn anchors(params: &[f64], sharp: &[usize], ends: [usize; 2]) -> Option<(usize, 
 }
 
 /// A section as a spline, cut at its anchors.
-struct Shape {
+struct SectionSpline {
     pieces: Vec<ControlRows>,
     anchors: Vec<Anchor>,
     /// Parameters of the section's points in each piece, as shares.
@@ -220,22 +220,22 @@ struct Shape {
 ///
 /// # Errors
 /// A sentence: sections with different edges.
-pub fn by_shape(outlines: &[Outline], parts: usize, sharp: bool) -> Result<Grid, String> {
+pub fn by_shape(outlines: &[TableOutline], parts: usize, sharp: bool) -> Result<Grid, String> {
     let mut outlines = outlines.to_vec();
     let mut before = None;
     let mut shapes = Vec::with_capacity(outlines.len());
     for o in &mut outlines {
         let mut ends = o.ends.unwrap_or_else(|| o.farthest());
-        let chord = |o: &Outline, e: [usize; 2]| o.points[e[0]] - o.points[e[1]];
+        let chord = |o: &TableOutline, e: [usize; 2]| o.points[e[0]] - o.points[e[1]];
         if before.is_some_and(|b| chord(o, ends).dot(&b) < 0.0) {
             ends.reverse();
         }
         before = Some(chord(o, ends));
         shapes.push(shape(o, ends, sharp)?);
     }
-    let kinds = |s: &Shape| s.anchors.iter().map(|a| (a.sharp, a.end)).collect::<Vec<_>>();
+    let kinds = |s: &SectionSpline| s.anchors.iter().map(|a| (a.sharp, a.end)).collect::<Vec<_>>();
     if let Some(k) = shapes.iter().position(|s| kinds(s) != kinds(&shapes[0])) {
-        let count = |s: &Shape| s.anchors.iter().filter(|a| a.sharp).count();
+        let count = |s: &SectionSpline| s.anchors.iter().filter(|a| a.sharp).count();
         return Err(format!(
             "the section at {} has {} sharp edges, that at {} has {}",
             outlines[k].place,
@@ -272,7 +272,7 @@ fn divided(shares: &[f64], parts: usize, fewest: usize) -> Vec<f64> {
     out
 }
 
-fn shape(o: &Outline, ends: [usize; 2], sharp: bool) -> Result<Shape, String> {
+fn shape(o: &TableOutline, ends: [usize; 2], sharp: bool) -> Result<SectionSpline, String> {
     let grid = Grid { rows: vec![o.points.clone()], anchors: Vec::new() };
     let corners = if sharp { o.corners() } else { Vec::new() };
     let (start, anchors) = anchors(&grid.params_around(), &corners, ends)
@@ -290,7 +290,7 @@ fn shape(o: &Outline, ends: [usize; 2], sharp: bool) -> Result<Shape, String> {
             piece.map(|j| (params[j] - t0) / (t1 - t0)).collect()
         })
         .collect();
-    Ok(Shape { pieces, anchors, shares })
+    Ok(SectionSpline { pieces, anchors, shares })
 }
 
 /// Control rows of the pieces between anchors; sections are the columns. Without sharp edges the

@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::grid::{Grid, by_number, by_shape, pieces};
-use super::outline::Outline;
+use super::outline::TableOutline;
 use crate::geometry::Point;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::fit::surface_through_rows;
@@ -75,7 +75,7 @@ pub struct Fitted {
 ///
 /// # Errors
 /// A sentence: edges that differ, surfaces that cannot be interpolated.
-pub fn fit(outlines: &[Outline], tolerance_mm: f64) -> Result<Fitted, String> {
+pub fn fit(outlines: &[TableOutline], tolerance_mm: f64) -> Result<Fitted, String> {
     if let Some(grid) = by_number(outlines) {
         let loft = Loft::through(grid)?;
         let error = loft.error(outlines);
@@ -124,9 +124,13 @@ impl Loft {
     }
 
     /// Distance of the points of the table, section by section, from the surfaces.
-    pub fn error(&self, outlines: &[Outline]) -> FitError {
-        let probe =
-            |(row, o): (usize, &Outline)| Probe { points: o.table.clone(), row, v: self.along[row], aligned: false };
+    pub fn error(&self, outlines: &[TableOutline]) -> FitError {
+        let probe = |(row, o): (usize, &TableOutline)| Probe {
+            points: o.table.clone(),
+            row,
+            v: self.along[row],
+            aligned: false,
+        };
         self.distances(&outlines.iter().enumerate().map(probe).collect::<Vec<_>>())
     }
 

@@ -29,16 +29,16 @@ use std::path::Path;
 
 use super::faces::FaceModel;
 use super::format::without_mark;
-use super::units::{self, Source};
+use super::units::{self, UnitSource};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::geometry::{Point, Vector};
 
-use columns::{Block, Columns, Rows};
-use direct::Kind;
+use columns::{Columns, PointBlock, Rows};
+use direct::TableKind;
 use header::{Header, Order};
-use outline::Outline;
+use outline::TableOutline;
 
 /// Greatest distance of a point from the surface, mm, if the header says nothing: a tenth of a
 /// usual form tolerance.
@@ -112,15 +112,15 @@ const ADVICE: &str = "a blade needs two sections or more, in order along the spa
     NAME.toml beside the data with [sections], files, unit, columns (see the README); extrude = LENGTH there draws a single \
     flat profile out";
 
-fn unit_taken(header: &Header, told: Option<Unit>) -> (Unit, String, Source) {
+fn unit_taken(header: &Header, told: Option<Unit>) -> (Unit, String, UnitSource) {
     match (told, header.unit, header.unit_mm) {
-        (Some(u), _, _) => (u, format!("{}, as told", units::name(u)), Source::Told),
-        (None, Some(u), _) => (u, format!("{}, as the header says", units::name(u)), Source::Declared),
+        (Some(u), _, _) => (u, format!("{}, as told", units::name(u)), UnitSource::Told),
+        (None, Some(u), _) => (u, format!("{}, as the header says", units::name(u)), UnitSource::Declared),
         (None, None, Some(mm)) => {
             let reason = format!("mm, converted: one unit of the table is {mm} mm, as the header says");
-            (Unit::Mm, reason, Source::Declared)
+            (Unit::Mm, reason, UnitSource::Declared)
         }
-        (None, None, None) => (Unit::Mm, "mm, since the table names no unit".to_owned(), Source::Assumed),
+        (None, None, None) => (Unit::Mm, "mm, since the table names no unit".to_owned(), UnitSource::Assumed),
     }
 }
 
@@ -154,7 +154,7 @@ fn gather(header: &Header, sources: &[(String, String)]) -> Said<Raw> {
     let mut notes = Vec::new();
     for (name, text) in sources {
         let kind = direct::detect(text.trim_start().as_bytes());
-        let tecplot = kind == Some(Kind::Tecplot);
+        let tecplot = kind == Some(TableKind::Tecplot);
         let (more, columns, format) = if header.columns.is_empty() || tecplot {
             let kind = kind.ok_or_else(|| format!("{name} holds no rows of numbers"))?;
             let table = direct::read(kind, text, name, header)?;
@@ -193,15 +193,15 @@ fn outlines(
     columns: &Columns,
     mm: f64,
     notes: &mut Vec<String>,
-) -> Said<Vec<Outline>> {
+) -> Said<Vec<TableOutline>> {
     let two = columns.sides() == 2;
     let points = |rows: &Rows, side: usize, height: f64| -> Vec<Point> {
         rows.1.iter().map(|r| Point::from(columns.point(r, side, height).coords * mm)).collect()
     };
     // Height 1 where there are heights, since a radius must not be 0.
-    let flat: Vec<Block> = blocks
+    let flat: Vec<PointBlock> = blocks
         .iter()
-        .map(|b| Block {
+        .map(|b| PointBlock {
             place: b.0.clone(),
             points: points(b, 0, 1.0),
             other: if two { points(b, 1, 1.0) } else { Vec::new() },
@@ -233,9 +233,9 @@ fn outlines(
         let degenerate = extent(&first) <= 1e-6 * largest;
         let outline = match (two, paired) {
             _ if degenerate => Err(format!("the section at {} {POINT}", block.0)),
-            (true, _) => Outline::from_sides(&block.0, first, points(block, 1, height)),
-            (_, true) => Outline::from_sides(&block.0, first, points(&blocks[s * 2 + 1], 0, height)),
-            _ => Outline::from_loop(&block.0, first),
+            (true, _) => TableOutline::from_sides(&block.0, first, points(block, 1, height)),
+            (_, true) => TableOutline::from_sides(&block.0, first, points(&blocks[s * 2 + 1], 0, height)),
+            _ => TableOutline::from_loop(&block.0, first),
         };
         out.push(outline);
     }
@@ -251,8 +251,8 @@ fn outlines(
 
 /// Blocks that run along one side and then, with one jump of more than half their size, along the
 /// other: two blocks each.
-fn split(blocks: Vec<Rows>, flat: Vec<Block>) -> (Vec<Rows>, Vec<Block>) {
-    let jump = |b: &Block| {
+fn split(blocks: Vec<Rows>, flat: Vec<PointBlock>) -> (Vec<Rows>, Vec<PointBlock>) {
+    let jump = |b: &PointBlock| {
         let far = 0.5 * extent(&b.points);
         let mut jumps = (1..b.points.len()).filter(|&k| (b.points[k] - b.points[k - 1]).norm() > far);
         let first = jumps.next();
@@ -263,7 +263,7 @@ fn split(blocks: Vec<Rows>, flat: Vec<Block>) -> (Vec<Rows>, Vec<Block>) {
     let mut out = (Vec::new(), Vec::new());
     for ((mut rows, mut block), k) in blocks.into_iter().zip(flat).zip(jumps) {
         let second = (rows.0.clone(), rows.1.split_off(k));
-        let other = Block { place: block.place.clone(), points: block.points.split_off(k), other: Vec::new() };
+        let other = PointBlock { place: block.place.clone(), points: block.points.split_off(k), other: Vec::new() };
         out.0.extend([rows, second]);
         out.1.extend([block, other]);
     }
@@ -275,11 +275,11 @@ fn extent(points: &[Point]) -> f64 {
 }
 
 /// Loops or sides: as the header says, else by whether the ends of each block meet.
-fn order(header: &Header, blocks: &[Block]) -> Said<Order> {
+fn order(header: &Header, blocks: &[PointBlock]) -> Said<Order> {
     if let Some(order) = header.order {
         return Ok(order);
     }
-    let is_open = |b: &Block| match b.points[..] {
+    let is_open = |b: &PointBlock| match b.points[..] {
         [first, .., last] => (first - last).norm() > OPEN * extent(&b.points),
         _ => false,
     };
@@ -300,9 +300,9 @@ fn order(header: &Header, blocks: &[Block]) -> Said<Order> {
 }
 
 /// Leaves out sections at the ends that have shrunk to a point or a line (a tip of no chord).
-fn without_collapsed(sections: Vec<Said<Outline>>, notes: &mut Vec<String>) -> Said<Vec<Outline>> {
+fn without_collapsed(sections: Vec<Said<TableOutline>>, notes: &mut Vec<String>) -> Said<Vec<TableOutline>> {
     let largest = sections.iter().flatten().map(|o| o.area().norm()).fold(0.0, f64::max);
-    let collapsed = |o: &Said<Outline>| match o {
+    let collapsed = |o: &Said<TableOutline>| match o {
         Ok(o) => o.area().norm() < COLLAPSED * COLLAPSED * largest,
         Err(m) => m.ends_with(POINT),
     };
@@ -319,7 +319,7 @@ fn without_collapsed(sections: Vec<Said<Outline>>, notes: &mut Vec<String>) -> S
 }
 
 /// A single profile with a second one, moved along its normal.
-fn extruded(header: &Header, mut outlines: Vec<Outline>, mm: f64) -> Said<Vec<Outline>> {
+fn extruded(header: &Header, mut outlines: Vec<TableOutline>, mm: f64) -> Said<Vec<TableOutline>> {
     let (Some(length), [only]) = (header.extrude, &outlines[..]) else {
         return match header.extrude {
             Some(_) => Err(format!("extrude draws out one profile, here are {} sections", outlines.len())),
@@ -342,9 +342,9 @@ fn extruded(header: &Header, mut outlines: Vec<Outline>, mm: f64) -> Said<Vec<Ou
 fn shape(
     name: &str,
     header: &Header,
-    outlines: Vec<Outline>,
+    outlines: Vec<TableOutline>,
     mut notes: Vec<String>,
-    (format, (unit, unit_reason, unit_source)): (String, (Unit, String, Source)),
+    (format, (unit, unit_reason, unit_source)): (String, (Unit, String, UnitSource)),
 ) -> Result<FaceModel> {
     let tolerance = header.tolerance_mm.unwrap_or(TOLERANCE_MM);
     let bad = |m: String| {

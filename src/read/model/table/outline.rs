@@ -21,7 +21,7 @@ const FEWEST: usize = 8;
 
 /// A section.
 #[derive(Clone, Debug)]
-pub struct Outline {
+pub struct TableOutline {
     /// File and line, for messages.
     pub place: String,
     /// All points as the table has them, mm.
@@ -34,7 +34,7 @@ pub struct Outline {
     gaps: [bool; 2],
 }
 
-impl Outline {
+impl TableOutline {
     /// From points once round, closed by repetition of the first point or not.
     ///
     /// # Errors
@@ -42,7 +42,7 @@ impl Outline {
     pub fn from_loop(place: &str, table: Vec<Point>) -> Result<Self, String> {
         let mut points = without_repeats(&table);
         close(&mut points);
-        Outline { place: place.to_owned(), table, points, ends: None, gaps: [false; 2] }.checked()
+        TableOutline { place: place.to_owned(), table, points, ends: None, gaps: [false; 2] }.checked()
     }
 
     /// From two sides, each from one edge to the other in either sense. Where their ends meet they
@@ -65,7 +65,7 @@ impl Outline {
         let gap = !join(&mut points, &b);
         let ends = [0, if gap { sides } else { sides - 1 }];
         let gaps = [!close(&mut points), gap];
-        Outline { place: place.to_owned(), table, points, ends: Some(ends), gaps }.checked()
+        TableOutline { place: place.to_owned(), table, points, ends: Some(ends), gaps }.checked()
     }
 
     fn checked(self) -> Result<Self, String> {
@@ -210,7 +210,7 @@ fn close(points: &mut Vec<Point>) -> bool {
 
 /// The line through the middles of the sections (least squares), first to last, and the mean of
 /// their normals. `None` where they have no line or no normal.
-pub fn stacking(outlines: &[Outline]) -> Option<Stacking> {
+pub fn stacking(outlines: &[TableOutline]) -> Option<Stacking> {
     let middles: Vec<Vector> = outlines.iter().map(|o| o.centroid().coords).collect();
     let mean = middles.iter().sum::<Vector>() / middles.len().max(1) as f64;
     let spread = middles.iter().map(|m| (m - mean) * (m - mean).transpose()).sum::<Matrix3<f64>>();
@@ -222,7 +222,7 @@ pub fn stacking(outlines: &[Outline]) -> Option<Stacking> {
     }
     let normals: Vec<Vector> = outlines.iter().filter_map(|o| o.area().try_normalize(0.0)).collect();
     let mut normal = normals.iter().sum::<Vector>().try_normalize(0.0)?;
-    let flat = |o: &Outline| {
+    let flat = |o: &TableOutline| {
         let heights = o.points.iter().map(|p| p.coords.dot(&normal));
         let (lo, hi) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
         hi - lo < FLAT * o.perimeter()
@@ -257,9 +257,9 @@ fn without_repeats(points: &[Point]) -> Vec<Point> {
 ///
 /// # Errors
 /// A sentence: sections that coincide or go to and fro along the span.
-pub fn align(outlines: &mut [Outline]) -> Result<(), String> {
-    let centres: Vec<Point> = outlines.iter().map(Outline::centroid).collect();
-    let size = outlines.iter().map(Outline::perimeter).fold(0.0, f64::max);
+pub fn align(outlines: &mut [TableOutline]) -> Result<(), String> {
+    let centres: Vec<Point> = outlines.iter().map(TableOutline::centroid).collect();
+    let size = outlines.iter().map(TableOutline::perimeter).fold(0.0, f64::max);
     for k in 1..outlines.len() {
         let step = centres[k] - centres[k - 1];
         if step.norm() < 1e-6 * size && same_place(&outlines[k], &outlines[k - 1], size) {
@@ -299,8 +299,8 @@ pub fn align(outlines: &mut [Outline]) -> Result<(), String> {
     Ok(())
 }
 
-fn same_place(a: &Outline, b: &Outline, size: f64) -> bool {
-    let corner = |o: &Outline| crate::geometry::Aabb::around(&o.points);
+fn same_place(a: &TableOutline, b: &TableOutline, size: f64) -> bool {
+    let corner = |o: &TableOutline| crate::geometry::Aabb::around(&o.points);
     match (corner(a), corner(b)) {
         (Some(a), Some(b)) => (a.min - b.min).norm() + (a.max - b.max).norm() < 1e-6 * size,
         _ => false,
@@ -324,10 +324,10 @@ pub(super) mod tests {
         let closed = [&open[..], &open[..1]].concat();
         let repeated = [&open[..3], &open[2..]].concat();
         for table in [open.clone(), closed, repeated] {
-            assert_eq!(Outline::from_loop("t", table).unwrap().points, open);
+            assert_eq!(TableOutline::from_loop("t", table).unwrap().points, open);
         }
-        assert!(Outline::from_loop("t", ellipse(7)).is_err());
-        assert!(Outline::from_loop("t", vec![Point::origin(); 20]).is_err());
+        assert!(TableOutline::from_loop("t", ellipse(7)).is_err());
+        assert!(TableOutline::from_loop("t", vec![Point::origin(); 20]).is_err());
     }
 
     #[test]
@@ -343,7 +343,7 @@ pub(super) mod tests {
             if flip_b {
                 b.reverse();
             }
-            let o = Outline::from_sides("t", a.clone(), b).unwrap();
+            let o = TableOutline::from_sides("t", a.clone(), b).unwrap();
             assert_eq!((o.points.len(), o.ends), (40, Some([0, 20])));
             assert!((o.points[20] - a[20]).norm() < 1e-15 && (o.points[0] - a[0]).norm() < 1e-15);
             assert!((o.perimeter() / TAU - 1.0).abs() < 0.01, "{}", o.perimeter());
@@ -354,7 +354,7 @@ pub(super) mod tests {
     fn a_gap_between_sides_is_an_edge() {
         let side =
             |y: f64| -> Vec<Point> { (0..=10).map(|k| Point::new(f64::from(k), y * f64::from(k), 0.0)).collect() };
-        let o = Outline::from_sides("t", side(0.05), side(-0.05)).unwrap();
+        let o = TableOutline::from_sides("t", side(0.05), side(-0.05)).unwrap();
         assert_eq!(o.points.len(), 21);
         assert_eq!(o.ends, Some([0, 11]));
         assert_eq!(o.corners(), [0, 10, 11]);
@@ -362,12 +362,12 @@ pub(super) mod tests {
 
     #[test]
     fn corners_are_sharp_edges_only() {
-        assert!(Outline::from_loop("t", ellipse(60)).unwrap().corners().is_empty());
+        assert!(TableOutline::from_loop("t", ellipse(60)).unwrap().corners().is_empty());
         // A round end with three points only.
         let mut few: Vec<Point> = (0..=12).map(|k| Point::new(f64::from(k), 0.0, 0.0)).collect();
         few.extend([Point::new(12.7, 0.5, 0.0), Point::new(12.0, 1.0, 0.0)]);
         few.extend((0..12).rev().map(|k| Point::new(f64::from(k), 1.0, 0.0)));
-        let o = Outline::from_loop("t", few).unwrap();
+        let o = TableOutline::from_loop("t", few).unwrap();
         let n = o.points.len();
         assert_eq!(o.corners(), [0, n - 1], "the cut end has two edges, the round one none");
         // One sharp edge.
@@ -375,7 +375,7 @@ pub(super) mod tests {
             .map(|k| (f64::from(k) / 40.0) * TAU)
             .map(|a| Point::new(5.0 * a.cos(), a.sin() * (0.5 * a).sin(), 0.0))
             .collect();
-        assert_eq!(Outline::from_loop("t", drop).unwrap().corners(), [0]);
+        assert_eq!(TableOutline::from_loop("t", drop).unwrap().corners(), [0]);
     }
 
     #[test]
@@ -392,7 +392,7 @@ pub(super) mod tests {
             if k & 2 == 2 {
                 std::mem::swap(&mut a, &mut b);
             }
-            all.push(Outline::from_sides("t", a, b).unwrap());
+            all.push(TableOutline::from_sides("t", a, b).unwrap());
         }
         align(&mut all).unwrap();
         for o in &all[1..] {

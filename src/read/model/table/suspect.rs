@@ -1,7 +1,7 @@
 //! Points that are hardly meant: in no order, or one displaced.
 
-use super::columns::Block;
-use super::outline::Outline;
+use super::columns::PointBlock;
+use super::outline::TableOutline;
 use crate::geometry::Point;
 
 /// Points whose chain is longer than this many times their size, and each step longer than this
@@ -36,7 +36,7 @@ impl StandingOut {
     }
 }
 
-impl Outline {
+impl TableOutline {
     /// The point that stands out the most; `None` where none does. At an edge the chain turns and
     /// goes on in a new direction; at a point that was displaced it turns away before, back at it,
     /// and away again behind, to where it was going.
@@ -66,7 +66,7 @@ impl Outline {
 ///
 /// # Errors
 /// What is wrong.
-pub fn sound(b: &Block) -> Result<(), String> {
+pub fn sound(b: &PointBlock) -> Result<(), String> {
     if b.points.iter().chain(&b.other).any(|p| p.coords.iter().any(|x| !x.is_finite())) {
         return Err(format!(
             "the block from {} has a point that is no number (r*theta with r = 0, or a number too large)",
@@ -87,7 +87,7 @@ pub fn sound(b: &Block) -> Result<(), String> {
 ///
 /// # Errors
 /// The first with which a section has no shape of a blade.
-pub fn displaced(sections: &[Outline], notes: &mut Vec<String>) -> Result<(), String> {
+pub fn displaced(sections: &[TableOutline], notes: &mut Vec<String>) -> Result<(), String> {
     for (place, found) in sections.iter().filter_map(|o| Some((&o.place, o.standing_out()?))) {
         let words = format!("in the section at {place} {}", found.words());
         if found.spike {
@@ -115,11 +115,11 @@ mod tests {
     #[test]
     fn a_displaced_point_stands_out_and_an_edge_does_not() {
         let good = ellipse(60);
-        assert_eq!(Outline::from_loop("t", good.clone()).unwrap().standing_out(), None);
+        assert_eq!(TableOutline::from_loop("t", good.clone()).unwrap().standing_out(), None);
         for (out, spike) in [(0.4, false), (3.0, true), (-1.5, true)] {
             let mut bad = good.clone();
             bad[13].y += out;
-            let found = Outline::from_loop("t", bad.clone()).unwrap().standing_out().unwrap();
+            let found = TableOutline::from_loop("t", bad.clone()).unwrap().standing_out().unwrap();
             assert_eq!((found.number, found.at, found.spike), (14, bad[13], spike), "{out}");
             assert!((found.off_mm - out.abs()).abs() < 0.05, "{}", found.off_mm);
             assert!(found.words().starts_with("point 14 at ("));
@@ -127,12 +127,12 @@ mod tests {
         // Blunt and sharp edges, a hollow side.
         let side =
             |y: f64| -> Vec<Point> { (0..=10).map(|k| Point::new(f64::from(k), y * f64::from(k), 0.0)).collect() };
-        assert_eq!(Outline::from_sides("t", side(0.05), side(-0.05)).unwrap().standing_out(), None);
+        assert_eq!(TableOutline::from_sides("t", side(0.05), side(-0.05)).unwrap().standing_out(), None);
         let hollow: Vec<Point> = (0..40)
             .map(|k| (f64::from(k) / 40.0) * TAU)
             .map(|a| Point::new(5.0 * a.cos(), a.sin() * (0.5 * a).sin() - 0.3 * (2.0 * a).cos(), 0.0))
             .collect();
-        assert_eq!(Outline::from_loop("t", hollow).unwrap().standing_out(), None);
+        assert_eq!(TableOutline::from_loop("t", hollow).unwrap().standing_out(), None);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Words of axes: where they go, and on which polynomials.
 
 use super::words::Word;
-use super::{Modal, Said};
-use crate::read::program::block::{Bend, Way};
+use super::{LineWords, Modal};
+use crate::read::program::block::{Bend, RotaryWay};
 
 /// Whether an address is of a rotary axis, and which: `X`, `PO[X]`; `None` for any other.
 pub(super) fn axis(address: &str) -> Option<(bool, usize)> {
@@ -16,7 +16,7 @@ pub(super) fn to_axis(
     word: &Word,
     (rotary, axis): (bool, usize),
     modal: &Modal,
-    said: &mut Said,
+    said: &mut LineWords,
 ) -> Result<(), String> {
     let Word { address, value, raw } = *word;
     let inner =
@@ -26,10 +26,16 @@ pub(super) fn to_axis(
     if address.starts_with("PO[") && polynomial.is_none() {
         return Err(format!("{raw} is no polynomial"));
     }
-    let named = [("IC", Way::By), ("AC", Way::To), ("DC", Way::Shorter), ("ACP", Way::Up), ("ACN", Way::Down)];
+    let named = [
+        ("IC", RotaryWay::By),
+        ("AC", RotaryWay::To),
+        ("DC", RotaryWay::Shorter),
+        ("ACP", RotaryWay::Up),
+        ("ACN", RotaryWay::Down),
+    ];
     let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, Some(*way))));
     let (plain, way) = called.unwrap_or((value, None));
-    if !rotary && way.is_some_and(|w| w != Way::By && w != Way::To) {
+    if !rotary && way.is_some_and(|w| w != RotaryWay::By && w != RotaryWay::To) {
         return Err(format!("{raw} is for rotary axes"));
     }
     let list = match polynomial {
@@ -53,7 +59,7 @@ pub(super) fn to_axis(
 }
 
 /// The polynomials of a line over `p` from 0 to 1.
-pub(super) fn bend(said: &Said, with_path: bool) -> Result<Bend, String> {
+pub(super) fn bend(said: &LineWords, with_path: bool) -> Result<Bend, String> {
     let interval = said.interval.unwrap_or(1.0);
     if interval <= 0.0 {
         return Err(format!("PL={interval} must be greater than 0"));

@@ -2,11 +2,11 @@
 //! all others are refused.
 
 use super::words::Word;
-use super::{Bare, Centre, Modal, Motion, Said};
+use super::{Bare, Centre, LineWords, Modal, Motion};
 use crate::artifact::program::Turning;
 
 /// A word other than of an axis.
-pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut Said) -> Result<(), String> {
+pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
     match word.address {
         "M" => miscellaneous(word, said)?,
         "POLY" => modal.motion = Some(Motion::Polynomial),
@@ -103,7 +103,7 @@ fn high_speed_setting(word: &Word, modal: &Modal) -> Result<Option<f64>, String>
 }
 
 /// Preparatory functions.
-pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut Said) -> Result<(), String> {
+pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
     let value = word.value.trim_start_matches('0');
     match value {
         "" if word.value.is_empty() => return Err(format!("{} has no number", word.raw)),
@@ -162,7 +162,7 @@ fn frame(word: &Word, value: &str, modal: &mut Modal) -> Result<(), String> {
 }
 
 /// Miscellaneous functions.
-fn miscellaneous(word: &Word, said: &mut Said) -> Result<(), String> {
+fn miscellaneous(word: &Word, said: &mut LineWords) -> Result<(), String> {
     match word.count()? {
         2 | 17 | 30 => said.ends = true,
         3 | 13 => said.turning = Some(Turning::Right),

@@ -6,7 +6,7 @@ mod axes;
 mod codes;
 mod words;
 
-use super::block::{Block, Call, Feed, Place, Script, Way};
+use super::block::{Block, Call, Destination, Feed, RotaryWay, Script};
 use super::unreadable;
 use crate::artifact::program::{LengthOffset, Setting, Turning};
 use crate::error::Result;
@@ -84,11 +84,11 @@ struct Modal {
 
 /// What a line says.
 #[derive(Default)]
-struct Said {
+struct LineWords {
     point: [Option<f64>; 3],
     rotary: [Option<f64>; 3],
     /// Of X, Y, Z and of A, B, C; `None`: as G90 or G91 says.
-    ways: [[Option<Way>; 3]; 2],
+    ways: [[Option<RotaryWay>; 3]; 2],
     /// Coefficients of `p²` and on, of X, Y, Z and of A, B, C.
     bend: [[[f64; 4]; 3]; 2],
     /// Length of the interval of `p`.
@@ -116,7 +116,7 @@ struct Said {
 /// # Errors
 /// A word that is not understood, with the line.
 pub(super) fn read(text: &str) -> Result<Script> {
-    let mut reader = Reader::default();
+    let mut reader = GcodeReader::default();
     reader.modal.siemens = siemens(text);
     for (i, line) in text.lines().enumerate() {
         reader.line(i + 1, line).map_err(|e| unreadable(i + 1, line, &e))?;
@@ -134,7 +134,7 @@ fn siemens(text: &str) -> bool {
 }
 
 #[derive(Default)]
-struct Reader {
+struct GcodeReader {
     modal: Modal,
     script: Script,
     /// Tools that were selected and not changed to.
@@ -144,7 +144,7 @@ struct Reader {
     tape: bool,
 }
 
-impl Reader {
+impl GcodeReader {
     fn line(&mut self, number: usize, line: &str) -> std::result::Result<(), String> {
         if line.trim_start().starts_with('%') {
             // The first one, before anything else, begins the program.
@@ -163,7 +163,7 @@ impl Reader {
         let code = words::code(line)?;
         let upper = code.to_ascii_uppercase();
         let words = words::words(&code, &upper)?;
-        let mut said = Said::default();
+        let mut said = LineWords::default();
         let centre = self.modal.centre;
         // Preparatory functions count for the whole line, wherever they stand.
         for word in words.iter().filter(|w| w.address == "G") {
@@ -184,7 +184,7 @@ impl Reader {
     }
 
     /// What the words of a line do together.
-    fn finish(&mut self, number: usize, mut said: Said) -> std::result::Result<(), String> {
+    fn finish(&mut self, number: usize, mut said: LineWords) -> std::result::Result<(), String> {
         said.functions(&mut self.modal)?;
         self.tool(number, &mut said);
         let setting = &mut self.modal.setting;
@@ -200,7 +200,7 @@ impl Reader {
     }
 
     /// Tools that are selected, and changes.
-    fn tool(&mut self, line: usize, said: &mut Said) {
+    fn tool(&mut self, line: usize, said: &mut LineWords) {
         if let Some(tool) = said.tool.take() {
             self.selected.push(Call { line, tool: Some(tool.clone()) });
             self.modal.selected = Some(tool);
@@ -228,7 +228,7 @@ impl Reader {
     }
 }
 
-impl Said {
+impl LineWords {
     /// Functions that have words of their own.
     fn functions(&self, modal: &mut Modal) -> std::result::Result<(), String> {
         let moves = self.moves();
@@ -257,7 +257,7 @@ impl Said {
 
 impl Modal {
     /// The move that a line asks for, if any.
-    fn block(&mut self, line: usize, said: Said) -> std::result::Result<Option<Block>, String> {
+    fn block(&mut self, line: usize, said: LineWords) -> std::result::Result<Option<Block>, String> {
         if let Some(f) = said.feed {
             self.feed = Some(if self.inch_feed && !self.inverse { 25.4 * f } else { f });
         }
@@ -268,9 +268,9 @@ impl Modal {
         let feed = self.feed(motion, said.feed)?;
         let place = self.place(motion, &said)?;
         let bend = if motion == Motion::Polynomial { Some(axes::bend(&said, self.with_path)?) } else { None };
-        let usual = if self.steps { Way::By } else { Way::To };
+        let usual = if self.steps { RotaryWay::By } else { RotaryWay::To };
         let [point_ways, ways] = said.ways.map(|of| of.map(|way| way.unwrap_or(usual)));
-        let steps = point_ways.map(|way| way == Way::By);
+        let steps = point_ways.map(|way| way == RotaryWay::By);
         if said.machine && said.point.iter().zip(steps).any(|(word, step)| word.is_some() && step) {
             return Err("steps in positions of the axes are not read".into());
         }
@@ -306,10 +306,10 @@ impl Modal {
         }
     }
 
-    fn place(&self, motion: Motion, said: &Said) -> std::result::Result<Place, String> {
+    fn place(&self, motion: Motion, said: &LineWords) -> std::result::Result<Destination, String> {
         let [ijk, abc3] = [said.ijk, said.abc3].map(|v| v.iter().any(Option::is_some));
         if !ijk && !abc3 {
-            return Ok(Place::Words { point: said.point, rotary: said.rotary });
+            return Ok(Destination::Words { point: said.point, rotary: said.rotary });
         }
         if motion == Motion::Polynomial {
             return Err("vectors under POLY are not read".into());
@@ -328,7 +328,7 @@ impl Modal {
         }
         // A component that is left out is 0.
         let axis = if ijk { said.ijk } else { said.abc3 }.map(|v| v.unwrap_or(0.0));
-        Ok(Place::Vector { point: said.point, axis })
+        Ok(Destination::Vector { point: said.point, axis })
     }
 
     /// Where the length of the tool comes from.

@@ -9,7 +9,7 @@ use nalgebra::UnitQuaternion;
 use serde_json::json;
 
 use super::glb::Glb;
-use super::tool::{Ring, revolved};
+use super::tool::{ProfileRing, revolved};
 use super::{Scene, group, mesh_node, single, triple};
 use crate::artifact::Plan;
 use crate::error::Result;
@@ -19,7 +19,7 @@ use crate::geometry::{Point, Vector};
 const COLOUR: [f32; 3] = [0.30, 0.33, 0.36];
 
 /// A closed cylinder along Z.
-fn cylinder(from: f64, to: f64, radius: f64) -> Vec<Ring> {
+fn cylinder(from: f64, to: f64, radius: f64) -> Vec<ProfileRing> {
     vec![
         [from, 0.0, 0.0, -1.0],
         [from, radius, 0.0, -1.0],

@@ -142,9 +142,9 @@ pub(super) fn animations(
 }
 
 /// A node that moves, its key times, its places.
-type Moved = (Index<Node>, Index<Accessor>, Track);
+type MovedNode = (Index<Node>, Index<Accessor>, Track);
 
-fn animation(glb: &mut Glb, tracks: &[Moved], name: String, note: &serde_json::Value) -> Animation {
+fn animation(glb: &mut Glb, tracks: &[MovedNode], name: String, note: &serde_json::Value) -> Animation {
     let (mut channels, mut samplers) = (Vec::new(), Vec::new());
     for (node, input, track) in tracks {
         for (path, output) in

@@ -21,7 +21,7 @@ const BALL: u32 = 16;
 
 /// A ring of the profile: height, radius, and the profile's outward normal (along radius, along
 /// height).
-pub(super) type Ring = [f64; 4];
+pub(super) type ProfileRing = [f64; 4];
 
 /// The node with a child for each part of the tool and one for the machine's head, where the path
 /// begins.
@@ -47,8 +47,8 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
 }
 
 /// Ball, taper, shank and holder stages as rings.
-fn parts(tool: &Tool) -> Vec<(String, Vec<Ring>)> {
-    let mut parts: Vec<(String, Vec<Ring>)> = vec![("ball".into(), ball(tool))];
+fn parts(tool: &Tool) -> Vec<(String, Vec<ProfileRing>)> {
+    let mut parts: Vec<(String, Vec<ProfileRing>)> = vec![("ball".into(), ball(tool))];
     let mut before = tool.radius_mm * tool.taper_deg.to_radians().cos();
     for s in tool.segments() {
         let slope = (s.r1 - s.r0).atan2(s.z1 - s.z0);
@@ -70,7 +70,7 @@ fn parts(tool: &Tool) -> Vec<(String, Vec<Ring>)> {
     parts
 }
 
-fn ball(tool: &Tool) -> Vec<Ring> {
+fn ball(tool: &Tool) -> Vec<ProfileRing> {
     let end = tool.taper_deg.to_radians();
     (0..=BALL)
         .map(|i| {
@@ -90,7 +90,7 @@ fn look(name: &str) -> [f32; 3] {
 }
 
 /// Bands between consecutive rings; two rings at one place start a new band with its own normals.
-pub(super) fn revolved(glb: &mut Glb, name: &str, rgb: [f32; 3], rings: &[Ring]) -> Result<Primitive> {
+pub(super) fn revolved(glb: &mut Glb, name: &str, rgb: [f32; 3], rings: &[ProfileRing]) -> Result<Primitive> {
     let (mut points, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for [z, r, nr, nz] in rings {
         for k in 0..=AROUND {

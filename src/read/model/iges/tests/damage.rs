@@ -185,7 +185,7 @@ fn mutations_go_the_whole_way_without_panic() {
             let bytes = mutated(&text, &mut random);
             if let Ok(mut s) = read(Path::new("t.igs"), &bytes, None) {
                 sew::sew(&mut s.brep, &[0.005, 0.02]);
-                if let Ok(t) = tessellate(&s.brep, &Options::with_deflection(0.1), &Silent) {
+                if let Ok(t) = tessellate(&s.brep, &TessellateOptions::with_deflection(0.1), &Silent) {
                     let mut mesh = t.mesh;
                     orient::orient(&mut s.brep, &mut mesh);
                 }

@@ -11,7 +11,7 @@ use std::path::Path;
 use super::*;
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
-use crate::geometry::tessellate::{Options, tessellate};
+use crate::geometry::tessellate::{TessellateOptions, tessellate};
 use crate::observe::Silent;
 use crate::read::model::sew::Sewn;
 use crate::read::model::{orient, sew};
@@ -32,7 +32,7 @@ struct Solid {
 fn solid(text: &str, deflection_mm: f64) -> Solid {
     let mut brep = shape(text).unwrap().brep;
     let sewn = sew::sew(&mut brep, &[0.001]);
-    let mut mesh = tessellate(&brep, &Options::with_deflection(deflection_mm), &Silent).unwrap().mesh;
+    let mut mesh = tessellate(&brep, &TessellateOptions::with_deflection(deflection_mm), &Silent).unwrap().mesh;
     orient::orient(&mut brep, &mut mesh);
     let t = topology(&mesh);
     assert!(t.closed(), "{t:?} {sewn:?}");

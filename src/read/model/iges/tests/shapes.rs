@@ -262,7 +262,7 @@ fn angles_of_the_file_are_not_our_parameters() {
     let outline = sheet.polygon(&[[0., a, 0.], [1., a, 0.], [1., b, 0.], [0., b, 0.]]);
     sheet.trimmed(wall, &[(outline, 0)]);
     let brep = shape(&sheet.text()).unwrap().brep;
-    let mesh = tessellate(&brep, &Options::with_deflection(0.001), &Silent).unwrap().mesh;
+    let mesh = tessellate(&brep, &TessellateOptions::with_deflection(0.001), &Silent).unwrap().mesh;
     assert!((mesh.area_mm2() / (TAU * 9.0) - 1.0).abs() < 8e-4);
     let angles = brep.edges.iter().flat_map(|e| e.t.map(|t| e.curve.point(t))).map(|p| p.y.atan2(p.x));
     assert!(angles.into_iter().all(|x| (x - a).abs() < 1e-12 || (x - b).abs() < 1e-12));
@@ -335,7 +335,7 @@ fn solids_share_their_edges_and_keep_their_sense() {
         assert_eq!((s.bodies, s.brep.faces.len(), s.brep.edges.len()), (1, 6, 12));
         let sewn = sew::sew(&mut s.brep, &[1e-3]);
         assert_eq!(sewn, Sewn::default(), "nothing is left to sew");
-        let mesh = tessellate(&s.brep, &Options::with_deflection(0.01), &Silent).unwrap().mesh;
+        let mesh = tessellate(&s.brep, &TessellateOptions::with_deflection(0.01), &Silent).unwrap().mesh;
         // As the file says, without orienting.
         assert!((mesh.volume_mm3() - 60.0).abs() < 1e-9, "{}", mesh.volume_mm3());
     }

@@ -71,7 +71,7 @@ fn instances_of_subfigures_and_mirrored_solids() {
     assert_eq!((s.bodies, s.brep.faces.len(), s.brep.edges.len()), (2, 12, 24));
     let b = corners(&s);
     assert!((b.min - Point::new(-10.0, 0.0, -3.0)).norm() < 1e-9 && (b.max - Point::new(12.0, 4.0, 6.0)).norm() < 1e-9);
-    let mesh = tessellate(&s.brep, &Options::with_deflection(0.01), &Silent).unwrap().mesh;
+    let mesh = tessellate(&s.brep, &TessellateOptions::with_deflection(0.01), &Silent).unwrap().mesh;
     assert!((mesh.volume_mm3() - (48.0 + 6.0)).abs() < 1e-9, "{}", mesh.volume_mm3());
 }
 
