@@ -1,5 +1,7 @@
 //! Schedules that need the feed to be judged.
 
+use rayon::prelude::*;
+
 use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{AxisMotion, Channel, Lead, Schedule, Toolpath};
@@ -24,16 +26,18 @@ pub(crate) fn least_time(
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
     let own = paced(&setup.machine, &feed, path, channel, &options)?;
-    let mut best: Option<MovedSchedule> = None;
-    for schedule in own.into_iter().chain(rivals(path, channel, &options)) {
+    let moved = |schedule: Schedule| -> Result<MovedSchedule> {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
         let (motion, leads) = leads::motion(setup, path, &schedule, leads, &told)?;
-        if best.as_ref().is_none_or(|b| motion.time_s < b.motion.time_s) {
-            best = Some(MovedSchedule { schedule, motion, leads, warnings: told.warnings() });
-        }
-    }
+        Ok(MovedSchedule { schedule, motion, leads, warnings: told.warnings() })
+    };
+    let candidates: Vec<Schedule> = own.into_iter().chain(rivals(path, channel, &options)).collect();
+    let moved: Vec<Result<MovedSchedule>> = candidates.into_par_iter().map(moved).collect();
+    let moved = moved.into_iter().collect::<Result<Vec<_>>>()?;
+    // Of equals the first.
+    let best = moved.into_iter().min_by(|a, b| a.motion.time_s.total_cmp(&b.motion.time_s));
     let Some(MovedSchedule { mut schedule, motion, leads, warnings }) = best else {
         return Err(Error::infeasible(
             crate::Stage::Schedule,
@@ -86,9 +90,9 @@ pub(crate) fn paced(
         let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
         schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
     };
-    let mut out = vec![plan(0.0)?];
-    out.extend(STANDING.iter().filter_map(|s| plan(*s).ok()));
-    Ok(out)
+    let (first, others): (Result<Schedule>, Vec<Option<Schedule>>) =
+        rayon::join(|| plan(0.0), || STANDING.par_iter().map(|s| plan(*s).ok()).collect());
+    Ok(std::iter::once(first?).chain(others.into_iter().flatten()).collect())
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.
@@ -102,7 +106,7 @@ fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<
         (ScheduleKind::Fixed, *options),
     ];
     kinds
-        .iter()
+        .par_iter()
         .filter_map(|(kind, options)| schedule::plan(*kind, path, channel, options, &Silent).ok())
         .filter(|s| machinable(s, channel))
         .collect()

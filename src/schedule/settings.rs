@@ -8,7 +8,8 @@ section! {
     #[derive(Copy)]
     "schedule" ScheduleSettings, ScheduleKeys, s {
         /// How θ(S) is made.
-        kind: ScheduleKind = ScheduleKind::Piecewise;
+        /// Default: the fastest of all kinds that never turns back and stays in the channel.
+        kind: ScheduleKind = ScheduleKind::Time;
         /// Where kind `piecewise` stands at the start of each turn.
         /// The published method says `forward-limit`.
         base_angle: BaseAngle = BaseAngle::default();
