@@ -154,10 +154,14 @@ fn absolute(mut job: JobFile, base: &Path) -> JobFile {
     if let Some(f) = job.model.as_mut().and_then(|m| m.file.as_mut()) {
         from(f);
     }
+    if let Some(f) = job.tool.as_mut().and_then(|t| t.library.as_mut()) {
+        from(f);
+    }
     if let Some(f) = job.machine.as_mut().and_then(|m| m.file.as_mut()) {
         from(f);
     }
-    job.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten()).for_each(from);
+    let bodies = job.fixture.iter_mut().flatten().chain(&mut job.stock).filter_map(|f| f.file.as_mut());
+    bodies.chain(job.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten())).for_each(from);
     job
 }
 

@@ -31,6 +31,19 @@ fn refused(dir: &Path, text: &str, code: u8, words: &[&str]) {
 }
 
 #[test]
+fn files_of_a_template_lie_beside_the_family() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), "a/blade.stl", "solid");
+    let text = "models = \"a/*.stl\"\n[template]\ntool = { library = \"t.json\" }\nstock = { file = \"s.stl\" }\n\
+                [[template.fixture]]\nfile = \"f.stl\"";
+    let job = family(dir.path(), text).unwrap().members[0].job.clone();
+    let files = [job.tool.unwrap().library, job.stock.unwrap().file, job.fixture.unwrap()[0].file.clone()];
+    for (file, name) in files.into_iter().zip(["t.json", "s.stl", "f.stl"]) {
+        assert_eq!(Path::new(&file.unwrap()), dir.path().join(name));
+    }
+}
+
+#[test]
 fn bad_input_is_told_in_one_sentence() {
     let dir = tempfile::tempdir().unwrap();
     let d = dir.path();

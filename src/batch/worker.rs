@@ -13,12 +13,12 @@ use super::store::{RECORD, Store, trouble};
 use crate::artifact::CheckReport;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
-use crate::job::{self, ModelKeys};
+use crate::job::ModelKeys;
 use crate::make;
 use crate::observe::{Observer, Warning};
 use crate::run::manifest::StageRecord;
 use crate::run::reuse::{Earlier, ReadFile};
-use crate::run::{self, Course, Outcome};
+use crate::run::{self, Course, Outcome, inputs};
 
 /// The model of a made blade, beside its results.
 const MODEL: &str = "model.step";
@@ -159,7 +159,7 @@ fn plan(work: &Work, folder: &Path, observer: &dyn Observer) -> Result<Outcome> 
     };
     let keys = job.model.get_or_insert_with(ModelKeys::default);
     keys.file = Some(model.to_string_lossy().into_owned());
-    let mut draft = job::resolve(job, folder)?;
+    let mut draft = inputs::draft(job, folder)?;
     if matches!(work.member.source, BladeSource::Design(_)) {
         draft = draft.model_saved_as(Path::new(MODEL));
     }

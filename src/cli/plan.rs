@@ -8,7 +8,7 @@ use super::progress::Terminal;
 use crate::artifact::program::CycleTime;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
-use crate::job::{self, Draft, JobFile};
+use crate::job::{Draft, JobFile};
 use crate::make::BladeDesign;
 use crate::read::model;
 use crate::run::summary::{ScheduleFigures, Summary};
@@ -43,7 +43,7 @@ pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Res
         file.set(assignment)?;
     }
     let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
-    job::resolve(file, base)
+    inputs::draft(file, base)
 }
 
 /// A job file; a design for `make` in its place is named as that.

@@ -121,6 +121,15 @@ pub struct RegionSettings {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolKeys {
+    /// A tool library: JSON of Fusion, or a tool table of LinuxCNC; relative to the job file. Keys beside it go before what it says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub library: Option<String>,
+    /// Number or name of the tool in the library; may be left out where it has one ball-end cutter only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub entry: Option<String>,
+    /// Length unit of a library that states none (LinuxCNC); default: mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<Unit>,
     /// Ball radius, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<f64>,

@@ -7,13 +7,17 @@ use super::manifest::{self, Input};
 use crate::artifact::{Blade, Obstacle};
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::job::{self, Draft, Job, JobFile, ModelSettings};
+use crate::job::{self, Draft, Job, JobFile, ModelSettings, ToolKeys};
 use crate::machine::Machine;
 use crate::observe::Observer;
 use crate::plan::Setup;
 use crate::read::model::{self, ModelOptions};
+use crate::read::tools;
 use crate::tool::Tool;
 use crate::write::post::Dialect;
+
+/// Most bytes of a tool library: those of makers list some thousands of tools.
+const LIBRARY: u64 = 64 << 20;
 
 /// A job with its blade and machine in memory, and the files that these were read from.
 pub struct Loaded {
@@ -100,6 +104,49 @@ pub fn job(path: &Path) -> Result<JobFile> {
     job::parse(&text_of(path, Stage::Job, "job file", short)?, &path.display().to_string())
 }
 
+/// Settles what does not depend on the blade, as [`job::resolve`] does, with the tool that the job
+/// names in a library.
+///
+/// # Errors
+/// Those of [`job::resolve`]; `InputOutput` where the library cannot be read; `Usage` where the
+/// tool is not in it.
+pub fn draft(mut typed: JobFile, base_dir: &Path) -> Result<Draft> {
+    if let Some(keys) = &mut typed.tool {
+        from_library(keys, base_dir)?;
+    }
+    job::resolve(typed, base_dir)
+}
+
+/// Puts the tool of a library where keys are left out.
+fn from_library(keys: &mut ToolKeys, base_dir: &Path) -> Result<()> {
+    let (entry, unit) = (keys.entry.take(), keys.unit.take());
+    let Some(file) = keys.library.take() else {
+        let left = [(entry.is_some(), "tool.entry"), (unit.is_some(), "tool.unit")];
+        return match left.iter().find(|(given, _)| *given) {
+            None => Ok(()),
+            Some((_, key)) => Err(Error::usage(Stage::Job, format!("{key} is given, but no library"))
+                .advise("name the tool library with tool.library")),
+        };
+    };
+    let path = base_dir.join(&file);
+    let bytes = files::read(&path, LIBRARY).map_err(|e| {
+        Error::io(Stage::Job, format!("cannot read the tool library {}: {e}", path.display())).caused_by(e)
+    })?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        Error::usage(Stage::Job, format!("the tool library {} is not a text in UTF-8", path.display()))
+            .advise("export it as JSON; a file .tools of Fusion is an archive with tools.json in it")
+    })?;
+    let found = tools::tool(&text, entry.as_deref(), unit, &path.display().to_string())?;
+    keys.radius_mm.get_or_insert(found.radius_mm);
+    if let Some(body) = found.body {
+        keys.taper_deg.get_or_insert(body.taper_deg);
+        keys.shank_radius_mm.get_or_insert(body.shank_radius_mm);
+        keys.stickout_mm.get_or_insert(body.stickout_mm);
+        keys.holder.get_or_insert(body.stages);
+    }
+    Ok(())
+}
+
 /// The text of a file that is written by hand; `what` it is, and what is said where it is
 /// `too_large` to be that.
 ///
@@ -148,6 +195,32 @@ fn named(path: &Path, stage: Stage, what: &str) -> Result<String> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+
+    #[test]
+    fn keys_go_before_what_a_library_says() {
+        let dir = tempfile::tempdir().unwrap();
+        std::fs::copy("models/tools/library.json", dir.path().join("t.json")).unwrap();
+        std::fs::write(dir.path().join("t.tbl"), "T3 D4").unwrap();
+        std::fs::write(dir.path().join("t.tools"), [0x50, 0x4b, 0x03, 0xff]).unwrap();
+        let filled = |text: &str| {
+            let mut keys = toml::from_str::<ToolKeys>(text).unwrap();
+            from_library(&mut keys, dir.path()).map(|()| keys)
+        };
+        let keys = filled("library = \"t.json\"\nentry = \"12\"\nstickout_mm = 35").unwrap();
+        let of = (keys.radius_mm, keys.taper_deg, keys.shank_radius_mm, keys.stickout_mm);
+        assert_eq!(of, (Some(1.5), Some(4.0), Some(3.0), Some(35.0)));
+        assert!(keys.library.is_none() && keys.entry.is_none() && keys.holder.unwrap().len() > 1);
+        let keys = filled("library = \"t.tbl\"\nunit = \"inch\"").unwrap();
+        assert_eq!((keys.radius_mm, keys.holder), (Some(50.8), None));
+        for (text, says) in [
+            ("entry = \"12\"", "tool.entry is given, but no library"),
+            ("library = \"none.json\"", "cannot read the tool library"),
+            ("library = \"t.tools\"", "not a text in UTF-8"),
+            ("library = \"t.json\"", "several ball-end cutters"),
+        ] {
+            assert!(filled(text).unwrap_err().message.contains(says), "{text}");
+        }
+    }
 
     #[test]
     fn a_file_that_is_not_there_is_named() {
