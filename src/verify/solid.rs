@@ -191,7 +191,7 @@ fn any_across(axis: &Vector) -> Vector {
 /// Signed distance of (z, r), `r ≥ 0`, to the trapezoid and its gradient (d/dz, d/dr).
 fn trapezoid(s: &Segment, z: f64, r: f64) -> (f64, [f64; 2]) {
     let (dz, dr) = (s.z1 - s.z0, s.r1 - s.r0);
-    let slant = dz.hypot(dr);
+    let slant = (dz * dz + dr * dr).sqrt();
     // Outward unit normals of the two lids and of the side, and the distances to their lines.
     let side_normal = [-dr / slant, dz / slant];
     let side = (z - s.z0) * side_normal[0] + (r - s.r0) * side_normal[1];
@@ -200,20 +200,21 @@ fn trapezoid(s: &Segment, z: f64, r: f64) -> (f64, [f64; 2]) {
     if inner.0 <= 0.0 {
         return inner;
     }
-    // Outside: the nearest of the three edges.
+    // Outside: the nearest of the three edges, by squares of distances.
     let edges = [([s.z0, 0.0], [s.z0, s.r0]), ([s.z0, s.r0], [s.z1, s.r1]), ([s.z1, s.r1], [s.z1, 0.0])];
-    let mut best = (f64::INFINITY, inner.1);
+    let mut best = (f64::INFINITY, [0.0; 2]);
     for (a, b) in edges {
         let (ez, er) = (b[0] - a[0], b[1] - a[1]);
         let l2 = ez * ez + er * er;
         let t = if l2 > 0.0 { (((z - a[0]) * ez + (r - a[1]) * er) / l2).clamp(0.0, 1.0) } else { 0.0 };
         let (wz, wr) = (z - a[0] - t * ez, r - a[1] - t * er);
-        let d = wz.hypot(wr);
-        if d < best.0 {
-            best = (d, if d > 1e-12 { [wz / d, wr / d] } else { inner.1 });
+        let d2 = wz * wz + wr * wr;
+        if d2 < best.0 {
+            best = (d2, [wz, wr]);
         }
     }
-    best
+    let d = best.0.sqrt();
+    (d, if d > 1e-12 { best.1.map(|w| w / d) } else { inner.1 })
 }
 
 /// Halves a triangle across its longest edge.
