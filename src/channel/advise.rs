@@ -198,8 +198,16 @@ impl<'a> WidthSearch<'a> {
     }
 }
 
-/// The channel's width at each of the angles `b_deg`, in their order, over about `places` locations
-/// in whole turns.
+/// Angles of the pivot at which the channel's width is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Leans<'a> {
+    /// The angles B, degrees.
+    pub b_deg: &'a [f64],
+    /// About how many locations are looked at, in whole turns.
+    pub places: usize,
+}
+
+/// The channel's width at each of the angles, in their order.
 ///
 /// # Errors
 /// Those of [`super::plan`], but a closed channel is none.
@@ -208,12 +216,11 @@ pub fn sweep_b(
     tool: &Tool,
     path: &Toolpath,
     options: &ChannelOptions,
-    b_deg: &[f64],
-    places: usize,
+    leans: Leans,
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
     check_input(tool, path, options)?;
-    WidthSearch::new(around, path, places, observer).sweep(tool, options, b_deg)
+    WidthSearch::new(around, path, leans.places, observer).sweep(tool, options, leans.b_deg)
 }
 
 /// What would open a channel; `b_deg` are the angles to look at, rising.

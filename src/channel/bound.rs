@@ -344,8 +344,7 @@ pub(super) fn room(
     if let Some(room) = tall.and_then(|t| room_beside(t, sweeps, b, v, radius, half)) {
         return Some(room);
     }
-    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
-    walked(profile, sweeps, b, v, radius, half, rho)
+    walked(profile, sweeps, b, v, radius, half)
 }
 
 /// As [`room`] for a node whose points are inside the tool for one arc each.
@@ -390,13 +389,13 @@ fn walked(
     v: &Vector,
     radius: f64,
     half: &[Vector; 3],
-    rho: f64,
 ) -> Option<Room> {
     // Most that are not clear at all are not clear at an end.
     let mut ends = sweeps.iter().flat_map(|s| s.axes);
     if ends.any(|axis| least_margin(profile, &axis, v, radius, half) <= NONE_MM) {
         return None;
     }
+    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
     let mut mm = f64::INFINITY;
     for s in sweeps {
         let mut at = s.lo;
@@ -471,8 +470,7 @@ pub(super) fn by_steps(
     radius: f64,
 ) -> Between<'static> {
     let half = [corners[1] - corners[0], corners[2] - corners[0], Vector::zeros()];
-    let rho = (v.y * v.y + v.z * v.z).sqrt() + radius;
-    walked(profile, sweeps, b, v, radius, &half, rho).map_or(Between::Nothing, |r| Between::Room(r.mm))
+    walked(profile, sweeps, b, v, radius, &half).map_or(Between::Nothing, |r| Between::Room(r.mm))
 }
 
 #[cfg(test)]

@@ -70,7 +70,7 @@ use crate::error::{Error, Result, Stage};
 use crate::observe::{Doubt, Observer, Warning};
 use crate::tool::Tool;
 
-pub use advise::{Advice, Farthest, advise, sweep_b};
+pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
 pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
 
@@ -161,7 +161,8 @@ impl<'a> Surroundings<'a> {
             let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
             let profile = ToolProfile::new(tool, room, self.blade.part.off_own_mm());
             let tolerance = options.settings.tolerance_deg.to_radians() / self.share(options);
-            tighten::tighten(self.blade, profile, scene, (samples, path), tolerance, &mut layers, observer)?;
+            let ends = tighten::ExactEnds { part: &self.blade.part, profile, tolerance };
+            ends.tighten(scene, (samples, path), &mut layers, observer)?;
         }
         within_axis(options, &mut layers);
         Ok(layers)

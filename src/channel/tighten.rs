@@ -29,7 +29,7 @@
 
 use rayon::prelude::*;
 
-use crate::artifact::{Blade, Cone, Toolpath};
+use crate::artifact::{Cone, Toolpath};
 use crate::error::{Result, Stage};
 use crate::geometry::exact::pieces::{SeenPiece, Visitor, Walker};
 use crate::geometry::part::Part;
@@ -63,61 +63,61 @@ const SEEDS: usize = 4;
 /// number of threads.
 const BATCH: usize = 128;
 
-/// The exact part and the tool with its clearances alone.
-struct Exact<'a> {
-    part: &'a Part,
-    profile: ToolProfile,
-    tolerance: f64,
+/// How ends are moved: by the exact part and the tool with its clearances alone.
+pub(super) struct ExactEnds<'a> {
+    pub part: &'a Part,
+    pub profile: ToolProfile,
+    /// Of the ends, rad.
+    pub tolerance: f64,
 }
 
-/// Moves the ends that the part binds; nothing happens where it has no exact faces.
-///
-/// # Errors
-/// `Cancelled`.
-pub(super) fn tighten(
-    blade: &Blade,
-    profile: ToolProfile,
-    scene: &ObstacleScene,
-    (samples, path): (&[Sample], &Toolpath),
-    tolerance: f64,
-    layers: &mut [Vec<Free>],
-    observer: &dyn Observer,
-) -> Result<()> {
-    if blade.part.exact().is_none() || !profile.widens {
-        return Ok(());
-    }
-    let others = ObstacleScene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
-    let limits = track::free_everywhere(&others, samples, observer)?;
-    let exact = Exact { part: &blade.part, profile, tolerance };
-    let Some(body) = scene.bodies.first() else { return Ok(()) };
-    let places = layers.par_chunks_mut(BATCH).zip(samples.par_chunks(BATCH)).zip(limits.par_chunks(BATCH));
-    let all: Vec<Result<()>> = places
-        .map(|((layers, samples), limits)| {
-            observer.check(Stage::Channel)?;
-            let Some((brep, faces)) = exact.part.exact() else { return Ok(()) };
-            let (mut seeds, mut walker) = (Vec::new(), Walker::new(faces, brep));
-            for ((layer, sample), limits) in layers.iter_mut().zip(samples).zip(limits) {
-                // Under an allowance of stock contacts are no points of the part.
-                let contact = path.locations.get(sample.row).filter(|_| sample.fraction == 0.0 && path.stock_mm == 0.0);
-                exact.place(body, sample, contact.map(|l| l.contact), limits, layer, (&mut walker, &mut seeds));
-            }
-            Ok(())
-        })
-        .collect();
-    all.into_iter().collect()
+/// A place of which the ends are to be moved.
+struct EndsAt<'a> {
+    body: &'a ObstacleBody<'a>,
+    sample: &'a Sample,
+    /// Where the ball touches the part, if that is known.
+    contact: Option<Point>,
+    /// The free intervals beside all bodies but the part.
+    limits: &'a [Free],
 }
 
-impl Exact<'_> {
-    /// All ends at one place.
-    fn place(
+impl ExactEnds<'_> {
+    /// Moves the ends that the part binds; nothing happens where it has no exact faces.
+    ///
+    /// # Errors
+    /// `Cancelled`.
+    pub fn tighten(
         &self,
-        body: &ObstacleBody,
-        sample: &Sample,
-        contact: Option<Point>,
-        limits: &[Free],
-        layer: &mut Vec<Free>,
-        (walker, seeds): (&mut Walker, &mut Vec<Point>),
-    ) {
+        scene: &ObstacleScene,
+        (samples, path): (&[Sample], &Toolpath),
+        layers: &mut [Vec<Free>],
+        observer: &dyn Observer,
+    ) -> Result<()> {
+        let Some((brep, faces)) = self.part.exact().filter(|_| self.profile.widens) else { return Ok(()) };
+        let others = ObstacleScene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
+        let limits = track::free_everywhere(&others, samples, observer)?;
+        let Some(body) = scene.bodies.first() else { return Ok(()) };
+        let places = layers.par_chunks_mut(BATCH).zip(samples.par_chunks(BATCH)).zip(limits.par_chunks(BATCH));
+        let all: Vec<Result<()>> = places
+            .map(|((layers, samples), limits)| {
+                observer.check(Stage::Channel)?;
+                let (mut seeds, mut walker) = (Vec::new(), Walker::new(faces, brep));
+                for ((layer, sample), limits) in layers.iter_mut().zip(samples).zip(limits) {
+                    // Under an allowance of stock contacts are no points of the part.
+                    let location = path.locations.get(sample.row);
+                    let touches = location.filter(|_| sample.fraction == 0.0 && path.stock_mm == 0.0);
+                    let place = EndsAt { body, sample, contact: touches.map(|l| l.contact), limits };
+                    self.place(&place, layer, &mut walker, &mut seeds);
+                }
+                Ok(())
+            })
+            .collect();
+        all.into_iter().collect()
+    }
+
+    /// All ends at one place.
+    fn place(&self, at: &EndsAt, layer: &mut Vec<Free>, walker: &mut Walker, seeds: &mut Vec<Point>) {
+        let EndsAt { body, sample, contact, limits } = *at;
         let before = std::mem::take(seeds);
         for k in 0..layer.len() {
             for sense in [-1.0, 1.0] {
@@ -252,7 +252,7 @@ fn join(layer: &mut Vec<Free>) {
 
 /// One end on its way outwards.
 struct MovingEnd<'a> {
-    exact: &'a Exact<'a>,
+    exact: &'a ExactEnds<'a>,
     centre: Point,
     cone: Cone,
     sight: Sight,
@@ -279,7 +279,7 @@ struct MovingEnd<'a> {
 }
 
 impl<'a> MovingEnd<'a> {
-    fn new(exact: &'a Exact, sample: &Sample, start: f64, sense: f64, room: f64) -> Self {
+    fn new(exact: &'a ExactEnds, sample: &Sample, start: f64, sense: f64, room: f64) -> Self {
         let b = sample.cone.lean_rad.sin_cos();
         let mut look = MovingEnd {
             exact,
@@ -492,7 +492,7 @@ mod tests {
     fn what_has_no_place_is_not_clear() {
         let part = Part::from_mesh(crate::geometry::mesh::Mesh::default());
         let profile = ToolProfile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
-        let exact = Exact { part: &part, profile, tolerance: 1e-4 };
+        let exact = ExactEnds { part: &part, profile, tolerance: 1e-4 };
         let (centre, normal, cone) = (Point::origin(), Vector::x(), Cone::about_blade(0.0));
         let sample = Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth: 0.0 };
         let mut look = MovingEnd::new(&exact, &sample, 0.0, 1.0, 0.1);

@@ -8,7 +8,7 @@ use super::plan::{draft_from, draft_of};
 use super::progress::Terminal;
 use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
-use crate::channel::{self, FreeInterval};
+use crate::channel::{self, FreeInterval, Leans};
 use crate::error::Result;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
@@ -40,7 +40,8 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     }
     if let Some(sweep) = args.sweep_b {
         let angles = setup.angles_b(sweep.0);
-        let widths = channel::sweep_b(&around, tool, &toolpath, &options, &angles, toolpath.locations.len(), observer)?;
+        let leans = Leans { b_deg: &angles, places: toolpath.locations.len() };
+        let widths = channel::sweep_b(&around, tool, &toolpath, &options, leans, observer)?;
         folder.add("sweep_b.csv", draw::widths_csv(&widths))?;
         folder.add_json("sweep_b.json", &widths)?;
         folder.add("sweep_b.svg", draw::widths_svg(&widths))?;

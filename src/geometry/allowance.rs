@@ -6,8 +6,9 @@
 //! instead. With an allowance of 0 it is the part.
 
 use super::Point;
+use super::measured::Closest;
 use super::nurbs::Principal;
-use super::part::{Closest, Part};
+use super::part::Part;
 
 /// A part and the stock left on it; all that is not about distances is the part's own.
 #[derive(Clone, Copy)]

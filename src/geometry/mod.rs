@@ -6,6 +6,7 @@ pub mod boundary;
 pub mod brep;
 pub mod bvh;
 pub mod exact;
+pub mod measured;
 pub mod mesh;
 pub mod nurbs;
 pub mod part;

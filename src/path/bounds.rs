@@ -5,7 +5,6 @@
 //! constant heights alone count on ends at heights.
 
 use super::level::Touch;
-use super::neighbour::STEP_RAD;
 use super::rim::Rim;
 use crate::artifact::region::Boundary;
 use crate::geometry::Point;
@@ -26,6 +25,9 @@ pub enum Stop {
     /// Two walls at once, of which the farther one leans over too much: its contact.
     Corner(Point),
 }
+
+/// Turn of the normal in a step of a walk, rad.
+pub(super) const STEP_RAD: f64 = 0.15;
 
 /// Where a path may go.
 #[derive(Clone, Copy, Debug)]

@@ -21,10 +21,10 @@ pub(super) fn plan(
     // than its own ring pair promised: aim lower, measure the helix itself, and aim lower still at
     // the heights where that was not enough.
     let mut aim = Aim::new(0.95 * options.settings.scallop_mm);
-    let mut kept = Vec::new();
+    let mut kept = vec![rings::first_ring(blade, level, options, start_x, &rings::tracing(options))?];
     let mut best: Option<Toolpath> = None;
     for _ in 0..MOST_AIMS {
-        let stack = rings::lay(blade, level, options, start_x, kept, &aim, observer)?;
+        let stack = rings::lay(blade, level, options, kept, &aim, observer)?;
         let (path, ridges) = helix::blend(level, &stack, options, observer)?;
         // Two hundredths are left for what another measure of the same ridge may see.
         let most = 0.98 * options.settings.scallop_mm;

@@ -45,6 +45,7 @@ use super::level::{LevelSet, Touch};
 use super::march::{Laid, March, TurnNode};
 use super::neighbour::Across;
 use super::options::PathOptions;
+use super::ring::{Ring, Tracing};
 use super::stepover::flat_stepover_mm;
 use super::{chords, heights_mm, helix, place, rings, spot};
 use crate::artifact::toolpath::EndReason;
@@ -96,7 +97,7 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let lay = |evens_ways| lay(blade, level, options, start_x, evens_ways, observer);
+    let lay = |evens_ways| Laying::new(blade, level, options, start_x, observer)?.lay(evens_ways);
     let plain = lay(false);
     if !level.is_over_facets() {
         return plain.map(|helix| helix.path);
@@ -120,43 +121,147 @@ struct Helix {
     is_from_end: bool,
 }
 
-/// The helix, with its ways evened out or not.
-fn lay(
-    blade: &Blade,
-    level: &LevelSet,
-    options: &PathOptions,
+/// What a helix is laid by.
+struct Laying<'a> {
+    blade: &'a Blade,
+    level: &'a LevelSet<'a>,
+    options: &'a PathOptions,
+    observer: &'a dyn Observer,
+    /// Height from which it is laid down, mm.
     start_x: f64,
+    /// The ring there.
+    ring: Ring,
+    bounds: Bounds<'a>,
+    /// Lowest height that it may come to, mm.
+    lowest_mm: f64,
+    tracing: Tracing,
+    /// Stepover on flat ground, mm.
+    flat_mm: f64,
+    /// Index into what differs over facets.
+    facets: usize,
     evens_ways: bool,
-    observer: &dyn Observer,
-) -> Result<Helix> {
-    let mut how = rings::tracing(options);
-    let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
-    // The ring's altered points, at one of which the path begins, are those of the blade and not of
-    // its facets.
-    how.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
-    let facets = usize::from(level.is_over_facets());
-    let touches_mm = |share: f64| (TOUCHES_RAD[facets] * options.radius_mm).min(share * flat_mm).min(how.max_step_mm);
-    let ring = rings::first_ring(blade, level, options, start_x, &how)?;
-    let bounds = Bounds::of(&options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
-    let search = |scallop_mm| March {
-        across: Across { level, bounds, min_step_mm: how.min_step_mm },
-        scallop_mm,
-        flat_mm: flat_stepover_mm(options.radius_mm, scallop_mm),
-        // Round thin edges of exact faces coarse turns run up the part in folds where they follow
-        // each bend: to find the end they need not.
-        step_mm: if facets == 0 { how.max_step_mm } else { touches_mm(TOUCHES_SEARCH) },
-        round_mm: ring.length_mm,
-        back: 1.0,
-        evens_ways,
-        is_path: false,
-    };
-    let lowest = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
-    let progress = |from: f64, share: f64, way: f64| {
-        let done = (way / (start_x - lowest).max(options.radius_mm)).clamp(0.0, 1.0);
-        observer.progress(Stage::Path, (from + share * done) as usize, 2000);
-        observer.check(Stage::Path)
-    };
-    let lay_up = |end: &[Touch]| {
+}
+
+impl<'a> Laying<'a> {
+    fn new(
+        blade: &'a Blade,
+        level: &'a LevelSet,
+        options: &'a PathOptions,
+        start_x: f64,
+        observer: &'a dyn Observer,
+    ) -> Result<Self> {
+        let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
+        let mut tracing = rings::tracing(options);
+        // The ring's altered points, at one of which the path begins, are those of the blade and not
+        // of its facets.
+        tracing.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
+        let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
+        let bounds = Bounds::of(&options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
+        let facets = usize::from(level.is_over_facets());
+        let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
+        let evens_ways = false;
+        Ok(Laying {
+            blade,
+            level,
+            options,
+            observer,
+            start_x,
+            ring,
+            bounds,
+            lowest_mm,
+            tracing,
+            flat_mm,
+            facets,
+            evens_ways,
+        })
+    }
+
+    /// The helix, with its ways evened out or not: laid up from the first end that was found from
+    /// which turns can be, or else down from the start.
+    fn lay(mut self, evens_ways: bool) -> Result<Helix> {
+        self.evens_ways = evens_ways;
+        let scallop_mm = self.options.settings.scallop_mm;
+        let coarse = (COARSEST * self.options.radius_mm / scallop_mm).clamp(1.0, COARSER);
+        let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
+        let ring = self.search(tries[0] * scallop_mm).at_one_contact_height(&self.ring.touches);
+        let ring = ring.unwrap_or_else(|| self.ring.touches.clone());
+        let open = self.bounds.x_mm[0] == f64::NEG_INFINITY;
+        let mut down = Laid { turns: Vec::new(), lost: None };
+        for (k, coarser) in tries.iter().enumerate() {
+            let search = self.search(coarser * scallop_mm);
+            down = search.find_end(&ring, open, &|x| self.progress(0.0, 300.0, self.start_x - x))?;
+            if let Some(path) = self.laid_up(&search, &down, k + 1 == tries.len())? {
+                return Ok(Helix { path, is_from_end: true });
+            }
+        }
+        Ok(Helix { path: self.laid_down(down)?, is_from_end: false })
+    }
+
+    /// The turns that only look for the end.
+    fn search(&self, scallop_mm: f64) -> March<'a> {
+        March {
+            across: Across { level: self.level, bounds: self.bounds, min_step_mm: self.tracing.min_step_mm },
+            scallop_mm,
+            flat_mm: flat_stepover_mm(self.options.radius_mm, scallop_mm),
+            // Round thin edges of exact faces coarse turns run up the part in folds where they
+            // follow each bend: to find the end they need not.
+            step_mm: if self.facets == 0 { self.tracing.max_step_mm } else { self.touches_mm(TOUCHES_SEARCH) },
+            round_mm: self.ring.length_mm,
+            back: 1.0,
+            evens_ways: self.evens_ways,
+            is_path: false,
+        }
+    }
+
+    /// Distance of touches along a turn, mm, for a share of the stepover.
+    fn touches_mm(&self, share: f64) -> f64 {
+        let round_edges = TOUCHES_RAD[self.facets] * self.options.radius_mm;
+        round_edges.min(share * self.flat_mm).min(self.tracing.max_step_mm)
+    }
+
+    fn progress(&self, from: f64, share: f64, way: f64) -> Result<()> {
+        let done = (way / (self.start_x - self.lowest_mm).max(self.options.radius_mm)).clamp(0.0, 1.0);
+        self.observer.progress(Stage::Path, (from + share * done) as usize, 2000);
+        self.observer.check(Stage::Path)
+    }
+
+    /// The helix of turns laid up from the end that was found; `None` where none can be.
+    fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Option<Toolpath>> {
+        let mut reason = end_reason(self.blade, down, self.options);
+        let depth_mm = |end: &[Touch]| self.start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
+        // A finer search, or ways that are evened out, may find an end from which turns can be laid
+        // up. An end that was asked for stays.
+        let may_end_higher = is_finest && self.evens_ways == (self.facets == 1) && self.options.extent.ends.is_empty();
+        let mut deepest_mm = 0.0;
+        let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
+        for left_out in ends {
+            let kept = &down.turns[..down.turns.len().saturating_sub(*left_out)];
+            let Some(mut end) = search.end_of(kept, is_finest) else { continue };
+            deepest_mm = depth_mm(&end).max(deepest_mm);
+            if depth_mm(&end) < LEAST_DEPTH * deepest_mm {
+                break;
+            }
+            end.reverse();
+            let laid = self.lay_up(&end)?;
+            if let Some(lost) = laid.lost {
+                if *left_out == 0 {
+                    let at = place(self.blade, &lost);
+                    reason = EndReason::Blocked(format!("turns from farther down would lose the surface at {at}"));
+                }
+                continue;
+            }
+            let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
+            match finish(self.level, self.options, reversed, reason.clone(), self.observer) {
+                Err(e) if e.kind == ErrorKind::Infeasible => {}
+                done => return done.map(Some),
+            }
+        }
+        Ok(None)
+    }
+
+    /// Turns of the path from its end up, until one is nowhere under the start height.
+    fn lay_up(&self, end: &[Touch]) -> Result<Laid> {
+        let (start_x, options) = (self.start_x, self.options);
         let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
         let mut highest = start_x + HIGHEST * (start_x - end_x);
         loop {
@@ -166,74 +271,39 @@ fn lay(
                 ends: &[],
                 rim: None,
             };
-            let plain = search(options.settings.scallop_mm);
+            let plain = self.search(options.settings.scallop_mm);
             let up = March {
                 across: Across { bounds: room, ..plain.across },
-                step_mm: touches_mm(TOUCHES[facets]),
-                back: BACK[facets],
+                step_mm: self.touches_mm(TOUCHES[self.facets]),
+                back: BACK[self.facets],
                 is_path: true,
                 ..plain
             };
-            let laid = up.lay(up.along(end), &|x| progress(300.0, 700.0, x - end_x), |turn| {
+            let laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
                 turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
             })?;
             // Over the start height, near the tip, the surface may be lost to places that need not
             // be cut: they are waited at lower down.
-            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * flat_mm);
+            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * self.flat_mm);
             match lower.filter(|x| *x > start_x) {
                 Some(x) => highest = x,
                 None => return Ok(laid),
             }
         }
-    };
-    let mut down = Laid { turns: Vec::new(), lost: None };
-    let coarse = (COARSEST * options.radius_mm / options.settings.scallop_mm).clamp(1.0, COARSER);
-    let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
-    let level_ring = search(tries[0] * options.settings.scallop_mm).at_one_contact_height(&ring.touches);
-    let ring = level_ring.unwrap_or(ring.touches);
-    for (k, coarser) in tries.iter().enumerate() {
-        let open = bounds.x_mm[0] == f64::NEG_INFINITY;
-        let lay_down = search(coarser * options.settings.scallop_mm);
-        down = lay_down.find_end(&ring, open, &|x| progress(0.0, 300.0, start_x - x))?;
-        let is_finest = k + 1 == tries.len();
-        let mut reason = end_reason(blade, &down, options);
-        let depth_mm = |end: &[Touch]| start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
-        // A finer search, or ways that are evened out, may find an end from which turns can be laid
-        // up. An end that was asked for stays.
-        let may_end_higher = is_finest && evens_ways == (facets == 1) && options.extent.ends.is_empty();
-        let mut deepest_mm = 0.0;
-        let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
-        for left_out in ends {
-            let kept = &down.turns[..down.turns.len().saturating_sub(*left_out)];
-            let Some(mut end) = lay_down.end_of(kept, is_finest) else { continue };
-            deepest_mm = depth_mm(&end).max(deepest_mm);
-            if depth_mm(&end) < LEAST_DEPTH * deepest_mm {
-                break;
-            }
-            end.reverse();
-            let laid = lay_up(&end)?;
-            if let Some(lost) = laid.lost {
-                if *left_out == 0 {
-                    let why = format!("turns from farther down would lose the surface at {}", place(blade, &lost));
-                    reason = EndReason::Blocked(why);
-                }
-                continue;
-            }
-            let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
-            match finish(level, options, reversed, reason.clone(), observer) {
-                Err(e) if e.kind == ErrorKind::Infeasible => {}
-                done => return done.map(|path| Helix { path, is_from_end: true }),
-            }
+    }
+
+    /// The helix of the turns that were laid down from the start.
+    fn laid_down(&self, down: Laid) -> Result<Toolpath> {
+        let (blade, options) = (self.blade, self.options);
+        let reason = end_reason(blade, &down, options);
+        if down.turns.len() < 2 {
+            let (by, at) = stopped(&down);
+            let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
+            return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
+                .advise(rings::no_turn_advice(down.lost.is_some())));
         }
+        finish(self.level, options, down.turns, reason, self.observer)
     }
-    let reason = end_reason(blade, &down, options);
-    if down.turns.len() < 2 {
-        let (by, at) = stopped(&down);
-        let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
-        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
-            .advise(rings::no_turn_advice(down.lost.is_some())));
-    }
-    finish(level, options, down.turns, reason, observer).map(|path| Helix { path, is_from_end: false })
 }
 
 /// What ends the helix, and where.

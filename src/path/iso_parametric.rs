@@ -80,15 +80,9 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let stack = rings::lay(
-        blade,
-        level,
-        options,
-        start_x,
-        Vec::new(),
-        &rings::Aim::new(options.settings.scallop_mm),
-        observer,
-    )?;
+    let first = rings::first_ring(blade, level, options, start_x, &rings::tracing(options))?;
+    let aim = rings::Aim::new(options.settings.scallop_mm);
+    let stack = rings::lay(blade, level, options, vec![first], &aim, observer)?;
     let meridians = Meridians { level, rings: &stack.rings };
     let ends = [stack.rings[0].x_mm, stack.rings[stack.rings.len() - 1].x_mm];
     let perimeter = stack.rings.iter().map(|r| r.length_mm).fold(0.0, f64::max);

@@ -7,15 +7,13 @@
 //! the curve turns fast (a fillet hardly larger than the ball) or has a corner (one smaller than
 //! the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
-use super::bounds::{Bounds, Stop};
+use super::bounds::{Bounds, STEP_RAD, Stop};
 use super::level::{LevelSet, Touch};
 use super::stepover::ridge_over_creases;
 use crate::geometry::{Point, Vector};
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
 const STRAIGHT_RAD: f64 = 0.5;
-/// Turn of the normal in a step of a walk, rad.
-pub(super) const STEP_RAD: f64 = 0.15;
 /// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces
 /// and over facets, where touches lie nearer to one another and what a way is off by turns the
 /// next.

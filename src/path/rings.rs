@@ -55,18 +55,17 @@ pub struct Stack {
     pub end_reason: EndReason,
 }
 
-/// Lays the rings; the first ones may be `kept` from an earlier stack.
+/// Lays rings below those that there are, at least one.
 pub fn lay(
     blade: &Blade,
     level: &LevelSet,
     options: &PathOptions,
-    start_x: f64,
-    kept: Vec<Ring>,
+    mut rings: Vec<Ring>,
     aim: &Aim,
     observer: &dyn Observer,
 ) -> Result<Stack> {
     let how = tracing(options);
-    let mut rings = if kept.is_empty() { vec![first_ring(blade, level, options, start_x, &how)?] } else { kept };
+    let start_x = rings[0].x_mm;
     let lowest = lowest_mm(&options.extent.ends);
     let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
     let mut pitch = match rings[..] {

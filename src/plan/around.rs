@@ -3,7 +3,7 @@
 use super::Setup;
 use crate::artifact::Plan;
 use crate::artifact::channel::Width;
-use crate::channel::{self, Surroundings};
+use crate::channel::{self, Leans, Surroundings};
 use crate::error::Result;
 use crate::observe::Observer;
 
@@ -47,6 +47,7 @@ impl Setup {
     /// Those of [`channel::sweep_b`].
     pub fn widths(&self, plan: &Plan, observer: &dyn Observer) -> Result<Vec<Width>> {
         let (around, options, angles) = (self.surroundings()?, self.channel_options(), self.angles_b(REPORT_SWEEP_DEG));
-        channel::sweep_b(&around, &self.job.tool, &plan.toolpath, &options, &angles, REPORT_PLACES, observer)
+        let leans = Leans { b_deg: &angles, places: REPORT_PLACES };
+        channel::sweep_b(&around, &self.job.tool, &plan.toolpath, &options, leans, observer)
     }
 }

@@ -29,7 +29,7 @@ use crate::read::model::openings::{self, ToolReach};
 use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
-use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions};
+use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions, Workspace};
 use crate::write::post::{self, Dialect, PostOptions};
 
 mod around;
@@ -209,8 +209,9 @@ impl Setup {
     /// # Errors
     /// Those of [`verify::check_among`].
     pub fn verdict(&self, plan: Plan, observer: &dyn Observer) -> Result<Verdict<Plan>> {
-        let (blade, tool, options) = (&self.blade, &self.job.tool, self.verify_options());
-        verify::check_among(plan, blade, &self.obstacles, tool, &self.machine, &options, observer)
+        let (blade, obstacles) = (&self.blade, &self.obstacles[..]);
+        let workspace = Workspace { blade, obstacles, tool: &self.job.tool, machine: &self.machine };
+        verify::check_among(plan, &workspace, &self.verify_options(), observer)
     }
 
     /// A checked plan as a program, and what reading the program back found.

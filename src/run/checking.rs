@@ -75,7 +75,7 @@ impl RunAtWork<'_, '_> {
             let others = timed(observer, Stage::Schedule, || look::others(setup, &plan));
             let (baseline, others, report) = (Some(baseline), &others[..], &report);
             let (inputs, budget_bytes) = (&self.loaded.inputs[..], course.preview_bytes);
-            let look = Look { sections, inputs, baseline, others, report, forced, budget_bytes };
+            let look = Look { sections, inputs, baseline, others, report, forced, budget_bytes, payload: None };
             let summary = look::json_of(&summary)?;
             timed(self.observer, Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
         }

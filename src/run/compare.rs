@@ -133,15 +133,13 @@ pub fn compare(
     let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &recorder)?;
     let (made, names) = all(&setup, &toolpath, &channel)?;
     let feed = FeedOptions { limit_jerk, ..setup.feed_options() };
+    let ground = Ground { setup: &setup, path: &toolpath, channel: &channel, feed: &feed };
     let schedules = names
         .iter()
         .zip(&made)
-        .map(|(name, (s, seconds))| figures(name, s, *seconds, &setup, &toolpath, &channel, &feed))
+        .map(|(name, (s, seconds))| ground.figures(name, s, *seconds))
         .collect::<Result<Vec<_>>>()?;
-    let sweep = SCALES
-        .par_iter()
-        .map(|scale| under(*scale, &setup, &names, &made, &toolpath, &channel, &feed))
-        .collect::<Result<Vec<_>>>()?;
+    let sweep = SCALES.par_iter().map(|scale| ground.under(*scale, &names, &made)).collect::<Result<Vec<_>>>()?;
     let bound = made.iter().find_map(|(s, _)| s.quality.bound_second);
     let found = Comparison {
         name: setup.blade.name.clone(),
@@ -193,57 +191,53 @@ fn peaks_of(p: &AxisPeaks, axes: &[Axis]) -> Vec<Peak> {
     axes.iter().enumerate().map(peak).collect()
 }
 
-fn figures(
-    name: &str,
-    s: &Schedule,
-    seconds: f64,
-    setup: &Setup,
-    path: &Toolpath,
-    channel: &Channel,
-    feed: &FeedOptions,
-) -> Result<Compared> {
-    Ok(Compared {
-        name: name.into(),
-        reversals: s.reversals,
-        outside_deg: s.quality.outside_rad.to_degrees(),
-        machinable: machinable(s, channel),
-        rate_deg_mm: s.peak_rate.to_degrees(),
-        second_deg_mm2: s.peak_acceleration.to_degrees(),
-        seconds,
-        at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axes()),
-    })
+/// What all schedules have in common: the path, its channel and the feed.
+struct Ground<'a> {
+    setup: &'a Setup,
+    path: &'a Toolpath,
+    channel: &'a Channel,
+    feed: &'a FeedOptions,
 }
 
-/// All schedules under scaled limits, then the fastest of those that can be machined and of the one
-/// made for these limits.
-fn under(
-    scale: f64,
-    setup: &Setup,
-    names: &[String],
-    made: &[(Schedule, f64)],
-    path: &Toolpath,
-    channel: &Channel,
-    feed: &FeedOptions,
-) -> Result<Limits> {
-    let machine = setup.machine.clone().with_limits_scaled(scale);
-    let bound_s = feed::least_time(path, feed).max(least_turning(&machine, channel));
-    let mut runs = names
-        .iter()
-        .zip(made)
-        .map(|(name, (s, _))| run(name, s, &machine, path, feed, bound_s))
-        .collect::<Result<Vec<_>>>()?;
-    let mut candidates = paced(&machine, feed, path, channel, &setup.schedule_options())?
-        .iter()
-        .map(|own| run("time", own, &machine, path, feed, bound_s))
-        .collect::<Result<Vec<_>>>()?;
-    let others = runs.iter().zip(made).filter(|(_, (s, _))| machinable(s, channel));
-    candidates.extend(others.map(|(r, _)| ScheduleRun { name: "time".into(), ..r.clone() }));
-    runs.extend(candidates.into_iter().min_by(|a, b| a.time_s.total_cmp(&b.time_s)));
-    let fixed = runs.first().map_or(0.0, |r| r.time_s);
-    for r in &mut runs {
-        r.gain_on_fixed = 1.0 - r.time_s / fixed;
+impl Ground<'_> {
+    fn figures(&self, name: &str, s: &Schedule, seconds: f64) -> Result<Compared> {
+        let Ground { setup, path, channel, feed } = *self;
+        Ok(Compared {
+            name: name.into(),
+            reversals: s.reversals,
+            outside_deg: s.quality.outside_rad.to_degrees(),
+            machinable: machinable(s, channel),
+            rate_deg_mm: s.peak_rate.to_degrees(),
+            second_deg_mm2: s.peak_acceleration.to_degrees(),
+            seconds,
+            at_constant_feed: peaks_of(&feed::peaks(path, s, &setup.machine, feed)?, setup.machine.axes()),
+        })
     }
-    Ok(Limits { scale, bound_s, runs })
+
+    /// All schedules under scaled limits, then the fastest of those that can be machined and of the one
+    /// made for these limits.
+    fn under(&self, scale: f64, names: &[String], made: &[(Schedule, f64)]) -> Result<Limits> {
+        let Ground { setup, path, channel, feed } = *self;
+        let machine = setup.machine.clone().with_limits_scaled(scale);
+        let bound_s = feed::least_time(path, feed).max(least_turning(&machine, channel));
+        let mut runs = names
+            .iter()
+            .zip(made)
+            .map(|(name, (s, _))| run(name, s, &machine, path, feed, bound_s))
+            .collect::<Result<Vec<_>>>()?;
+        let mut candidates = paced(&machine, feed, path, channel, &setup.schedule_options())?
+            .iter()
+            .map(|own| run("time", own, &machine, path, feed, bound_s))
+            .collect::<Result<Vec<_>>>()?;
+        let others = runs.iter().zip(made).filter(|(_, (s, _))| machinable(s, channel));
+        candidates.extend(others.map(|(r, _)| ScheduleRun { name: "time".into(), ..r.clone() }));
+        runs.extend(candidates.into_iter().min_by(|a, b| a.time_s.total_cmp(&b.time_s)));
+        let fixed = runs.first().map_or(0.0, |r| r.time_s);
+        for r in &mut runs {
+            r.gain_on_fixed = 1.0 - r.time_s / fixed;
+        }
+        Ok(Limits { scale, bound_s, runs })
+    }
 }
 
 fn run(

@@ -39,6 +39,8 @@ pub(super) struct Look<'a> {
     pub forced: bool,
     /// Most bytes of preview.glb.
     pub budget_bytes: Option<usize>,
+    /// What the report's plots and its 3-D view show, where that is known.
+    pub payload: Option<&'a Payload>,
 }
 
 /// The JSON that a file of the run holds.
@@ -73,16 +75,15 @@ pub(super) fn write(
     };
     folder.add("preview.glb", preview::gltf(&scene)?)?;
     observer.progress(Stage::Preview, 1, 2);
-    page(setup, plan, look, summary, None, folder, observer)
+    page(setup, plan, look, summary, folder, observer)
 }
 
-/// Writes the report; `payload`: what its plots and its 3-D view show, where that is known.
+/// Writes the report.
 pub(super) fn page(
     setup: &Setup,
     plan: &Plan,
     look: &Look,
     summary: &Value,
-    payload: Option<&Payload>,
     folder: &mut RunFolder,
     observer: &Recorder,
 ) -> Result<()> {
@@ -113,7 +114,7 @@ pub(super) fn page(
         job_toml: &setup.job.to_toml()?,
         provenance: &provenance(setup, look.inputs),
     };
-    let text = match payload {
+    let text = match look.payload {
         Some(payload) => report::page(&input, payload),
         None => report::html(&input)?,
     };
@@ -209,6 +210,7 @@ pub fn preview_again(
         report: &report,
         forced: false,
         budget_bytes,
+        payload: None,
     };
     write(setup, plan, &look, &summary, folder, &recorder)
 }

@@ -57,9 +57,18 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         summary.programs = posted.figures;
     }
     let inputs = &run.loaded.inputs[..];
-    let look = Look { sections: &[], inputs, baseline: None, others: &[], report: &report, forced, budget_bytes: None };
-    let (shown, payload) = (look::json_of(&summary)?, Some(&kept.payload));
-    timed(observer, Stage::Preview, || look::page(setup, &plan, &look, &shown, payload, folder, observer))?;
+    let look = Look {
+        sections: &[],
+        inputs,
+        baseline: None,
+        others: &[],
+        report: &report,
+        forced,
+        budget_bytes: None,
+        payload: Some(&kept.payload),
+    };
+    let shown = look::json_of(&summary)?;
+    timed(observer, Stage::Preview, || look::page(setup, &plan, &look, &shown, folder, observer))?;
     run.folder.add_json("summary.json", &summary)?;
     run.folder.add_json("verify.json", &report)?;
     Ok(Some(Made {

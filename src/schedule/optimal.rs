@@ -359,92 +359,138 @@ pub(super) fn round_from(
 
 /// Dynamics, objective and rows of one interval (of the last sample: what holds there alone).
 fn stage(walls: &Corridor, scale: &SolverUnits, goal: &Goal, i: usize) -> Stage<X, V> {
-    let last = i + 1 == walls.s.len();
-    let (k, h) = if last { (i, 0.0) } else { (i + 1, (walls.s[i + 1] - walls.s[i]) / scale.length) };
-    let u = scale.second;
-    let mut out = Stage::<X, V> {
-        dynamics: [
+    let interval = Interval::of(walls, scale, i);
+    let mut out = Stage::<X, V> { dynamics: interval.dynamics(), ..Stage::default() };
+    out.hessian[5][5] = 1.0;
+    interval.keep_within_walls(&mut out.rows);
+    match goal {
+        Goal::Pace { pace, .. } => interval.keep_pace(pace, &mut out.rows),
+        Goal::Peak { third } | Goal::Turns { third, .. } => interval.keep_below_peak(*third, &mut out.rows),
+        // γ is not used; something must hold it.
+        Goal::Square { .. } => out.hessian[3][3] = interval.h.max(1e-9),
+    }
+    interval.weigh_peak(goal, &mut out);
+    interval.weigh_square(goal, &mut out.hessian);
+    out
+}
+
+/// An interval of the walls from one sample to the next, in units of the solver.
+struct Interval<'a> {
+    walls: &'a Corridor,
+    scale: &'a SolverUnits,
+    /// The sample at which it begins.
+    i: usize,
+    /// Whether nothing follows: it has no length then.
+    last: bool,
+    /// Length.
+    h: f64,
+    /// Length of the whole path.
+    whole: f64,
+}
+
+impl<'a> Interval<'a> {
+    fn of(walls: &'a Corridor, scale: &'a SolverUnits, i: usize) -> Self {
+        let last = i + 1 == walls.s.len();
+        let h = if last { 0.0 } else { (walls.s[i + 1] - walls.s[i]) / scale.length };
+        let whole = (walls.s[walls.s.len() - 1] - walls.s[0]) / scale.length;
+        Interval { walls, scale, i, last, h, whole }
+    }
+
+    /// θ, θ' and θ'' at the next sample from those here and the third derivative; γ stays.
+    fn dynamics(&self) -> [[f64; V]; X] {
+        let (u, h) = (self.scale.second, self.h);
+        [
             [1.0, h, 0.5 * u * h * h, 0.0, u * h * h / 6.0, 0.0],
             [0.0, 1.0, u * h, 0.0, 0.5 * u * h, 0.0],
             [0.0, 0.0, 1.0, 0.0, 1.0, 0.0],
             [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
-        ],
-        ..Stage::default()
-    };
-    out.hessian[5][5] = 1.0;
-    let level = [walls.lo[i] - scale.line(walls, i), walls.hi[i] - scale.line(walls, i)];
-    let next = [walls.lo[k] - scale.line(walls, k), walls.hi[k] - scale.line(walls, k)];
-    let mut between = |g: [f64; V], share: f64| {
-        let wall = [0, 1].map(|w| level[w] + share * (next[w] - level[w]));
-        out.rows.push(Row { g, most: wall[1] });
-        out.rows.push(Row { g: g.map(|v| -v), most: -wall[0] });
-    };
-    between([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0);
-    if !last {
-        between([1.0, h / 3.0, 0.0, 0.0, 0.0, 0.0], 1.0 / 3.0);
-        between([1.0, 2.0 * h / 3.0, u * h * h / 6.0, 0.0, 0.0, 0.0], 2.0 / 3.0);
-        out.rows.push(Row { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most: scale.base[1] * scale.length });
+        ]
     }
-    out.rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most: scale.base[1] * scale.length });
-    let (third, square) = match goal {
-        Goal::Peak { third } | Goal::Turns { third, .. } => (*third, 0.0),
-        Goal::Square { third } => (*third, 1.0),
-        Goal::Pace { .. } => (false, 0.0),
-    };
-    let whole = (walls.s[walls.s.len() - 1] - walls.s[0]) / scale.length;
-    if let Goal::Pace { pace, .. } = goal {
-        let [rate, second] = [1.0 / (scale.length * pace.rate), u / (scale.length.powi(2) * pace.second)];
-        out.rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace.rate });
+
+    /// The control points are between the walls, and θ only grows.
+    fn keep_within_walls(&self, rows: &mut Vec<Row<V>>) {
+        let Interval { walls, scale, i, h, .. } = *self;
+        let u = scale.second;
+        let level = |k: usize| [walls.lo[k] - scale.line(walls, k), walls.hi[k] - scale.line(walls, k)];
+        let (here, next) = (level(i), level(if self.last { i } else { i + 1 }));
+        let mut between = |g: [f64; V], share: f64| {
+            let wall = [0, 1].map(|w| here[w] + share * (next[w] - here[w]));
+            rows.push(Row { g, most: wall[1] });
+            rows.push(Row { g: g.map(|v| -v), most: -wall[0] });
+        };
+        between([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0);
+        let most = scale.base[1] * scale.length;
+        if !self.last {
+            between([1.0, h / 3.0, 0.0, 0.0, 0.0, 0.0], 1.0 / 3.0);
+            between([1.0, 2.0 * h / 3.0, u * h * h / 6.0, 0.0, 0.0, 0.0], 2.0 / 3.0);
+            rows.push(Row { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most });
+        }
+        rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most });
+    }
+
+    /// γ is at least 1 and as much as θ' and θ'' exceed what the pace allows; near the ends of the
+    /// path θ all but stands.
+    fn keep_pace(&self, pace: &Pace, rows: &mut Vec<Row<V>>) {
+        let Interval { walls, scale, i, .. } = *self;
+        let [rate, second] = [1.0 / (scale.length * pace.rate), scale.second / (scale.length.powi(2) * pace.second)];
+        rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace.rate });
         let to_end = (walls.s[i] - walls.s[0]).min(walls.s[walls.s.len() - 1] - walls.s[i]);
         if to_end < pace.standing_mm {
             let g = [0.0, rate, 0.0, 0.0, 0.0, 0.0];
-            out.rows.push(Row { g, most: STANDING - scale.base[1] / pace.rate });
+            rows.push(Row { g, most: STANDING - scale.base[1] / pace.rate });
         }
-        out.rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
-        out.rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
-        out.rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 });
-    } else if !matches!(goal, Goal::Square { .. }) {
+        rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
+        rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
+        rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 });
+    }
+
+    /// γ is at least the second, or the `third` derivative, of either sign.
+    fn keep_below_peak(&self, third: bool, rows: &mut Vec<Row<V>>) {
         for sign in [1.0, -1.0] {
             let mut g = [0.0; V];
             (g[3], g[2]) = (-1.0, sign);
             if third {
-                (g[2], g[4]) = (0.0, if last { 0.0 } else { sign / (h * scale.third) });
+                (g[2], g[4]) = (0.0, if self.last { 0.0 } else { sign / (self.h * self.scale.third) });
             }
-            out.rows.push(Row { g, most: 0.0 });
+            rows.push(Row { g, most: 0.0 });
         }
-    } else {
-        // γ is not used; something must hold it.
-        out.hessian[3][3] = h.max(1e-9);
     }
-    match goal {
-        Goal::Peak { .. } => out.gradient[3] = h / whole,
-        Goal::Pace { borders, .. } => {
-            out.gradient[3] = h / whole;
-            if borders.get(i).is_some_and(|b| *b) {
-                out.dynamics[3][5] = 1.0;
-                out.hessian[5][5] = 0.0;
-            }
+
+    /// What γ costs, how much it may be, and where it may begin anew.
+    fn weigh_peak(&self, goal: &Goal, out: &mut Stage<X, V>) {
+        let borders = match goal {
+            Goal::Square { .. } => return,
+            Goal::Peak { .. } => &[][..],
+            Goal::Turns { borders, .. } | Goal::Pace { borders, .. } => borders,
+        };
+        out.gradient[3] = self.h / self.whole;
+        if let Goal::Turns { cap, .. } = goal
+            && cap.is_finite()
+        {
+            out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
         }
-        Goal::Turns { cap, borders, .. } => {
-            out.gradient[3] = h / whole;
-            if cap.is_finite() {
-                out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
-            }
-            if borders.get(i).is_some_and(|b| *b) {
-                out.dynamics[3][5] = 1.0;
-                out.hessian[5][5] = 0.0;
-            }
+        if borders.get(self.i).is_some_and(|b| *b) {
+            out.dynamics[3][5] = 1.0;
+            out.hessian[5][5] = 0.0;
         }
-        Goal::Square { .. } => {}
     }
-    let weight = if matches!(goal, Goal::Turns { .. } | Goal::Pace { .. }) { ROUND } else { square } * h / whole;
-    if third {
-        out.hessian[4][4] += if last { 0.0 } else { 2.0 * weight / (h * scale.third).powi(2) };
-    } else {
-        out.hessian[2][2] += 2.0 * weight;
-        out.hessian[2][4] += weight;
-        out.hessian[4][2] += weight;
-        out.hessian[4][4] += 2.0 * weight / 3.0;
+
+    /// What the integral of the square costs: all there is, or as much as keeps a curve round.
+    fn weigh_square(&self, goal: &Goal, hessian: &mut [[f64; V]; V]) {
+        let (third, square) = match goal {
+            Goal::Peak { third } => (*third, 0.0),
+            Goal::Turns { third, .. } => (*third, ROUND),
+            Goal::Square { third } => (*third, 1.0),
+            Goal::Pace { .. } => (false, ROUND),
+        };
+        let weight = square * self.h / self.whole;
+        if third {
+            hessian[4][4] += if self.last { 0.0 } else { 2.0 * weight / (self.h * self.scale.third).powi(2) };
+        } else {
+            hessian[2][2] += 2.0 * weight;
+            hessian[2][4] += weight;
+            hessian[4][2] += weight;
+            hessian[4][4] += 2.0 * weight / 3.0;
+        }
     }
-    out
 }

@@ -15,46 +15,10 @@
 //! the surface or comes to an edge, a face or a corner. Of these reasons only the lean is measured
 //! here; any other is repeated in the note.
 
-use super::options::VerifyOptions;
+use super::options::{Asked, VerifyOptions};
 use crate::artifact::report::Check;
-use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, PathKind, Turn};
+use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, Turn};
 use crate::artifact::{Blade, CheckId, Cone, Plan, Toolpath};
-
-/// What a plan holds of its job. Lengths in mm.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
-    /// How turns lie.
-    pub kind: PathKind,
-    /// Climb or conventional milling.
-    pub direction: Direction,
-    /// Radius of the ball.
-    pub radius_mm: f64,
-    /// Stock that stays on the part.
-    pub stock_mm: f64,
-    /// Chord tolerance.
-    pub chord_mm: f64,
-    /// Height of the first ball centres.
-    pub start_mm: f64,
-    /// Height of the last ones; `None`: as far down as the tool comes.
-    pub end_mm: Option<f64>,
-    /// Greatest lean of the wall, rad.
-    pub max_lean_rad: f64,
-    /// Angle of the head, rad.
-    pub b_rad: f64,
-    /// Least and greatest angle between tool axis and surface normal, rad.
-    pub contact_rad: [f64; 2],
-    /// Limits of θ from those of the rotary axis, rad; `None`: it turns without end.
-    pub theta_limits_rad: Option<[f64; 2]>,
-    /// Tolerance of the channel's ends, rad.
-    pub tolerance_rad: f64,
-    /// How the schedule is made.
-    pub schedule: ScheduleKind,
-    /// Greatest feed, mm/min.
-    pub feed_mm_min: f64,
-    /// Radius of the leads; 0: straight.
-    pub lead_radius_mm: f64,
-}
 
 /// Values that JSON and arithmetic in radians keep.
 const SAME: f64 = 1e-9;

@@ -46,7 +46,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::scallop::flat_stepover;
+use super::height::flat_stepover;
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::{Blade, Toolpath};

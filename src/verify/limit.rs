@@ -20,9 +20,9 @@
 
 use rayon::prelude::*;
 
-use super::ridge;
+use super::height::{REACH_SLACK, UNCUT, flat_stepover, lift, percentile};
+use super::ridge::{self, Ridges};
 use super::samples;
-use super::scallop::{REACH_SLACK, UNCUT, flat_stepover, lift, percentile};
 use super::sweep::Sweep;
 use crate::artifact::report::{LimitFigures, LimitSource};
 use crate::artifact::{Blade, Toolpath};
@@ -114,7 +114,8 @@ fn share_of_ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> f64 {
     let n = sweep.centres.len();
     let every = n.div_ceil(MOST_PLACES);
     let rows: Vec<usize> = (0..n).step_by(every).filter(|row| inner(sweep, *row)).collect();
-    let (apart_mm, slack_mm) = (ridge::apart_mm(sweep.radius_mm, scallop_mm), UNCUT * scallop_mm);
+    let apart_mm = ridge::apart_mm(sweep.radius_mm, scallop_mm);
+    let ridges = &Ridges { part, sweep, every, apart_mm, slack_mm: UNCUT * scallop_mm };
     let parts: Vec<(f64, f64)> = rows
         .into_par_iter()
         .flat_map_iter(|row| {
@@ -122,7 +123,7 @@ fn share_of_ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> f64 {
             let way = 0.5 * ridge::stretch_mm(sweep, row, every);
             let sides = [turn.checked_sub(1), turn.checked_add(1)];
             let share = move |other: u32| {
-                let c = ridge::between(part, sweep, row, other, every, apart_mm, slack_mm)?;
+                let c = ridges.at(row, other)?;
                 Some((way, way * (c.height_mm.max(0.0) / scallop_mm).sqrt()))
             };
             sides.into_iter().flatten().filter_map(share).collect::<Vec<_>>()

@@ -31,23 +31,28 @@ fn worst(values: impl Iterator<Item = f64>) -> WorstRow {
     })
 }
 
+/// The worst that one axis does, and what it may.
+struct AxisPeak {
+    axis: usize,
+    kind: AxisCheck,
+    found: WorstRow,
+    limit: f64,
+}
+
 /// All checks of the machine's motion.
 pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &VerifyOptions) -> Vec<Check> {
     let mut checks = vec![forward_in_time(plan, blade)];
     for (axis, Axis { limits: limit, .. }) in machine.axes().iter().enumerate() {
         let travel = limit.travel.map(|[lo, hi]| {
             let over = |q: &[f64]| (lo - q[axis]).max(q[axis] - hi);
-            (AxisCheck::Travel, "how far it leaves its travel", worst(plan.motion.position.iter().map(over)), 0.0)
+            (AxisCheck::Travel, worst(plan.motion.position.iter().map(over)), 0.0)
         });
         let (v, a) = (velocities(plan, axis), accelerations(plan, axis));
         let v = worst(v.iter().map(|v| v.abs()));
         let a = worst(a.iter().map(|a| a.abs()));
-        let dynamic = [
-            (AxisCheck::Velocity, "greatest velocity, from positions and times", v, limit.velocity),
-            (AxisCheck::Acceleration, "greatest acceleration, from positions and times", a, limit.acceleration),
-        ];
-        for (kind, quantity, found, limit) in travel.into_iter().chain(dynamic) {
-            checks.push(judge(axis, kind, quantity, found, limit, plan, blade, machine, options));
+        let dynamic = [(AxisCheck::Velocity, v, limit.velocity), (AxisCheck::Acceleration, a, limit.acceleration)];
+        for (kind, found, limit) in travel.into_iter().chain(dynamic) {
+            checks.push(judge(&AxisPeak { axis, kind, found, limit }, plan, blade, machine, options));
         }
     }
     checks.extend(placed(plan, blade, tool, machine, options));
@@ -81,24 +86,14 @@ fn where_it_goes(axis: usize, plan: &Plan, machine: &Machine) -> String {
     format!("it runs from {a:.3} to {b:.3}, the travel is {c:.3} to {d:.3}{what}")
 }
 
-#[allow(clippy::too_many_arguments)]
-fn judge(
-    axis: usize,
-    kind: AxisCheck,
-    quantity: &str,
-    found: WorstRow,
-    limit: f64,
-    plan: &Plan,
-    blade: &Blade,
-    machine: &Machine,
-    options: &VerifyOptions,
-) -> Check {
+fn judge(peak: &AxisPeak, plan: &Plan, blade: &Blade, machine: &Machine, options: &VerifyOptions) -> Check {
+    let AxisPeak { axis, kind, found, limit } = *peak;
     let own = &machine.axes()[axis];
     let (name, scale) = (&own.name, own.scale());
-    let per = match kind {
-        AxisCheck::Travel => "",
-        AxisCheck::Velocity => "/s",
-        AxisCheck::Acceleration => "/s²",
+    let (quantity, per) = match kind {
+        AxisCheck::Travel => ("how far it leaves its travel", ""),
+        AxisCheck::Velocity => ("greatest velocity, from positions and times", "/s"),
+        AxisCheck::Acceleration => ("greatest acceleration, from positions and times", "/s²"),
     };
     let unit = format!("{}{per}", own.unit());
     // Rounding of positions, and the limits' own units.

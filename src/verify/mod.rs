@@ -37,6 +37,7 @@ pub mod audit;
 mod clearance;
 mod deviation;
 mod gouge;
+mod height;
 pub mod lead;
 mod limit;
 mod limits;
@@ -59,11 +60,10 @@ mod walls;
 mod whole;
 
 pub use apart::{Apart, apart};
-pub use asked::Asked;
 pub use clearance::{Standing, short_moves, standing};
 pub use deviation::deviation;
 pub use limit::limit;
-pub use options::VerifyOptions;
+pub use options::{Asked, VerifyOptions};
 pub use restart::restart;
 pub use settings::{VerifyKeys, VerifySettings};
 pub use verdict::{Rejected, Verdict, Verified};
@@ -72,7 +72,7 @@ use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::machine::Machine;
-use crate::observe::Observer;
+use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
 
 /// Checks a plan against the part, the tool and the limits of `options`.
@@ -89,7 +89,20 @@ pub fn check(
     options: &VerifyOptions,
     observer: &dyn Observer,
 ) -> Result<Verdict<Plan>> {
-    check_among(plan, blade, &[], tool, machine, options, observer)
+    check_among(plan, &Workspace { blade, obstacles: &[], tool, machine }, options, observer)
+}
+
+/// What a plan is carried out with: the part, what stands about it, the tool and the machine.
+#[derive(Clone, Copy)]
+pub struct Workspace<'a> {
+    /// The part.
+    pub blade: &'a Blade,
+    /// Fixtures and stock.
+    pub obstacles: &'a [Obstacle],
+    /// The cutter with its holder.
+    pub tool: &'a Tool,
+    /// The machine.
+    pub machine: &'a Machine,
 }
 
 /// As [`check`], with fixtures and stock.
@@ -98,13 +111,11 @@ pub fn check(
 /// As [`check`].
 pub fn check_among(
     plan: Plan,
-    blade: &Blade,
-    obstacles: &[Obstacle],
-    tool: &Tool,
-    machine: &Machine,
+    workspace: &Workspace,
     options: &VerifyOptions,
     observer: &dyn Observer,
 ) -> Result<Verdict<Plan>> {
+    let Workspace { blade, obstacles, tool, machine } = *workspace;
     well_formed(&plan, machine)?;
     tool.validate()?;
     let mut report = CheckReport::default();
@@ -120,7 +131,9 @@ pub fn check_among(
     report.gouge_mm = check.worst;
     report.checks.push(check);
     step(1)?;
-    scallop::check(&plan, blade, &part, &sweep, options, &mut report, observer);
+    if let Some(doubt) = scallop::check(&plan, blade, &part, &sweep, options, &mut report) {
+        observer.warn(Warning { stage: Stage::Verify, doubt });
+    }
     step(2)?;
     let apart = apart::apart(blade, obstacles, tool, options);
     let (checks, least) = clearance::check(&plan, blade, &apart, options);

@@ -1,10 +1,45 @@
 //! Limits of the checks and how finely they look.
 
-use super::Asked;
 use super::settings::VerifySettings;
-use crate::artifact::toolpath::SCALLOP_MM;
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::{Direction, PathKind, SCALLOP_MM};
 use crate::settings::with_settings;
 use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM};
+
+/// What a plan holds of its job. Lengths in mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// How turns lie.
+    pub kind: PathKind,
+    /// Climb or conventional milling.
+    pub direction: Direction,
+    /// Radius of the ball.
+    pub radius_mm: f64,
+    /// Stock that stays on the part.
+    pub stock_mm: f64,
+    /// Chord tolerance.
+    pub chord_mm: f64,
+    /// Height of the first ball centres.
+    pub start_mm: f64,
+    /// Height of the last ones; `None`: as far down as the tool comes.
+    pub end_mm: Option<f64>,
+    /// Greatest lean of the wall, rad.
+    pub max_lean_rad: f64,
+    /// Angle of the head, rad.
+    pub b_rad: f64,
+    /// Least and greatest angle between tool axis and surface normal, rad.
+    pub contact_rad: [f64; 2],
+    /// Limits of θ from those of the rotary axis, rad; `None`: it turns without end.
+    pub theta_limits_rad: Option<[f64; 2]>,
+    /// Tolerance of the channel's ends, rad.
+    pub tolerance_rad: f64,
+    /// How the schedule is made.
+    pub schedule: ScheduleKind,
+    /// Greatest feed, mm/min.
+    pub feed_mm_min: f64,
+    /// Radius of the leads; 0: straight.
+    pub lead_radius_mm: f64,
+}
 
 /// Limits and sampling of [`super::check`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,7 +13,7 @@
 
 use rayon::prelude::*;
 
-use super::scallop::{Height, REACH_SLACK, flat_stepover, lift, sort};
+use super::height::{Height, REACH_SLACK, flat_stepover, lift, sort};
 use super::sweep::Sweep;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
@@ -46,10 +46,9 @@ pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -
     let inner = inner && last >= first + 3;
     let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
     let rows: Vec<usize> = (0..n).step_by(every).filter(|row| counts(*row)).collect();
-    let slack_mm = REACH_SLACK * scallop_mm;
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
-    let ridge = |row: usize| between(part, sweep, row, sweep.turns[row] + 1, every, apart_mm, slack_mm);
-    sort(rows.into_par_iter().filter_map(ridge).collect())
+    let ridges = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
+    sort(rows.into_par_iter().filter_map(|row| ridges.at(row, sweep.turns[row] + 1)).collect())
 }
 
 /// How far apart two passes must be to leave a ridge, mm.
@@ -57,52 +56,58 @@ pub(super) fn apart_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
     APART * flat_stepover(radius_mm, scallop_mm)
 }
 
-/// The ridge between the pass at `row` and the turn `other` beside it, for a stretch of `every`
-/// moves. `None` where the other turn has no pass beside this one, or no ball reaches the part
-/// under the ridge by more than `slack_mm`; a height of 0 where the two are not `apart_mm` apart:
-/// what is cut twice counts as that.
-pub(super) fn between(
-    part: &Allowed,
-    sweep: &Sweep,
-    row: usize,
-    other: u32,
-    every: usize,
-    apart_mm: f64,
-    slack_mm: f64,
-) -> Option<Height> {
-    let radius = sweep.radius_mm;
-    let c1 = midway(sweep, row);
-    let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == other && sweep.turns[i + 1] == other)?;
-    let (i, d) = (next.segment, next.distance_mm);
-    // An end of the other turn is not its nearest pass.
-    let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
-    let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
-    if at_start || at_end {
-        return None;
+/// How ridges between the passes of a sweep are looked for.
+pub(super) struct Ridges<'a> {
+    pub part: &'a Allowed<'a>,
+    pub sweep: &'a Sweep,
+    /// Moves of a stretch: each ridge stands for one.
+    pub every: usize,
+    /// What is cut twice, so passes nearer to one another than this, leaves no ridge, mm.
+    pub apart_mm: f64,
+    /// Where a ball stays farther than this over the part, no ball reaches it, mm.
+    pub slack_mm: f64,
+}
+
+impl Ridges<'_> {
+    /// The ridge between the pass at `row` and the turn `other` beside it. `None` where the other
+    /// turn has no pass beside this one, or no ball reaches the part under the ridge; a height of 0
+    /// where the two are not apart.
+    pub fn at(&self, row: usize, other: u32) -> Option<Height> {
+        let Ridges { part, sweep, every, apart_mm, slack_mm } = *self;
+        let radius = sweep.radius_mm;
+        let c1 = midway(sweep, row);
+        let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == other && sweep.turns[i + 1] == other)?;
+        let (i, d) = (next.segment, next.distance_mm);
+        // An end of the other turn is not its nearest pass.
+        let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
+        let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
+        if at_start || at_end {
+            return None;
+        }
+        let middle = c1 + (next.centre - c1) * 0.5;
+        let e = (next.centre - c1) / d;
+        let foot = part.closest(&middle, 2.0 * radius)?.point;
+        let weight = d * stretch_mm(sweep, row, every);
+        if d < apart_mm {
+            return Some(Height { height_mm: 0.0, point: foot, row, weight });
+        }
+        let g = (middle - foot) - e * (middle - foot).dot(&e);
+        let g = g.try_normalize(1e-9)?;
+        let side = e.cross(&g);
+        let circle = (radius * radius - 0.25 * d * d).sqrt();
+        let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
+        let (height_mm, point) = lowest(part, point, radius)?;
+        let under = part.closest(&point, radius)?;
+        // Up to the ridge itself: the normal of a facet may point past it.
+        let up_to = (point - under.point).try_normalize(1e-6).filter(|_| height_mm > 0.0);
+        let entry = up_to.and_then(|n| sweep.entry(&under.point, &n, REACH_STEPOVERS * d));
+        // By less than this it is the chords of the same two passes.
+        let sag = CUT * (radius - circle);
+        let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
+        // A ridge over a corner that no ball can reach is not one of the stepover's.
+        let up = lift(part, &under.point, &under.normal, radius, slack_mm);
+        (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
     }
-    let middle = c1 + (next.centre - c1) * 0.5;
-    let e = (next.centre - c1) / d;
-    let foot = part.closest(&middle, 2.0 * radius)?.point;
-    let weight = d * stretch_mm(sweep, row, every);
-    if d < apart_mm {
-        return Some(Height { height_mm: 0.0, point: foot, row, weight });
-    }
-    let g = (middle - foot) - e * (middle - foot).dot(&e);
-    let g = g.try_normalize(1e-9)?;
-    let side = e.cross(&g);
-    let circle = (radius * radius - 0.25 * d * d).sqrt();
-    let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
-    let (height_mm, point) = lowest(part, point, radius)?;
-    let under = part.closest(&point, radius)?;
-    // Up to the ridge itself: the normal of a facet may point past it.
-    let up_to = (point - under.point).try_normalize(1e-6).filter(|_| height_mm > 0.0);
-    let entry = up_to.and_then(|n| sweep.entry(&under.point, &n, REACH_STEPOVERS * d));
-    // By less than this it is the chords of the same two passes.
-    let sag = CUT * (radius - circle);
-    let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
-    // A ridge over a corner that no ball can reach is not one of the stepover's.
-    let up = lift(part, &under.point, &under.normal, radius, slack_mm);
-    (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
 }
 
 /// A place of the pass at `row`, on the way to the next location. Shares of that way are spread
@@ -152,7 +157,9 @@ mod tests {
         let part = Allowed::new(&blade.part, 0.0);
         let between_1_and_2 = |sweep: &Sweep| -> Vec<f64> {
             let rows = (0..path.locations.len()).filter(|r| sweep.turns[*r] == 1).step_by(10);
-            rows.filter_map(|row| between(&part, sweep, row, 2, 1, 0.01, 0.0002)).map(|h| h.height_mm).collect()
+            rows.filter_map(|row| Ridges { part: &part, sweep, every: 1, apart_mm: 0.01, slack_mm: 0.0002 }.at(row, 2))
+                .map(|h| h.height_mm)
+                .collect()
         };
         let before = between_1_and_2(&Sweep::new(&path));
         assert!(before.len() > 10);
@@ -188,7 +195,10 @@ mod tests {
         let sweep = Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(vec![true; n - 1]));
         let apart = apart_mm(path.radius_mm, 0.006);
         assert!((apart - 0.05 * (8.0 * path.radius_mm * 0.006).sqrt()).abs() < 1e-12);
-        let height = |row, apart_mm| between(&part, &sweep, row, 2, 1, apart_mm, 0.0002).map(|h| h.height_mm);
+        let height = |row, apart_mm| {
+            let ridges = Ridges { part: &part, sweep: &sweep, every: 1, apart_mm, slack_mm: 0.0002 };
+            ridges.at(row, 2).map(|h| h.height_mm)
+        };
         assert_eq!(height(one - 5, apart), Some(0.0));
         assert!(height(one - 5, 0.001).is_some_and(|h| h != 0.0));
         assert!(height(one - 60, apart).is_some_and(|h| h > 0.0));

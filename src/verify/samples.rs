@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use super::sweep::Sweep;
 use crate::geometry::allowance::Allowed;
-use crate::geometry::part::{Closest, Part};
+use crate::geometry::measured::Closest;
+use crate::geometry::part::Part;
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
 

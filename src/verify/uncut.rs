@@ -13,8 +13,8 @@
 
 use rayon::prelude::*;
 
+use super::height::{REACH_SLACK, UNCUT, flat_stepover};
 use super::samples;
-use super::scallop::{REACH_SLACK, UNCUT, flat_stepover};
 use super::sweep::Sweep;
 use crate::artifact::report::UncutPlace;
 use crate::geometry::Point;

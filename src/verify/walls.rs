@@ -14,8 +14,8 @@
 use rayon::prelude::*;
 
 use super::apart::Apart;
-use super::asked::Asked;
 use super::clearance;
+use super::options::Asked;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Plan, Stand};

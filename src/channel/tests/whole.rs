@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::super::{ChannelOptions, plan};
+use super::super::{ChannelOptions, Leans, plan};
 use super::world::{banana, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
 use crate::artifact::{Cone, Cones, Toolpath};
@@ -259,7 +259,7 @@ fn advice_opens_what_is_closed_and_widths_follow_b() {
     assert!(radii[0] < t.holder[0].radius_mm);
     t.holder[0].radius_mm = 0.98 * radii[0];
     assert!(plan(&blade, &t, &path, &o, &Silent).is_ok(), "{radii:?}");
-    let widths = sweep_b(&around, &t, &path, &o, &[-10.0, 5.0], 100, &Silent).unwrap();
+    let widths = sweep_b(&around, &t, &path, &o, Leans { b_deg: &[-10.0, 5.0], places: 100 }, &Silent).unwrap();
     assert_eq!(widths[1].b_deg, 5.0);
     assert!(widths[1].narrowest_deg.unwrap() >= widths[1].monotone_deg.unwrap());
 }

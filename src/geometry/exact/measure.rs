@@ -13,10 +13,10 @@
 use super::is_pole;
 use super::trim::TrimTest;
 use crate::geometry::brep::Brep;
+use crate::geometry::measured::Measured;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::geometry::nurbs::{NurbsSurface, SurfaceDerivatives};
-use crate::geometry::part::Measured;
 use crate::geometry::tessellate::{Chord, NO_CHORD, Tessellation};
 use crate::geometry::{Point, Vector};
 

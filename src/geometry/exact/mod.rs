@@ -42,9 +42,9 @@ mod trim;
 pub(crate) mod tests;
 
 use super::brep::Brep;
+use super::measured::Closest;
 use super::nurbs::foot::{ParameterSpace, SurfaceFoot};
 use super::nurbs::{NurbsSurface, SurfaceDerivatives};
-use super::part::Closest;
 use super::tessellate::Tessellation;
 use super::{Aabb, Point, Vector};
 use leaf::{Arc, FaceForm, Leaf};

@@ -14,7 +14,7 @@ use std::collections::BinaryHeap;
 use super::Exact;
 use super::leaf::{FaceForm, NO_BORDER, Rect, bends, extents, hull};
 use super::tree::Child;
-use super::trim::{BEYOND_EDGE_MM, Border, TrimKind};
+use super::trim::{BEYOND_EDGE_MM, Border, EdgeChords, TrimKind};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -235,9 +235,10 @@ impl<'a> Walker<'a> {
         let uv = shape.uv(o.rect.span, o.rect.middle());
         let loops = &self.exact.loops;
         let (region, borders) = (&loops.regions[o.rect.face as usize], self.borders(o.border));
-        let held = if region.holds(self.brep, &loops.chords, borders, uv, &at) {
+        let edges = EdgeChords { brep: self.brep, chords: &loops.chords };
+        let held = if region.holds(edges, borders, uv, &at) {
             Held::On
-        } else if o.radius <= BEYOND_EDGE_MM || region.is_beyond(self.brep, &loops.chords, borders, uv, &at, o.radius) {
+        } else if o.radius <= BEYOND_EDGE_MM || region.is_beyond(edges, borders, uv, &at, o.radius) {
             Held::Beyond
         } else {
             Held::Off

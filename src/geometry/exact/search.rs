@@ -24,7 +24,7 @@ use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, extents, hull};
 use super::newton::{Foot, foot_on_arc, foot_on_piece};
 use super::patch::CurveTable;
 use super::tree::{Child, Seen};
-use super::trim::{Border, TrimKind};
+use super::trim::{Border, EdgeChords, TrimKind};
 use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -336,7 +336,8 @@ impl ClosestSearch<'_> {
         let [hu, hv] = [0, 1].map(|a| shape.frame(a, leaf.rect.span[a])[1]);
         let at = SurfaceDerivatives { p: foot.point, du: foot.at.du / hu, dv: foot.at.dv / hv, ..foot.at };
         let uv = shape.uv(leaf.rect.span, foot.st);
-        region.holds(self.brep, &self.exact.loops.chords, self.borders(leaf), uv, &at)
+        let edges = EdgeChords { brep: self.brep, chords: &self.exact.loops.chords };
+        region.holds(edges, self.borders(leaf), uv, &at)
     }
 
     /// Looks for the closest point of a piece of an edge.

@@ -7,8 +7,9 @@
 
 use super::leaf::{FaceForm, Rect};
 use crate::geometry::Point;
-use crate::geometry::brep::Brep;
+use crate::geometry::brep::{Brep, Edge};
 use crate::geometry::nurbs::SurfaceDerivatives;
+use crate::geometry::nurbs::foot::CurveFoot;
 use crate::geometry::tessellate::loops::TrimRing;
 use crate::geometry::tessellate::{Chord, NO_CHORD, Trim};
 
@@ -17,6 +18,22 @@ pub(super) const BEYOND_EDGE_MM: f64 = 1e-4;
 
 /// A place this near to a seam, as a share of the period, is on it.
 const ON_SEAM: f64 = 1e-9;
+
+/// The edges of a part, and the chords that they were cut into.
+#[derive(Clone, Copy)]
+pub(super) struct EdgeChords<'a> {
+    pub brep: &'a Brep,
+    pub chords: &'a [Chord],
+}
+
+impl EdgeChords<'_> {
+    /// The edge of a chord and the foot on it, looked for from the chord's middle.
+    fn foot(&self, chord: u32, p: &Point) -> Option<(&Edge, CurveFoot)> {
+        let chord = self.chords.get(chord as usize)?;
+        let edge = &self.brep.edges[chord.edge as usize];
+        Some((edge, edge.curve.foot(p, 0.5 * (chord.t[0] + chord.t[1]), edge.t)))
+    }
+}
 
 /// A side of a ring: (ring, node at which it begins).
 pub(super) type RingSide = [u32; 2];
@@ -197,14 +214,7 @@ impl TrimTest {
     }
 
     /// Whether a foot in a piece with these borders is inside; `uv` the face's own parameters.
-    pub fn holds(
-        &self,
-        brep: &Brep,
-        chords: &[Chord],
-        borders: &[Border],
-        uv: [f64; 2],
-        at: &SurfaceDerivatives,
-    ) -> bool {
+    pub fn holds(&self, edges: EdgeChords, borders: &[Border], uv: [f64; 2], at: &SurfaceDerivatives) -> bool {
         borders.iter().any(|border| {
             let uv = [0, 1].map(|a| uv[a] + border.shift[a]);
             let metric = [at.du.norm_squared(), at.du.dot(&at.dv), at.dv.norm_squared()];
@@ -217,7 +227,7 @@ impl TrimTest {
                 }
             }
             let inside = self.by_way(border, uv) || self.on_seam(border, uv);
-            nearest.map_or(inside, |(_, side)| self.beside_edge(brep, chords, side, at, inside))
+            nearest.map_or(inside, |(_, side)| self.beside_edge(edges, side, at, inside))
         })
     }
 
@@ -238,8 +248,7 @@ impl TrimTest {
     /// all within that lies beyond the loops.
     pub fn is_beyond(
         &self,
-        brep: &Brep,
-        chords: &[Chord],
+        edges: EdgeChords,
         borders: &[Border],
         uv: [f64; 2],
         at: &SurfaceDerivatives,
@@ -256,27 +265,16 @@ impl TrimTest {
                     return true;
                 }
                 let node = &self.trim.rings[side[0] as usize].nodes[side[1] as usize];
-                let Some(chord) = chords.get(node.chord as usize) else { return false };
-                let edge = &brep.edges[chord.edge as usize];
-                let on = edge.curve.foot(&at.p, 0.5 * (chord.t[0] + chord.t[1]), edge.t);
+                let Some((_, on)) = edges.foot(node.chord, &at.p) else { return false };
                 (on.point - at.p).norm() > radius_mm + BEYOND_EDGE_MM
             })
         })
     }
 
     /// Decides by the exact edge curve on which side of it the foot lies.
-    fn beside_edge(
-        &self,
-        brep: &Brep,
-        chords: &[Chord],
-        side: RingSide,
-        at: &SurfaceDerivatives,
-        inside: bool,
-    ) -> bool {
+    fn beside_edge(&self, edges: EdgeChords, side: RingSide, at: &SurfaceDerivatives, inside: bool) -> bool {
         let node = &self.trim.rings[side[0] as usize].nodes[side[1] as usize];
-        let Some(chord) = chords.get(node.chord as usize) else { return inside };
-        let edge = &brep.edges[chord.edge as usize];
-        let on = edge.curve.foot(&at.p, 0.5 * (chord.t[0] + chord.t[1]), edge.t);
+        let Some((edge, on)) = edges.foot(node.chord, &at.p) else { return inside };
         let aside = at.p - on.point;
         if aside.norm() <= BEYOND_EDGE_MM {
             return true;

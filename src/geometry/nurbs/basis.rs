@@ -41,7 +41,7 @@ impl Basis {
         let buffer = if degree > STACK_DEGREE { &mut basis.heap[..] } else { &mut basis.stack[..] };
         let (value, rest) = buffer.split_at_mut(degree + 1);
         let (d1, d2) = rest.split_at_mut(degree + 1);
-        fill(degree, span, knots, t, value, d1, &mut d2[..=degree]);
+        fill(degree, span, knots, t, [value, d1, &mut d2[..=degree]]);
         basis
     }
 
@@ -62,8 +62,8 @@ impl Basis {
     }
 }
 
-/// Fills `value`, `d1`, `d2` (each `degree + 1` long) on the span.
-fn fill(degree: usize, span: usize, knots: &[f64], t: f64, value: &mut [f64], d1: &mut [f64], d2: &mut [f64]) {
+/// Fills values, first and second derivatives (each `degree + 1` long) on the span.
+fn fill(degree: usize, span: usize, knots: &[f64], t: f64, [value, d1, d2]: [&mut [f64]; 3]) {
     value[0] = 1.0;
     for k in 1..=degree {
         if k == degree {

@@ -1,6 +1,7 @@
 //! The closed loops of a section, as exact as the part is.
 
-use crate::geometry::part::{Closest, Part};
+use crate::geometry::measured::Closest;
+use crate::geometry::part::Part;
 use crate::geometry::slice::{Loop, slice};
 use crate::geometry::{Point, Vector};
 

@@ -297,35 +297,39 @@ fn cut_curve(edge: &Edge, closed: bool, options: &TessellateOptions) -> (Vec<f64
     }
     // Knots alone are no reason for a point: spans are joined again where the chord allows.
     let (first, first_d, _) = edge.curve.derivatives(from);
-    let mut ts = vec![from];
-    let mut ps = vec![first];
-    let mut before = (from, first, first_d);
+    let mut cuts = Cuts { edge, options, before: (from, first, first_d), ts: vec![from], ps: vec![first] };
     for w in stops.windows(2) {
-        bisect(edge, &mut before, w[1], options, 0, &mut ts, &mut ps);
+        cuts.go_on(w[1], 0);
     }
+    let Cuts { mut ts, mut ps, .. } = cuts;
     thin(edge, closed, options, &mut ts, &mut ps);
     (ts, ps)
 }
 
-fn bisect(
-    edge: &Edge,
-    before: &mut (f64, Point, Vector),
-    to: f64,
-    o: &TessellateOptions,
-    depth: usize,
-    ts: &mut Vec<f64>,
-    ps: &mut Vec<Point>,
-) {
-    let (p, d, _) = edge.curve.derivatives(to);
-    if depth < DEEPEST && !chord_fits(edge, before.0, to, (&before.1, &before.2), (&p, &d), o) {
-        let middle = 0.5 * (before.0 + to);
-        bisect(edge, before, middle, o, depth + 1, ts, ps);
-        bisect(edge, before, to, o, depth + 1, ts, ps);
-        return;
+/// An edge on its way to be cut into chords.
+struct Cuts<'a> {
+    edge: &'a Edge,
+    options: &'a TessellateOptions,
+    /// The last cut: parameter, point, derivative.
+    before: (f64, Point, Vector),
+    ts: Vec<f64>,
+    ps: Vec<Point>,
+}
+
+impl Cuts<'_> {
+    /// Goes on to a parameter in one chord, or halves the way there until chords fit.
+    fn go_on(&mut self, to: f64, depth: usize) {
+        let (p, d, _) = self.edge.curve.derivatives(to);
+        let (t, from, from_d) = self.before;
+        if depth < DEEPEST && !chord_fits(self.edge, t, to, (&from, &from_d), (&p, &d), self.options) {
+            self.go_on(0.5 * (t + to), depth + 1);
+            self.go_on(to, depth + 1);
+            return;
+        }
+        self.ts.push(to);
+        self.ps.push(p);
+        self.before = (to, p, d);
     }
-    ts.push(to);
-    ps.push(p);
-    *before = (to, p, d);
 }
 
 /// Whether one chord between two parameters is near enough; half the deflection is left to the

@@ -85,7 +85,8 @@ pub fn fill_face(
         let scale = scales(&face.surface, &space, bounds, options, finer);
         let mut points = rings.points.clone();
         let triangles = triangulate(face, &rings, &scale, &space, &mut points)?;
-        let sag = measure(face, &space, net, &points, &triangles, &beside, limit_mm);
+        let point = |i: u32| if i < OWN { net.points[i as usize] } else { points[(i - OWN) as usize] };
+        let sag = measure(face, &space, point, &triangles, &beside, limit_mm);
         let trim = Trim { space, rings: Vec::new(), blur_mm };
         if best.as_ref().is_none_or(|b| sag.worst < b.deflection_mm) {
             best = Some(Filled { points, triangles, trim, deflection_mm: sag.worst, split: sag.split });
@@ -348,16 +349,14 @@ struct Sag {
 fn measure(
     face: &Face,
     space: &ParameterSpace,
-    net: &EdgeNet,
-    own: &[Point],
+    point: impl Fn(u32) -> Point,
     triangles: &[Triangle],
     beside: &BTreeMap<u32, Vec<(u32, f64)>>,
     limit_mm: f64,
 ) -> Sag {
-    let point = |i: u32| if i < OWN { net.points[i as usize] } else { own[(i - OWN) as usize] };
     let mut out = Sag { worst: 0.0, inside: 0.0, split: Vec::new() };
     for t in triangles {
-        let p = t.corners.map(point);
+        let p = t.corners.map(&point);
         let Some(n) = (p[1] - p[0]).cross(&(p[2] - p[0])).try_normalize(1e-12) else { continue };
         let mut worst = 0.0f64;
         for w in [[1.0 / 3.0; 3], [0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]] {

@@ -181,8 +181,9 @@ pub fn from_faces(
         }
         part.brep = Some(brep);
     }
-    let names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
-    let mut survey = finish(path, (unit, source), part, names, diagnosis, obstacle, shape.stacking, options, observer)?;
+    let face_names = part.brep.iter().flat_map(|b| &b.faces).map(|f| f.name.clone()).collect();
+    let read = ReadPart { unit, source, part, face_names, diagnosis, obstacle, stacking: shape.stacking };
+    let mut survey = read.survey(path, options, observer)?;
     survey.published = published.map(Changed::Faces);
     if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
         survey.diagnosis.notes.push(
@@ -236,89 +237,96 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, source);
     let (unit, obstacle) = guess.take(unit, &mut diagnosis);
     let heal = HealOptions { weld_mm: options.weld_mm, close_holes_mm: options.close_holes_mm };
-    let names = soup.groups.clone();
+    let face_names = soup.groups.clone();
     let healed = soup.heal(path, unit.mm(), &heal)?;
     observer.check(Stage::Model)?;
     observer.progress(Stage::Model, 1, 3);
     diagnosis.notes.extend(healed.notes);
     diagnosis.bodies = topology(&healed.mesh).components;
     let part = Part::from_mesh(healed.mesh);
-    let mut survey = finish(path, (unit, source), part, names, diagnosis, obstacle, None, options, observer)?;
+    let read = ReadPart { unit, source, part, face_names, diagnosis, obstacle, stacking: None };
+    let mut survey = read.survey(path, options, observer)?;
     survey.published = healed.published.map(Changed::Triangles);
     Ok(survey)
 }
 
-/// Diagnoses the mesh and looks for the blade.
-#[allow(clippy::too_many_arguments)]
-fn finish(
-    path: &Path,
-    (unit, source): (Unit, UnitSource),
+/// A part as it was read, before the blade is looked for on it.
+struct ReadPart {
+    unit: Unit,
+    source: UnitSource,
     part: Part,
     face_names: Vec<String>,
-    mut diagnosis: Diagnosis,
-    mut obstacle: Option<Error>,
+    diagnosis: Diagnosis,
+    obstacle: Option<Error>,
     stacking: Option<Stacking>,
-    options: &ModelOptions,
-    observer: &dyn Observer,
-) -> Result<Survey> {
-    diagnose(&part.mesh, &mut diagnosis);
-    let size = part.mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
-    if diagnosis.closed && part.mesh.volume_mm3() <= NO_VOLUME * size.powi(3) {
-        let e = Error::io(Stage::Model, format!("{} encloses no volume: it is a sheet, not a body", path.display()))
-            .advise("export the solid, not a surface or a profile");
-        obstacle.get_or_insert(e);
-    }
-    // As many openings as pieces, or more: each piece is a sheet.
-    let sheets = diagnosis.pieces > 1 && diagnosis.openings.len() >= diagnosis.pieces;
-    let bodies = if diagnosis.pieces > 1 { bodies::bodies(&part.mesh) } else { Vec::new() };
-    let own = chosen(&bodies, options.body)?;
-    let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
-    let wheel = wheel::wheel(looked_at);
-    let found = match &wheel {
-        Some(w) if !options.names_airfoil() => Err(is_wheel(w)),
-        _ => recognised(looked_at, &face_names, options, stacking.as_ref(), sheets && own.is_none()),
-    };
-    let found = on_whole(found, own, &part.mesh, &bodies);
-    if let (Ok(_), Some(w)) = (&found, &wheel) {
-        diagnosis.notes.push(format!(
-            "the part is {}: the helix goes round one blade, the others stand in the tool's way",
-            w.in_words()
-        ));
-    }
-    if let (Ok(found), None, [_, _, ..]) = (&found, own, &bodies[..]) {
-        diagnosis.notes.extend(assembly(found, part.brep.is_some(), &bodies));
-    }
-    observer.progress(Stage::Model, 2, 3);
-    if let Ok(found) = &found {
-        diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
-        diagnosis.axis_against = found.against.clone();
-        let [lo, hi] = found.heights.part_x_mm;
-        let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
-        let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
-        if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
-            obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
-            diagnosis.notes.push(doubt);
+}
+
+impl ReadPart {
+    /// Diagnoses the mesh and looks for the blade.
+    fn survey(self, path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Result<Survey> {
+        let ReadPart { unit, source, part, face_names, mut diagnosis, mut obstacle, stacking } = self;
+        diagnose(&part.mesh, &mut diagnosis);
+        let size = part.mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
+        if diagnosis.closed && part.mesh.volume_mm3() <= NO_VOLUME * size.powi(3) {
+            let e =
+                Error::io(Stage::Model, format!("{} encloses no volume: it is a sheet, not a body", path.display()))
+                    .advise("export the solid, not a surface or a profile");
+            obstacle.get_or_insert(e);
         }
-        // After the unit: a part in the wrong one looks like nothing.
-        if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
-            let e = Error::infeasible(Stage::Model, message, Infeasible::NotABlade);
-            obstacle.get_or_insert_with(|| {
-                e.advise("if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)")
-            });
+        // As many openings as pieces, or more: each piece is a sheet.
+        let sheets = diagnosis.pieces > 1 && diagnosis.openings.len() >= diagnosis.pieces;
+        let bodies = if diagnosis.pieces > 1 { bodies::bodies(&part.mesh) } else { Vec::new() };
+        let own = chosen(&bodies, options.body)?;
+        let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
+        let wheel = wheel::wheel(looked_at);
+        let found = match &wheel {
+            Some(w) if !options.names_airfoil() => Err(is_wheel(w)),
+            _ => recognised(looked_at, &face_names, options, stacking.as_ref(), sheets && own.is_none()),
+        };
+        let found = on_whole(found, own, &part.mesh, &bodies);
+        if let (Ok(_), Some(w)) = (&found, &wheel) {
+            diagnosis.notes.push(format!(
+                "the part is {}: the helix goes round one blade, the others stand in the tool's way",
+                w.in_words()
+            ));
         }
+        if let (Ok(found), None, [_, _, ..]) = (&found, own, &bodies[..]) {
+            diagnosis.notes.extend(assembly(found, part.brep.is_some(), &bodies));
+        }
+        observer.progress(Stage::Model, 2, 3);
+        if let Ok(found) = &found {
+            diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
+            diagnosis.axis_against = found.against.clone();
+            let [lo, hi] = found.heights.part_x_mm;
+            let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
+            let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
+            if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
+                obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
+                diagnosis.notes.push(doubt);
+            }
+            // After the unit: a part in the wrong one looks like nothing.
+            if let Some(message) = found.unlike.clone().filter(|_| !options.names_airfoil()) {
+                let e = Error::infeasible(Stage::Model, message, Infeasible::NotABlade);
+                obstacle.get_or_insert_with(|| {
+                    e.advise(
+                        "if it is one, say where: its axis from root to tip (--axis) or its faces (--faces airfoil=…)",
+                    )
+                });
+            }
+        }
+        Ok(Survey {
+            name: stem(path),
+            unit,
+            part,
+            diagnosis,
+            found,
+            deflection_mm: options.deflection_mm,
+            face_names,
+            obstacle,
+            published: None,
+            bodies,
+        })
     }
-    Ok(Survey {
-        name: stem(path),
-        unit,
-        part,
-        diagnosis,
-        found,
-        deflection_mm: options.deflection_mm,
-        face_names,
-        obstacle,
-        published: None,
-        bodies,
-    })
 }
 
 /// The body that the user chose.

@@ -17,8 +17,8 @@ use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
 use crate::artifact::CheckId;
 use crate::geometry::Point;
+use crate::verify::height::{REACH_SLACK, lift};
 use crate::verify::samples::{self, Sample};
-use crate::verify::scallop::{REACH_SLACK, lift};
 use crate::verify::sweep::Sweep;
 
 /// Passes as far apart as so many stepovers are still neighbours: a turn that is missing is seen.

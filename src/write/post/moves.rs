@@ -14,7 +14,6 @@ use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
 use super::OperationRun;
-use super::polynomial::WordBends;
 
 /// Most parts that a move is written in.
 const MOST_PARTS: usize = 1000;
@@ -22,6 +21,9 @@ const MOST_PARTS: usize = 1000;
 /// Where five axes move at once: the tool axis within a line is within this of the plan's, rad
 /// (0.01 degrees).
 const ASKEW_RAD: f64 = 1.7e-4;
+
+/// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
+pub(super) type WordBends = Axes<[f64; 4]>;
 
 /// The end of a cutting move.
 #[derive(Clone, Copy, Debug)]

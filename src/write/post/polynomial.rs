@@ -24,12 +24,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::OperationRun;
-use super::moves::Move;
+use super::moves::{Move, WordBends};
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
-
-/// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
-pub(super) type WordBends = Axes<[f64; 4]>;
 
 /// A polynomial is at most this far off its word, mm: half of what reading back allows.
 const OFF_MM: f64 = 5e-4;

@@ -1,8 +1,8 @@
 //! A plan written in a dialect.
 
 use super::dialect::{Dialect, FeedWord, Rotary};
-use super::moves::{self, Move};
-use super::polynomial::{self, WordBends};
+use super::moves::{self, Move, WordBends};
+use super::polynomial;
 use super::template::{Class, KEYS, TemplateLine, Value, Word, WordPiece, key};
 use super::text::{Fixed, Lines, ascii, header, title};
 use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};

@@ -9,7 +9,7 @@ use nalgebra::UnitQuaternion;
 use serde_json::json;
 
 use super::glb::Glb;
-use super::tool::{ProfileRing, revolved};
+use super::revolved::{ProfileRing, revolved};
 use super::{Scene, group, mesh_node, single, triple};
 use crate::artifact::Plan;
 use crate::error::Result;

@@ -38,6 +38,7 @@ mod machine;
 mod marks;
 mod motion;
 mod path;
+mod revolved;
 mod tool;
 mod uncut;
 

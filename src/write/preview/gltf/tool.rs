@@ -1,27 +1,21 @@
 //! The tool as a surface of revolution: origin at the ball centre, +Z towards the spindle.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use gltf_json as json;
 use json::Index;
-use json::mesh::{Mode, Primitive, Semantic};
 use json::scene::Node;
 use serde_json::json;
 
 use super::glb::Glb;
+use super::revolved::{ProfileRing, revolved};
 use super::{Scene, mesh_node, single, triple};
 use crate::artifact::Plan;
 use crate::error::Result;
 use crate::tool::Tool;
 
-/// Facets around.
-const AROUND: u32 = 48;
 /// Facets from the tip to where the cone leaves the ball.
 const BALL: u32 = 16;
-
-/// A ring of the profile: height, radius, and the profile's outward normal (along radius, along
-/// height).
-pub(super) type ProfileRing = [f64; 4];
 
 /// The node with a child for each part of the tool and one for the machine's head, where the path
 /// begins.
@@ -87,35 +81,4 @@ fn look(name: &str) -> [f32; 3] {
         "taper" | "shank" => [0.70, 0.45, 0.05],
         _ => [0.10, 0.25, 0.42],
     }
-}
-
-/// Bands between consecutive rings; two rings at one place start a new band with its own normals.
-pub(super) fn revolved(glb: &mut Glb, name: &str, rgb: [f32; 3], rings: &[ProfileRing]) -> Result<Primitive> {
-    let (mut points, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
-    for [z, r, nr, nz] in rings {
-        for k in 0..=AROUND {
-            let (s, c) = (TAU * f64::from(k) / f64::from(AROUND)).sin_cos();
-            points.push([single(r * c)?, single(r * s)?, single(*z)?]);
-            normals.push([single(nr * c)?, single(nr * s)?, single(*nz)?]);
-        }
-    }
-    for (i, w) in (0u32..).zip(rings.windows(2)) {
-        // No band between two rings at one place.
-        if (w[0][0] - w[1][0]).abs().max((w[0][1] - w[1][1]).abs()) < 1e-12 {
-            continue;
-        }
-        for k in 0..AROUND {
-            let (a, b) = (i * (AROUND + 1) + k, (i + 1) * (AROUND + 1) + k);
-            // Where a ring is a point on the axis, one of the two triangles has no area.
-            if w[0][1] > 1e-12 {
-                indices.extend([a, a + 1, b + 1]);
-            }
-            if w[1][1] > 1e-12 {
-                indices.extend([a, b + 1, b]);
-            }
-        }
-    }
-    let attributes = [(Semantic::Positions, glb.positions(&points)), (Semantic::Normals, glb.normals(&normals))];
-    let (indices, material) = (glb.indices(&indices), glb.material(name, rgb, true));
-    Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))
 }
