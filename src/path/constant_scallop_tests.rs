@@ -5,10 +5,10 @@
 
 use super::bounds::Bounds;
 use super::level::{LevelSet, Touch};
-use super::march::March;
 use super::neighbour::Across;
 use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
+use super::turn::March;
 use super::*;
 use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::toolpath::CutterLocation;

@@ -11,9 +11,9 @@ use rayon::prelude::*;
 
 use super::curve;
 use super::level::Touch;
-use super::march::{March, TurnNode};
 use super::neighbour::Heading;
 use super::nodes::arc_lengths;
+use super::turn::{March, TurnNode};
 
 /// Widths of the bell that a fit reaches.
 const REACH: f64 = 2.5;

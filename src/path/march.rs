@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::bounds::Stop;
 use super::curve;
 use super::level::Touch;
-use super::neighbour::{Across, Heading, Next};
+use super::neighbour::{Heading, Next};
 use super::nodes::{Overrun, arc_lengths, is_ring};
+use super::turn::{LEAST_SHARE, March, TurnNode};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -18,9 +18,6 @@ const STUCK: f64 = 1e-2;
 /// short, and so gentle that the path tilts by less than 6° and its radius in the surface is over
 /// 60 stepovers.
 const RAMP_STEPOVERS: f64 = 20.0;
-/// Nodes of the closed ring that are left by less than this share of a stepover stay.
-pub(super) const LEAST_SHARE: f64 = 1e-3;
-
 /// Moves, each of a stepover at most, of a place of a ring to the height of the others' contacts.
 const MOST_MOVES: usize = 60;
 /// Share of a turn from which on it counts as being at the end in part: a burr may stop the ball at
@@ -37,16 +34,6 @@ const TOO_SHORT: f64 = 0.6;
 /// Turns that may come no nearer to the end before one is drawn where none was given, and before a
 /// given one counts as out of reach.
 const PATIENCE: [usize; 2] = [3, 100];
-
-/// A touch of a turn, with how it came from the turn before.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TurnNode {
-    pub(super) touch: Touch,
-    /// Way from the turn before, mm.
-    pub(super) way_mm: f64,
-    /// Why it is at the end of the region.
-    pub(super) stop: Option<Stop>,
-}
 
 /// Turns laid, the first along a ring and the last node of each being the first of the next.
 pub(super) struct Laid {
@@ -100,31 +87,6 @@ impl Rest {
         }
         self.since >= self.patience
     }
-}
-
-/// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise
-/// seen from the tip, else up.
-#[derive(Clone)]
-pub(super) struct March<'a> {
-    pub(super) across: Across<'a>,
-    /// Scallop between turns, mm.
-    pub(super) scallop_mm: f64,
-    /// Stepover on flat ground, mm.
-    pub(super) flat_mm: f64,
-    /// Usual distance of touches along a turn, mm.
-    pub(super) step_mm: f64,
-    /// Way round the part at the start height, mm: the end may run round no more than a corner of
-    /// it.
-    pub(super) round_mm: f64,
-    /// The share of what a place of a turn runs ahead of its neighbours by which it is brought back
-    /// before the next turn is laid.
-    pub(super) back: f64,
-    /// Whether ways that scatter over facets are evened out along a turn.
-    pub(super) evens_ways: bool,
-    /// Whether the turns are those of the path, on a surface over which turns went already: a place
-    /// where a wall or an edge stops the ball is a burr there, and passed by where the turn goes on
-    /// close to both sides of it.
-    pub(super) is_path: bool,
 }
 
 impl March<'_> {

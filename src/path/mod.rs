@@ -65,6 +65,7 @@ mod settings;
 mod stepover;
 #[cfg(test)]
 mod tests;
+mod turn;
 
 pub use options::PathOptions;
 pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};

@@ -6,9 +6,9 @@ use rayon::prelude::*;
 use super::bounds::Stop;
 use super::curve::{self, LevelCurve};
 use super::level::Touch;
-use super::march::{LEAST_SHARE, March, TurnNode};
 use super::neighbour::Heading;
 use super::stepover::ridge_height;
+use super::turn::{LEAST_SHARE, March, TurnNode};
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
