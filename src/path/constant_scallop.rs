@@ -153,8 +153,8 @@ impl<'a> Laying<'a> {
     ) -> Result<Self> {
         let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
         let mut tracing = rings::tracing(options);
-        // The ring's altered points, at one of which the path begins, are those of the blade and not
-        // of its facets.
+        // The ring's altered points, at one of which the path begins, are those of the blade and
+        // not of its facets.
         tracing.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds = Bounds::of(&options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());

@@ -214,8 +214,8 @@ impl Ground<'_> {
         })
     }
 
-    /// All schedules under scaled limits, then the fastest of those that can be machined and of the one
-    /// made for these limits.
+    /// All schedules under scaled limits, then the fastest of those that can be machined and of the
+    /// one made for these limits.
     fn under(&self, scale: f64, names: &[String], made: &[(Schedule, f64)]) -> Result<Limits> {
         let Ground { setup, path, channel, feed } = *self;
         let machine = setup.machine.clone().with_limits_scaled(scale);
