@@ -1,5 +1,6 @@
 //! What is carried between stages: one file per datum, plain, validated, without algorithms.
 //! Everything is in the blade frame, mm, radians, seconds (see the crate's page).
+pub mod along;
 pub mod axes;
 pub mod axis_motion;
 pub mod blade;

@@ -4,6 +4,7 @@
 //! A part has a list of regions. Today it holds one airfoil, perhaps with a fillet and a platform;
 //! nothing here counts on that.
 
+use super::along::Along;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::profile::Sides;
 use crate::geometry::slice::Loop;
@@ -30,7 +31,7 @@ pub enum Area {
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Boundary {
-    /// All places at this height along the blade axis, blade frame, mm.
+    /// All places at this height along the region, mm.
     Height(f64),
     /// The sharp edge or opening about this height (mm) at which a wall without a platform ends.
     Rim(f64),
@@ -39,7 +40,7 @@ pub enum Boundary {
 }
 
 impl Boundary {
-    /// The height that it is at or about, blade frame, mm; `None` where no height says it.
+    /// The height that it is at or about, mm; `None` where no height says it.
     pub fn x_mm(&self) -> Option<f64> {
         match self {
             Boundary::Height(x_mm) | Boundary::Rim(x_mm) => Some(*x_mm),
@@ -81,6 +82,8 @@ pub struct Region {
     pub area: Area,
     /// Its surface.
     pub patch: Patch,
+    /// The way along it, from its end to its start.
+    pub along: Along,
     /// Where it begins, on the side of the tip; `None` where no curve is known.
     pub start: Option<Boundary>,
     /// Where it ends, on the side of the root; `None` where no curve is known.
@@ -91,12 +94,12 @@ pub struct Region {
 }
 
 impl Region {
-    /// A region between two boundaries, of no known surface or sides.
+    /// A region along the blade axis between two boundaries, of no known surface or sides.
     pub fn between(area: Area, start: Option<Boundary>, end: Option<Boundary>) -> Region {
-        Region { area, patch: Patch::Faces(Vec::new()), start, end, sides: None }
+        Region { area, patch: Patch::Faces(Vec::new()), along: Along::BLADE, start, end, sides: None }
     }
 
-    /// Heights of its end and its start, blade frame, mm; `None` where no heights bound it.
+    /// Heights of its end and its start, mm; `None` where no heights bound it.
     pub fn x_mm(&self) -> Option<[f64; 2]> {
         Some([self.end.as_ref()?.x_mm()?, self.start.as_ref()?.x_mm()?])
     }
@@ -123,7 +126,7 @@ impl Region {
     /// That of the mirror image of the part across z = 0.
     #[must_use]
     pub fn mirrored(&self) -> Region {
-        Region { sides: self.sides.as_ref().map(Sides::mirrored), ..self.clone() }
+        Region { along: self.along.mirrored(), sides: self.sides.as_ref().map(Sides::mirrored), ..self.clone() }
     }
 }
 
@@ -196,8 +199,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// Round the first region between two heights of the ball's centre along the blade axis, blade
-    /// frame, mm; `None`: found from the part.
+    /// Round the first region between two heights of the ball's centre along it, mm; `None`: found from the part.
     pub fn heights(start_mm: Option<f64>, end_mm: Option<f64>) -> Extent {
         let boundary = |x: Option<f64>| x.map(Boundary::Height);
         Extent { region: 0, start: boundary(start_mm), ends: boundary(end_mm).into_iter().collect() }

@@ -2,10 +2,11 @@
 //! touches the part.
 //!
 //! Another kind of boundary is one more case of [`Bounds::hold`] and [`Bounds::why`]. Turns at
-//! constant heights alone count on ends at heights.
+//! constant heights alone count on starts and ends at heights.
 
 use super::level::Touch;
 use super::rim::Rim;
+use crate::artifact::along::Along;
 use crate::artifact::region::Boundary;
 use crate::geometry::Point;
 
@@ -32,10 +33,12 @@ pub(super) const STEP_RAD: f64 = 0.15;
 /// Where a path may go.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds<'a> {
+    /// The way along the region.
+    pub along: Along,
     /// Least and greatest height of the ball centre, mm.
     pub x_mm: [f64; 2],
-    /// Greatest sine of the angle by which a wall leans towards the tip, or, round a lower edge,
-    /// away from it.
+    /// Greatest sine of the angle by which a wall leans towards the region's start, or, round a
+    /// lower edge, away from it.
     pub max_sin_lean: f64,
     /// Where the region ends, its heights and rim besides.
     pub ends: &'a [Boundary],
@@ -45,13 +48,18 @@ pub struct Bounds<'a> {
 
 impl<'a> Bounds<'a> {
     /// The bounds that the ends of a region set to the places of a path.
-    pub fn of(ends: &'a [Boundary], rim: Option<&'a Rim>, max_lean_rad: f64) -> Bounds<'a> {
-        Bounds { x_mm: [lowest_mm(ends), f64::INFINITY], max_sin_lean: max_lean_rad.sin(), ends, rim }
+    pub fn of(along: Along, ends: &'a [Boundary], rim: Option<&'a Rim>, max_lean_rad: f64) -> Bounds<'a> {
+        Bounds { along, x_mm: [lowest_mm(ends), f64::INFINITY], max_sin_lean: max_lean_rad.sin(), ends, rim }
     }
 
     /// No bounds.
-    pub(super) const NONE: Bounds<'static> =
-        Bounds { x_mm: [f64::NEG_INFINITY, f64::INFINITY], max_sin_lean: f64::INFINITY, ends: &[], rim: None };
+    pub(super) const NONE: Bounds<'static> = Bounds {
+        along: Along::BLADE,
+        x_mm: [f64::NEG_INFINITY, f64::INFINITY],
+        max_sin_lean: f64::INFINITY,
+        ends: &[],
+        rim: None,
+    };
 
     /// Whether a touch is on a face that may not be touched.
     fn is_on_end_face(&self, t: &Touch) -> bool {
@@ -64,8 +72,8 @@ impl<'a> Bounds<'a> {
 
     /// Whether a touch is within.
     pub fn hold(&self, t: &Touch) -> bool {
-        (self.x_mm[0]..=self.x_mm[1]).contains(&t.centre.x)
-            && t.normal.x.abs() <= self.max_sin_lean
+        (self.x_mm[0]..=self.x_mm[1]).contains(&self.along.height_mm(&t.centre))
+            && self.along.lean(&t.normal).abs() <= self.max_sin_lean
             && !self.is_on_end_face(t)
             && !self.is_at_rim(t)
     }
@@ -81,7 +89,7 @@ impl<'a> Bounds<'a> {
             Stop::Face(outside.contact, outside.face)
         } else if self.is_at_rim(outside) {
             Stop::Rim(outside.contact)
-        } else if outside.normal.x.abs() <= self.max_sin_lean {
+        } else if self.along.lean(&outside.normal).abs() <= self.max_sin_lean {
             Stop::Height
         } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {
             Stop::Corner(outside.contact)

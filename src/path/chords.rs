@@ -94,6 +94,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::super::curve::{LevelCurve, tangents};
     use super::*;
+    use crate::artifact::along::Along;
     use crate::geometry::allowance::Allowed;
     use crate::geometry::brep::{Brep, Face, SurfaceKind};
     use crate::geometry::nurbs::shapes::cylinder;
@@ -113,8 +114,13 @@ mod tests {
                 loops: vec![],
             };
             let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.01, &Silent).unwrap();
-            let level =
-                LevelSet { part: Allowed::new(&part, 0.0), radius_mm: 3.0, rim: None, lowest_mm: f64::NEG_INFINITY };
+            let level = LevelSet {
+                part: Allowed::new(&part, 0.0),
+                along: Along::BLADE,
+                radius_mm: 3.0,
+                rim: None,
+                lowest_mm: f64::NEG_INFINITY,
+            };
             let on_circle = |k: u32| {
                 let (s, c) = (f64::from(k) * 0.1).sin_cos();
                 level.touch(&Point::new(r * c, r * s, 20.0), 1.0).unwrap()

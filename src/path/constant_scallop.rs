@@ -157,7 +157,8 @@ impl<'a> Laying<'a> {
         // not of its facets.
         tracing.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
-        let bounds = Bounds::of(&options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
+        let bounds =
+            Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
         let facets = usize::from(level.is_over_facets());
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
         let evens_ways = false;
@@ -220,6 +221,10 @@ impl<'a> Laying<'a> {
         round_edges.min(share * self.flat_mm).min(self.tracing.max_step_mm)
     }
 
+    fn height_mm(&self, p: &Point) -> f64 {
+        self.level.along.height_mm(p)
+    }
+
     fn progress(&self, from: f64, share: f64, way: f64) -> Result<()> {
         let done = (way / (self.start_x - self.lowest_mm).max(self.options.radius_mm)).clamp(0.0, 1.0);
         self.observer.progress(Stage::Path, (from + share * done) as usize, 2000);
@@ -229,7 +234,8 @@ impl<'a> Laying<'a> {
     /// The helix of turns laid up from the end that was found; `None` where none can be.
     fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Option<Toolpath>> {
         let mut reason = end_reason(self.blade, down, self.options);
-        let depth_mm = |end: &[Touch]| self.start_x - end.iter().map(|t| t.centre.x).sum::<f64>() / end.len() as f64;
+        let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
+        let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
         // A finer search, or ways that are evened out, may find an end from which turns can be laid
         // up. An end that was asked for stays.
         let may_end_higher = is_finest && self.evens_ways == (self.facets == 1) && self.options.extent.ends.is_empty();
@@ -263,10 +269,11 @@ impl<'a> Laying<'a> {
     /// Turns of the path from its end up, until one is nowhere under the start height.
     fn lay_up(&self, end: &[Touch]) -> Result<Laid> {
         let (start_x, options) = (self.start_x, self.options);
-        let end_x = end.iter().map(|t| t.centre.x).fold(f64::INFINITY, f64::min);
+        let end_x = end.iter().map(|t| self.height_mm(&t.centre)).fold(f64::INFINITY, f64::min);
         let mut highest = start_x + HIGHEST * (start_x - end_x);
         loop {
             let room = Bounds {
+                along: self.level.along,
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.settings.max_lean_deg.to_radians() + ROOM_RAD).min(FRAC_PI_2).sin(),
                 ends: &[],
@@ -281,11 +288,11 @@ impl<'a> Laying<'a> {
                 ..plain
             };
             let laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
-                turn.iter().all(|n| n.stop.is_some() || n.touch.centre.x >= start_x)
+                turn.iter().all(|n| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x)
             })?;
             // Over the start height, near the tip, the surface may be lost to places that need not
             // be cut: they are waited at lower down.
-            let lower = laid.lost.map(|p| p.x.min(highest) - WAITING * self.flat_mm);
+            let lower = laid.lost.map(|p| self.height_mm(&p).min(highest) - WAITING * self.flat_mm);
             match lower.filter(|x| *x > start_x) {
                 Some(x) => highest = x,
                 None => return Ok(laid),
@@ -375,11 +382,14 @@ fn finish(
             Ok(filled)
         })
         .collect::<Result<_>>()?;
-    let highest = turns.first().into_iter().flatten().map(|t| t.centre.x).fold(f64::NEG_INFINITY, f64::max);
+    let heights = |turn: Option<&Vec<Touch>>| -> Vec<f64> {
+        turn.into_iter().flatten().map(|t| level.along.height_mm(&t.centre)).collect()
+    };
+    let highest = heights(turns.first()).into_iter().fold(f64::NEG_INFINITY, f64::max);
     let Some(last) = turns.last().and_then(|t| t.last()) else {
         return Err(Error::infeasible(Stage::Path, "no helix was laid", Infeasible::NoHelix));
     };
-    let lowest = turns.last().into_iter().flatten().map(|t| t.centre.x).fold(last.centre.x, f64::min);
+    let lowest = heights(turns.last()).into_iter().fold(level.along.height_mm(&last.centre), f64::min);
     let (path, _) = helix::assemble(level, options, &filled, *last, [highest, lowest], reason);
     Ok(path)
 }

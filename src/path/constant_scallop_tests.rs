@@ -206,11 +206,16 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
     // its sides 2 mm apart.
     let blade = turned(400, &rows(60.0, 1.0), |x, s, c| [20.0 * c, 0.9 * s + 0.3 * x]);
     let o = options(30.0, None);
-    let level =
-        LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm: R, rim: None, lowest_mm: f64::NEG_INFINITY };
+    let level = LevelSet {
+        part: Allowed::new(&blade.part, 0.0),
+        along: Along::BLADE,
+        radius_mm: R,
+        rim: None,
+        lowest_mm: f64::NEG_INFINITY,
+    };
     let how = rings::tracing(&o);
     let ring = rings::first_ring(&blade, &level, &o, 30.0, &how).unwrap().touches;
-    let bounds = Bounds { x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
+    let bounds = Bounds { along: Along::BLADE, x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
     let march = March {

@@ -3,6 +3,7 @@
 use super::chords;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
+use crate::artifact::along::Along;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 
@@ -43,7 +44,8 @@ pub fn tangents(before: Option<&Point>, touches: &[Touch], after: Option<&Point>
         .collect()
 }
 
-/// Unit direction of the curve at a touch between two neighbours.
+/// Unit direction of the curve at a touch between two neighbours; where they are in one place, any
+/// in the tangent plane.
 pub fn tangent(before: Option<&Point>, at: &Touch, after: Option<&Point>) -> Vector {
     let back = before.map(|p| at.centre - p);
     let ahead = after.map(|p| p - at.centre);
@@ -53,10 +55,10 @@ pub fn tangent(before: Option<&Point>, at: &Touch, after: Option<&Point>) -> Vec
             b * (la / lb) + a * (lb / la)
         }
         (Some(d), None) | (None, Some(d)) => d,
-        (None, None) => at.tangent(),
+        (None, None) => at.tangent(&Along::BLADE),
     };
     let flat = direction - at.normal * direction.dot(&at.normal);
-    flat.try_normalize(1e-12).unwrap_or_else(|| at.tangent())
+    flat.try_normalize(1e-12).unwrap_or_else(|| at.tangent(&Along::BLADE))
 }
 
 impl LevelCurve<'_> {
@@ -106,10 +108,10 @@ impl LevelCurve<'_> {
             .or_else(|| self.level.touch(&(a.centre + chord * f), reach))?;
         // Through places at the region's end, and others that are held up above it, a smooth curve
         // swings beyond it.
-        let lowest_mm = self.level.lowest_mm;
-        let swings = touch.centre.x < lowest_mm;
-        let at_end = Point::new(lowest_mm, touch.centre.y, touch.centre.z);
-        swings.then(|| self.level.touch_in_plane(&at_end, reach)).flatten().or(Some(touch))
+        let LevelSet { along, lowest_mm, .. } = self.level;
+        let swings = along.height_mm(&touch.centre) < *lowest_mm;
+        let at_end = || self.level.touch_in_plane(&along.at(*lowest_mm, &touch.centre), reach);
+        swings.then(at_end).flatten().or(Some(touch))
     }
 
     /// Places evenly shared, from the first touch to the last: near enough for the chord tolerance

@@ -27,8 +27,7 @@ impl Blend<'_> {
     /// The touch at the fraction `u` of the turn.
     fn at(&self, u: f64) -> Result<Touch> {
         let (p, q) = (self.a.at(u), self.b.at(u));
-        let mut guess = p + (q - p) * u;
-        guess.x = self.a.x_mm + (self.b.x_mm - self.a.x_mm) * u;
+        let guess = self.level.along.at(self.a.x_mm + (self.b.x_mm - self.a.x_mm) * u, &(p + (q - p) * u));
         let reach = (q - p).norm() + 0.25 * self.level.radius_mm;
         self.level.touch_in_plane(&guess, reach).ok_or_else(|| {
             Error::infeasible(

@@ -2,6 +2,7 @@
 //! within a plane.
 
 use super::rim::Rim;
+use crate::artifact::along::Along;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 
@@ -19,17 +20,21 @@ pub struct Touch {
 }
 
 impl Touch {
-    /// Cosine of the angle between the normal and the section plane (1: wall along the blade axis).
-    pub fn cos_lean(&self) -> f64 {
-        self.normal.y.hypot(self.normal.z)
+    /// Cosine of the angle between the normal and the plane across the region (1: wall along it).
+    pub fn cos_lean(&self, along: &Along) -> f64 {
+        let [a, b] = along.across(&self.normal);
+        a.hypot(b)
     }
-    /// Direction of the path in the section plane, counter-clockwise seen from the tip; unit.
-    pub fn tangent(&self) -> Vector {
-        Vector::new(0.0, -self.normal.z, self.normal.y) / self.cos_lean().max(1e-12)
+    /// Direction of the path in the plane across the region, counter-clockwise seen from its start;
+    /// unit.
+    pub fn tangent(&self, along: &Along) -> Vector {
+        let [a, b] = along.across(&self.normal);
+        along.vector(0.0, [-b, a]) / a.hypot(b).max(1e-12)
     }
-    /// Angle of the normal about the blade axis, rad.
-    pub fn azimuth(&self) -> f64 {
-        self.normal.z.atan2(self.normal.y)
+    /// Angle of the normal about the region's axis, rad.
+    pub fn azimuth(&self, along: &Along) -> f64 {
+        let [a, b] = along.across(&self.normal);
+        b.atan2(a)
     }
 }
 
@@ -38,6 +43,8 @@ impl Touch {
 pub struct LevelSet<'a> {
     /// The part, with the stock that is to stay on it.
     pub part: Allowed<'a>,
+    /// The way along the region that is milled.
+    pub along: Along,
     /// Level, mm: the ball's radius.
     pub radius_mm: f64,
     /// Where the airfoil ends without a platform.
@@ -59,9 +66,10 @@ impl LevelSet<'_> {
         self.part.brep.is_none()
     }
 
-    /// Moves a guess within its plane `x = const` onto the level set, see [`Self::touch_across`].
+    /// Moves a guess within its plane across the region onto the level set, see
+    /// [`Self::touch_across`].
     pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
-        self.touch_across(guess, &Vector::x(), reach_mm)
+        self.touch_across(guess, self.along.axis(), reach_mm)
     }
 
     /// Moves a guess onto the level set along the gradient of the distance,

@@ -90,6 +90,11 @@ impl Rest {
 }
 
 impl March<'_> {
+    /// Height of the ball's centre along the region, mm.
+    fn height_mm(&self, node: &Node) -> f64 {
+        self.across.level.along.height_mm(&node.touch.centre)
+    }
+
     /// Lays turns until one runs along the end all the way, or the surface is lost. Where the end
     /// is `open`, and some places have come to a wall or an edge but no more do, the end is drawn
     /// at the height that the others have then.
@@ -105,7 +110,7 @@ impl March<'_> {
         if open && !self.across.level.is_over_facets() {
             let mut to_height = self.clone();
             to_height.across.bounds.x_mm[0] =
-                laid.last().iter().map(|n| n.touch.centre.x).fold(f64::INFINITY, f64::min);
+                laid.last().iter().map(|n| self.height_mm(n)).fold(f64::INFINITY, f64::min);
             let mut rest = Rest::new(2 * PATIENCE[0]);
             let drawn = to_height.lay(laid.turns.clone(), progress, |turn| rest.stays(turn))?;
             if drawn.is_at_the_end() {
@@ -153,13 +158,14 @@ impl March<'_> {
     /// where the surface does not let it.
     pub(super) fn at_one_contact_height(&self, ring: &[Touch]) -> Option<Vec<Touch>> {
         let n = ring.len();
-        let height_mm = ring.iter().map(|t| t.contact.x).sum::<f64>() / n as f64;
+        let height = |t: &Touch| self.across.level.along.height_mm(&t.contact);
+        let height_mm = ring.iter().map(height).sum::<f64>() / n as f64;
         let centre = |k: usize| Some(&ring[k % n].centre);
         let moved = |i: usize| {
             let along = curve::tangent(centre(i + n - 1), &ring[i], centre(i + 1));
             let mut place = Heading { touch: ring[i], along };
             for _ in 0..MOST_MOVES {
-                let above_mm = place.touch.contact.x - height_mm;
+                let above_mm = height(&place.touch) - height_mm;
                 if above_mm.abs() < LEAST_SHARE * self.flat_mm {
                     return Some(place.touch);
                 }
@@ -189,7 +195,7 @@ impl March<'_> {
         let length_mm = |turn: &[TurnNode]| arc_lengths(turn).last().copied().unwrap_or(0.0);
         let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t)).max(self.round_mm);
         while let Some((last, before)) = laid.turns.split_last_mut() {
-            progress(last[0].touch.centre.x)?;
+            progress(self.height_mm(&last[0]))?;
             match self.next_turn(before.last(), last) {
                 Ok(next) if length_mm(&next) > longest_mm || length_mm(&next) < TOO_SHORT * length_mm(last) => {
                     laid.lost = next.iter().min_by(|a, b| a.way_mm.total_cmp(&b.way_mm)).map(|n| n.touch.centre);

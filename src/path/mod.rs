@@ -71,6 +71,7 @@ pub use options::PathOptions;
 pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};
 pub use stepover::flat_stepover_mm;
 
+use crate::artifact::along::Along;
 use crate::artifact::region::{Boundary, Region};
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
@@ -96,10 +97,12 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
-    let rim = Rim::of(blade, region(blade, options)?, options);
+    let region = region(blade, options)?;
+    let rim = Rim::of(blade, region, options);
+    let along = region.along;
     let part = Allowed::new(&blade.part, options.settings.stock_mm);
     let lowest_mm = bounds::lowest_mm(&options.extent.ends);
-    let level = LevelSet { part, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
+    let level = LevelSet { part, along, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
     let start_x = start_height(blade, options)?;
     match options.settings.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -116,7 +119,8 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
 pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
     validate(blade, options)?;
     let part = Allowed::new(&blade.part, options.settings.stock_mm);
-    let level = LevelSet { part, radius_mm: options.radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
+    let along = region(blade, options)?.along;
+    let level = LevelSet { part, along, radius_mm: options.radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
 }
@@ -162,7 +166,17 @@ fn region<'b>(blade: &'b Blade, options: &PathOptions) -> Result<&'b Region> {
 
 /// Heights of the foot and the top of that region, mm; those of the part where no heights bound it.
 fn heights_mm(blade: &Blade, options: &PathOptions) -> Result<[f64; 2]> {
-    Ok(region(blade, options)?.x_mm().unwrap_or(blade.regions.part_x_mm))
+    let region = region(blade, options)?;
+    Ok(region.x_mm().unwrap_or_else(|| span_mm(blade, region)))
+}
+
+/// Least and greatest height of the part along a region, mm.
+fn span_mm(blade: &Blade, region: &Region) -> [f64; 2] {
+    if region.along == Along::BLADE {
+        return blade.regions.part_x_mm;
+    }
+    let heights = blade.part.mesh.points.iter().map(|p| region.along.height_mm(p));
+    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
 }
 
 fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
@@ -216,7 +230,7 @@ fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
         )
         .advise("set path.kind to constant-scallop, or give region.end_mm"));
     }
-    let [lo, hi] = blade.regions.part_x_mm;
+    let [lo, hi] = span_mm(blade, region(blade, o)?);
     let height = |b: &Boundary| if let Boundary::Height(x_mm) = b { Some(*x_mm) } else { None };
     let start = o.extent.start.as_ref().and_then(height).map(|x| ("region.start_mm", x));
     let ends = o.extent.ends.iter().filter_map(height).map(|x| ("region.end_mm", x));

@@ -519,6 +519,7 @@ mod tests {
     use super::super::stepover::flat_stepover_mm;
     use super::super::tests::turned;
     use super::*;
+    use crate::artifact::along::Along;
     use crate::geometry::allowance::Allowed;
 
     /// Nodes on the plane `z = 0` and on its other side.
@@ -583,8 +584,13 @@ mod tests {
         // the line between them, down at 0.
         let blade = turned(4, &[1.0, 200.0], |_, s, c| [100.0 * c, 100.0 * s]);
         let (radius_mm, scallop_mm) = (4.0, 0.01);
-        let level =
-            LevelSet { part: Allowed::new(&blade.part, 0.0), radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
+        let level = LevelSet {
+            part: Allowed::new(&blade.part, 0.0),
+            along: Along::BLADE,
+            radius_mm,
+            rim: None,
+            lowest_mm: f64::NEG_INFINITY,
+        };
         let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
         let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
         let march = March {

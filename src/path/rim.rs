@@ -9,7 +9,9 @@
 use std::collections::HashSet;
 
 use super::options::PathOptions;
+use super::span_mm;
 use crate::artifact::Blade;
+use crate::artifact::along::Along;
 use crate::artifact::region::{Boundary, Region};
 use crate::geometry::mesh::edge_uses;
 use crate::geometry::{Point, Vector};
@@ -50,19 +52,22 @@ impl Rim {
             return None;
         }
         let [a, b] = region.x_mm()?;
-        let slant_mm = (a - blade.regions.part_x_mm[0]).max(0.0).min(0.3 * (b - a));
+        let slant_mm = (a - span_mm(blade, region)[0]).max(0.0).min(0.3 * (b - a));
         let (mesh, highest) = (&blade.part.mesh, a + slant_mm + LOWEST * (b - a));
         let near_mm = NEAR * options.radius_mm + 2.0 * blade.part.deflection_mm + options.settings.stock_mm;
         let mut rim = Rim { near_mm, cells: HashSet::new() };
         for group in edge_uses(&mesh.triangles).chunk_by(|a, b| a.edge == b.edge) {
             let [p, q] = group[0].edge.map(|v| mesh.points[v as usize]);
-            if p.x.max(q.x) > highest {
+            let heights = [p, q].map(|p| region.along.height_mm(&p));
+            if heights[0].max(heights[1]) > highest {
                 continue;
             }
             let normals: Vec<Vector> = group.iter().map(|u| mesh.normal(u.triangle as usize)).collect();
             let ends = match &normals[..] {
-                [wall] => wall.x.abs() < WALL && (p.x - q.x).abs() < WALL * (p - q).norm(),
-                all => all.iter().any(|wall| all.iter().any(|cap| ends_at(wall, cap))),
+                [wall] => {
+                    region.along.lean(wall).abs() < WALL && (heights[0] - heights[1]).abs() < WALL * (p - q).norm()
+                }
+                all => all.iter().any(|wall| all.iter().any(|cap| ends_at(&region.along, wall, cap))),
             };
             if ends {
                 rim.add(&p, &q);
@@ -95,8 +100,9 @@ impl Rim {
 }
 
 /// Whether a wall ends at a cap in a sharp edge.
-fn ends_at(wall: &Vector, cap: &Vector) -> bool {
-    wall.dot(cap) < SHARP && wall.x.abs() < WALL && cap.x < -FACES_ROOT && cap.x < wall.x - MORE
+fn ends_at(along: &Along, wall: &Vector, cap: &Vector) -> bool {
+    let [of_wall, of_cap] = [wall, cap].map(|normal| along.lean(normal));
+    wall.dot(cap) < SHARP && of_wall.abs() < WALL && of_cap < -FACES_ROOT && of_cap < of_wall - MORE
 }
 
 #[cfg(test)]

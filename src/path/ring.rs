@@ -1,13 +1,16 @@
-//! Closed curves of ball centres at constant height, traced on the level set.
+//! Closed curves of ball centres at constant height along a region, traced on the level set.
 
 use super::level::{LevelSet, Touch};
+use crate::artifact::along::Along;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 
-/// A closed curve of ball centres in one plane `x = const`, counter-clockwise seen from the tip,
-/// starting at its base point; the last touch is not the first repeated.
+/// A closed curve of ball centres in one plane across a region, counter-clockwise seen from its
+/// start, starting at its base point; the last touch is not the first repeated.
 #[derive(Clone, Debug)]
 pub struct Ring {
+    /// The way along the region.
+    pub along: Along,
     /// Height, mm.
     pub x_mm: f64,
     /// Touches in order.
@@ -46,7 +49,7 @@ pub struct Tracing {
 
 impl Ring {
     /// A ring through touches in order.
-    pub fn new(touches: Vec<Touch>) -> Self {
+    pub fn new(along: Along, touches: Vec<Touch>) -> Self {
         let mut s_mm = Vec::with_capacity(touches.len());
         let mut s = 0.0;
         for (i, t) in touches.iter().enumerate() {
@@ -59,7 +62,8 @@ impl Ring {
             (Some(a), Some(b)) => (a.centre - b.centre).norm(),
             _ => 0.0,
         };
-        Ring { x_mm: touches.first().map_or(0.0, |t| t.centre.x), touches, s_mm, length_mm: s + close }
+        let x_mm = touches.first().map_or(0.0, |t| along.height_mm(&t.centre));
+        Ring { along, x_mm, touches, s_mm, length_mm: s + close }
     }
 
     /// Centre at the fraction `u` in [0, 1] of the length, linear between touches.
@@ -92,7 +96,7 @@ impl Ring {
     #[must_use]
     pub fn starting_at(mut self, first: usize) -> Self {
         self.touches.rotate_left(first);
-        Ring::new(self.touches)
+        Ring::new(self.along, self.touches)
     }
 
     /// Where concave stretches, in which the normal turns back by `least_turn_rad` at least, begin
@@ -101,8 +105,11 @@ impl Ring {
         let n = self.touches.len();
         let mut found: Vec<usize> = self.concave_entries(least_turn_rad).into_iter().map(|(i, _)| i).collect();
         // Run backwards, a stretch begins where it ends.
-        let mirrored = |t: &Touch| Touch { normal: Vector::new(t.normal.x, t.normal.y, -t.normal.z), ..*t };
-        let backwards = Ring::new(self.touches.iter().rev().map(mirrored).collect());
+        let mirrored = |t: &Touch| {
+            let [a, b] = self.along.across(&t.normal);
+            Touch { normal: self.along.vector(self.along.lean(&t.normal), [a, -b]), ..*t }
+        };
+        let backwards = Ring::new(self.along, self.touches.iter().rev().map(mirrored).collect());
         found.extend(backwards.concave_entries(least_turn_rad).into_iter().map(|(i, _)| n - 1 - i));
         found.sort_unstable();
         found.dedup();
@@ -118,7 +125,8 @@ impl Ring {
         let (mut azimuth, mut top, mut top_at, mut low) = (0.0, 0.0, 0, 0.0);
         // Twice round, so that a stretch across the ring's start is seen whole.
         for k in 1..=2 * n {
-            azimuth += wrap(self.touches[k % n].azimuth() - self.touches[(k - 1) % n].azimuth());
+            let at = |k: usize| self.touches[k % n].azimuth(&self.along);
+            azimuth += wrap(at(k) - at(k - 1));
             if azimuth > top {
                 if top - low >= least_turn_rad {
                     found.push((top_at % n, top - low));
@@ -155,14 +163,15 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
         if level.rim.is_some_and(|r| r.is_near(&here.contact)) {
             return Err(Broken::Rim(here.contact));
         }
-        if here.cos_lean() < how.min_cos_lean {
+        if here.cos_lean(&level.along) < how.min_cos_lean {
             return Err(Broken::Leans(here.contact));
         }
         let next = advance(level, &here, &mut step, how).ok_or(Broken::Lost(here.centre))?;
         let moved = (next.centre - here.centre).norm();
         walked += moved;
-        if walked > 4.0 * how.max_step_mm && passes(&here.centre, &next.centre, &start.centre, &here.tangent()) {
-            return Ok(Ring::new(touches));
+        let tangent = here.tangent(&level.along);
+        if walked > 4.0 * how.max_step_mm && passes(&here.centre, &next.centre, &start.centre, &tangent) {
+            return Ok(Ring::new(level.along, touches));
         }
         touches.push(next);
         if walked > 1e5 {
@@ -174,14 +183,14 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
 
 /// One step along the ring; `step` is the length tried first and, afterwards, the one to try next.
 fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Option<Touch> {
-    let tangent = here.tangent();
+    let tangent = here.tangent(&level.along);
     let mut length = step.clamp(how.min_step_mm, how.max_step_mm);
     loop {
         let last_try = length <= how.min_step_mm;
         let reach = if last_try { 4.0 * length } else { length };
         let ahead = here.centre + tangent * length;
         if let Some(t) = level.touch_in_plane(&ahead, reach) {
-            let turn = wrap(t.azimuth() - here.azimuth()).abs();
+            let turn = wrap(t.azimuth(&level.along) - here.azimuth(&level.along)).abs();
             let forward = (t.centre - here.centre).dot(&tangent) > 0.2 * length;
             if forward && (turn <= how.max_turn_rad || last_try) {
                 *step = if turn < 0.4 * how.max_turn_rad { 1.6 * length } else { length };
@@ -205,7 +214,7 @@ fn turn_corner(level: &LevelSet, here: &Touch, there: &Touch, into_wall: &Point)
     let normal = (there.centre - second.point).try_normalize(1e-9)?;
     let touch = Touch { centre: there.centre, contact: second.point, normal, face: second.face };
     // A corner turns the normal back; anything else is a place where the curve cannot be followed.
-    let turn = wrap(touch.azimuth() - here.azimuth());
+    let turn = wrap(touch.azimuth(&level.along) - here.azimuth(&level.along));
     let touches = (second.point - there.centre).norm() <= level.radius_mm * (1.0 + 1e-3);
     (turn < -0.05 && touches).then_some(touch)
 }

@@ -205,8 +205,8 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
     Ok(ring.starting_at(base))
 }
 
-/// The altered point before the greatest concave stretch, else the touch furthest along y; with a
-/// point to be `near`, the altered point nearest to it, else the touch nearest to it.
+/// The altered point before the greatest concave stretch, else the touch furthest to the first
+/// direction across (y of a blade); with a point to be `near`, the altered point nearest to it, else the touch nearest to it.
 fn base_point(ring: &Ring, near: Option<Point>) -> usize {
     if let Some(q) = near {
         let away = |i: &usize| (ring.touches[*i].contact - q).norm();
@@ -214,11 +214,8 @@ fn base_point(ring: &Ring, near: Option<Point>) -> usize {
         let altered = nearest(&mut ring.altered_points(CONCAVE_TURN_RAD).into_iter());
         return altered.or_else(|| nearest(&mut (0..ring.touches.len()))).unwrap_or(0);
     }
-    let furthest = || {
-        (0..ring.touches.len())
-            .max_by(|a, b| ring.touches[*a].centre.y.total_cmp(&ring.touches[*b].centre.y))
-            .unwrap_or(0)
-    };
+    let side_mm = |i: usize| ring.along.across(&ring.touches[i].centre.coords)[0];
+    let furthest = || (0..ring.touches.len()).max_by(|a, b| side_mm(*a).total_cmp(&side_mm(*b))).unwrap_or(0);
     ring.concave_entries(CONCAVE_TURN_RAD)
         .into_iter()
         .max_by(|a, b| a.1.total_cmp(&b.1))
@@ -274,8 +271,7 @@ fn next_ring(
 
 /// The ring at height `x` that begins next to the base point of `last`.
 fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::result::Result<Ring, Broken> {
-    let base = last.touches[0].centre;
-    let guess = Point::new(x, base.y, base.z);
+    let guess = level.along.at(x, &last.touches[0].centre);
     let reach = 4.0 * (last.x_mm - x) + 0.05 * level.radius_mm;
     let start: Touch = level.touch_in_plane(&guess, reach).ok_or(Broken::Lost(guess))?;
     let ring = ring::trace(level, start, how)?;

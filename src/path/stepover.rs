@@ -176,6 +176,7 @@ pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::along::Along;
     use crate::geometry::allowance::Allowed;
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
@@ -194,7 +195,13 @@ mod tests {
             }
             mesh.triangles.extend([[0, 3, 1], [1, 3, 4], [1, 4, 2], [2, 4, 5]]);
             let part = Part::from_mesh(mesh);
-            let level = LevelSet { part: Allowed::new(&part, 0.0), radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
+            let level = LevelSet {
+                part: Allowed::new(&part, 0.0),
+                along: Along::BLADE,
+                radius_mm,
+                rim: None,
+                lowest_mm: f64::NEG_INFINITY,
+            };
             let passes = [-s, s].map(|t| Point::new(0.0, t * half.cos(), radius_mm / half.cos() + s * half.sin()));
             for p in &passes {
                 assert!((level.touch(p, 0.1).unwrap().centre - p).norm() < 1e-6);

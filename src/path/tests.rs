@@ -179,7 +179,7 @@ fn concave_entry_is_found_on_a_kidney() {
             normal: Vector::new(0.0, a.cos(), a.sin()),
         })
         .collect();
-    let ring = Ring::new(touches);
+    let ring = Ring::new(Along::BLADE, touches);
     let entries = ring.concave_entries(0.035);
     assert_eq!(entries.len(), 1);
     assert_eq!(entries[0].0, 4);
