@@ -23,7 +23,9 @@
 //!   Where the way up is longer on one side than on the other that turn slants: by a whole number
 //!   of turns no region between two given curves can be cut with one scallop everywhere, unless
 //!   their distance happens to be so many stepovers all round. Places more than [`HIGHEST`] of the
-//!   region's height above the start are not cut but waited at.
+//!   region's height above the start are not cut but waited at. Where the region begins at faces,
+//!   places that have come to them are waited at, as at the end, until all have: the helix begins
+//!   with the closed curve of those places. The end is looked for from a ring amid the region then.
 //! * **Touches** of a turn thin out where the lines across the turns draw together and are added
 //!   where they draw apart; a stretch that would run backwards (a front that has folded) is left
 //!   out.
@@ -42,13 +44,14 @@ use rayon::prelude::*;
 use super::bounds::{Bounds, Stop};
 use super::curve::{self, LevelCurve};
 use super::level::{LevelSet, Touch};
-use super::march::Laid;
+use super::march::{Laid, PATIENCE, Rest};
 use super::neighbour::Across;
 use super::options::PathOptions;
 use super::ring::{Ring, Tracing};
 use super::stepover::flat_stepover_mm;
 use super::turn::{March, TurnNode};
 use super::{chords, heights_mm, helix, place, rings, spot};
+use crate::artifact::region::Boundary;
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
@@ -266,17 +269,28 @@ impl<'a> Laying<'a> {
         Ok(None)
     }
 
-    /// Turns of the path from its end up, until one is nowhere under the start height.
+    /// The faces at which the region begins, if it begins at faces.
+    fn begins_at(&self) -> &'a [Boundary] {
+        match &self.options.extent.start {
+            Some(faces @ Boundary::Faces(_)) => std::slice::from_ref(faces),
+            _ => &[],
+        }
+    }
+
+    /// Turns of the path from its end up, until one is nowhere under the start height or runs along
+    /// the faces at which the region begins.
     fn lay_up(&self, end: &[Touch]) -> Result<Laid> {
         let (start_x, options) = (self.start_x, self.options);
         let end_x = end.iter().map(|t| self.height_mm(&t.centre)).fold(f64::INFINITY, f64::min);
-        let mut highest = start_x + HIGHEST * (start_x - end_x);
+        let to_faces = !self.begins_at().is_empty();
+        let mut highest = if to_faces { f64::INFINITY } else { start_x + HIGHEST * (start_x - end_x) };
+        let mut rest = Rest::new(PATIENCE[1]);
         loop {
             let room = Bounds {
                 along: self.level.along,
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.settings.max_lean_deg.to_radians() + ROOM_RAD).min(FRAC_PI_2).sin(),
-                ends: &[],
+                ends: self.begins_at(),
                 rim: None,
             };
             let plain = self.search(options.settings.scallop_mm);
@@ -287,9 +301,15 @@ impl<'a> Laying<'a> {
                 is_path: true,
                 ..plain
             };
-            let laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
-                turn.iter().all(|n| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x)
+            let is_over = |n: &TurnNode| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x;
+            let mut laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
+                if to_faces { rest.stays(turn) } else { turn.iter().all(is_over) }
             })?;
+            if to_faces {
+                let free = laid.last().iter().find(|n| n.stop.is_none());
+                laid.lost = laid.lost.or(free.map(|n| n.touch.centre));
+                return Ok(laid);
+            }
             // Over the start height, near the tip, the surface may be lost to places that need not
             // be cut: they are waited at lower down.
             let lower = laid.lost.map(|p| self.height_mm(&p).min(highest) - WAITING * self.flat_mm);
@@ -309,6 +329,11 @@ impl<'a> Laying<'a> {
             let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
             return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
                 .advise(rings::no_turn_advice(down.lost.is_some())));
+        }
+        if !self.begins_at().is_empty() {
+            let why = "no turns lead from the end of the region up to the faces at which it begins";
+            let since = rings::not_one_turn(options, Stopped::NoNearer, None);
+            return Err(Error::infeasible(Stage::Path, why, since).advise("give region.start_mm"));
         }
         finish(self.level, options, down.turns, reason, self.observer)
     }

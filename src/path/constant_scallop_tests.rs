@@ -10,10 +10,12 @@ use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
 use super::turn::March;
 use super::*;
-use crate::artifact::region::{Boundary, Extent};
-use crate::artifact::toolpath::CutterLocation;
+use crate::artifact::region::{Boundary, Extent, Patch};
+use crate::artifact::toolpath::{CutterLocation, EndReason};
 use crate::geometry::Vector;
 use crate::geometry::allowance::Allowed;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
 use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Silent;
 
@@ -168,7 +170,7 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
     let mut blade = lofted(&rings);
     let mut mesh = blade.part.mesh.clone();
     mesh.face_of = (0..mesh.triangles.len()).map(|t| u32::from(mesh.corners(t).iter().all(|p| p.x < 1e-9))).collect();
-    blade.part = crate::geometry::part::Part::from_mesh(mesh);
+    blade.part = Part::from_mesh(mesh);
     let extent = Extent { ends: vec![Boundary::Faces(vec![false, true])], ..Extent::heights(Some(14.0), None) };
     let ended = PathOptions { extent, ..options(14.0, None) }.with(|s| s.max_lean_deg = 86.0);
     let path = plan(&blade, &ended, &Silent).unwrap();
@@ -185,6 +187,45 @@ fn a_leaning_platform_that_is_named_ends_the_path_where_the_ball_comes_to_it() {
     let error = plan(&blade, &ended.with(|s| (s.kind, s.max_lean_deg) = (PathKind::ConstantHeight, 60.0)), &Silent)
         .unwrap_err();
     assert!(error.message.contains("region.end_faces"), "{}", error.message);
+}
+
+#[test]
+fn a_leaning_shroud_that_is_named_begins_the_path_where_the_ball_comes_to_it() {
+    // A round bar from a platform to the cone of a shroud that slants along y.
+    let n = 600;
+    let ring = |x: f64, r: f64, slant: f64| {
+        let at = |i: usize| (std::f64::consts::TAU * i as f64 / n as f64).sin_cos();
+        (0..n).map(at).map(|(s, c)| Point::new(x + slant * c, r * c, r * s)).collect::<Vec<_>>()
+    };
+    let mut rings = vec![ring(-8.0, 30.0, 0.0), ring(0.0, 30.0, 0.0), ring(0.0, 10.0, 0.0)];
+    rings.extend((1..=40).map(|k| ring(f64::from(k), 10.0, f64::from(k) / 20.0)));
+    rings.extend([ring(55.0, 30.0, 6.0), ring(60.0, 30.0, 0.0)]);
+    let mut blade = lofted(&rings);
+    let mut mesh = blade.part.mesh.clone();
+    let is_shroud = |p: &Point| p.y.hypot(p.z) > 10.1 && p.x > 20.0;
+    let face = |t: usize| u32::from(mesh.corners(t).iter().any(is_shroud));
+    mesh.face_of = (0..mesh.triangles.len()).map(face).collect();
+    let of_shroud: Vec<[u32; 3]> =
+        (0..mesh.triangles.len()).filter(|t| mesh.face_of[*t] == 1).map(|t| mesh.triangles[t]).collect();
+    let shroud = Part::from_mesh(Mesh { triangles: of_shroud, ..mesh.clone() });
+    blade.part = Part::from_mesh(mesh);
+    blade.regions.list[0].patch = Patch::Faces(vec![0]);
+    let extent = Extent { start: Some(Boundary::Faces(vec![false, true])), ..Extent::heights(None, Some(10.0)) };
+    let begun = PathOptions { extent, ..options(14.0, None) }.with(|s| s.max_lean_deg = 86.0);
+    let path = plan(&blade, &begun, &Silent).unwrap();
+    assert_eq!(path.end_reason, EndReason::Region);
+    let turns = by_turn(&path);
+    let off_mm = |l: &CutterLocation| shroud.closest(&l.centre, 3.0 * R).map_or(f64::INFINITY, |c| c.distance_mm - R);
+    let first = turns[0].iter().map(off_mm).fold(0.0, f64::max);
+    assert!(first < 0.01, "the first turn is {first} mm off the shroud");
+    let heights = || turns[0].iter().map(|l| l.centre.x);
+    let slant = heights().fold(0.0, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    assert!(slant > 3.0, "{slant}");
+    assert!(path.locations.iter().all(|l| off_mm(l) > -1e-3));
+    assert!(path.planned_scallop_mm < 1.02 * H, "{}", path.planned_scallop_mm);
+    let error = plan(&blade, &begun.with(|s| (s.kind, s.max_lean_deg) = (PathKind::ConstantHeight, 60.0)), &Silent)
+        .unwrap_err();
+    assert!(error.message.contains("begins at faces"), "{}", error.message);
 }
 
 #[test]

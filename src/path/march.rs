@@ -33,7 +33,7 @@ const TOO_LONG: f64 = 5.0;
 const TOO_SHORT: f64 = 0.6;
 /// Turns that may come no nearer to the end before one is drawn where none was given, and before a
 /// given one counts as out of reach.
-const PATIENCE: [usize; 2] = [3, 100];
+pub(super) const PATIENCE: [usize; 2] = [3, 100];
 
 /// Turns laid, the first along a ring and the last node of each being the first of the next.
 pub(super) struct Laid {
@@ -60,7 +60,7 @@ fn are_at_the_end(turns: &[Vec<TurnNode>]) -> bool {
 }
 
 /// What of the turns is not at the end yet.
-struct Rest {
+pub(super) struct Rest {
     patience: usize,
     /// The least length so far, mm.
     least_mm: f64,
@@ -69,13 +69,13 @@ struct Rest {
 }
 
 impl Rest {
-    fn new(patience: usize) -> Self {
+    pub(super) fn new(patience: usize) -> Self {
         Rest { patience, least_mm: f64::INFINITY, since: 0 }
     }
 
     /// Whether, with one more turn, it has not become less for too long though some of it is at the
     /// end.
-    fn stays(&mut self, turn: &[TurnNode]) -> bool {
+    pub(super) fn stays(&mut self, turn: &[TurnNode]) -> bool {
         let length = |w: &[TurnNode]| (w[1].touch.centre - w[0].touch.centre).norm();
         let whole_mm: f64 = turn.windows(2).map(length).sum();
         let is_free = |w: &&[TurnNode]| w.iter().all(|n| n.stop.is_none());
@@ -91,7 +91,7 @@ impl Rest {
 
 impl March<'_> {
     /// Height of the ball's centre along the region, mm.
-    fn height_mm(&self, node: &Node) -> f64 {
+    fn height_mm(&self, node: &TurnNode) -> f64 {
         self.across.level.along.height_mm(&node.touch.centre)
     }
 

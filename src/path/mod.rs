@@ -21,6 +21,10 @@
 //!   (`neighbour`). The last turn runs along the end of the region, the others alongside it, and
 //!   the first is the lowest that is nowhere under the start height.
 //!
+//! Heights and lean are those along the region's own axis ([`crate::artifact::along`]). Planar turns
+//! lie at one height and count on a region that begins and ends at heights; constant scallop begins
+//! and ends at faces, too.
+//!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`).
 //! With [`PathSettings::stock_mm`], all this is on the part with so much stock on it
 //! ([`crate::geometry::allowance`]).
@@ -125,21 +129,25 @@ pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<Cutt
     helix::closed(&level, &ring, options)
 }
 
-/// Where the path begins, mm along the blade axis: given, or far enough above the platform for the
-/// root region.
+/// The height of the first ring, mm: where the path begins, given, or far enough above the platform
+/// for the root region; amid the region where it begins at faces.
 ///
 /// The root region is taken as the lowest 30 % of the airfoil, at least three ball radii and at
 /// most 40 mm: what the wide-line operation of the airfoil cannot reach because of the platform.
 ///
 /// # Errors
-/// Kind `Usage` where the region begins at a curve that is at no height: the first turn is laid at
-/// one.
+/// Kind `Usage` where the region begins at a rim: only edges near the foot are asked whether they
+/// are one.
 fn start_height(blade: &Blade, options: &PathOptions) -> Result<f64> {
     match &options.extent.start {
         Some(Boundary::Height(x_mm)) => Ok(*x_mm),
-        Some(Boundary::Rim(_) | Boundary::Faces(_)) => {
-            Err(Error::usage(Stage::Path, "the region begins at an edge or at faces: a path begins at a height")
+        Some(Boundary::Rim(_)) => {
+            Err(Error::usage(Stage::Path, "the region begins at a rim: a path begins at a height or at faces")
                 .advise("give region.start_mm"))
+        }
+        Some(Boundary::Faces(_)) => {
+            let [lo, hi] = patch_mm(blade, region(blade, options)?);
+            Ok(0.5 * (lo + hi))
         }
         None => {
             let [a, b] = heights_mm(blade, options)?;
@@ -170,13 +178,25 @@ fn heights_mm(blade: &Blade, options: &PathOptions) -> Result<[f64; 2]> {
     Ok(region.x_mm().unwrap_or_else(|| span_mm(blade, region)))
 }
 
+/// Least and greatest height of a region's surface, mm; those of the part where none is known.
+fn patch_mm(blade: &Blade, region: &Region) -> [f64; 2] {
+    let mesh = &blade.part.mesh;
+    let own = (0..mesh.triangles.len()).filter(|t| region.patch.has(mesh, *t as u32));
+    let heights = own.flat_map(|t| mesh.corners(t)).map(|p| region.along.height_mm(&p));
+    let [lo, hi] = least_and_greatest(heights);
+    if lo <= hi { [lo, hi] } else { span_mm(blade, region) }
+}
+
+fn least_and_greatest(heights: impl Iterator<Item = f64>) -> [f64; 2] {
+    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
+}
+
 /// Least and greatest height of the part along a region, mm.
 fn span_mm(blade: &Blade, region: &Region) -> [f64; 2] {
     if region.along == Along::BLADE {
         return blade.regions.part_x_mm;
     }
-    let heights = blade.part.mesh.points.iter().map(|p| region.along.height_mm(p));
-    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
+    least_and_greatest(blade.part.mesh.points.iter().map(|p| region.along.height_mm(p)))
 }
 
 fn validate(blade: &Blade, o: &PathOptions) -> Result<()> {
@@ -229,6 +249,13 @@ fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
             "region.end_faces ends turns of constant scallop only: other turns do not run along the edge of a face",
         )
         .advise("set path.kind to constant-scallop, or give region.end_mm"));
+    }
+    if matches!(o.extent.start, Some(Boundary::Faces(_))) && o.settings.kind != PathKind::ConstantScallop {
+        return Err(Error::usage(
+            Stage::Path,
+            "the region begins at faces: only turns of constant scallop run along their edge",
+        )
+        .advise("set path.kind to constant-scallop, or give region.start_mm"));
     }
     let [lo, hi] = span_mm(blade, region(blade, o)?);
     let height = |b: &Boundary| if let Boundary::Height(x_mm) = b { Some(*x_mm) } else { None };

@@ -212,5 +212,31 @@ fn a_path_goes_round_the_contour_of_its_region_and_not_the_nearest_to_the_axis()
     assert!(error.message.contains("region 3, but the blade has 3"), "{}", error.message);
     let extent = Extent { start: Some(Boundary::Rim(0.0)), ..Extent::default() };
     let error = plan(&two, &PathOptions { extent, ..options() }, &Silent).unwrap_err();
-    assert!(error.message.contains("a path begins at a height"), "{}", error.message);
+    assert!(error.message.contains("a path begins at a height or at faces"), "{}", error.message);
+}
+
+/// A bar and its path, turned together: nothing of a path counts on where the region's axis lies in
+/// the blade frame.
+#[test]
+fn a_region_along_another_axis_has_the_same_path_turned() {
+    let blade = turned(300, &(0..=30).map(|i| 2.0 * f64::from(i)).collect::<Vec<_>>(), |x, s, c| {
+        [(10.0 + 0.1 * x) * c + 0.05 * x, 6.0 * s * (1.0 + 0.2 * c)]
+    });
+    let along = Along::of(Vector::new(-0.36, 0.48, 0.8));
+    let turn = |p: &Point| Point::from(along.vector(p.x, [p.y, p.z]));
+    let mut mesh = blade.part.mesh.clone();
+    mesh.points.iter_mut().for_each(|p| *p = turn(p));
+    let mut other = Blade { part: Part::from_mesh(mesh), ..blade.clone() };
+    other.regions.list.iter_mut().for_each(|r| r.along = along);
+    for kind in [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop] {
+        for extent in [Extent::heights(Some(20.0), None), Extent::heights(Some(20.0), Some(12.0))] {
+            let o = PathOptions { extent, ..options() }.with(|s| s.kind = kind);
+            let [one, two] = [&blade, &other].map(|b| plan(b, &o, &Silent).unwrap());
+            let [a, b] = [&one, &two].map(|p| p.locations.last().unwrap());
+            assert!((a.s_mm / b.s_mm - 1.0).abs() < 1e-3, "{kind:?}: {} mm, {} mm", a.s_mm, b.s_mm);
+            assert!((turn(&a.centre) - b.centre).norm() < 0.05, "{kind:?}: {} {}", turn(&a.centre), b.centre);
+            assert!((0..2).all(|k| (one.region_x_mm[k] - two.region_x_mm[k]).abs() < 0.01), "{kind:?}");
+            assert!((one.planned_scallop_mm / two.planned_scallop_mm - 1.0).abs() < 0.02, "{kind:?}");
+        }
+    }
 }
