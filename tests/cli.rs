@@ -474,6 +474,33 @@ fn what_helps_to_type_the_command() {
     assert!(text.contains("\"event\":\"error\"") && text.contains("\"exit_code\":4"), "{text}");
 }
 
+/// The regions of a model, for other programs.
+#[test]
+fn inspect_lists_regions_as_data() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let regions = |file: &str| {
+        let model = root().join("models").join(file).display().to_string();
+        let out = bladewright(&["--json", "inspect", &model], dir.path());
+        let text = String::from_utf8_lossy(&out.stdout).into_owned();
+        let lines: Vec<serde_json::Value> = text.lines().map(|l| serde_json::from_str(l).expect(l)).collect();
+        let told = lines.iter().find(|l| l["event"] == "regions").unwrap_or_else(|| panic!("{text}"));
+        told["regions"].as_array().expect("a list").clone()
+    };
+    for file in ["turbine_camber.step", "turbine_camber.obj"] {
+        let list = regions(file);
+        let names: Vec<_> = list.iter().filter_map(|r| r["name"].as_str()).collect();
+        assert!(names.starts_with(&["airfoil"]) && names.contains(&"platform"), "{names:?}");
+        let airfoil = &list[0];
+        assert_eq!(airfoil["along"], serde_json::json!([1.0, 0.0, 0.0]));
+        let [end, start] = [0, 1].map(|k| airfoil["heights_mm"][k].as_f64().expect("a height"));
+        assert!(end < start && airfoil["start"]["height"] == start && airfoil["end"]["height"] == end, "{airfoil}");
+        let sides: Vec<_> = airfoil["sides"].as_array().expect("sides").iter().filter_map(|s| s.as_str()).collect();
+        assert!(sides.len() == 4 && sides[0] == "leading-edge" && sides.contains(&"suction-side"), "{sides:?}");
+        let faces = airfoil["faces"].as_array();
+        assert!(faces.is_some_and(|f| !f.is_empty()) == file.ends_with("step"), "{airfoil}");
+    }
+}
+
 /// Planted reasons for no plan, as `--json` tells them.
 #[test]
 fn what_leaves_no_plan_is_told_as_data() {

@@ -21,9 +21,14 @@ pub fn json_lines(on: bool) {
     JSON.store(on, Ordering::Relaxed);
 }
 
+/// Whether standard output holds one JSON object a line.
+pub fn is_json() -> bool {
+    JSON.load(Ordering::Relaxed)
+}
+
 /// Writes an object as a JSON line; says whether standard output holds such lines.
 pub fn event(value: &serde_json::Value) -> bool {
-    let on = JSON.load(Ordering::Relaxed);
+    let on = is_json();
     if on {
         plain(&escaped_json(&value.to_string()));
         plain("\n");
@@ -45,7 +50,7 @@ pub fn told(text: &str) {
 /// Writes to standard output; where it holds JSON lines, each line as an object of its own.
 pub fn write(text: Arguments<'_>) {
     let text = escaped(&text.to_string(), |c| c == '\n');
-    if !JSON.load(Ordering::Relaxed) {
+    if !is_json() {
         return plain(&text);
     }
     let Ok(mut line) = LINE.lock() else { return };

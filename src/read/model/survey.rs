@@ -22,7 +22,7 @@ use super::soup::Soup;
 use super::units::{self, Guess, UnitSource};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Blade, Diagnosis, Opening, Unit};
-use crate::artifact::region::Area;
+use crate::artifact::region::{Area, Regions};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
@@ -77,6 +77,12 @@ impl Survey {
             Ok(found) => areas(&found.mesh, found, self.part.brep.is_some()),
             Err(_) => vec![Area::Other; self.part.mesh.triangles.len()],
         }
+    }
+
+    /// The regions of the part, where a blade was found.
+    pub fn regions(&self) -> Option<Regions> {
+        let found = self.found.as_ref().ok()?;
+        Some(pieces(&self.part.clone().moved(&found.model_from_blade.inverse()), found))
     }
 
     /// The blade, for planning.
