@@ -199,7 +199,8 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// Round the first region between two heights of the ball's centre along it, mm; `None`: found from the part.
+    /// Round the first region between two heights of the ball's centre along it, mm; `None`: found
+    /// from the part.
     pub fn heights(start_mm: Option<f64>, end_mm: Option<f64>) -> Extent {
         let boundary = |x: Option<f64>| x.map(Boundary::Height);
         Extent { region: 0, start: boundary(start_mm), ends: boundary(end_mm).into_iter().collect() }

@@ -21,9 +21,9 @@
 //!   (`neighbour`). The last turn runs along the end of the region, the others alongside it, and
 //!   the first is the lowest that is nowhere under the start height.
 //!
-//! Heights and lean are those along the region's own axis ([`crate::artifact::along`]). Planar turns
-//! lie at one height and count on a region that begins and ends at heights; constant scallop begins
-//! and ends at faces, too.
+//! Heights and lean are those along the region's own axis ([`crate::artifact::along`]). Planar
+//! turns lie at one height and count on a region that begins and ends at heights; constant scallop
+//! begins and ends at faces, too.
 //!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`).
 //! With [`PathSettings::stock_mm`], all this is on the part with so much stock on it

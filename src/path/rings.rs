@@ -206,7 +206,8 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
 }
 
 /// The altered point before the greatest concave stretch, else the touch furthest to the first
-/// direction across (y of a blade); with a point to be `near`, the altered point nearest to it, else the touch nearest to it.
+/// direction across (y of a blade); with a point to be `near`, the altered point nearest to it,
+/// else the touch nearest to it.
 fn base_point(ring: &Ring, near: Option<Point>) -> usize {
     if let Some(q) = near {
         let away = |i: &usize| (ring.touches[*i].contact - q).norm();

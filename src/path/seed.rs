@@ -38,8 +38,8 @@ pub fn contour(blade: &Blade, region: &Region, x_mm: f64) -> Result<(Loop, Vec<L
     }
 }
 
-/// A ball in the plane at `x_mm` that touches the airfoil, found by stepping outwards from the loop's
-/// extreme points.
+/// A ball in the plane at `x_mm` that touches the airfoil, found by stepping outwards from the
+/// loop's extreme points.
 pub fn first_touch(level: &LevelSet, airfoil: &Loop, x_mm: f64) -> Option<Touch> {
     let r = level.radius_mm;
     for k in 0..16 {
