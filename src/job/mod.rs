@@ -25,7 +25,8 @@ pub use defaults::{Draft, resolve};
 pub use load::{insert, parse, read_value};
 pub use resolved::Job;
 pub use sections::{
-    FixtureKeys, FixtureSettings, ModelKeys, ModelSettings, RegionKeys, RegionReference, RegionSettings, ToolKeys,
+    FixtureKeys, FixtureSettings, LibraryEntry, ModelKeys, ModelSettings, RegionKeys, RegionReference, RegionSettings,
+    ToolKeys,
 };
 pub use tool::Chosen;
 pub use typed::JobFile;

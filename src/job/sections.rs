@@ -117,6 +117,25 @@ pub struct RegionSettings {
     pub end_faces: Vec<String>,
 }
 
+/// What a tool is called in a library.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum LibraryEntry {
+    /// Its number.
+    Number(u32),
+    /// Its name, or its number as text.
+    Name(String),
+}
+
+impl std::fmt::Display for LibraryEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            LibraryEntry::Number(n) => n.fmt(f),
+            LibraryEntry::Name(name) => name.fmt(f),
+        }
+    }
+}
+
 /// `[tool]`
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -126,7 +145,7 @@ pub struct ToolKeys {
     pub library: Option<String>,
     /// Number or name of the tool in the library; may be left out where it has one ball-end cutter only.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub entry: Option<String>,
+    pub entry: Option<LibraryEntry>,
     /// Length unit of a library that states none (LinuxCNC); default: mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<Unit>,

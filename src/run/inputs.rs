@@ -119,7 +119,7 @@ pub fn draft(mut typed: JobFile, base_dir: &Path) -> Result<Draft> {
 
 /// Puts the tool of a library where keys are left out.
 fn from_library(keys: &mut ToolKeys, base_dir: &Path) -> Result<()> {
-    let (entry, unit) = (keys.entry.take(), keys.unit.take());
+    let (entry, unit) = (keys.entry.take().map(|e| e.to_string()), keys.unit.take());
     let Some(file) = keys.library.take() else {
         let left = [(entry.is_some(), "tool.entry"), (unit.is_some(), "tool.unit")];
         return match left.iter().find(|(given, _)| *given) {
@@ -206,7 +206,7 @@ mod tests {
             let mut keys = toml::from_str::<ToolKeys>(text).unwrap();
             from_library(&mut keys, dir.path()).map(|()| keys)
         };
-        let keys = filled("library = \"t.json\"\nentry = \"12\"\nstickout_mm = 35").unwrap();
+        let keys = filled("library = \"t.json\"\nentry = 12\nstickout_mm = 35").unwrap();
         let of = (keys.radius_mm, keys.taper_deg, keys.shank_radius_mm, keys.stickout_mm);
         assert_eq!(of, (Some(1.5), Some(4.0), Some(3.0), Some(35.0)));
         assert!(keys.library.is_none() && keys.entry.is_none() && keys.holder.unwrap().len() > 1);
