@@ -101,7 +101,7 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let lay = |evens_ways| Laying::new(blade, level, options, start_x, observer)?.lay(evens_ways);
+    let lay = |evens_ways| Laying::new(blade, level, options, start_x, evens_ways, observer)?.lay();
     let plain = lay(false);
     if !level.is_over_facets() {
         return plain.map(|helix| helix.path);
@@ -123,6 +123,14 @@ struct Helix {
     path: Toolpath,
     /// Whether its turns are laid up from its end.
     is_from_end: bool,
+}
+
+/// What became of turns that are laid up from an end.
+enum Up {
+    /// A path.
+    Laid(Toolpath),
+    /// None; where the surface was lost.
+    Lost(Option<Point>),
 }
 
 /// What a helix is laid by.
@@ -152,6 +160,7 @@ impl<'a> Laying<'a> {
         level: &'a LevelSet,
         options: &'a PathOptions,
         start_x: f64,
+        evens_ways: bool,
         observer: &'a dyn Observer,
     ) -> Result<Self> {
         let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
@@ -164,7 +173,6 @@ impl<'a> Laying<'a> {
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
         let facets = usize::from(level.is_over_facets());
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
-        let evens_ways = false;
         Ok(Laying {
             blade,
             level,
@@ -183,8 +191,7 @@ impl<'a> Laying<'a> {
 
     /// The helix, with its ways evened out or not: laid up from the first end that was found from
     /// which turns can be, or else down from the start.
-    fn lay(mut self, evens_ways: bool) -> Result<Helix> {
-        self.evens_ways = evens_ways;
+    fn lay(self) -> Result<Helix> {
         let scallop_mm = self.options.settings.scallop_mm;
         let coarse = (COARSEST * self.options.radius_mm / scallop_mm).clamp(1.0, COARSER);
         let tries: &[f64] = if coarse > 1.0 { &[coarse, 1.0] } else { &[1.0] };
@@ -192,14 +199,16 @@ impl<'a> Laying<'a> {
         let ring = ring.unwrap_or_else(|| self.ring.touches.clone());
         let open = self.bounds.x_mm[0] == f64::NEG_INFINITY;
         let mut down = Laid { turns: Vec::new(), lost: None };
+        let mut lost_on_the_way_up = None;
         for (k, coarser) in tries.iter().enumerate() {
             let search = self.search(coarser * scallop_mm);
             down = search.find_end(&ring, open, &|x| self.progress(0.0, 300.0, self.start_x - x))?;
-            if let Some(path) = self.laid_up(&search, &down, k + 1 == tries.len())? {
-                return Ok(Helix { path, is_from_end: true });
+            match self.laid_up(&search, &down, k + 1 == tries.len())? {
+                Up::Laid(path) => return Ok(Helix { path, is_from_end: true }),
+                Up::Lost(at) => lost_on_the_way_up = at.or(lost_on_the_way_up),
             }
         }
-        Ok(Helix { path: self.laid_down(down)?, is_from_end: false })
+        Ok(Helix { path: self.laid_down(down, lost_on_the_way_up)?, is_from_end: false })
     }
 
     /// The turns that only look for the end.
@@ -234,15 +243,15 @@ impl<'a> Laying<'a> {
         self.observer.check(Stage::Path)
     }
 
-    /// The helix of turns laid up from the end that was found; `None` where none can be.
-    fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Option<Toolpath>> {
+    /// The helix of turns laid up from the end that was found.
+    fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Up> {
         let mut reason = end_reason(self.blade, down, self.options);
         let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
         let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
         // A finer search, or ways that are evened out, may find an end from which turns can be laid
         // up. An end that was asked for stays.
         let may_end_higher = is_finest && self.evens_ways == (self.facets == 1) && self.options.extent.ends.is_empty();
-        let mut deepest_mm = 0.0;
+        let (mut deepest_mm, mut lost) = (0.0, None);
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
         for left_out in ends {
             let kept = &down.turns[..down.turns.len().saturating_sub(*left_out)];
@@ -253,9 +262,10 @@ impl<'a> Laying<'a> {
             }
             end.reverse();
             let laid = self.lay_up(&end)?;
-            if let Some(lost) = laid.lost {
+            if let Some(at) = laid.lost {
+                lost = Some(at);
                 if *left_out == 0 {
-                    let at = place(self.blade, &lost);
+                    let at = place(self.blade, &at);
                     reason = EndReason::Blocked(format!("turns from farther down would lose the surface at {at}"));
                 }
                 continue;
@@ -263,10 +273,10 @@ impl<'a> Laying<'a> {
             let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
             match finish(self.level, self.options, reversed, reason.clone(), self.observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
-                done => return done.map(Some),
+                done => return done.map(Up::Laid),
             }
         }
-        Ok(None)
+        Ok(Up::Lost(lost))
     }
 
     /// The faces at which the region begins, if it begins at faces.
@@ -321,7 +331,7 @@ impl<'a> Laying<'a> {
     }
 
     /// The helix of the turns that were laid down from the start.
-    fn laid_down(&self, down: Laid) -> Result<Toolpath> {
+    fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
         let reason = end_reason(blade, &down, options);
         if down.turns.len() < 2 {
@@ -331,8 +341,10 @@ impl<'a> Laying<'a> {
                 .advise(rings::no_turn_advice(down.lost.is_some())));
         }
         if !self.begins_at().is_empty() {
-            let why = "no turns lead from the end of the region up to the faces at which it begins";
-            let since = rings::not_one_turn(options, Stopped::NoNearer, None);
+            let at = lost_on_the_way_up.or(down.lost);
+            let since = rings::not_one_turn(options, Stopped::NoNearer, at.map(|p| spot(blade, &p)));
+            let at = at.map_or_else(String::new, |p| format!(" at {}", place(blade, &p)));
+            let why = format!("no turns lead from the end of the region up to the faces at which it begins{at}");
             return Err(Error::infeasible(Stage::Path, why, since).advise("give region.start_mm"));
         }
         finish(self.level, options, down.turns, reason, self.observer)
