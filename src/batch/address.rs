@@ -80,10 +80,7 @@ pub(super) fn address(member: &Member, contents: &Contents) -> Result<Address> {
         }
     }
     let mut job = member.job.clone();
-    if let Some(f) = job.machine.as_mut().and_then(|m| m.file.as_mut()) {
-        *f = told(contents.of(Path::new(f)));
-    }
-    for f in job.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten()) {
+    for f in job.files_mut() {
         *f = told(contents.of(Path::new(f)));
     }
     let shared = JobFile {

@@ -147,21 +147,10 @@ fn overlay(under: &mut toml::Value, over: toml::Value) {
 
 /// Relative paths of a job from `base`.
 fn absolute(mut job: JobFile, base: &Path) -> JobFile {
-    let from = |file: &mut String| {
+    for file in job.files_mut() {
         let joined = base.join(&*file);
         *file = std::path::absolute(&joined).unwrap_or(joined).to_string_lossy().into_owned();
-    };
-    if let Some(f) = job.model.as_mut().and_then(|m| m.file.as_mut()) {
-        from(f);
     }
-    if let Some(f) = job.tool.as_mut().and_then(|t| t.library.as_mut()) {
-        from(f);
-    }
-    if let Some(f) = job.machine.as_mut().and_then(|m| m.file.as_mut()) {
-        from(f);
-    }
-    let bodies = job.fixture.iter_mut().flatten().chain(&mut job.stock).filter_map(|f| f.file.as_mut());
-    bodies.chain(job.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten())).for_each(from);
     job
 }
 

@@ -156,8 +156,8 @@ fn members_of_a_grid_a_list_a_table_and_patterns() {
 fn an_address_follows_from_contents_alone() {
     let dir = tempfile::tempdir().unwrap();
     let d = dir.path();
-    let text =
-        "models = \"DIR/*.stl\"\n[template.machine]\nfile = \"machine.toml\"\n[template.feed]\nfeed_mm_min = 100";
+    let text = "models = \"DIR/*.stl\"\n[template]\ntool = { library = \"t.json\" }\nfixture = [{ file = \"f.stl\" }]\n\
+         [template.machine]\nfile = \"machine.toml\"\n[template.feed]\nfeed_mm_min = 100";
     for (folder, model) in [("a", "one"), ("b", "one"), ("c", "two")] {
         write(d, &format!("{folder}/blade.stl"), model);
     }
@@ -175,6 +175,12 @@ fn an_address_follows_from_contents_alone() {
     write(d, "machine.toml", "second");
     let second = at("a");
     assert!(first.key != second.key && first.group == second.group);
+    for file in ["t.json", "f.stl"] {
+        let before = at("a");
+        write(d, file, "another");
+        let after = at("a");
+        assert!(before.key != after.key && before.group != after.group, "{file} decides on path and channel");
+    }
 }
 
 #[test]

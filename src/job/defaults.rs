@@ -58,6 +58,10 @@ const LEAST_SCALLOP_MM: f64 = 2.5e-4;
 /// Values that are wrong on any blade are refused before the model is read.
 fn early_checks(typed: &JobFile) -> Result<()> {
     let (tool, path) = (typed.tool.clone().unwrap_or_default(), typed.path.clone().unwrap_or_default());
+    if tool.library.is_some() || tool.entry.is_some() || tool.unit.is_some() {
+        return Err(Error::usage(Stage::Job, "tool.library, entry and unit name a tool in a file, which was not read")
+            .advise("in the library, read it with run::inputs::draft"));
+    }
     let number = |key: &str, value: &dyn Number, range| check(Stage::Job, key, value, &range);
     number("tool.radius_mm", &tool.radius_mm, TINY..=1000.0)?;
     number("tool.shank_radius_mm", &tool.shank_radius_mm, TINY..=1000.0)?;

@@ -100,6 +100,7 @@ fn missing_model_and_impossible_values_are_refused_before_the_model_is_read() {
         ("[path]\nscallop_mm = -0.01", "path.scallop_mm"),
         ("[path]\nscallop_mm = 0.000001", "path.scallop_mm"),
         ("[path]\nchord_mm = inf", "path.chord_mm"),
+        ("[tool]\nlibrary = \"t.json\"", "tool.library"),
     ] {
         let e = kind(&format!("model.file = \"a.stl\"\n{text}"));
         assert_eq!(e.kind, ErrorKind::Usage);

@@ -57,3 +57,15 @@ pub struct JobFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub section: Option<SectionKeys>,
 }
+
+impl JobFile {
+    /// The files that it names, as typed: the model first.
+    pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut String> {
+        let model = self.model.iter_mut().filter_map(|m| m.file.as_mut());
+        let library = self.tool.iter_mut().filter_map(|t| t.library.as_mut());
+        let bodies = self.fixture.iter_mut().flatten().chain(&mut self.stock).filter_map(|f| f.file.as_mut());
+        let machine = self.machine.iter_mut().filter_map(|m| m.file.as_mut());
+        let posts = self.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten());
+        model.chain(library).chain(bodies).chain(machine).chain(posts)
+    }
+}

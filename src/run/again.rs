@@ -19,7 +19,6 @@ use crate::artifact::report::Check;
 use crate::artifact::{CheckId, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::job;
 use crate::observe::Observer;
 use crate::plan::Setup;
 use crate::verify::{self, Verdict};
@@ -90,7 +89,7 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
         )
         .advise("plan again without --until"));
     }
-    let draft = job::resolve(inputs::job(&file)?, out)?;
+    let draft = inputs::draft(inputs::job(&file)?, out)?;
     let text = files::read_text(&plan_file, files::LONG)
         .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", plan_file.display())).caused_by(e))?;
     let plan: Plan = serde_json::from_str(&text)
