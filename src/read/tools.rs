@@ -66,6 +66,7 @@ struct Entry {
 /// See the module's page.
 pub fn tool(text: &str, entry: Option<&str>, unit: Option<Unit>, origin: &str) -> Result<Listed> {
     let bad = |what: String| Error::usage(Stage::Job, format!("tool library {origin}: {what}"));
+    let text = text.trim_start_matches('\u{feff}');
     let entries = if text.trim_start().starts_with('{') { fusion(text) } else { table(text, unit) }.map_err(bad)?;
     let balls = || entries.iter().filter(|e| e.tool.is_ok());
     let Some(wanted) = entry.map(str::trim) else {
@@ -164,12 +165,10 @@ struct FusionTool {
     unit: String,
     #[serde(default)]
     geometry: Geometry,
-    #[serde(default, rename = "post-process")]
-    post: Post,
-    #[serde(default)]
-    shaft: Segments,
-    #[serde(default)]
-    holder: Segments,
+    #[serde(rename = "post-process")]
+    post: Option<Post>,
+    shaft: Option<Segments>,
+    holder: Option<Segments>,
 }
 
 #[derive(Default, Deserialize)]
@@ -196,17 +195,16 @@ struct Geometry {
     shoulder_diameter: Option<f64>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Deserialize)]
 struct Post {
     number: Option<u32>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Deserialize)]
 struct Segments {
     #[serde(default)]
     segments: Vec<Segment>,
     /// The holder's own unit; of a shaft that of its tool.
-    #[serde(default)]
     unit: Option<String>,
 }
 
@@ -223,9 +221,7 @@ fn fusion(text: &str) -> std::result::Result<Vec<Entry>, String> {
     let library: Library =
         serde_json::from_str(text).map_err(|e| format!("it is not the JSON of a Fusion tool library: {e}"))?;
     let cutters = library.data.iter().filter(|t| t.kind != "holder");
-    let out: Vec<Entry> = cutters
-        .map(|t| Entry { number: t.post.number, name: t.description.trim().to_owned(), tool: t.listed() })
-        .collect();
+    let out: Vec<Entry> = cutters.map(|t| Entry { number: t.number(), name: t.name(), tool: t.listed() }).collect();
     if out.is_empty() { Err("it has no tool".into()) } else { Ok(out) }
 }
 
@@ -238,6 +234,14 @@ fn unit_mm(name: &str) -> std::result::Result<f64, String> {
 }
 
 impl FusionTool {
+    fn number(&self) -> Option<u32> {
+        self.post.as_ref().and_then(|p| p.number)
+    }
+
+    fn name(&self) -> String {
+        self.description.trim().to_owned()
+    }
+
     fn listed(&self) -> std::result::Result<Listed, String> {
         let g = &self.geometry;
         if self.kind != "ball end mill" && self.kind != "tapered mill" {
@@ -257,7 +261,7 @@ impl FusionTool {
         let taper_deg = g.taper.unwrap_or(0.0);
         let below_mm = length(g.below_holder, "LB")?;
         let shank_mm = 0.5 * g.shank.map_or(Ok(2.0 * radius_mm), |s| length(Some(s), "SFDM"))?;
-        let mut stages = cylinders(&self.shaft.segments, mm)?;
+        let mut stages = self.shaft.as_ref().map_or(Ok(Vec::new()), |s| cylinders(&s.segments, mm))?;
         let shaft_mm: f64 = stages.iter().map(|s| s.length_mm).sum();
         let mut neck_mm = shank_mm;
         let mut end_mm = below_mm - shaft_mm;
@@ -273,11 +277,11 @@ impl FusionTool {
         } else if taper_deg == 0.0 {
             neck_mm = radius_mm;
         }
-        let holder_mm = self.holder.unit.as_deref().map_or(Ok(mm), unit_mm)?;
-        stages.extend(cylinders(&self.holder.segments, holder_mm)?);
+        if let Some(holder) = &self.holder {
+            stages.extend(cylinders(&holder.segments, holder.unit.as_deref().map_or(Ok(mm), unit_mm)?)?);
+        }
         let body = Body { taper_deg, shank_radius_mm: neck_mm, stickout_mm: end_mm - radius_mm, stages };
-        let (number, name) = (self.post.number, self.description.trim().to_owned());
-        Ok(Listed { number, name, radius_mm, body: Some(body) })
+        Ok(Listed { number: self.number(), name: self.name(), radius_mm, body: Some(body) })
     }
 }
 
@@ -318,6 +322,7 @@ mod tests {
               { "height": 0, "lower-diameter": 1, "upper-diameter": 2 },
               { "height": 2, "lower-diameter": 2, "upper-diameter": 2 } ] } },
         { "type": "tapered mill", "unit": "inches", "description": "Tapered 1/8", "post-process": { "number": 8 },
+          "shaft": null, "holder": null,
           "geometry": { "DC": 0.125, "RE": 0.0625, "SFDM": 0.5, "LB": 2.5, "TA": 4 } },
         { "type": "flat end mill", "unit": "millimeters", "description": "Flat 10", "post-process": { "number": 9 }, "geometry": { "DC": 10 } },
         { "type": "ball end mill", "unit": "millimeters", "description": "twice", "geometry": { "DC": 4, "LB": 30 },
@@ -346,6 +351,7 @@ mod tests {
         assert!(says("D6 Z3", None).contains("line 1: a tool has a number"));
         assert!(says("  ; nothing\n", None).contains("it has no tool"));
         assert!(says("T€ D1", None).contains("no word"));
+        assert_eq!(tool("\u{feff}T1 D6", None, None, "t").unwrap().radius_mm, 3.0);
     }
 
     #[test]
