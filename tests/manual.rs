@@ -52,7 +52,8 @@ fn session(chapter: &Path) -> Vec<String> {
     fences.flat_map(|f| f.2).filter(|l| !l.is_empty()).filter_map(|l| as_here(&l)).collect()
 }
 
-fn run_as_printed(name: &str) {
+/// Runs the commands of a chapter; gives the folder in which they ran.
+fn run_as_printed(name: &str) -> tempfile::TempDir {
     let chapter = checkout().join(name);
     let folder = tempfile::tempdir().expect("a folder");
     for entry in ["Cargo.toml", "docs", "examples", "models", "src", "tests"] {
@@ -74,30 +75,57 @@ fn run_as_printed(name: &str) {
         let told = String::from_utf8_lossy(&out.stderr);
         assert!(out.status.success(), "{name}: `{line}` ended with {}:\n{told}", out.status);
     }
+    folder
+}
+
+/// What the README says that its first command gains.
+fn gains_what_the_readme_says(folder: &Path) {
+    let text = std::fs::read_to_string(checkout().join("README.md")).expect("the README");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let summary = std::fs::read(folder.join("out/turbine_camber/summary.json")).expect("a summary");
+    let summary: serde_json::Value = serde_json::from_slice(&summary).expect("JSON");
+    let of = |key: &str| {
+        let schedules = summary["schedules"].as_array().expect("schedules");
+        let is = |s: &&serde_json::Value| (s["kind"] == "fixed") == (key == "fixed");
+        schedules.iter().find(is).unwrap_or_else(|| panic!("no schedule {key}")).clone()
+    };
+    let minutes = |s: &serde_json::Value| {
+        let s = s["machining_time_s"].as_f64().expect("seconds").round() as u64;
+        format!("{}:{:02} min", s / 60, s % 60)
+    };
+    let (own, fixed) = (of("own"), of("fixed"));
+    let says = format!(
+        "machining takes {} instead of {}, and the rotary axis never turns back instead of {} times",
+        minutes(&own),
+        minutes(&fixed),
+        fixed["reversals"]
+    );
+    assert!(text.contains(&says) && own["reversals"] == 0, "the README says otherwise than: {says}");
 }
 
 macro_rules! sessions {
-    ($($test:ident: $name:literal,)*) => {
+    ($($test:ident: $name:literal $(, then $check:ident)?;)*) => {
         const SESSIONS: &[&str] = &[$($name),*];
         $(
             #[test]
             #[ignore = "plans many blades; `just manual` runs it"]
             fn $test() {
-                run_as_printed($name);
+                let _folder = run_as_printed($name);
+                $($check(_folder.path());)?
             }
         )*
     };
 }
 
 sessions! {
-    readme_runs_as_printed: "README.md",
-    checking_runs_as_printed: "docs/checking.md",
-    families_run_as_printed: "docs/families.md",
-    machines_run_as_printed: "docs/machines.md",
-    models_run_as_printed: "docs/models.md",
-    planning_runs_as_printed: "docs/planning.md",
-    programs_run_as_printed: "docs/programs.md",
-    showing_runs_as_printed: "docs/showing.md",
+    readme_runs_as_printed: "README.md", then gains_what_the_readme_says;
+    checking_runs_as_printed: "docs/checking.md";
+    families_run_as_printed: "docs/families.md";
+    machines_run_as_printed: "docs/machines.md";
+    models_run_as_printed: "docs/models.md";
+    planning_runs_as_printed: "docs/planning.md";
+    programs_run_as_printed: "docs/programs.md";
+    showing_runs_as_printed: "docs/showing.md";
 }
 
 #[test]

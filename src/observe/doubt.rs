@@ -204,7 +204,7 @@ pub enum Doubt {
         count: usize,
         /// All base points between turns.
         base_points: usize,
-        /// Turn of the shortest.
+        /// Turn of the shortest, from 0.
         turn: u32,
         /// Its length on either side, mm.
         length_mm: f64,
@@ -213,7 +213,7 @@ pub enum Doubt {
     TurnsMerged {
         /// How many.
         count: usize,
-        /// The first of them.
+        /// The first of them, from 0.
         first_turn: u32,
     },
     /// A lead is no arc.
