@@ -19,7 +19,7 @@ const banner = [
 ].join('\n');
 
 const js = await build({
-  entryPoints: [new URL('src/main.js', here).pathname],
+  entryPoints: [new URL('src/boot.js', here).pathname],
   absWorkingDir: new URL('.', here).pathname,
   bundle: true,
   minify: true,

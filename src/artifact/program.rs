@@ -176,6 +176,15 @@ pub struct CycleTime {
     pub total_s: f64,
 }
 
+/// A line that moves the tool by the plan: on a lead, or on the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutLine {
+    /// Its number in the text, from 1; of a move that takes several lines the last.
+    pub line: usize,
+    /// The plan's time at which the tool is where the line ends, s.
+    pub until_s: f64,
+}
+
 /// A program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
@@ -191,6 +200,8 @@ pub struct Program {
     pub cycles: Vec<CycleTime>,
     /// The text, lines ended by `\n`.
     pub text: String,
+    /// Where the tool is as its lines move it, operation by operation in the order of time.
+    pub cut_lines: Vec<CutLine>,
     /// What its operations were written with, in their order; whatever the text may have become since.
     pub asked: Vec<Asked>,
 }

@@ -33,7 +33,7 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
     if let Some(verified) = plan::accept(verdict, true) {
-        report.checks.extend(run::programs_again(&loaded.setup, &verified, &folder, wrote_programs)?);
+        report.checks.extend(run::programs_again(&loaded.setup, &verified, &folder, wrote_programs)?.checks);
     }
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };

@@ -6,7 +6,7 @@ use super::reuse::{self, Checks};
 use super::summary::{self, ProgramFigures, ScheduleFigures, Summary};
 use super::{Course, RunFolder, json_compact, tables};
 use crate::artifact::report::Check;
-use crate::artifact::{CheckReport, Plan, Schedule, Section};
+use crate::artifact::{CheckReport, Plan, Program, Schedule, Section};
 use crate::error::{Result, Stage};
 use crate::feed;
 use crate::observe::{Recorder, timed};
@@ -60,7 +60,7 @@ impl RunAtWork<'_, '_> {
         let plan = verdict.value().clone();
         if !course.ends_at(Stage::Verify) {
             let (folder, observer) = (&mut *self.folder, self.observer);
-            let mut forced = false;
+            let (mut forced, mut program) = (false, None);
             if recalled {
                 timed(observer, Stage::Verify, || {
                     verify::places(&plan, &setup.blade, &setup.verify_options(), &mut report);
@@ -71,11 +71,14 @@ impl RunAtWork<'_, '_> {
                 let posted = timed(self.observer, Stage::Post, || post_all(setup, &verified, folder))?;
                 report.checks.extend(posted.checks);
                 summary.programs = posted.figures;
+                program = posted.first;
             }
             let others = timed(observer, Stage::Schedule, || look::others(setup, &plan));
             let (baseline, others, report) = (Some(baseline), &others[..], &report);
             let (inputs, budget_bytes) = (&self.loaded.inputs[..], course.preview_bytes);
-            let look = Look { sections, inputs, baseline, others, report, forced, budget_bytes, payload: None };
+            let program = program.as_ref();
+            let look =
+                Look { sections, inputs, baseline, others, report, forced, program, budget_bytes, payload: None };
             let summary = look::json_of(&summary)?;
             timed(self.observer, Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
         }
@@ -111,6 +114,8 @@ pub(super) struct Posted {
     pub checks: Vec<Check>,
     /// Those that were written.
     pub figures: Vec<ProgramFigures>,
+    /// The first of them.
+    pub first: Option<Program>,
 }
 
 /// Writes all programs. One that does not come back as the plan is not written.
@@ -120,7 +125,8 @@ pub(super) fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut Ru
         let (program, checks) = setup.program(&dialect, verified)?;
         if checks.iter().all(|c| c.passed) {
             posted.figures.push(summary::program_figures(&program));
-            folder.add_program(&program.file_name, program.text, &name)?;
+            folder.add_program(&program.file_name, &program.text, &name)?;
+            posted.first.get_or_insert(program);
         }
         posted.checks.extend(checks);
     }

@@ -8,7 +8,7 @@ use super::checking::compare;
 use super::manifest::Input;
 use super::{RunFolder, build, program, programs_again, summary};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::{CheckReport, Plan, Schedule, Section};
+use crate::artifact::{CheckReport, Plan, Program, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::lead;
 use crate::observe::{Observer, Recorder};
@@ -37,6 +37,8 @@ pub(super) struct Look<'a> {
     pub report: &'a CheckReport,
     /// Programs were written although checks failed.
     pub forced: bool,
+    /// The program whose lines are shown beside the tool.
+    pub program: Option<&'a Program>,
     /// Most bytes of preview.glb.
     pub budget_bytes: Option<usize>,
     /// What the report's plots and its 3-D view show, where that is known.
@@ -107,15 +109,17 @@ pub(super) fn page(
         verify: File { name: "verify", json: &verify },
         compare: compared.as_ref().map(|json| File { name: "compare", json }),
         widths: &widths,
+        obstacles: &setup.obstacles,
         sections: look.sections,
         checks: Some(look.report),
         forced: look.forced,
+        program: look.program,
         warnings: &observer.warnings(),
         job_toml: &setup.job.to_toml()?,
         provenance: &provenance(setup, look.inputs),
     };
     let text = match look.payload {
-        Some(payload) => report::page(&input, payload),
+        Some(payload) => report::page(&input, payload)?,
         None => report::html(&input)?,
     };
     folder.add("report.html", text)?;
@@ -189,10 +193,12 @@ pub fn preview_again(
     let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;
     let plan = verdict.value();
     let baseline = fixed_lead(setup, plan, &recorder)?;
-    let mut report = verdict.report().clone();
+    let (mut report, mut program) = (verdict.report().clone(), None);
     report.checks.extend_from_slice(files);
     if let Verdict::Passed(verified) = verdict {
-        report.checks.extend(programs_again(setup, verified, folder, *wrote_programs)?);
+        let again = programs_again(setup, verified, folder, *wrote_programs)?;
+        report.checks.extend(again.checks);
+        program = again.first;
     }
     let figures = compare(setup, plan, &baseline)?;
     let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;
@@ -209,6 +215,7 @@ pub fn preview_again(
         others: &others(setup, plan),
         report: &report,
         forced: false,
+        program: program.as_ref(),
         budget_bytes,
         payload: None,
     };

@@ -27,7 +27,7 @@ pub use folder::RunFolder;
 pub use inputs::Loaded;
 pub use look::{plots, preview_again};
 pub use making::{Course, Outcome, run, run_on};
-pub use programs::programs_again;
+pub use programs::{ProgramsAgain, programs_again};
 use staging::Staging;
 pub(crate) use staging::sync;
 

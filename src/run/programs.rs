@@ -19,7 +19,15 @@ const NO_PROGRAMS: [&str; 22] = [
     "step", "stl", "stp", "svg", "toml", "txt", "zip",
 ];
 
-/// What reading the programs of a finished run back finds: those that its job asks for, and every
+/// What the programs of a finished run come to.
+pub struct ProgramsAgain {
+    /// What reading them back finds.
+    pub checks: Vec<Check>,
+    /// The first that the job asks for, where it is in the folder as the plan is written now.
+    pub first: Option<Program>,
+}
+
+/// Reads the programs of a finished run back: those that its job asks for, and every
 /// other file in its folder that is a program. One that the job asks for and that is not there is a
 /// finding where the run was to write them: `wrote_programs`.
 ///
@@ -30,32 +38,39 @@ pub fn programs_again(
     verified: &Verified<Plan>,
     folder: &RunFolder,
     wrote_programs: bool,
-) -> Result<Vec<Check>> {
+) -> Result<ProgramsAgain> {
     let dialects: Vec<Dialect> = setup.dialects()?.into_iter().map(|(_, dialect)| dialect).collect();
-    let mut found = Vec::new();
-    for dialect in &dialects {
+    let (mut found, mut first) = (Vec::new(), None);
+    for (k, dialect) in dialects.iter().enumerate() {
         let name = dialect.file_name();
-        match folder.content(name) {
-            Some(content) => found.extend(one(setup, name, &content, dialect, verified)?),
-            None => found.extend(wrote_programs.then(|| absent(name))),
+        let Some(content) = folder.content(name) else {
+            found.extend(wrote_programs.then(|| absent(name)));
+            continue;
+        };
+        let written = posted(setup, dialect, verified)?;
+        if k == 0 && written.text.as_bytes() == content {
+            first = Some(written.clone());
         }
+        found.extend(one(setup, name, &content, written, verified.value()));
     }
     for name in folder.names().iter().filter(|n| dialects.iter().all(|d| d.file_name() != n.as_str())) {
         let Some(content) = folder.content(name) else { continue };
         found.extend(other(setup, name, &content, &dialects, verified)?);
     }
-    Ok(found)
+    Ok(ProgramsAgain { checks: found, first })
 }
 
-/// Checks a program that a dialect wrote of a plan. What the dialect writes now tells with which
-/// values the program was written.
-fn one(setup: &Setup, name: &str, content: &[u8], dialect: &Dialect, verified: &Verified<Plan>) -> Result<Vec<Check>> {
-    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
-    let written = post::post(dialect, verified, blade, tool, machine, &setup.post_options())?;
-    Ok(match text_of(content) {
-        Some(text) => read_back(setup, Program { file_name: name.to_owned(), text, ..written }, verified.value()),
+/// What a dialect writes of a plan now.
+fn posted(setup: &Setup, dialect: &Dialect, verified: &Verified<Plan>) -> Result<Program> {
+    post::post(dialect, verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())
+}
+
+/// Checks a program of a plan. What is written now tells with which values the program was written.
+fn one(setup: &Setup, name: &str, content: &[u8], written: Program, plan: &Plan) -> Vec<Check> {
+    match text_of(content) {
+        Some(text) => read_back(setup, Program { file_name: name.to_owned(), text, ..written }, plan),
         None => vec![unreadable(name, "it is not a text in UTF-8".into())],
-    })
+    }
 }
 
 fn text_of(content: &[u8]) -> Option<String> {
@@ -80,6 +95,7 @@ fn guessed(setup: &Setup, name: &str, text: String, look: Guess, plan: &Plan) ->
         language: look.language,
         ranges: Default::default(),
         cycles: Vec::new(),
+        cut_lines: Vec::new(),
         asked: verify::read_back::asked(&text, look.language, with),
         text,
     };
@@ -97,7 +113,7 @@ fn other(
     let built_in = Control::ALL.into_iter().map(Dialect::built_in).collect::<Result<Vec<_>>>()?;
     let dialect = |name: &str| asked.iter().chain(&built_in).find(|d| d.file_name() == name);
     if let Some(dialect) = dialect(name) {
-        return one(setup, name, content, dialect, verified);
+        return Ok(one(setup, name, content, posted(setup, dialect, verified)?, verified.value()));
     }
     if name.starts_with("from_operation_") {
         let why =
@@ -108,7 +124,7 @@ fn other(
     let rest = rest.and_then(|(turn, rest)| Some((turn.parse::<usize>().ok()?, dialect(rest)?)));
     if let Some((turn, dialect)) = rest {
         return match leads::restart(setup, verified, turn) {
-            Ok(left) => one(setup, name, content, dialect, &left),
+            Ok(left) => Ok(one(setup, name, content, posted(setup, dialect, &left)?, left.value())),
             Err(e) => Ok(vec![unreadable(name, e.message)]),
         };
     }

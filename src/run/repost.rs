@@ -48,13 +48,15 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         run.folder.add(name, content)?;
     }
     let (setup, folder, observer) = (&run.loaded.setup, &mut *run.folder, run.observer);
-    let (mut report, plan, mut forced) = (kept.verdict.report().clone(), kept.verdict.value().clone(), false);
+    let (mut report, plan) = (kept.verdict.report().clone(), kept.verdict.value().clone());
+    let (mut forced, mut program) = (false, None);
     let mut summary = Summary { programs: Vec::new(), ..kept.summary };
     if let Some(verified) = accept(kept.verdict, run.course.force) {
         forced = verified.forced();
         let posted = timed(observer, Stage::Post, || post_all(setup, &verified, folder))?;
         report.checks.extend(posted.checks);
         summary.programs = posted.figures;
+        program = posted.first;
     }
     let inputs = &run.loaded.inputs[..];
     let look = Look {
@@ -64,6 +66,7 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         others: &[],
         report: &report,
         forced,
+        program: program.as_ref(),
         budget_bytes: None,
         payload: Some(&kept.payload),
     };

@@ -14,13 +14,22 @@ export const colourOf = share => {
 
 export const css = ([r, g, b]) => `rgb(${[r, g, b].map(v => Math.round(255 * v)).join()})`;
 
-/** Share of a value in a range; one half where all are alike. */
-export const shareOf = (v, [lo, hi]) => (hi - lo > 1e-9 * Math.max(Math.abs(lo), Math.abs(hi)) ? (v - lo) / (hi - lo) : v === v ? 0.5 : NaN);
+/** Share of a value in a range, 0 to 1 also beyond its ends; one half where all are alike. */
+export const shareOf = (v, [lo, hi]) => (hi - lo > 1e-9 * Math.max(Math.abs(lo), Math.abs(hi)) ? Math.min(1, Math.max(0, (v - lo) / (hi - lo))) : v === v ? 0.5 : NaN);
 
-/** A legend: the scale with least, middle and greatest value. */
-export const legend = (name, unit, range, missing) => {
-  const mid = (range[0] + range[1]) / 2;
+/**
+ * A legend: the scale with the values at its ends and in its middle. `range`: least and greatest value; `shown`: what the colours span, where
+ * a few values beyond it have the colours of its ends.
+ */
+export const legend = (name, unit, range, shown, missing) => {
+  const mid = (shown[0] + shown[1]) / 2;
   const bar = data.colours.map((c, k) => `${c} ${(100 * k) / (data.colours.length - 1)}%`).join(',');
-  const words = [range[0], mid, range[1]].map(v => `<span>${show(v)}</span>`).join('');
-  return `<b>${name}${unit ? `, ${unit}` : ''}</b><i style="background:linear-gradient(90deg,${bar})"></i><span class="ends">${words}</span>${missing ? '<small>grey: not measured</small>' : ''}`;
+  const words = [shown[0], mid, shown[1]].map(v => `<span>${show(v)}</span>`).join('');
+  const part = show(100 * data.left_out);
+  const beyond = [
+    shown[0] > range[0] ? `lowest ${part} % in the first colour, down to ${show(range[0])}` : '',
+    shown[1] < range[1] ? `highest ${part} % in the last colour, up to ${show(range[1])}` : '',
+    missing ? 'grey: not measured' : '',
+  ].filter(Boolean).join('; ');
+  return `<b>${name}${unit ? `, ${unit}` : ''}</b><i style="background:linear-gradient(90deg,${bar})"></i><span class="ends">${words}</span>${beyond ? `<small>${beyond}</small>` : ''}`;
 };

@@ -7,6 +7,7 @@ import { View, path, placeOf, timeOf } from './scene.js';
 import * as turns from './turns.js';
 import * as scallop from './scallop.js';
 import * as sections from './sections.js';
+import * as program from './program.js';
 
 const P = data.scene.path;
 let view = null;
@@ -44,6 +45,7 @@ function follow(s, from) {
   const t = timeOf(s);
   if (from !== 'slider') $('along').value = total ? t / total : 0;
   const i = before(path.s, s);
+  program.show(t);
   $('along-out').textContent = `turn ${path.turn[i]}, S ${show(path.turn_s[i])} mm, ${clock(t)} of ${clock(total)} min`;
 }
 
@@ -71,17 +73,29 @@ const LAYERS = [
   ['scallop', 'scallop map', false], ['machine', 'machine parts', false],
 ];
 
+/** Legends of what is shown in the scale of colours. */
+function legends() {
+  const on = (name, otherwise) => $(`layer-${name}`)?.checked ?? otherwise;
+  const q = P?.quantities[+$('colouring').value];
+  const all = [
+    q && on('path', true) ? legend(q.name, q.unit, q.range, q.shown, listOf(q).some(v => v !== v)) : '',
+    on('scallop', false) ? scallop.mapLegend() : '',
+  ];
+  $('scale').innerHTML = all.join('');
+  $('scale').hidden = !all.some(Boolean);
+}
+
 function controls() {
   $('colouring').innerHTML = (P?.quantities || []).map((q, k) => `<option value="${k}">${q.name}</option>`).join('');
   const colouring = () => {
-    const q = P.quantities[+$('colouring').value];
     view?.setColouring(+$('colouring').value);
-    $('scale').innerHTML = legend(q.name, q.unit, q.range, listOf(q).some(v => v !== v));
+    legends();
   };
   if (P) { $('colouring').addEventListener('change', colouring); colouring(); }
   $('motion').addEventListener('change', () => {
-    view?.setMode($('motion').value);
     if ($('motion').value === 'machine') { const box = $('layer-machine'); if (box && !box.checked) box.click(); }
+    view?.setMode($('motion').value);
+    $('look').value = view?.from;
   });
   $('look').addEventListener('change', () => view?.look($('look').value));
   $('play').addEventListener('click', () => play(!playing));
@@ -107,8 +121,14 @@ function layers() {
     if (!there) continue;
     const id = `layer-${name.replaceAll(' ', '-')}`;
     const l = document.createElement('label');
-    l.innerHTML = `<input type="checkbox" id="${id}"${on ? ' checked' : ''}> ${label}`;
-    l.firstChild.addEventListener('change', e => view.setLayer(name, e.target.checked));
+    const colours = name === 'blade' ? [] : view.coloursOf(name).slice(0, 6);
+    l.innerHTML = `<input type="checkbox" id="${id}"${on ? ' checked' : ''}> ${label} ${colours.map(c => `<i class="swatch" style="background:${c}"></i>`).join('')}`;
+    l.firstChild.addEventListener('change', e => {
+      view.setLayer(name, e.target.checked);
+      legends();
+      // The machine is larger than what is looked at without it.
+      if (name === 'machine' && view.mode === 'machine') view.look(view.from);
+    });
     $('layers').append(l);
     view.setLayer(name, on);
   }
@@ -140,12 +160,14 @@ async function start() {
     view.theme();
     await view.load();
     layers();
+    view.look('side');
     if (P) view.setColouring(+$('colouring').value);
   } catch (e) {
     view = null;
     $('stage').innerHTML = `<p class="empty">This browser cannot show the 3-D view (${String(e.message || e).replace(/[&<>]/g, '')}). Tables and plots hold all figures.</p>`;
   }
   globalThis.bladewright = { view, cursor, plots };
+  await program.read();
   follow(0, 'start');
   view?.finish();
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
@@ -164,6 +186,11 @@ async function start() {
     setTheme(false);
     drawn();
     view?.refine();
+  });
+  $('print-sheet').addEventListener('click', () => {
+    document.documentElement.dataset.print = 'sheet';
+    print();
+    delete document.documentElement.dataset.print;
   });
   addEventListener('afterprint', () => {
     if (!screen) return;

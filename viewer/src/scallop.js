@@ -37,17 +37,20 @@ function uneven(y, x) {
   return [Float64Array.from(xs), Float64Array.from(ys)];
 }
 
+/** The legend of the map, here and in the 3-D view. */
+export const mapLegend = () => legend('scallop on the surface', 'µm', ...[S.map.range, S.map.shown].map(r => r.map(v => 1000 * v)), false);
+
 export function drawMap() {
   const box = $('chart-map');
-  if (!S?.map || !S.map.height.n) { box.innerHTML = '<p class="empty">Nothing was measured.</p>'; return; }
+  if (!S?.map || !list(S.map.height).length) { box.innerHTML = '<p class="empty">Nothing was measured.</p>'; return; }
   const [height, x, round, s] = ['height', 'x', 'round', 's'].map(k => list(S.map[k]));
   // By the percentage of the way round; order by it, as the plot wants.
   const order = Array.from(round.keys()).filter(i => round[i] === round[i]).sort((a, b) => round[a] - round[b]);
-  const range = [height[0], Math.max(height[height.length - 1], S.asked || 0)].map(v => 1000 * v);
+  const range = S.map.shown.map(v => 1000 * v);
   plot('chart-map', {
     x: 'way round the turn, %', y: 'height along the blade, mm',
     series: [{ name: 'scallop', x: Float64Array.from(order, i => round[i]), y: Float64Array.from(order, i => x[i]), colour: 'soft', marks: true, quiet: true }],
-    legend: () => `<div class="scale inline">${legend('scallop', 'µm', range, false)}</div>`,
+    legend: () => `<div class="scale inline">${mapLegend()}</div>`,
     onMove: (_, i) => cursor.set(s[order[i]], 'map'), onPick: (_, i) => cursor.set(s[order[i]], 'map', true),
     more: i => `${show(1000 * height[order[i]])} µm at height ${show(x[order[i]])} mm`,
     draw: (u, c) => {

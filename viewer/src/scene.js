@@ -2,7 +2,7 @@
 //
 // Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the carrier.
 import {
-  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Scene, Spherical, SRGBColorSpace, Vector3,
+  AmbientLight, BackSide, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Raycaster, Scene, Spherical, SRGBColorSpace, Vector3,
   WebGLRenderer, TOUCH,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -14,7 +14,7 @@ import { Ribbon } from './ribbon.js';
 const S = data.scene;
 const P = S.path;
 const pick = names => Object.fromEntries(names.map(n => [n, list(P?.[n])]));
-export const path = P ? { ...pick(['x', 'y', 'z', 'px', 'py', 'pz', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row', ...(P.ix ? ['ix', 'iy', 'iz'] : [])]), turn: list(P.quantities[0].of) } : null;
+export const path = P ? { ...pick(['x', 'y', 'z', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row', ...(P.ix ? ['ix', 'iy', 'iz'] : [])]), turn: list(P.quantities[0].of) } : null;
 
 /** Where between two points of the path a time or an arc length is. */
 const between = (rising, v) => {
@@ -104,6 +104,7 @@ export class View {
       this.layers.set('tool', [this.tool]);
     }
     this.loaded = true;
+    this.place();
   }
 
   prepare(mesh, solid) {
@@ -127,6 +128,7 @@ export class View {
     const own = path?.x.length ? extent([path.x, path.y, path.z], box) : blade;
     const diagonal = e => Math.hypot(...e.map(([a, b]) => b - a));
     const chosen = diagonal(blade) < 2.2 * diagonal(own) ? blade.map(([a, b], k) => [Math.min(a, own[k][0]), Math.max(b, own[k][1])]) : own;
+    this.seen = chosen;
     this.target = new Vector3(...chosen.map(([a, b]) => (a + b) / 2));
     this.reach = 0.5 * diagonal(chosen);
   }
@@ -187,6 +189,13 @@ export class View {
     this.place();
   }
 
+  /** Colours of a layer that the page's scale of colours does not say, as CSS. */
+  coloursOf(name) {
+    const found = new Set();
+    for (const n of this.layers.get(name) || []) n.traverse(m => { if (m.material?.color && !m.material.map) found.add(`#${m.material.color.getHexString()}`); });
+    return [...found];
+  }
+
   setLayer(name, on) {
     if (name === 'path' && this.lines) this.lines.visible = on;
     if (name === 'scallop' && this.dots) this.dots.visible = on;
@@ -217,19 +226,18 @@ export class View {
   /** Colours the path by its quantity `k`. */
   setColouring(k) {
     const q = P.quantities[k];
-    this.lines.colour(list(q.of).map(v => shareOf(v, q.range)));
+    this.lines.colour(list(q.of).map(v => shareOf(v, q.shown)));
     this.invalidate();
   }
 
   addScallop() {
     const m = data.scallop?.map;
-    if (!m?.height.n) return;
+    if (!list(m?.height).length) return;
     const [h, x, y, z] = [m.height, m.x, m.y, m.z].map(list);
-    const range = [h[0], Math.max(h[h.length - 1], data.scallop.asked || 0)];
     const [at, rgb, c] = [new Float32Array(3 * h.length), new Float32Array(3 * h.length), new Color()];
     h.forEach((v, i) => {
       at.set([x[i], y[i], z[i]], 3 * i);
-      c.setRGB(...colourOf(shareOf(v, range)), SRGBColorSpace);
+      c.setRGB(...colourOf(shareOf(v, m.shown)), SRGBColorSpace);
       rgb.set([c.r, c.g, c.b], 3 * i);
     });
     const geometry = new BufferGeometry();
@@ -240,20 +248,91 @@ export class View {
     this.carrier.add(this.dots);
   }
 
+  /**
+   * Looks from a side, so near that all that matters fills the picture: blade or path, the tool where it stands, and on the machine what is
+   * shown of that.
+   */
   look(from) {
-    const far = this.far = (this.reach / Math.sin((Math.PI / 180) * 15)) * (this.camera.aspect < 1 ? 1 / this.camera.aspect : 1) * 0.92;
-    let to = { side: [0.75, 0.42, 0.75], front: [0.12, 0.3, 1], tip: this.mode === 'part' ? [0.02, 1, 0.02] : [1, 0.15, 0.1] }[from];
-    if (from === 'tool' && this.toolPlace) {
-      const a = this.toolPlace.axis.clone().transformDirection(this.carrier.matrixWorld);
-      to = [a.x, a.y + 0.25, a.z];
+    this.from = from;
+    const way = this.wayTo(from).normalize();
+    const right = new Vector3(0, 1, 0).cross(way).normalize();
+    const up = way.clone().cross(right);
+    const [down, across] = [Math.tan((Math.PI / 360) * this.camera.fov) * 0.92, Math.tan((Math.PI / 360) * this.camera.fov) * this.camera.aspect * 0.92];
+    // A point is seen where it is no farther to a side than the pyramid of sight is wide at its depth: the steepest decide about both the
+    // place beside which the camera stands and its distance.
+    const most = [-Infinity, -Infinity, -Infinity, -Infinity];
+    for (const p of this.wanted()) {
+      const [u, v, w] = [p.dot(right), p.dot(up), p.dot(way)];
+      [u + w * across, -u + w * across, v + w * down, -v + w * down].forEach((m, k) => { if (m > most[k]) most[k] = m; });
     }
-    this.camera.position.set(...(to || [1, 1, 1])).setLength(far);
+    const target = right.multiplyScalar((most[0] - most[1]) / 2).addScaledVector(up, (most[2] - most[3]) / 2);
+    const far = this.far = Math.max((most[0] + most[1]) / (2 * across), (most[2] + most[3]) / (2 * down), 1e-3);
+    this.camera.position.copy(target).addScaledVector(way, far);
     this.camera.near = far / 100;
     this.camera.far = far * 20;
     this.camera.updateProjectionMatrix();
-    this.controls?.target.set(0, 0, 0);
+    this.controls?.target.copy(target);
     this.controls?.update();
     this.invalidate();
+  }
+
+  /** Points that must be in the picture, as they stand. */
+  wanted() {
+    const corners = box => [0, 1, 2, 3, 4, 5, 6, 7].map(k => new Vector3(...[0, 1, 2].map(i => box[i][(k >> i) & 1])));
+    const out = corners(this.seen).map(p => p.applyMatrix4(this.carrier.matrixWorld));
+    if (this.toolPlace && this.layers.get('tool')?.some(n => n.visible)) {
+      // Of a long tool as much as the blade is large: the rest would make all of it small.
+      const length = this.mode === 'part' ? Math.min(S.length, 1.3 * this.reach) : S.length;
+      const { centre, axis } = this.toolPlace;
+      for (const l of [-S.radius, length]) out.push(centre.clone().addScaledVector(axis, l).applyMatrix4(this.carrier.matrixWorld));
+    }
+    for (const n of this.mode === 'machine' ? this.layers.get('machine') || [] : []) {
+      if (!n.visible) continue;
+      const { min, max } = new Box3().setFromObject(n);
+      out.push(...corners([0, 1, 2].map(k => [min.getComponent(k), max.getComponent(k)])));
+    }
+    return out;
+  }
+
+  /** The way from what is looked at to the eye. */
+  wayTo(from) {
+    const axis = this.toolPlace?.axis.clone().transformDirection(this.carrier.matrixWorld);
+    const at = (azimuth, up) => new Vector3(Math.sin(azimuth) * Math.cos(up), Math.sin(up), Math.cos(azimuth) * Math.cos(up));
+    const deg = Math.PI / 180;
+    if (from === 'tip') return this.mode === 'part' ? new Vector3(0.02, 1, 0.02) : new Vector3(1, 0.15, 0.1);
+    if (from === 'tool' && axis) return new Vector3(axis.x, axis.y + 0.25, axis.z);
+    // From the side of the tool, at an angle to it, and where nothing of the blade is before it; the machine as far from its front as need be.
+    const around = from === 'front' || !axis || Math.hypot(axis.x, axis.z) < 0.2 ? 7 * deg : Math.atan2(axis.x, axis.z);
+    const turns = from === 'front' ? [0, 25, -25, 50, -50, 75, -75, 110, -110, 180] : [50, -50, 65, -65, 35, -35, 85, -85, 15, -15];
+    const rise = (from === 'front' ? [17, 40] : [22, 45, 5]).map(r => r * deg);
+    const all = rise.flatMap(r => turns.map(t => at(around + t * deg, r)));
+    return (this.toolPlace && all.find(way => this.clear(way))) || all[0];
+  }
+
+  /** Whether the blade leaves the lower end of the tool in sight of an eye far off that way. */
+  clear(way) {
+    const blade = this.layers.get('blade')?.[0];
+    if (!blade) return true;
+    const { centre, axis } = this.toolPlace;
+    return [0, 2.5].every(radii => {
+      const p = centre.clone().addScaledVector(axis, radii * S.radius).applyMatrix4(this.carrier.matrixWorld);
+      return !this.ray(blade, p, way);
+    });
+  }
+
+  /** Whether a ray meets the faces of a node on the side that they are seen from. */
+  ray(node, from, way) {
+    const caster = new Raycaster(from, way);
+    // What looks like the inside of a cut is no second blade.
+    const meshes = [];
+    node.traverse(m => { if (m.isMesh && !(this.insides || []).includes(m)) meshes.push(m); });
+    return meshes.some(m => {
+      const was = m.material.side;
+      m.material.side = DoubleSide;
+      const hits = caster.intersectObject(m, false).length;
+      m.material.side = was;
+      return hits > 0;
+    });
   }
 
   listen() {
@@ -314,7 +393,7 @@ export class View {
     this.renderer.setSize(box.width, box.height, false);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
-    if (!this.sized || (was < 1) !== (this.camera.aspect < 1)) { this.sized = true; this.look('side'); }
+    if (!this.sized || (was < 1) !== (this.camera.aspect < 1)) { this.sized = true; this.look(this.from); }
     this.render();
   }
 

@@ -1,7 +1,9 @@
 // report.html in headless Chromium: `node test/report.mjs RUN_FOLDER…`, with SHOTS=DIR also pictures.
 //
 // Opens from file://, no console error, no network; the 3-D canvas is not blank; slider, section, motion, colours, plots and the link
-// between them answer; every figure shown is the one in summary.json, verify.json and compare.json; a phone's width does not overflow.
+// between them answer; every figure shown is the one in summary.json, verify.json and compare.json; a phone's width does not overflow. At
+// the first look the tool is in sight and playing is above the fold; every colouring has its legend and more than one colour; the line of
+// the program is the file's; the sheet of setup and tool is one page of paper.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
@@ -77,6 +79,62 @@ async function figures(page, folder) {
   return cells.length;
 }
 
+/** Play and slider are seen without scrolling. */
+async function playsAboveTheFold(page, height) {
+  for (const id of ['play', 'along']) {
+    const box = await page.locator(`#${id}`).boundingBox();
+    assert.ok(box.y >= 0 && box.y + box.height <= height, `#${id} ends at ${box.y + box.height} of ${height}`);
+  }
+}
+
+/** The lower end of the tool lies in the picture with nothing of the blade before it; so do, of what must be seen, all points. */
+async function toolInSight(page, what) {
+  const found = await page.evaluate(() => {
+    const v = globalThis.bladewright.view;
+    const { centre } = v.toolPlace;
+    const ball = centre.clone().applyMatrix4(v.carrier.matrixWorld);
+    const onScreen = p => { const q = p.clone().project(v.camera); return Math.max(Math.abs(q.x), Math.abs(q.y)); };
+    return { ball: onScreen(ball), clear: v.clear(v.camera.position.clone().sub(ball).normalize()), all: Math.max(...v.wanted().map(onScreen)), count: v.wanted().length };
+  });
+  assert.ok(found.ball < 0.95 && found.all < 1.001, `${what}: not all is in the picture: ${JSON.stringify(found)}`);
+  assert.ok(found.clear, `${what}: the blade hides the tool`);
+  return found.count;
+}
+
+/** The program's line beside the tool is the line of the file, and lines go on with the tool. */
+async function programLine(page, folder) {
+  if (!(await page.locator('#block').isVisible())) { assert.fail('no line of a program is shown'); }
+  const shown = [];
+  let text = null;
+  for (const share of [0, 0.2, 0.5, 0.77, 1]) {
+    await set(page, 'along', share);
+    const [, file, line] = (await page.textContent('#block-where')).match(/^(.+), line (\d+)/);
+    text ??= readFileSync(join(folder, file), 'utf8').split('\n');
+    assert.equal(await page.textContent('#block-lines b'), text[line - 1], `line ${line} of ${file}`);
+    shown.push(+line);
+  }
+  assert.ok(shown.every((n, k) => k === 0 || n > shown[k - 1]), `lines do not go on: ${shown}`);
+  assert.ok(shown.at(-1) - shown[0] > 0.8 * text.length - 300, `${shown} of ${text.length} lines`);
+}
+
+/** The pages of paper that the sheet alone takes. */
+async function sheetIsOnePage(page, folder) {
+  await page.evaluate(() => { document.documentElement.dataset.print = 'sheet'; });
+  const pdf = await page.pdf({ format: 'A4', ...(shots ? { path: join(shots, `${basename(folder)}-sheet.pdf`) } : {}) });
+  await page.evaluate(() => { delete document.documentElement.dataset.print; });
+  const pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g)?.length;
+  assert.equal(pages, 1, 'the sheet of setup and tool is one page');
+  if (!shots) return;
+  // The same as a picture: what fills a page of A4, at 96 dots per inch less its margins.
+  await page.emulateMedia({ media: 'print' });
+  await page.setViewportSize({ width: 688, height: 1017 });
+  await page.evaluate(() => { document.documentElement.dataset.print = 'sheet'; document.documentElement.dataset.theme = 'light'; });
+  await page.screenshot({ path: join(shots, `${basename(folder)}-sheet.png`) });
+  await page.evaluate(() => { delete document.documentElement.dataset.print; });
+  await page.emulateMedia({ media: 'screen' });
+  await page.setViewportSize({ width: 1440, height: 900 });
+}
+
 async function desktop(browser, folder, url) {
   const name = basename(folder);
   const { page, bad } = await open(browser, url, { viewport: { width: 1440, height: 900 } });
@@ -88,6 +146,9 @@ async function desktop(browser, folder, url) {
   await page.evaluate(() => { globalThis.bladewright.view.patience = Infinity; globalThis.bladewright.view.render(); });
   const first = await look(page);
   assert.ok(first.colours > 200, `the canvas is blank: ${first.colours} colours`);
+  await playsAboveTheFold(page, 900);
+  await toolInSight(page, 'the first look');
+  if (shots) await page.screenshot({ path: join(shots, `${name}-first.png`) });
   const shown = await figures(page, folder);
   const verify = JSON.parse(readFileSync(join(folder, 'verify.json'), 'utf8'));
   assert.equal(await page.locator('#checks tbody tr').count(), verify.checks.length, 'every check has its row');
@@ -109,9 +170,24 @@ async function desktop(browser, folder, url) {
   for (const k of await page.$$eval('#colouring option', o => o.map(e => e.value))) {
     await page.selectOption('#colouring', k);
     assert.match(await page.textContent('#scale'), /^\D+[−\d]/, 'the legend has a name and values');
+    const spread = await page.evaluate(() => {
+      const all = [...globalThis.bladewright.view.lines.geometry.attributes.share.array].filter(v => v >= 0).sort((a, b) => a - b);
+      return all.length && all[0] !== 0.5 ? all[Math.floor(0.95 * all.length)] - all[Math.floor(0.05 * all.length)] : 1;
+    });
+    assert.ok(spread > 0.1, `colouring ${k} is one colour: 9 in 10 places within ${spread} of its scale`);
+  }
+  await programLine(page, folder);
+  if (await page.locator('#layer-scallop').count()) {
+    await page.check('#layer-scallop');
+    assert.match(await page.textContent('#scale'), /scallop on the surface, µm[−\d.]+/, 'the scallop map has its legend');
+    if (shots) await page.locator('#stage').screenshot({ path: join(shots, `${name}-scallop.png`) });
+    await page.uncheck('#layer-scallop');
+    assert.doesNotMatch(await page.textContent('#scale'), /on the surface/);
   }
   await changes(page, 'a colour', () => page.selectOption('#colouring', '2'));
+  const few = await page.evaluate(() => globalThis.bladewright.view.wanted().length);
   await changes(page, 'the machine\'s motion', () => page.selectOption('#motion', 'machine'));
+  assert.ok((await toolInSight(page, 'as on the machine')) > few, 'the machine\'s parts are framed');
   if (shots) { await page.locator('#view').scrollIntoViewIfNeeded(); await page.locator('#stage').screenshot({ path: join(shots, `${name}-machine.png`) }); }
   await changes(page, 'playing as on the machine', () => plays(page, () => page.click('#play')));
   await page.selectOption('#motion', 'part');
@@ -165,6 +241,7 @@ async function desktop(browser, folder, url) {
   assert.equal(await page.getAttribute('html', 'data-theme'), 'dark');
   if (shots) { await page.evaluate(() => scrollTo(0, 0)); await page.screenshot({ path: join(shots, `${name}-dark.png`) }); }
   await page.click('#theme');
+  await sheetIsOnePage(page, folder);
   assert.deepEqual(bad, []);
   await page.close();
   return { ready, drawn, shown };
@@ -175,12 +252,14 @@ async function picture(browser, folder, url, [width, height], suffix) {
   await page.waitForSelector('html[data-drawn]', { timeout: 30000 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.ok(wide <= 0, `${wide} px too wide at ${width}`);
+  await playsAboveTheFold(page, height);
   await set(page, 'along', 0.45);
   await look(page);
   if (shots) {
     const name = basename(folder);
     await page.screenshot({ path: join(shots, `${name}-${suffix}.png`) });
     await page.screenshot({ path: join(shots, `${name}-${suffix}-full.png`), fullPage: true });
+    if (suffix === '1440') await page.pdf({ path: join(shots, `${name}-print.pdf`), format: 'A4' });
   }
   assert.deepEqual(bad, []);
   await page.close();
@@ -191,7 +270,7 @@ try {
   for (const folder of process.argv.slice(2)) {
     const file = resolve(folder, 'report.html');
     const mb = statSync(file).size / 1e6;
-    assert.ok(mb <= 15, `${file} is ${mb.toFixed(1)} MB`);
+    assert.ok(mb <= 4, `${file} is ${mb.toFixed(2)} MB`);
     const url = pathToFileURL(file).href;
     const { ready, drawn, shown } = await desktop(browser, folder, url);
     assert.ok(ready <= READY_MS, `${file} is interactive after ${ready} ms only`);

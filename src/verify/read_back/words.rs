@@ -95,7 +95,16 @@ mod tests {
         .into();
         let language = Language { grammar, programmed: Programmed::Tip, shortest_way: false };
         let (control, file_name) = ("x".to_owned(), "p.nc".to_owned());
-        Program { control, file_name, language, ranges, cycles: Vec::new(), text: text.into(), asked: Vec::new() }
+        Program {
+            control,
+            file_name,
+            language,
+            ranges,
+            cycles: Vec::new(),
+            text: text.into(),
+            cut_lines: Vec::new(),
+            asked: Vec::new(),
+        }
     }
 
     #[test]

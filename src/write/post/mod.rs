@@ -199,7 +199,7 @@ pub fn join(
     if first > 1 {
         file_name = format!("from_operation_{first}.{file_name}");
     }
-    let (language, text) = (dialect.language(), write::write(&runs, dialect)?);
+    let (language, (text, cut_lines)) = (dialect.language(), write::write(&runs, dialect)?);
     let written = runs.iter().map(|r| (r.options.settings.tool_number, r.options.settings.spindle_rpm));
     let asked = verify::read_back::asked(&text, language, written);
     Ok(Program {
@@ -209,6 +209,7 @@ pub fn join(
         ranges: dialect.file.ranges.clone(),
         cycles: runs.iter().map(|run| cycle::time(run, dialect)).collect(),
         text,
+        cut_lines,
         asked,
     })
 }

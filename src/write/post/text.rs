@@ -1,6 +1,6 @@
 //! Lines of a program: comments in plain ASCII, numbers in fixed point.
 
-use crate::artifact::program::CycleTime;
+use crate::artifact::program::{CutLine, CycleTime};
 use crate::error::{Error, Result, Stage};
 
 use super::OperationRun;
@@ -99,7 +99,11 @@ fn wrapped(text: &str, room: usize) -> Vec<&str> {
 
 /// The lines being written.
 pub(super) struct Lines<'a> {
-    pub(super) text: String,
+    text: String,
+    /// How many there are.
+    written: usize,
+    /// Those that move the tool by the plan.
+    cut_lines: Vec<CutLine>,
     file: &'a PostFile,
     /// The next line's number.
     next: u64,
@@ -113,7 +117,8 @@ const BYTES: &str = "<<bytes>>>";
 
 impl<'a> Lines<'a> {
     pub(super) fn new(file: &'a PostFile) -> Self {
-        Lines { text: String::new(), file, next: file.numbering.as_ref().map_or(0, |n| n.first), marked: false }
+        let next = file.numbering.as_ref().map_or(0, |n| n.first);
+        Lines { text: String::new(), written: 0, cut_lines: Vec::new(), file, next, marked: false }
     }
     /// The next block is one that an operator would begin with.
     pub(super) fn mark(&mut self) {
@@ -123,11 +128,21 @@ impl<'a> Lines<'a> {
     pub(super) fn size_to_come(&mut self) {
         self.comment(&format!("Size     {LINES} lines, {BYTES} bytes"));
     }
-    /// The text with its size.
-    pub(super) fn finished(self) -> String {
-        let (lines, bytes) = (self.text.lines().count(), self.text.len());
+    /// The last line has brought the tool to where the plan has it at that time.
+    pub(super) fn cut_until(&mut self, until_s: f64) {
+        self.cut_lines.push(CutLine { line: self.written, until_s });
+    }
+    fn line(&mut self, text: &str) {
+        self.text.push_str(text);
+        self.text.push('\n');
+        self.written += 1;
+    }
+    /// The text with its size, and its lines that move the tool by the plan.
+    pub(super) fn finished(self) -> (String, Vec<CutLine>) {
+        let (lines, bytes) = (self.written, self.text.len());
         let in_place = |number: usize, place: &str| format!("{number:>width$}", width = place.len());
-        self.text.replacen(LINES, &in_place(lines, LINES), 1).replacen(BYTES, &in_place(bytes, BYTES), 1)
+        let text = self.text.replacen(LINES, &in_place(lines, LINES), 1).replacen(BYTES, &in_place(bytes, BYTES), 1);
+        (text, self.cut_lines)
     }
     /// A comment, wrapped at the longest line.
     pub(super) fn comment(&mut self, text: &str) {
@@ -143,7 +158,7 @@ impl<'a> Lines<'a> {
             file.longest_line.saturating_sub(before.len() + after.len() + if everything { 8 } else { 0 }).max(10);
         for piece in wrapped(&text, room) {
             let number = if everything { self.number() } else { String::new() };
-            self.text.push_str(&format!("{number}{before}{piece}{after}\n"));
+            self.line(&format!("{number}{before}{piece}{after}"));
         }
     }
     /// A block.
@@ -161,11 +176,10 @@ impl<'a> Lines<'a> {
                 None => return Err(self.too_long(&numbered)),
             };
             let at = rest[..longest].rfind(',').ok_or_else(|| self.too_long(&numbered))? + 1;
-            self.text.push_str(&format!("{}{sign}\n", &rest[..at]));
+            self.line(&format!("{}{sign}", &rest[..at]));
             rest = &rest[at..];
         }
-        self.text.push_str(rest);
-        self.text.push('\n');
+        self.line(rest);
         Ok(())
     }
 

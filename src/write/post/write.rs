@@ -7,14 +7,14 @@ use super::template::{Class, KEYS, TemplateLine, Value, Word, WordPiece, key};
 use super::text::{Fixed, Lines, ascii, header, title};
 use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
-use crate::artifact::program::Programmed;
+use crate::artifact::program::{CutLine, Programmed};
 use crate::artifact::{Axes, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::tool;
 
 /// The whole program: one operation after another.
-pub(super) fn write(runs: &[OperationRun], dialect: &Dialect) -> Result<String> {
+pub(super) fn write(runs: &[OperationRun], dialect: &Dialect) -> Result<(String, Vec<CutLine>)> {
     let mut lines = Lines::new(&dialect.file);
     for (k, run) in runs.iter().enumerate() {
         let mut w = Writer::new(run, dialect, lines);
@@ -350,6 +350,7 @@ impl<'a> Writer<'a> {
                         self.take(&placed, bend.as_ref())?;
                     }
                     self.put(lines)?;
+                    self.lines.cut_until(until);
                     last = Some((position, until, placed));
                     written += 1;
                 }

@@ -16,24 +16,44 @@ pub struct Values {
     pub of: Vec<f64>,
     /// Least and greatest value.
     pub range: [f64; 2],
+    /// What colours span: [`spanned`] by the values.
+    pub shown: [f64; 2],
+}
+
+/// Part of the values that colours may leave out at either end.
+pub const LEFT_OUT: f64 = 0.02;
+
+/// From the least to the greatest value, but for the ends that are rare: where [`LEFT_OUT`] of the
+/// values take more than half of the way from the least to the greatest, colours end where these
+/// begin. A few peaks would leave all the rest in one colour. Zeros where there is no value.
+pub fn spanned(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let mut all: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+    all.sort_unstable_by(f64::total_cmp);
+    let (Some(&lo), Some(&hi)) = (all.first(), all.last()) else { return [0.0; 2] };
+    let off = (LEFT_OUT * (all.len() - 1) as f64).ceil() as usize;
+    let (low, high) = (all[off.min(all.len() - 1)], all[all.len() - 1 - off.min(all.len() - 1)]);
+    let half = 0.5 * (hi - lo);
+    let ends = [if low - lo > half { low } else { lo }, if hi - high > half { high } else { hi }];
+    // Where nearly all values are one, the others are what there is to see.
+    if ends[1] > ends[0] { ends } else { [lo, hi] }
 }
 
 impl Values {
     fn new(key: &'static str, name: &'static str, unit: &'static str, of: Vec<f64>) -> Self {
         let finite = of.iter().copied().filter(|v| v.is_finite());
         let [lo, hi] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)]);
-        Values { key, name, unit, of, range: if lo <= hi { [lo, hi] } else { [0.0, 0.0] } }
+        let shown = spanned(of.iter().copied());
+        Values { key, name, unit, of, range: if lo <= hi { [lo, hi] } else { [0.0, 0.0] }, shown }
     }
 
-    /// Where the value of a location lies between the least and the greatest, 0 to 1; ½ where all
-    /// are alike.
+    /// Where the value of a location lies in what colours span, 0 to 1; ½ where all are alike.
     pub fn share(&self, row: usize) -> f64 {
         let v = self.of.get(row).copied().unwrap_or(f64::NAN);
-        let [lo, hi] = self.range;
+        let [lo, hi] = self.shown;
         if !v.is_finite() {
             f64::NAN
         } else if hi - lo > 1e-9 * hi.abs().max(lo.abs()) {
-            (v - lo) / (hi - lo)
+            ((v - lo) / (hi - lo)).clamp(0.0, 1.0)
         } else {
             0.5
         }
@@ -121,6 +141,25 @@ mod tests {
         assert!((of("feed").of[7] - 1200.0).abs() < 1e-9);
         assert_eq!(of("turn").share(0), 0.0);
         assert_eq!(of("turn").share(180), 1.0);
+    }
+
+    #[test]
+    fn a_few_peaks_do_not_take_all_colours() {
+        let even = |k: i32| f64::from(k % 500);
+        assert_eq!(spanned((0..5000).map(even)), [0.0, 499.0]);
+        // One value in a hundred is a hundred times the others.
+        let peaks = |k: i32| if k % 100 == 7 { 5e4 } else { even(k) };
+        let [lo, hi] = spanned((0..5000).map(peaks).chain([f64::NAN]));
+        assert!(lo == 0.0 && (480.0..=499.0).contains(&hi), "{lo} {hi}");
+        let [lo, hi] = spanned((0..5000).map(|k| -peaks(k)));
+        assert!(hi == 0.0 && (-499.0..=-480.0).contains(&lo), "{lo} {hi}");
+        // Three in a hundred are too many to leave out; where all but one are alike, that one is seen.
+        assert_eq!(spanned((0..5000).map(|k| if k % 100 < 3 { 5e4 } else { 1.0 })), [1.0, 5e4]);
+        assert_eq!(spanned((0..5000).map(|k| if k == 9 { 2.0 } else { 1.0 })), [1.0, 2.0]);
+        assert_eq!((spanned([]), spanned([f64::NAN, 3.0])), ([0.0; 2], [3.0; 2]));
+        let peaked = Values::new("k", "n", "u", (0..5000).map(peaks).collect());
+        assert_eq!((peaked.range[1], peaked.share(7)), (5e4, 1.0));
+        assert!(peaked.share(250) > 0.4);
     }
 
     #[test]

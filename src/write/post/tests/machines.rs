@@ -73,6 +73,32 @@ fn every_dialect_reads_back_on_a_machine_that_turns_the_other_way() {
     }
 }
 
+#[test]
+fn lines_that_cut_end_where_the_plan_is_at_their_times() {
+    let (machine, tool) = (Machine::demo().unwrap(), sample::tool());
+    let plan = plan(&machine);
+    let rows: Vec<_> = plan.rows().collect();
+    for control in Control::ALL {
+        let p = read_back_clean(control, &plan, &machine, &[]);
+        let bench = program::Bench { language: p.language, zero: program::Zero::default(), tool: &tool, machine: &machine };
+        let moves = program::follow(&program::read(&p.text, p.language).unwrap().blocks, &bench).unwrap();
+        assert!(p.cut_lines.is_sorted_by(|a, b| a.line < b.line && a.until_s < b.until_s), "{control:?}");
+        let mut compared = 0;
+        for cut in &p.cut_lines {
+            let end = moves.iter().rfind(|m| m.line == cut.line).map(|m| m.pose(1.0, &tool, &machine));
+            let end = end.unwrap_or_else(|| panic!("{control:?}: line {} does not move", cut.line));
+            // Polynomials may end between two rows.
+            let Some(row) = rows.iter().find(|r| (r.t_s - cut.until_s).abs() < 1e-9) else { continue };
+            let off = (end.centre - row.stand.centre).norm();
+            assert!(off < 2e-3, "{control:?}: line {} is {off} mm off", cut.line);
+            compared += 1;
+        }
+        assert!(compared > p.cut_lines.len() / 2 && compared > 20, "{control:?}: {compared} of {}", p.cut_lines.len());
+        let last = p.cut_lines.last().unwrap();
+        assert!((last.until_s - rows[rows.len() - 1].t_s).abs() < 1e-9, "{control:?}");
+    }
+}
+
 const TRUNNION: &str = include_str!("../../../../models/machines/trunnion_ac.toml");
 const FORK: &str = include_str!("../../../../models/machines/fork_head_ca.toml");
 const NUTATING: &str = include_str!("../../../../models/machines/nutating_head_cb.toml");

@@ -23,9 +23,24 @@ use crate::error::{Error, Result, Stage};
 pub(super) struct Glb {
     root: Root,
     bytes: Vec<u8>,
+    /// As [`super::GltfOptions::rounded`].
+    rounded: bool,
+}
+
+/// Part of the greatest size of a coordinate that points are rounded to; of 1 for normals.
+const POINT_STEP: f32 = 1.0 / 32_768.0;
+const NORMAL_STEP: f32 = 1.0 / 512.0;
+
+/// Rows with their numbers rounded to steps.
+fn to_steps(rows: &[[f32; 3]], step: f32) -> Vec<[f32; 3]> {
+    rows.iter().map(|row| row.map(|v| (v / step).round() * step)).collect()
 }
 
 impl Glb {
+    pub(super) fn new(rounded: bool) -> Self {
+        Glb { rounded, ..Glb::default() }
+    }
+
     /// Appends bytes as a view, aligned to 4 bytes.
     fn view(&mut self, bytes: &[u8], target: Option<Target>) -> Index<View> {
         while !self.bytes.len().is_multiple_of(4) {
@@ -90,10 +105,21 @@ impl Glb {
 
     /// Vertex positions.
     pub(super) fn positions(&mut self, rows: &[[f32; 3]]) -> Index<Accessor> {
+        if self.rounded {
+            let most = rows.iter().flatten().fold(0.0f32, |most, v| most.max(v.abs()));
+            // A power of two, so that the lower bits of all numbers are 0; not above the bound.
+            let step = (most * POINT_STEP).log2().floor().exp2();
+            if step > 0.0 && step.is_finite() {
+                return self.floats(&to_steps(rows, step), Some(Target::ArrayBuffer), Type::Vec3, true);
+            }
+        }
         self.floats(rows, Some(Target::ArrayBuffer), Type::Vec3, true)
     }
     /// Unit normals.
     pub(super) fn normals(&mut self, rows: &[[f32; 3]]) -> Index<Accessor> {
+        if self.rounded {
+            return self.floats(&to_steps(rows, NORMAL_STEP), Some(Target::ArrayBuffer), Type::Vec3, false);
+        }
         self.floats(rows, Some(Target::ArrayBuffer), Type::Vec3, false)
     }
     /// Key times of an animation, s.

@@ -62,7 +62,9 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene, detail: &Detail) -
     }
     let scales: Vec<_> = quantities
         .iter()
-        .map(|v| json!({ "variant": variant(v), "unit": v.unit, "dark": v.range[0], "bright": v.range[1] }))
+        .map(|v| {
+            json!({ "variant": variant(v), "unit": v.unit, "dark": v.shown[0], "bright": v.shown[1], "least_and_greatest": v.range })
+        })
         .collect();
     let shown: usize = strips.iter().map(Vec::len).sum();
     let note = json!({

@@ -73,6 +73,30 @@ fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
 }
 
 #[test]
+fn rounded_coordinates_keep_their_bound() {
+    let plan = sample::plan(3, 60);
+    let options = |rounded| GltfOptions { path_and_motion: false, rounded, ..GltfOptions::default() };
+    let [exact, rounded] = [false, true].map(|r| read(&scene(Some(&plan), &options(r)).unwrap()));
+    let mut moved = 0;
+    for (a, b) in exact.0.meshes().zip(rounded.0.meshes()) {
+        for (p, q) in a.primitives().zip(b.primitives()) {
+            let (p, q) = (p.reader(|_| Some(&exact.1)), q.reader(|_| Some(&rounded.1)));
+            let points: Vec<_> = p.read_positions().unwrap().zip(q.read_positions().unwrap()).collect();
+            let most = points.iter().flat_map(|(a, _)| a).fold(0.0f32, |m, v| m.max(v.abs()));
+            for (a, b) in points.iter().flat_map(|(a, b)| a.iter().zip(b)) {
+                assert!((a - b).abs() <= most / 65_536.0, "{a} {b}");
+                moved += usize::from(a != b);
+            }
+            let normals = p.read_normals().into_iter().flatten().zip(q.read_normals().into_iter().flatten());
+            for (a, b) in normals.flat_map(|(a, b)| (0..3).map(move |k| (a[k], b[k]))) {
+                assert!((a - b).abs() <= 1.0 / 1024.0, "{a} {b}");
+            }
+        }
+    }
+    assert!(moved > 100, "{moved}");
+}
+
+#[test]
 fn leads_are_drawn_from_the_path_outwards() {
     let plan = sample::with_leads(sample::plan(2, 60));
     let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());

@@ -10,7 +10,12 @@ use super::{ReportInput, scallop, scene};
 use crate::artifact::{AxisMotion, AxisRows, Plan, Section};
 use crate::machine::{Axis, Machine};
 use crate::write::draw::colour;
+use crate::write::preview::values;
 
+/// Digits after the point of lengths (mm) and angles (degrees) in lists.
+pub(super) const DIGITS: i32 = 3;
+/// The same of times (s).
+pub(super) const TIME: i32 = 4;
 /// Points of all S–θ curves together, about.
 const CURVE_POINTS: usize = 24_000;
 /// Points of all axis curves together, about.
@@ -33,6 +38,7 @@ pub(super) fn payload(input: &ReportInput, pack: &mut Pack) -> Value {
         "scene": scene::scene(input, pack),
         "colours": colour::STOPS.map(colour::hex),
         "no_colour": colour::hex(colour::NONE),
+        "left_out": values::LEFT_OUT,
     })
 }
 
@@ -85,7 +91,7 @@ fn one_turn(
     let theta = |i: usize| plan.schedule.theta[i];
     let mut wall = |f: &dyn Fn(usize) -> f64, tighter: fn(f64, f64) -> f64| {
         let gap = |p: &Range<usize>| p.clone().map(|i| f(i) - theta(i)).fold(f64::NAN, tighter);
-        pack.list(pieces.iter().map(|p| degrees(theta(p.start) + gap(p))))
+        pack.list(DIGITS, pieces.iter().map(|p| degrees(theta(p.start) + gap(p))))
     };
     let walls = [
         wall(&|i| rows[i].theta_min, f64::max),
@@ -96,7 +102,7 @@ fn one_turn(
         wall(&|i| rows[i].tangent_max, f64::min),
     ];
     let [min, max, hull_min, hull_max, tangent_min, tangent_max] = walls;
-    let mut at = |f: &dyn Fn(usize) -> f64| pack.list(pieces.iter().map(|p| f(p.start)));
+    let mut at = |f: &dyn Fn(usize) -> f64| pack.list(DIGITS, pieces.iter().map(|p| f(p.start)));
     let keys: Vec<Value> = plan
         .schedule
         .key_points
@@ -125,7 +131,7 @@ fn motion_of(
 ) -> Value {
     let start = motion.t_s.get(range.start).copied().unwrap_or(0.0);
     let first = motion.position.get(range.start).unwrap_or_default();
-    let t = pack.list(pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
+    let t = pack.list(TIME, pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
     let all = machine.axes();
     let axes = (0..first.len()).map(|axis| {
         let scale = all[axis].scale();
@@ -137,11 +143,11 @@ fn motion_of(
                 let values = p.clone().filter_map(|i| rows.get(i)).map(|r| r[axis] * scale);
                 values.fold(f64::NAN, |best, v| if v.abs() > best.abs() || best.is_nan() { v } else { best })
             };
-            pack.list(pieces.iter().map(greatest))
+            pack.scaled(pieces.iter().map(greatest))
         };
         let rates = [peak(&motion.velocity), peak(&motion.acceleration), peak(&motion.jerk)];
         let [v, a, j] = rates;
-        json!([pack.list(pieces.iter().map(at)), v, a, j])
+        json!([pack.list(DIGITS, pieces.iter().map(at)), v, a, j])
     });
     let axes: Vec<Value> = axes.collect();
     json!({ "t": t, "from": rounded(start, 4), "axes": axes })
@@ -155,7 +161,7 @@ fn axes(plan: &Plan, input: &ReportInput, pack: &mut Pack) -> Value {
     let mut turns = Vec::new();
     for range in &ranges {
         let pieces = stretches(range, most);
-        let s = pack.list(pieces.iter().map(|p| plan.toolpath.locations[p.start].s_mm));
+        let s = pack.list(DIGITS, pieces.iter().map(|p| plan.toolpath.locations[p.start].s_mm));
         let own = motion_of(&plan.motion, input.machine, range, &pieces, pack);
         let other = baseline.map(|m| motion_of(m, input.machine, range, &pieces, pack));
         turns.push(json!({ "s": s, "plan": own, "baseline": other }));
@@ -182,10 +188,10 @@ fn section(section: &Section, pack: &mut Pack) -> Value {
         let stride = l.points_mm.len().div_ceil(LOOP_POINTS).max(1);
         let picked: Vec<usize> = (0..l.points_mm.len()).step_by(stride).collect();
         loops.push(json!({
-            "y": pack.list(picked.iter().map(|&i| l.points_mm[i][0])),
-            "z": pack.list(picked.iter().map(|&i| l.points_mm[i][1])),
-            "s": pack.list(picked.iter().map(|&i| l.s_mm.get(i).copied().unwrap_or(f64::NAN))),
-            "k": pack.list(picked.iter().map(|&i| l.curvature_per_mm.get(i).copied().unwrap_or(f64::NAN))),
+            "y": pack.list(DIGITS, picked.iter().map(|&i| l.points_mm[i][0])),
+            "z": pack.list(DIGITS, picked.iter().map(|&i| l.points_mm[i][1])),
+            "s": pack.list(DIGITS, picked.iter().map(|&i| l.s_mm.get(i).copied().unwrap_or(f64::NAN))),
+            "k": pack.scaled(picked.iter().map(|&i| l.curvature_per_mm.get(i).copied().unwrap_or(f64::NAN))),
             "length": rounded(l.length_mm, 3),
             "altered": l.altered_points.iter().map(|a| json!([
                 rounded(a.point_mm[0], 3), rounded(a.point_mm[1], 3), rounded(a.s_mm, 3), a.into_concave

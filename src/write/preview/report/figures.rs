@@ -39,11 +39,11 @@ pub(super) fn figures(input: &ReportInput) -> String {
         holder.collect::<Vec<_>>().join(", ")
     );
     card(&mut cards, "Tool", &format!("ball R {} mm", number(t.radius_mm)), &note);
-    format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl>{}</section>\n", cycles(input))
+    format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl></section>\n")
 }
 
-/// Where the time of each program goes.
-fn cycles(input: &ReportInput) -> String {
+/// Where the time of each program goes; nothing without programs.
+pub(super) fn cycles(input: &ReportInput) -> String {
     let n = count(input, "/programs");
     if n == 0 {
         return String::new();

@@ -25,7 +25,7 @@ impl Payload {
             .replace('<', "\\u003c");
         // A coordinate that is not a number leaves the page without its picture, not the user
         // without the page.
-        Ok(Payload([data, pack.base64(), scene::glb(input).unwrap_or_default()]))
+        Ok(Payload([data, pack.text()?, scene::glb(input).unwrap_or_default()]))
     }
 
     /// The payload of a page that was made before; `None` where the text is no such page.

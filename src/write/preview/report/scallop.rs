@@ -2,10 +2,12 @@
 
 use serde_json::{Value, json};
 
+use super::data::DIGITS;
 use super::pack::Pack;
 use super::{ReportInput, figure, number};
 use crate::artifact::report::{LimitSource, Place};
 use crate::write::draw::histogram;
+use crate::write::preview::values;
 
 /// Most places of the map.
 const MAP: usize = 12_000;
@@ -18,7 +20,11 @@ pub(super) fn data(input: &ReportInput, pack: &mut Pack) -> Value {
     // is always one.
     let every = checks.scallop.len().div_ceil(MAP).max(1);
     let mut shown: Vec<&Place> = checks.scallop.iter().rev().step_by(every).collect();
-    shown.reverse();
+    // In the order of the path: what is near is alike, which packs well.
+    shown.sort_by_key(|p| p.row);
+    let heights = || shown.iter().map(|p| p.height_mm);
+    let [least, greatest] = heights().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], h| [lo.min(h), hi.max(h)]);
+    let [low, high] = values::spanned(heights());
     let locations = input.plan.map(|p| (&p.toolpath.locations, &p.toolpath.turns));
     let round = |p: &Place| {
         let (all, turns) = locations?;
@@ -29,12 +35,13 @@ pub(super) fn data(input: &ReportInput, pack: &mut Pack) -> Value {
     json!({
         "asked": asked, "histogram": histogram::histogram(checks), "measured": checks.scallop.len(),
         "map": {
-            "height": pack.list(shown.iter().map(|p| p.height_mm)),
-            "x": pack.list(shown.iter().map(|p| p.point.x)),
-            "y": pack.list(shown.iter().map(|p| p.point.y)),
-            "z": pack.list(shown.iter().map(|p| p.point.z)),
-            "round": pack.list(shown.iter().map(|p| round(p).unwrap_or(f64::NAN))),
-            "s": pack.list(shown.iter().map(|p| locations.and_then(|(all, _)| all.get(p.row)).map_or(f64::NAN, |l| l.s_mm))),
+            "range": [least, greatest], "shown": [low, if high < greatest { high } else { high.max(asked.unwrap_or(high)) }],
+            "height": pack.scaled(heights()),
+            "x": pack.list(DIGITS, shown.iter().map(|p| p.point.x)),
+            "y": pack.list(DIGITS, shown.iter().map(|p| p.point.y)),
+            "z": pack.list(DIGITS, shown.iter().map(|p| p.point.z)),
+            "round": pack.list(2, shown.iter().map(|p| round(p).unwrap_or(f64::NAN))),
+            "s": pack.list(DIGITS, shown.iter().map(|p| locations.and_then(|(all, _)| all.get(p.row)).map_or(f64::NAN, |l| l.s_mm))),
         },
     })
 }

@@ -4,6 +4,7 @@
 use serde_json::{Value, json};
 
 use super::ReportInput;
+use super::data::{DIGITS, TIME};
 use super::pack::{self, Pack};
 use crate::error::Result;
 use crate::write::preview::gltf::{GltfOptions, Scene, gltf};
@@ -11,15 +12,18 @@ use crate::write::preview::values;
 
 /// Most bytes of the glTF part.
 const GLTF_BYTES: usize = 3_000_000;
+/// Digits after the point of angles in radians, and of the parts of unit vectors.
+const RADIANS: i32 = 5;
 /// Most points of the path.
 const PATH: usize = 40_000;
 
-/// The glTF part in base 64.
+/// The glTF part as it stands in the page.
 ///
 /// # Errors
-/// As [`gltf`].
+/// As [`gltf`] and [`pack::deflated`].
 pub(super) fn glb(input: &ReportInput) -> Result<String> {
-    let options = GltfOptions { budget_bytes: GLTF_BYTES, path_and_motion: false, ..GltfOptions::default() };
+    let options =
+        GltfOptions { budget_bytes: GLTF_BYTES, path_and_motion: false, rounded: true, ..GltfOptions::default() };
     let bytes = gltf(&Scene {
         blade: input.blade,
         tool: input.tool,
@@ -30,7 +34,7 @@ pub(super) fn glb(input: &ReportInput) -> Result<String> {
         figures: None,
         options: &options,
     })?;
-    Ok(pack::base64(&bytes))
+    pack::deflated(&bytes)
 }
 
 pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
@@ -68,28 +72,32 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
     let quantities: Vec<Value> = values::all(plan, input.machine, input.checks)
         .iter()
         .map(|v| {
-            json!({
-                "key": v.key, "name": v.name, "unit": v.unit, "range": v.range,
-                "of": pack.list(picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN))),
-            })
+            let of = picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN));
+            // Counts are whole.
+            let of = if v.unit.is_empty() { pack.list(0, of) } else { pack.scaled(of) };
+            json!({ "key": v.key, "name": v.name, "unit": v.unit, "range": v.range, "shown": v.shown, "of": of })
         })
         .collect();
-    let mut of = |f: &dyn Fn(usize) -> f64| pack.list(picked.iter().map(|&i| f(i)));
+    let mut of = |digits: i32, f: &dyn Fn(usize) -> f64| pack.list(digits, picked.iter().map(|&i| f(i)));
     let mut out = json!({
-        "x": of(&|i| locations[i].centre.x), "y": of(&|i| locations[i].centre.y), "z": of(&|i| locations[i].centre.z),
-        "px": of(&|i| locations[i].contact.x), "py": of(&|i| locations[i].contact.y), "pz": of(&|i| locations[i].contact.z),
-        "s": of(&|i| locations[i].s_mm), "turn_s": of(&|i| locations[i].turn_s_mm),
-        "t": of(&|i| plan.motion.t_s.get(i).copied().unwrap_or(f64::NAN)),
-        "theta": of(&|i| plan.schedule.theta[i]),
-        "min": of(&|i| plan.channel.rows[i].theta_min), "max": of(&|i| plan.channel.rows[i].theta_max),
-        "row": of(&|i| i as f64), "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
+        "x": of(DIGITS, &|i| locations[i].centre.x),
+        "y": of(DIGITS, &|i| locations[i].centre.y),
+        "z": of(DIGITS, &|i| locations[i].centre.z),
+        "s": of(DIGITS, &|i| locations[i].s_mm),
+        "turn_s": of(DIGITS, &|i| locations[i].turn_s_mm),
+        "t": of(TIME, &|i| plan.motion.t_s.get(i).copied().unwrap_or(f64::NAN)),
+        "theta": of(RADIANS, &|i| plan.schedule.theta[i]),
+        "min": of(RADIANS, &|i| plan.channel.rows[i].theta_min),
+        "max": of(RADIANS, &|i| plan.channel.rows[i].theta_max),
+        "row": of(0, &|i| i as f64),
+        "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
         "quantities": quantities,
     });
     // Where one lean and θ do not say it: the tool axes themselves.
     if plan.toolpath.cones.same().is_none_or(|c| !c.is_about_blade()) {
         let axis = |i: usize| plan.toolpath.cone(i).tool_axis(plan.schedule.theta[i]);
         for (key, k) in [("ix", 0), ("iy", 1), ("iz", 2)] {
-            out[key] = of(&|i| axis(i)[k]);
+            out[key] = of(RADIANS, &|i| axis(i)[k]);
         }
     }
     out

@@ -18,7 +18,7 @@ pub(super) fn header(input: &ReportInput) -> String {
          bladewright report</p><h1>{title}</h1><p class=\"sub\">Blade {blade}, machine {}</p></div>\
          <button id=\"theme\" type=\"button\" aria-pressed=\"false\">Dark</button></div>\n\
          <p class=\"verdict {class}\"><span aria-hidden=\"true\">{mark}</span> {verdict}</p>\n{forced}\n\
-         <nav aria-label=\"Sections\"><a href=\"#view\">3-D view</a><a href=\"#figures\">Figures</a><a href=\"#checks\">Checks</a>\
+         <nav aria-label=\"Sections\"><a href=\"#view\">3-D view</a><a href=\"#figures\">Figures</a><a href=\"#sheet\">Setup</a><a href=\"#checks\">Checks</a>\
          <a href=\"#channel\">Channel</a><a href=\"#axes\">Axes</a><a href=\"#scallop\">Scallop</a>\
          <a href=\"#compare\">Compared</a><a href=\"#sections\">Sections</a><a href=\"#job\">Job</a></nav>\n</header>\n",
         escape(&input.machine.name)

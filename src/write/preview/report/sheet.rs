@@ -1,0 +1,199 @@
+//! The setup and tool sheet: what stands at the machine before the program runs, on one printed
+//! page.
+
+use super::figures::{self, table};
+use super::{ReportInput, escape, figure, number};
+use crate::machine::{Axis, Provenance};
+use crate::tool::Tool;
+
+/// The section of the page; its style prints it on a page of its own.
+pub(super) fn section(input: &ReportInput) -> String {
+    format!(
+        "<section id=\"sheet\"><h2>Setup and tool</h2>\n<p class=\"hint\"><button type=\"button\" id=\"print-sheet\">Print this sheet \
+         alone</button></p>\n<div class=\"pair\"><div>{}{}</div><div>{}</div></div>\n{}{}</section>\n",
+        part(input),
+        zero(input),
+        tool(input),
+        limits(input),
+        figures::cycles(input)
+    )
+}
+
+/// A table of names and what they are.
+fn list(label: &str, rows: &[(&str, String)]) -> String {
+    let row = |(name, value): &(&str, String)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>");
+    let body: String = rows.iter().filter(|(_, value)| !value.is_empty()).map(row).collect();
+    format!("<h3>{label}</h3><table class=\"plain\"><tbody>{body}</tbody></table>\n")
+}
+
+fn part(input: &ReportInput) -> String {
+    let of_model = |label: &str| input.provenance.iter().find(|(l, _)| l == label).map(|(_, v)| escape(v));
+    let summary = |pointer: &str| figure(&input.summary, pointer);
+    let region = match input.plan {
+        Some(_) => format!(
+            "ball centres at {} to {} mm along the blade axis",
+            summary("/region_x_mm/0"),
+            summary("/region_x_mm/1")
+        ),
+        None => String::new(),
+    };
+    let has_stock =
+        input.summary.json.pointer("/stock_mm").and_then(serde_json::Value::as_f64).is_some_and(|s| s > 0.0);
+    let stock = if has_stock { format!("{} mm stay on the part", summary("/stock_mm")) } else { String::new() };
+    list(
+        "Part",
+        &[
+            ("Blade", escape(&input.blade.name)),
+            ("Model", of_model("Model").unwrap_or_default()),
+            ("BLAKE3", of_model("BLAKE3 of the model").map(|h| format!("<code>{h}</code>")).unwrap_or_default()),
+            ("Region", region),
+            ("Stock", stock),
+            ("Program", input.program.map(|p| escape(&p.file_name)).unwrap_or_default()),
+        ],
+    )
+}
+
+fn vector(v: impl IntoIterator<Item = f64>) -> String {
+    // Adding 0 turns -0 into 0.
+    let all: Vec<String> = v.into_iter().map(|v| number((v * 1e6).round() / 1e6 + 0.0).replace('-', "−")).collect();
+    format!("({})", all.join(", "))
+}
+
+/// Where the blade frame is: in the model, and on the machine.
+fn zero(input: &ReportInput) -> String {
+    let (mount, place) = (&input.machine.mount, &input.blade.model_from_blade);
+    let directions = place.rotation.to_rotation_matrix();
+    let column = |k: usize| vector(directions.matrix().column(k).iter().copied());
+    let axes = input.machine.axes();
+    let turning = &axes[input.machine.turning_axis()].name;
+    let clamped = format!(
+        "turned by {}° about its axis (right-hand rule), root to tip along {}, while the rotary axes read 0",
+        number(mount.clamping_deg).replace('-', "−"),
+        mount.along.map_or_else(|| "machine +X".into(), |along| format!("machine {}", vector(along)))
+    );
+    let obstacles: Vec<String> = input.obstacles.iter().map(|o| escape(&o.name)).collect();
+    let lean = input.plan.map(|p| number(p.toolpath.cone(0).lean_rad.to_degrees()).replace('-', "−"));
+    list(
+        "Zero point and clamping",
+        &[
+            ("Zero, model", format!("{} mm", vector(place.translation.vector.iter().copied()))),
+            ("x, y there", format!("{}, {}; x runs from root to tip", column(0), column(1))),
+            ("Zero, machine", format!("{} mm while {turning} = 0", vector(mount.offset_mm))),
+            ("Clamped", clamped),
+            (
+                "Head",
+                lean.map(|b| format!("tool leans {b}° towards the tip where the path begins")).unwrap_or_default(),
+            ),
+            ("In the way", obstacles.join(", ")),
+        ],
+    )
+}
+
+fn tool(input: &ReportInput) -> String {
+    let (t, asked) = (input.tool, input.program.and_then(|p| p.asked.first()));
+    let mut rows = vec![
+        ("Number", asked.map(|a| format!("T{}", a.tool_number)).unwrap_or_default()),
+        ("Spindle", asked.map(|a| format!("{} 1/min", number(a.spindle_rpm))).unwrap_or_default()),
+        ("Ball end", format!("R {} mm", number(t.radius_mm))),
+        ("Taper", format!("{}° half angle", number(t.taper_deg))),
+        ("Shank", format!("R {} mm", number(t.shank_radius_mm))),
+        (
+            "Stick-out",
+            format!(
+                "{} mm from the ball centre, {} from the tip",
+                number(t.stickout_mm),
+                number(t.stickout_mm + t.radius_mm)
+            ),
+        ),
+    ];
+    let holder = |h: &crate::tool::HolderStage| format!("R {} × {} mm", number(h.radius_mm), number(h.length_mm));
+    rows.push(("Holder", t.holder.iter().map(holder).collect::<Vec<_>>().join(", then ")));
+    rows.push((
+        "Gauge length",
+        format!(
+            "{} mm from the ball centre, {} from the tip",
+            number(t.length_mm()),
+            number(t.length_mm() + t.radius_mm)
+        ),
+    ));
+    format!("{}{}", list("Tool", &rows), drawing(t))
+}
+
+/// The tool's outline, the tip to the left, to scale.
+fn drawing(tool: &Tool) -> String {
+    let segments = tool.segments();
+    let widest = segments.iter().map(|s| s.r0.max(s.r1)).fold(tool.radius_mm, f64::max);
+    let (r, taper) = (tool.radius_mm, tool.taper_deg.to_radians());
+    let [x, y] = [-r * taper.sin(), r * taper.cos()];
+    let side = |sign: f64| -> Vec<String> {
+        segments
+            .iter()
+            .flat_map(|s| [[s.z0, s.r0], [s.z1, s.r1]])
+            .map(|[z, r]| format!("{z:.3} {:.3}", sign * r))
+            .collect()
+    };
+    let mut below = side(1.0);
+    below.reverse();
+    // The ball from below the axis over the tip, which lies at −R, and up both sides.
+    let path = format!(
+        "M{x:.3} {y:.3}A{r:.3} {r:.3} 0 0 1 {:.3} 0A{r:.3} {r:.3} 0 0 1 {x:.3} {:.3}L{}L{}Z",
+        -r,
+        -y,
+        side(-1.0).join("L"),
+        below.join("L")
+    );
+    let (length, margin) = (tool.length_mm(), 0.06 * widest);
+    format!(
+        "<svg class=\"tool\" role=\"img\" aria-label=\"Outline of the tool in its holder, to scale\" viewBox=\"{:.3} {:.3} {:.3} {:.3}\">\
+         <path d=\"{path}\" vector-effect=\"non-scaling-stroke\"/><path class=\"end\" d=\"M{s:.3} {:.3}V{:.3}M0 {:.3}V{:.3}\" \
+         vector-effect=\"non-scaling-stroke\"/></svg>\n",
+        -r - margin,
+        -widest - margin,
+        length + r + 2.0 * margin,
+        2.0 * (widest + margin),
+        -widest,
+        widest,
+        -r,
+        r,
+        s = tool.stickout_mm,
+    )
+}
+
+/// How far and how fast the axes go.
+fn limits(input: &ReportInput) -> String {
+    let line = |axis: &Axis| {
+        let (l, scale) = (axis.limits, axis.scale());
+        let shown = |v: f64| number(v * scale).replace('-', "−");
+        let travel = l.travel.map_or_else(|| "unlimited".into(), |[lo, hi]| format!("{} to {}", shown(lo), shown(hi)));
+        let from = if l.provenance == Provenance::Assumed { "assumed" } else { "measured" };
+        let cells = [travel, shown(l.velocity), shown(l.acceleration), shown(l.jerk), from.into()];
+        let cells: String = cells.iter().map(|c| format!("<td class=\"n\">{c}</td>")).collect();
+        format!("<tr><th scope=\"row\">{}, {}</th>{cells}</tr>\n", escape(&axis.name), axis.sign())
+    };
+    let body: String = input.machine.axes().iter().map(line).collect();
+    let head = [
+        ("Axis", false),
+        ("travel", true),
+        ("velocity, /s", true),
+        ("acceleration, /s²", true),
+        ("jerk, /s³", true),
+        ("limits", true),
+    ];
+    format!("<h3>Machine {}</h3>\n{}", escape(&input.machine.name), table("Limits of the machine", &head, &body))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn the_outline_reaches_from_the_tip_to_the_end_of_the_holder() {
+        let tool = sample::tool();
+        let text = drawing(&tool);
+        assert!(text.contains(&format!("A{r:.3} {r:.3} 0 0 1 {:.3} 0A", -tool.radius_mm, r = tool.radius_mm)));
+        let widest = tool.holder.iter().map(|h| h.radius_mm).fold(tool.shank_radius_mm, f64::max);
+        assert!(text.contains(&format!("L{:.3} {:.3}L", tool.length_mm(), -widest)), "{text}");
+        assert!(!text.contains("NaN"));
+    }
+}

@@ -1,0 +1,7 @@
+// Reads the page's data and then starts the page: all other modules take the data as there.
+import { $, unpack } from './data.js';
+
+unpack().then(() => import('./main.js')).catch(e => {
+  $('stage').textContent = `This browser cannot read the page's data (${e.message || e}). The tables hold all figures.`;
+  console.error(e);
+});
