@@ -202,15 +202,23 @@ impl Glb {
     pub(super) fn textured(&mut self, name: &str, texture: Index<Texture>, set: u32) -> Index<Material> {
         let index = self.material(name, [1.0; 3], false);
         if let Some(m) = self.root.materials.get_mut(index.value()) {
+            m.double_sided = true;
             m.pbr_metallic_roughness.base_color_texture =
                 Some(Info { index: texture, tex_coord: set, extensions: None, extras: None });
         }
         index
     }
 
-    /// Texture coordinates.
+    /// Texture coordinates, 0 to 1, to a 65 535th.
     pub(super) fn coordinates(&mut self, rows: &[[f32; 2]]) -> Index<Accessor> {
-        self.floats(rows, Some(Target::ArrayBuffer), Type::Vec2, false)
+        let whole = |v: &f32| (v.clamp(0.0, 1.0) * 65_535.0).round() as u16;
+        let bytes: Vec<u8> = rows.iter().flatten().flat_map(|v| whole(v).to_le_bytes()).collect();
+        let view = self.view(&bytes, Some(Target::ArrayBuffer));
+        let index = self.accessor(view, rows.len(), ComponentType::U16, Type::Vec2);
+        if let Some(a) = self.root.accessors.get_mut(index.value()) {
+            a.normalized = true;
+        }
+        index
     }
 
     /// Names of the variants that primitives may map their material to.
@@ -221,18 +229,34 @@ impl Glb {
         self.root.extensions_used.push("KHR_materials_variants".into());
     }
 
-    /// The materials of a primitive, one for each variant, the first of them where variants are not
-    /// known.
-    pub(super) fn by_variant(mut primitive: Primitive, materials: &[Index<Material>]) -> Primitive {
-        let mapping = |(variant, material): (u32, &Index<Material>)| Mapping {
+    /// The materials of a primitive by variant: what it shows where none of them is chosen, and where
+    /// viewers know no variants, is `material`.
+    pub(super) fn by_variant(primitive: &mut Primitive, material: Index<Material>, by: &[(u32, Index<Material>)]) {
+        let mapping = |(variant, material): &(u32, Index<Material>)| Mapping {
             material: u32::try_from(material.value()).unwrap_or(0),
-            variants: vec![variant],
+            variants: vec![*variant],
         };
-        let mappings = (0u32..).zip(materials).map(mapping).collect();
-        let found = json::extensions::mesh::KhrMaterialsVariants { mappings };
+        let found = json::extensions::mesh::KhrMaterialsVariants { mappings: by.iter().map(mapping).collect() };
         primitive.extensions = Some(json::extensions::mesh::Primitive { khr_materials_variants: Some(found) });
-        primitive.material = materials.first().copied();
-        primitive
+        primitive.material = Some(material);
+    }
+
+    /// Meshes of these names are seen only where the last variant is chosen; without variants always.
+    pub(super) fn only_in_last_variant(&mut self, names: &[&str]) {
+        let variants = self.root.extensions.as_ref().and_then(|e| e.khr_materials_variants.as_ref());
+        let last = variants.and_then(|v| u32::try_from(v.variants.len()).ok()?.checked_sub(1));
+        let Some(variant) = last else { return };
+        let unseen = self.material("unseen", [1.0; 3], false);
+        if let Some(m) = self.root.materials.get_mut(unseen.value()) {
+            m.alpha_mode = Checked::Valid(AlphaMode::Mask);
+            m.pbr_metallic_roughness.base_color_factor = PbrBaseColorFactor([1.0, 1.0, 1.0, 0.0]);
+        }
+        let chosen = self.root.meshes.iter_mut().filter(|m| m.name.as_deref().is_some_and(|n| names.contains(&n)));
+        for primitive in chosen.flat_map(|m| &mut m.primitives) {
+            if let Some(seen) = primitive.material {
+                Self::by_variant(primitive, unseen, &[(variant, seen)]);
+            }
+        }
     }
 
     /// A primitive of a mesh.

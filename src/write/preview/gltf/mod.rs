@@ -6,11 +6,11 @@
 //! * `workpiece`, moved by the machine's animation:
 //!   * `blade`: one primitive and material for each kind of face, smooth normals up to a crease
 //!     angle;
-//!   * `path`: ball centres, one `LINE_STRIP` a turn; its material is chosen by
-//!     `KHR_materials_variants`: coloured by turn, scallop,
-//!     width of the channel, feed or axis acceleration, dark for the least value and bright for the
-//!     greatest (the values stand in the
-//!     node's `extras`);
+//!   * `path`: a ribbon through the ball centres, one primitive a turn; its material is chosen by
+//!     `KHR_materials_variants`: coloured by turn, scallop, width of the channel, feed or axis
+//!     acceleration, dark for low values and bright for high ones (the scales stand in the node's
+//!     `extras`); the last variant shows contacts, channel, base vectors and altered points too, which
+//!     are unseen otherwise;
 //!   * `leads`: ball centres of lead-in and lead-out, and the beginning of the straight way along
 //!     the tool axis;
 //!   * `cutter contacts`: where the ball touches the part;
@@ -124,10 +124,10 @@ struct Detail {
 }
 
 impl Detail {
-    /// Shares of a budget by what each takes: 30 bytes a triangle, 50 a point of path and contacts,
+    /// Shares of a budget by what each takes: 30 bytes a triangle, 78 a point of path and contacts,
     /// 116 a key.
     fn of(budget_bytes: usize) -> Self {
-        Detail { triangles: budget_bytes / 75, path_points: budget_bytes / 110, keys: (budget_bytes / 1500).min(6000) }
+        Detail { triangles: budget_bytes / 75, path_points: budget_bytes / 170, keys: (budget_bytes / 1500).min(6000) }
     }
 
     fn scaled(self, share: f64) -> Self {
@@ -136,6 +136,8 @@ impl Detail {
     }
 }
 
+/// What is unseen but in the variant of all layers: it would hide the path.
+const UNSEEN: [&str; 4] = ["altered points", "cutter contacts", "channel", "base vectors"];
 /// Times that a scene too large is made again, smaller.
 const TRIES: usize = 6;
 
@@ -176,6 +178,7 @@ fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
         on_table.extend(marks::base_vectors(&mut glb, plan, scene)?);
         on_table.extend(machine::table(&mut glb, scene)?);
     }
+    glb.only_in_last_variant(&UNSEEN);
     let workpiece = group(&mut glb, "workpiece", on_table, &json!({ "what": "all that the table turns" }));
     children.push(workpiece);
     if let Some(plan) = scene.plan {

@@ -1,6 +1,9 @@
-//! The path's lines with a colouring for each quantity, and the contacts on the part.
+//! The path with a colouring for each quantity, and the contacts on the part.
 //!
-//! Colours are a texture of one row (or column) of pixels; what a line shows is which texture
+//! The path is a ribbon along the part's surface, narrower than the turns are apart: viewers offer
+//! variants of triangles only, and lines are a pixel wide in most.
+//!
+//! Colours are a texture of one row (or column) of pixels; what a place shows is which texture
 //! coordinate its material reads. Two quantities share a set of coordinates, one along each
 //! direction, so five need three sets: all viewers know four.
 
@@ -15,11 +18,18 @@ use super::glb::Glb;
 use super::{Detail, Scene, mesh_node, triple};
 use crate::artifact::Plan;
 use crate::error::{Error, Result, Stage};
+use crate::geometry::{Point, Vector};
 use crate::write::draw::colour;
 use crate::write::preview::values::{self, Values};
 
 /// So many ball radii of the straight way along the tool axis are drawn.
 const SHOWN_RADII: f64 = 2.0;
+/// Width of the ribbon as part of the way between turns, and its least and greatest as part of the
+/// ball's radius.
+const WIDTH: f64 = 0.5;
+const WIDTHS: [f64; 2] = [0.01, 0.2];
+/// The variant that shows what the others leave unseen.
+const ALL_LAYERS: &str = "path by turn, and all layers";
 /// Pixels of the texture: the first for places without a value.
 const PIXELS: u32 = 256;
 
@@ -37,7 +47,26 @@ pub(super) fn strips(plan: &Plan, most: usize) -> Vec<Vec<usize>> {
     all.filter(|rows| rows.len() >= 2).collect()
 }
 
-/// One line strip a turn, switchable by variants; `None` without locations.
+/// Half the ribbon's width, mm.
+fn half_width(plan: &Plan) -> f64 {
+    let heights = plan.toolpath.locations.iter().map(|l| l.centre.x);
+    let [lo, hi] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)]);
+    let apart = (hi - lo) / plan.toolpath.turns.len().max(1) as f64;
+    let [least, greatest] = WIDTHS.map(|w| w * plan.toolpath.radius_mm);
+    0.5 * (WIDTH * apart).max(least).min(greatest)
+}
+
+/// The edges of the ribbon at a location: to both sides of the path, along the surface.
+fn edges(plan: &Plan, row: usize, half_mm: f64) -> [Point; 2] {
+    let all = &plan.toolpath.locations;
+    let (l, last) = (&all[row], all.len() - 1);
+    let along = all[(row + 1).min(last)].centre - all[row.saturating_sub(1)].centre;
+    let across = along.cross(&l.normal).try_normalize(1e-12).unwrap_or_else(Vector::x) * half_mm;
+    [l.centre - across, l.centre + across]
+}
+
+/// One ribbon a turn, switchable by variants; `None` without locations. All but blade, path, leads
+/// and tool is unseen but in the last variant.
 pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene, detail: &Detail) -> Result<Option<Index<Node>>> {
     let strips = strips(plan, detail.path_points);
     if strips.is_empty() {
@@ -45,20 +74,27 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene, detail: &Detail) -
     }
     let quantities = values::all(plan, scene.machine, scene.checks);
     let materials = materials(glb, &quantities)?;
+    let (first, half_mm) = (materials[0].1, half_width(plan));
     let mut primitives = Vec::new();
     for rows in &strips {
-        let mut points = Vec::with_capacity(rows.len());
+        let mut points = Vec::with_capacity(2 * rows.len());
         for &i in rows {
-            points.push(triple(&(scene.blade.model_from_blade * plan.toolpath.locations[i].centre).coords)?);
+            for edge in edges(plan, i, half_mm) {
+                points.push(triple(&(scene.blade.model_from_blade * edge).coords)?);
+            }
         }
         let mut attributes = vec![(Semantic::Positions, glb.positions(&points))];
         for (set, pair) in (0u32..).zip(quantities.chunks(2)) {
             let at = |k: usize, i: usize| pair.get(k).map_or(0.5, |v| pixel(v.share(i)));
-            let rows: Vec<[f32; 2]> = rows.iter().map(|&i| [at(0, i), at(1, i)]).collect();
+            let rows: Vec<[f32; 2]> = rows.iter().flat_map(|&i| [[at(0, i), at(1, i)]; 2]).collect();
             attributes.push((Semantic::TexCoords(set), glb.coordinates(&rows)));
         }
-        let strip = Glb::primitive(attributes, None, materials[0], Mode::LineStrip);
-        primitives.push(Glb::by_variant(strip, &materials));
+        let pieces = (0..u32::try_from(rows.len()).unwrap_or(0)).skip(1).map(|k| 2 * (k - 1));
+        let indices: Vec<u32> = pieces.flat_map(|a| [a, a + 1, a + 2, a + 2, a + 1, a + 3]).collect();
+        let indices = glb.indices(&indices);
+        let mut ribbon = Glb::primitive(attributes, Some(indices), first, Mode::Triangles);
+        Glb::by_variant(&mut ribbon, first, &materials);
+        primitives.push(ribbon);
     }
     let scales: Vec<_> = quantities
         .iter()
@@ -68,7 +104,7 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene, detail: &Detail) -
         .collect();
     let shown: usize = strips.iter().map(Vec::len).sum();
     let note = json!({
-        "what": "ball centres, one strip a turn; grey: not measured", "turns": plan.toolpath.turns.len(),
+        "what": "ball centres, one ribbon a turn; grey: not measured", "width_mm": 2.0 * half_mm, "turns": plan.toolpath.turns.len(),
         "locations": plan.toolpath.locations.len(), "points_shown": shown, "scales": scales,
     });
     Ok(Some(mesh_node(glb, "path", primitives, note)))
@@ -78,12 +114,15 @@ fn variant(v: &Values) -> String {
     format!("path by {}", v.name)
 }
 
-/// A material for each quantity, and its variant.
-fn materials(glb: &mut Glb, quantities: &[Values]) -> Result<Vec<Index<Material>>> {
+/// A material for each quantity, and its variant; the last variant has the first material.
+fn materials(glb: &mut Glb, quantities: &[Values]) -> Result<Vec<(u32, Index<Material>)>> {
     let textures = [glb.texture("scale, along", &scale(false)?), glb.texture("scale, across", &scale(true)?)];
-    let names: Vec<String> = quantities.iter().map(variant).collect();
+    let names: Vec<String> = quantities.iter().map(variant).chain([ALL_LAYERS.to_owned()]).collect();
     glb.variants(&names);
-    Ok((0..).zip(&names).map(|(k, name)| glb.textured(name, textures[k % 2], (k / 2) as u32)).collect())
+    let of = |(k, name): (usize, &String)| glb.textured(name, textures[k % 2], (k / 2) as u32);
+    let mut materials: Vec<_> = names[..quantities.len()].iter().enumerate().map(of).collect();
+    materials.extend(materials.first().copied());
+    Ok((0..).zip(materials).collect())
 }
 
 /// Middle of the pixel that shows a share.

@@ -62,13 +62,25 @@ fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
     let path = doc.meshes().find(|m| m.name() == Some("path")).unwrap();
     assert_eq!(path.primitives().count(), 3);
     for (t, p) in path.primitives().enumerate() {
-        assert_eq!(p.mode(), ::gltf::mesh::Mode::LineStrip);
+        assert_eq!(p.mode(), ::gltf::mesh::Mode::Triangles);
         let points: Vec<_> = p.reader(|_| Some(&blob)).read_positions().unwrap().map(point).collect();
-        assert_eq!(points.len(), 61);
-        for (i, at) in points.iter().enumerate() {
-            let want = sample::blade().model_from_blade * plan.toolpath.locations[60 * t + i].centre;
-            assert!((at - want).norm() < 1e-4);
+        assert_eq!(points.len(), 122);
+        for (i, edges) in points.chunks(2).enumerate() {
+            let l = &plan.toolpath.locations[60 * t + i];
+            let want = sample::blade().model_from_blade * l.centre;
+            assert!((nalgebra::center(&edges[0], &edges[1]) - want).norm() < 1e-4);
+            // Along the surface, and as wide everywhere.
+            let across = edges[1] - edges[0];
+            let up = sample::blade().model_from_blade * l.normal;
+            assert!((across.norm() / (points[1] - points[0]).norm() - 1.0).abs() < 1e-3);
+            assert!(across.normalize().dot(&up).abs() < 1e-3);
         }
+        // Two triangles between neighbours.
+        let corners: Vec<_> = p.reader(|_| Some(&blob)).read_indices().unwrap().into_u32().collect();
+        assert!(
+            corners.len() == 360
+                && corners.chunks(6).enumerate().all(|(k, c)| c[0] == 2 * k as u32 && c[5] == c[0] + 3)
+        );
     }
 }
 
@@ -122,11 +134,21 @@ fn every_variant_reads_its_own_values() {
     }
     let (doc, blob) = read(&scene(Some(&plan), &GltfOptions::default()).unwrap());
     let variants: Vec<_> = doc.variants().unwrap().map(|v| v.name().to_string()).collect();
-    assert_eq!(variants.len(), 5);
+    assert_eq!(variants.len(), 6);
     let path = doc.meshes().find(|m| m.name() == Some("path")).unwrap();
     let strip = path.primitives().nth(1).unwrap();
     let mappings: Vec<_> = strip.mappings().collect();
-    assert_eq!(mappings.len(), 5);
+    assert_eq!(mappings.len(), 6);
+    assert_eq!(mappings[5].material().index(), mappings[0].material().index());
+    for mesh in doc.meshes() {
+        let layer = UNSEEN.contains(&mesh.name().unwrap());
+        for p in mesh.primitives() {
+            let alpha = |m: ::gltf::Material| m.pbr_metallic_roughness().base_color_factor()[3];
+            assert_eq!(alpha(p.material()) == 0.0, layer, "{:?}", mesh.name());
+            let all: Vec<_> = p.mappings().map(|m| (m.variants().to_vec(), alpha(m.material()) > 0.0)).collect();
+            assert!(!layer || all == [(vec![5], true)], "{:?} {all:?}", mesh.name());
+        }
+    }
     // What variant k shows at vertex i: the pixel of its texture.
     let shown = |k: usize, i: usize| {
         let material = mappings[k].material();
@@ -135,7 +157,9 @@ fn every_variant_reads_its_own_values() {
         let uv: Vec<[f32; 2]> =
             strip.reader(|_| Some(&blob)).read_tex_coords(info.tex_coord()).unwrap().into_f32().collect();
         let along = if info.texture().name() == Some("scale, along") { 0 } else { 1 };
-        (uv[i][along] * 256.0 - 0.5).round()
+        // Both edges of the ribbon have the colour.
+        assert_eq!(uv[2 * i], uv[2 * i + 1]);
+        (uv[2 * i][along] * 256.0 - 0.5).round()
     };
     // Turn 1 of 0..2 is half way; nothing measured is pixel 0; feed grows along the path.
     assert_eq!(shown(0, 10), 128.0);
