@@ -9,7 +9,13 @@ const browser = await launch();
 const ready = async (folder, width, height) => {
   const { page } = await open(browser, pathToFileURL(resolve(folder, 'report.html')).href, { viewport: { width, height } });
   await page.waitForSelector('html[data-drawn]', { timeout: 60000 });
-  await page.evaluate(() => { const e = document.getElementById('along'); e.value = 0.55; e.dispatchEvent(new Event('input')); });
+  // Seen from where the tool is in sight then.
+  await page.evaluate(() => {
+    const e = document.getElementById('along');
+    e.value = 0.55;
+    e.dispatchEvent(new Event('input'));
+    globalThis.bladewright.view.look('side');
+  });
   await page.waitForTimeout(3000);
   return page;
 };

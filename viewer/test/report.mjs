@@ -259,7 +259,14 @@ async function picture(browser, folder, url, [width, height], suffix) {
     const name = basename(folder);
     await page.screenshot({ path: join(shots, `${name}-${suffix}.png`) });
     await page.screenshot({ path: join(shots, `${name}-${suffix}-full.png`), fullPage: true });
-    if (suffix === '1440') await page.pdf({ path: join(shots, `${name}-print.pdf`), format: 'A4' });
+    if (suffix === '1440') {
+      await page.pdf({ path: join(shots, `${name}-print.pdf`), format: 'A4' });
+      // The same as one long picture, as wide as the paper less its margins.
+      await page.setViewportSize({ width: 688, height: 1017 });
+      await page.emulateMedia({ media: 'print' });
+      await page.waitForTimeout(1000);
+      await page.screenshot({ path: join(shots, `${name}-print.png`), fullPage: true });
+    }
   }
   assert.deepEqual(bad, []);
   await page.close();

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Plans every example, tries its report.html and preview.glb in headless Chromium and with Khronos' validator, and checks that
-# the committed bundle is what its sources make. Needs Node 20 and chromium. PICTURES=1: makes the pictures of docs/ anew.
+# the committed bundle is what its sources make. Needs Node 20 and chromium. Pictures of each report, on a screen of 1440 x 900, on a phone
+# and printed, are in out/look/shots. PICTURES=1: makes the pictures of docs/ anew.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 (cd viewer && npm ci --no-audit --no-fund --loglevel=error && npm run --silent check)
@@ -13,7 +14,7 @@ for job in examples/jobs/*.toml; do
     runs+=("out/look/$name")
 done
 node viewer/test/gltf.mjs "${runs[@]/%//preview.glb}"
-node viewer/test/report.mjs "${runs[@]}"
+SHOTS="${SHOTS:-out/look/shots}" node viewer/test/report.mjs "${runs[@]}"
 if [ -n "${PICTURES:-}" ]; then
     node viewer/test/pictures.mjs docs "${runs[@]}"
 fi
