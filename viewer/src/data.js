@@ -43,14 +43,14 @@ function read(bytes) {
     const order = bytes[at++];
     // Powers of ten are whole numbers, so that what comes out is the decimal number nearest to it.
     const scale = 10 ** Math.abs(digits);
-    let [last, before] = [0, 0];
+    // The last three, the latest first.
+    let [a, b, c] = [0, 0, 0];
     for (let i = 0; i < out.length; i++) {
       const code = next();
       if (!code) { out[i] = NaN; continue; }
       const off = code % 2 ? (code - 1) / 2 : -code / 2;
-      const step = off + (order === 0 ? 0 : order === 1 ? last : 2 * last - before);
-      before = last;
-      last = step;
+      const step = off + [0, a, 2 * a - b, 3 * (a - b) + c][order];
+      [a, b, c] = [step, a, b];
       out[i] = digits < 0 ? step * scale : step / scale;
     }
     all.push(out);

@@ -93,7 +93,9 @@ function controls() {
   };
   if (P) { $('colouring').addEventListener('change', colouring); colouring(); }
   $('motion').addEventListener('change', () => {
-    if ($('motion').value === 'machine') { const box = $('layer-machine'); if (box && !box.checked) box.click(); }
+    // The machine's parts come with its motion, and go with it.
+    const box = $('layer-machine');
+    if (box && box.checked !== ($('motion').value === 'machine')) box.click();
     view?.setMode($('motion').value);
     $('look').value = view?.from;
   });

@@ -257,16 +257,19 @@ export class View {
     const way = this.wayTo(from).normalize();
     const right = new Vector3(0, 1, 0).cross(way).normalize();
     const up = way.clone().cross(right);
-    const [down, across] = [Math.tan((Math.PI / 360) * this.camera.fov) * 0.92, Math.tan((Math.PI / 360) * this.camera.fov) * this.camera.aspect * 0.92];
+    const half = Math.tan((Math.PI / 360) * this.camera.fov);
+    // The program's line lies over the upper edge of the picture.
+    const [down, top, across] = [half * 0.92, half * (1 - Math.min(0.35, 160 / (this.height || 500))), half * this.camera.aspect * 0.92];
     // A point is seen where it is no farther to a side than the pyramid of sight is wide at its depth: the steepest decide about both the
     // place beside which the camera stands and its distance.
     const most = [-Infinity, -Infinity, -Infinity, -Infinity];
     for (const p of this.wanted()) {
       const [u, v, w] = [p.dot(right), p.dot(up), p.dot(way)];
-      [u + w * across, -u + w * across, v + w * down, -v + w * down].forEach((m, k) => { if (m > most[k]) most[k] = m; });
+      [u + w * across, -u + w * across, v + w * top, -v + w * down].forEach((m, k) => { if (m > most[k]) most[k] = m; });
     }
-    const target = right.multiplyScalar((most[0] - most[1]) / 2).addScaledVector(up, (most[2] - most[3]) / 2);
-    const far = this.far = Math.max((most[0] + most[1]) / (2 * across), (most[2] + most[3]) / (2 * down), 1e-3);
+    const far = this.far = Math.max((most[0] + most[1]) / (2 * across), (most[2] + most[3]) / (top + down), 1e-3);
+    const level = (most[2] - most[3] + far * (down - top)) / 2;
+    const target = right.multiplyScalar((most[0] - most[1]) / 2).addScaledVector(up, level);
     this.camera.position.copy(target).addScaledVector(way, far);
     this.camera.near = far / 100;
     this.camera.far = far * 20;

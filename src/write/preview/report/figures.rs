@@ -89,6 +89,19 @@ fn plan_cards(input: &ReportInput, cards: &mut String) {
         &format!("{} s", f("/machining_time_s")),
         &joined(&[minutes(time), change, assumed(input)]),
     );
+    if count(input, "/programs") > 0 {
+        let part = |name: &str, key: &str| format!("{name} {}", f(&format!("/programs/0/cycle/{key}")));
+        let parts = [
+            ("approach", "approach_s"),
+            ("lead-in", "lead_in_s"),
+            ("cutting", "cutting_s"),
+            ("lead-out", "lead_out_s"),
+            ("retract", "retract_s"),
+            ("unwinding", "unwinding_s"),
+        ];
+        let note = format!("{}: {}", text(input, "/programs/0/file"), parts.map(|(n, k)| part(n, k)).join(", "));
+        card(cards, "Cycle time", &format!("{} s", f("/programs/0/cycle/total_s")), &note);
+    }
     let note = format!("{} turns, {} locations", f("/turns"), f("/cutter_locations"));
     card(cards, "Path", &format!("{} mm", f("/path_length_mm")), &note);
     if value(input, "/stock_mm") > 0.0 {

@@ -20,7 +20,7 @@
 //! The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
 //!
 //! **Numbers are rounded and the data is deflated**: lengths to 0.001 mm, angles to 0.001°
-//! (0.00001 rad in the 3-D view), times to 0.0001 s, and what plots scale to their own height to a
+//! (0.00001 rad in the 3-D view, 0.0001 rad the channel's limits there), times to 0.0001 s, and what plots scale to their own height to a
 //! 4000th of the greatest value shown; what is drawn is off by at most half of that (`pack.rs`).
 //! The scene is rounded as [`GltfOptions::rounded`](super::GltfOptions::rounded) says. Lines of the
 //! program are those of its file, byte for byte (`program.rs`). The page of a path of 47 000

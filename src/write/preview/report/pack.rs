@@ -2,9 +2,9 @@
 //!
 //! A number is kept as a whole number of steps, a step being a power of ten that the list is told:
 //! it comes back **within half a step**. Most lists are smooth, so what is written is how far each
-//! number lies from where those before it point: from 0, from the last, or from the line through
-//! the last two, whichever of the three leaves the least for the whole list. These are small, and
-//! take a byte or two each even before the block is deflated.
+//! number lies from where those before it point: from 0, from the last, from the line through the
+//! last two or from the parabola through the last three, whichever leaves the least for the whole
+//! list. These are small, and take a byte or two each even before the block is deflated.
 //!
 //! A list in the block: how many numbers, digits after the point (+ 32) and kind of forecast, then
 //! the numbers. Whole numbers are written seven bits at a time, the lowest first, the eighth bit
@@ -20,9 +20,9 @@ use std::io::Write;
 
 use crate::error::{Error, Result, Stage};
 
-/// The greatest number of steps: a script's numbers are whole up to 2⁵³, and so are differences of
-/// three of these.
-const MOST_STEPS: f64 = (1u64 << 50) as f64;
+/// The greatest number of steps: a script's numbers are whole up to 2⁵³, and so is twice what a
+/// number of this size may lie off a parabola through others.
+const MOST_STEPS: f64 = (1u64 << 48) as f64;
 /// Steps that the greatest number of a list [`Pack::scaled`] has at least.
 const SCALED_STEPS: f64 = 4_000.0;
 /// Digits after the point that a list may have: −`DIGITS` to `DIGITS`.
@@ -37,7 +37,7 @@ pub(super) struct Pack {
 
 impl Pack {
     /// Adds a list with `digits` after the point; in the page's JSON it is its number in the block.
-    /// Missing values, and those of more than 2⁵⁰ steps, are not a number.
+    /// Missing values, and those of more than 2⁴⁸ steps, are not a number.
     pub(super) fn list(&mut self, digits: i32, values: impl IntoIterator<Item = f64>) -> Value {
         let digits = digits.clamp(-DIGITS, DIGITS);
         let scale = 10f64.powi(digits);
@@ -45,8 +45,9 @@ impl Pack {
             .into_iter()
             .map(|v| Some((v * scale).round()).filter(|k| k.abs() <= MOST_STEPS).map(|k| k as i64))
             .collect();
-        let size = |order: &u8| offs(&steps, *order).map(|off| written(off).len()).sum::<usize>();
-        let order = [0, 1, 2].into_iter().min_by_key(size).unwrap_or(0);
+        let bits = |off: Option<i64>| off.map_or(0, |off| u64::BITS - off.unsigned_abs().leading_zeros());
+        let size = |order: &u8| offs(&steps, *order).map(|off| u64::from(bits(off))).sum::<u64>();
+        let order = (0..=3).min_by_key(size).unwrap_or(0);
         self.bytes.extend(varint(steps.len() as u64));
         self.bytes.extend([u8::try_from(digits + 32).unwrap_or(32), order]);
         self.bytes.extend(offs(&steps, order).flat_map(written));
@@ -74,20 +75,26 @@ impl Pack {
 
 /// What each number lies off the forecast from those before it; missing ones are passed over.
 fn offs(steps: &[Option<i64>], order: u8) -> impl Iterator<Item = Option<i64>> {
-    let (mut last, mut before) = (0, 0);
+    let mut before = [0; 3];
     steps.iter().map(move |step| {
         let step = (*step)?;
-        let forecast = match order {
-            0 => 0,
-            1 => last,
-            _ => 2 * last - before,
-        };
-        (before, last) = (last, step);
-        Some(step - forecast)
+        let off = step - forecast(order, before);
+        before = [step, before[0], before[1]];
+        Some(off)
     })
 }
 
-fn written(off: Option<i64>) -> impl ExactSizeIterator<Item = u8> {
+/// The next number by those before it, the last first.
+fn forecast(order: u8, [a, b, c]: [i64; 3]) -> i64 {
+    match order {
+        0 => 0,
+        1 => a,
+        2 => 2 * a - b,
+        _ => 3 * (a - b) + c,
+    }
+}
+
+fn written(off: Option<i64>) -> impl Iterator<Item = u8> {
     varint(off.map_or(0, |off| 1 + (((off << 1) ^ (off >> 63)) as u64)))
 }
 
@@ -134,12 +141,12 @@ pub(super) fn unpacked(text: &str) -> Vec<Vec<f64>> {
         let count = next(&mut at);
         let (digits, order) = (i32::from(bytes[at]) - 32, bytes[at + 1]);
         at += 2;
-        let (mut last, mut before) = (0i64, 0i64);
+        let mut before = [0; 3];
         let mut one = || {
             let code = next(&mut at).checked_sub(1)?;
             let off = (code >> 1) as i64 ^ -((code & 1) as i64);
-            let step = off + [0, last, 2 * last - before][usize::from(order)];
-            (before, last) = (last, step);
+            let step = off + forecast(order, before);
+            before = [step, before[0], before[1]];
             Some(step as f64 / 10f64.powi(digits))
         };
         lists.push((0..count).map(|_| one().unwrap_or(f64::NAN)).collect());
@@ -169,7 +176,7 @@ mod tests {
         let mut noise = 1u64;
         let mut rough = || {
             noise = noise.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (noise >> 40) as f64 / 100.0 - 8e4
+            (noise >> 40) as f64 / 101.37 - 8e4
         };
         let rough: Vec<f64> = (0..3000).map(|_| rough()).collect();
         let mut pack = Pack::default();

@@ -11,15 +11,14 @@ use std::hash::Hash;
 
 use serde_json::{Value, json};
 
+use super::data::TIME;
 use super::pack::Pack;
 use crate::artifact::Program;
 use crate::error::{Error, Result, Stage};
 
 /// Most lines that the page carries; of longer programs every so many.
 const LINES: usize = 120_000;
-/// Digits after the point of times, s.
-const TIME: i32 = 5;
-/// Most digits of a number: as whole numbers of the script are exact up to 2⁵⁰, longer ones are
+/// Most digits of a number: as whole numbers of the script are exact up to 2⁴⁸, longer ones are
 /// kept as letters.
 const MOST_DIGITS: usize = 14;
 
@@ -213,7 +212,7 @@ mod tests {
         assert_eq!(back.len(), all.len());
         for (k, (line, at, text)) in back.iter().enumerate() {
             assert_eq!((*line, text), (k + 1, &all[k]));
-            assert!((at - until(k)).abs() <= 0.5e-5 * 1.000_001, "{at}");
+            assert!((at - until(k)).abs() <= 0.5e-4 * 1.000_001, "{at}");
         }
         let size: usize = all.iter().map(String::len).sum();
         assert!(made.len() < size / 4, "{} of {size} bytes", made.len());

@@ -14,6 +14,8 @@ use crate::write::preview::values;
 const GLTF_BYTES: usize = 3_000_000;
 /// Digits after the point of angles in radians, and of the parts of unit vectors.
 const RADIANS: i32 = 5;
+/// The same of the channel's limits, which are read and not drawn.
+const LIMITS: i32 = 4;
 /// Most points of the path.
 const PATH: usize = 40_000;
 
@@ -87,8 +89,8 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         "turn_s": of(DIGITS, &|i| locations[i].turn_s_mm),
         "t": of(TIME, &|i| plan.motion.t_s.get(i).copied().unwrap_or(f64::NAN)),
         "theta": of(RADIANS, &|i| plan.schedule.theta[i]),
-        "min": of(RADIANS, &|i| plan.channel.rows[i].theta_min),
-        "max": of(RADIANS, &|i| plan.channel.rows[i].theta_max),
+        "min": of(LIMITS, &|i| plan.channel.rows[i].theta_min),
+        "max": of(LIMITS, &|i| plan.channel.rows[i].theta_max),
         "row": of(0, &|i| i as f64),
         "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
         "quantities": quantities,
