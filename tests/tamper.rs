@@ -135,6 +135,8 @@ fn a_run_that_nobody_touched_is_good() {
     shop.copy("1");
     let (code, said) = shop.judged("1");
     assert_eq!(code, Some(0), "{said}");
+    let run = bladewright::run::again::read(&shop.dir.path().join("1"), &bladewright::observe::Silent).expect("a run");
+    assert!(run.recall(&bladewright::observe::Silent).expect("checked").recalled);
     for check in ["job", "job-region", "plan-channel", "channel-clear", "files", "inputs", "table-axes"] {
         assert!(said.lines().any(|l| l.starts_with(&format!("ok   {check} "))), "{check}: {said}");
     }
@@ -286,6 +288,13 @@ fn tables_and_files_that_were_changed_are_found() {
     );
     let out = bladewright(&["post", "cells", "--control", "fanuc"], shop.dir.path());
     assert!(out.status.code() == Some(1) && !run.join("program.nc").exists(), "{}", text(&out));
+
+    // A seal of another report is none.
+    let run = shop.copy("sealed");
+    change(&run.join("verify.json"), |text| text.replacen("\"worst\": 0.0", "\"worst\": 0.000001", 1));
+    forge(&run);
+    let read = bladewright::run::again::read(&run, &bladewright::observe::Silent).expect("a run");
+    assert!(!read.recall(&bladewright::observe::Silent).expect("checked").recalled);
 
     let run = shop.copy("tables");
     change(&run.join("cutter_locations.csv"), |text| text.replacen("cx,cy,cz", "cy,cx,cz", 1));
