@@ -14,13 +14,13 @@ use std::path::Path;
 
 use super::inputs::{self, Loaded};
 use super::manifest::{self, Input, Manifest};
-use super::{reuse, settle, tables};
+use super::{RunFolder, programs_again, reuse, settle, tables};
 use crate::artifact::report::Check;
-use crate::artifact::{CheckId, Plan};
+use crate::artifact::{CheckId, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::observe::Observer;
-use crate::plan::Setup;
+use crate::plan::{self, Setup};
 use crate::verify::{self, Verdict};
 
 /// A finished run, its plan not checked yet.
@@ -61,6 +61,23 @@ impl Finished {
         let verdict = loaded.setup.verdict(plan, observer)?;
         let wrote_programs = wrote_programs || (!stopped && matches!(verdict, Verdict::Passed(_)));
         Ok(Checked { loaded, verdict, files, wrote_programs })
+    }
+}
+
+impl Checked {
+    /// All that the checks found: on the plan, on the files of the folder, and on its programs,
+    /// read back.
+    ///
+    /// # Errors
+    /// Those of [`programs_again`].
+    pub fn report(self, folder: &RunFolder) -> Result<CheckReport> {
+        let Checked { loaded, verdict, files, wrote_programs } = self;
+        let mut report = verdict.report().clone();
+        report.checks.extend(files);
+        if let Some(verified) = plan::accept(verdict, true) {
+            report.checks.extend(programs_again(&loaded.setup, &verified, folder, wrote_programs)?);
+        }
+        Ok(report)
     }
 }
 
