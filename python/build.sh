@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the wheel into the folder OUT (target/wheels), with the licences of all that is in it. What was compiled for the command is taken over.
+# Builds the wheel into the folder OUT (target/wheels), with the licences of all that is in it. What
+# was compiled for the command is taken over.
 #   python/build.sh [OUT] [OPTIONS OF maturin build]
 # Needs Rust, and Python 3.11 (PYTHON=…) with `pip install maturin`.
 set -euo pipefail

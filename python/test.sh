@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The wheel, installed in a fresh virtual environment, beside the command line tool: types, tests, the commands of its README.
+# The wheel, installed in a fresh virtual environment, beside the command line tool: types, tests,
+# the examples of its README.
 #   cargo build --release && python/test.sh target/release/bladewright
 # Needs Rust and Python 3.11 (PYTHON=…); the rest is installed in the new environment.
 set -euo pipefail

@@ -41,7 +41,9 @@ PERMISSIVE = {
 BUNDLED = {"three", "uplot"}
 TOOLS = {"esbuild", "gltf-validator", "playwright-core"}
 
-LICENCE_FILE = re.compile(r"(LICEN[CS]E|COPYING|NOTICE|UNLICENSE|COPYRIGHT)([-_.][\w.-]*)?", re.I)
+LICENCE_FILE = re.compile(
+    r"(LICEN[CS]E|COPYING|NOTICE|UNLICENSE|COPYRIGHT)([-_.][\w.-]*)?", re.IGNORECASE
+)
 NO_TEXT = {".rs", ".py", ".js", ".json", ".toml", ".yml", ".yaml"}
 
 MIT = """Permission is hereby granted, free of charge, to any person obtaining a copy of this software

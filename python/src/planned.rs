@@ -17,6 +17,9 @@ use pyo3::types::{PyBytes, PyDict};
 use super::call;
 use super::error::raised;
 
+/// One of the tables of a motion.
+type Column = fn(&AxisMotion) -> &AxisRows;
+
 /// A plan that was made.
 #[pyclass(frozen)]
 pub struct Planned {
@@ -86,7 +89,7 @@ impl Planned {
         out.set_item("units", axes.iter().map(Axis::unit).collect::<Vec<_>>())?;
         out.set_item("first_location", before.motion.t_s.len())?;
         out.set_item("time_s", numbers(py, parts.iter().flat_map(|m| m.t_s.iter().copied())))?;
-        let columns: [(&str, fn(&AxisMotion) -> &AxisRows); 4] = [
+        let columns: [(&str, Column); 4] = [
             ("position", |m| &m.position),
             ("velocity", |m| &m.velocity),
             ("acceleration", |m| &m.acceleration),
