@@ -15,11 +15,12 @@ PYTHON="$dir/build/bin/python" "$here/build.sh" "$dir/wheels"
 "${PYTHON:-python3}" -m venv "$dir/fresh"
 "$dir/fresh/bin/pip" install --quiet "$(echo "$dir"/wheels/*.whl)[test]"
 # Away from the sources, so that what is installed is what is imported.
-cp -r "$here/tests" "$dir/tests"
+mkdir "$dir/python"
+cp -r "$here/tests" "$dir/python/tests"
 ln -s "$here/../models" "$dir/models"
 cd "$dir"
 "$dir/fresh/bin/mypy" --strict -p bladewright
-"$dir/fresh/bin/python" -m pytest -q -p no:cacheprovider tests
+"$dir/fresh/bin/python" -m pytest -q -p no:cacheprovider python/tests
 # The examples of README, as printed.
 sed -n '/^```python$/,/^```$/p' "$here/README.md" | grep -v '^```' >readme.py
 "$dir/fresh/bin/python" readme.py

@@ -263,10 +263,12 @@ def test_other_threads_run_meanwhile() -> None:
     thread = threading.Thread(target=counting)
     thread.start()
     begun = time.monotonic()
-    bladewright.plan(PRISM, SHORT)
-    took = time.monotonic() - begun
-    over.set()
-    thread.join()
+    try:
+        bladewright.plan(PRISM, SHORT)
+    finally:
+        took = time.monotonic() - begun
+        over.set()
+        thread.join()
     assert count > took / 0.01 * 0.1
 
 
