@@ -23,18 +23,14 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| run.check(&terminal));
     terminal.finish();
-    let Checked { loaded, verdict, files, wrote_programs, .. } = checked?;
+    let checked = checked?;
     if let Some((file, tolerance)) = map {
-        let path = &verdict.value().toolpath;
-        let map = verify::deviation(&loaded.setup.blade, path, tolerance)?;
-        write_map(file, &map, &loaded.setup.blade, path.scallop_mm)?;
+        let (blade, path) = (&checked.loaded.setup.blade, &checked.verdict.value().toolpath);
+        let map = verify::deviation(blade, path, tolerance)?;
+        write_map(file, &map, blade, path.scallop_mm)?;
     }
-    let mut report = verdict.report().clone();
-    report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
-    if let Some(verified) = plan::accept(verdict, true) {
-        report.checks.extend(run::programs_again(&loaded.setup, &verified, &folder, wrote_programs)?);
-    }
+    let report = checked.report(&folder)?;
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
         sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.id, amount(c.worst), c.unit, limit(c.limit), c.unit);

@@ -14,14 +14,14 @@ use std::path::Path;
 
 use super::inputs::{self, Loaded};
 use super::manifest::{self, Input, Manifest};
-use super::{reuse, settle, tables};
+use super::{RunFolder, programs_again, reuse, settle, tables};
 use crate::artifact::report::Check;
 use crate::artifact::{CheckId, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::Job;
 use crate::observe::Observer;
-use crate::plan::Setup;
+use crate::plan::{self, Setup};
 use crate::verify::seal::{self, Subject};
 use crate::verify::{self, Verdict};
 
@@ -114,6 +114,23 @@ impl Finished {
             }
             Err(plan) => Finished { plan, ..self }.check(observer),
         }
+    }
+}
+
+impl Checked {
+    /// All that the checks found: on the plan, on the files of the folder, and on its programs,
+    /// read back.
+    ///
+    /// # Errors
+    /// Those of [`programs_again`].
+    pub fn report(self, folder: &RunFolder) -> Result<CheckReport> {
+        let Checked { loaded, verdict, files, wrote_programs, .. } = self;
+        let mut report = verdict.report().clone();
+        report.checks.extend(files);
+        if let Some(verified) = plan::accept(verdict, true) {
+            report.checks.extend(programs_again(&loaded.setup, &verified, folder, wrote_programs)?);
+        }
+        Ok(report)
     }
 }
 
