@@ -93,6 +93,20 @@ pictures:
 viewer:
     cd viewer && npm ci && npm run build
 
+# The Python package as a wheel, in a fresh environment, beside the command: Python 3.11
+python:
+    cargo build --release
+    bash python/test.sh target/release/bladewright
+
+# The archive of a release for this system, unpacked and tried: Python 3.11
+archive:
+    "${PYTHON:-python3}" release/archive.py
+
+# The licences of all that is in the programs; fails where one is not permissive: Python 3.11
+notices:
+    "${PYTHON:-python3}" release/notices.py
+    "${PYTHON:-python3}" -m unittest discover release
+
 # The example program
 plan:
     cargo run --release -- plan models/steam_root.step -o out/steam_root

@@ -121,6 +121,7 @@ sessions! {
     readme_runs_as_printed: "README.md", then gains_what_the_readme_says;
     checking_runs_as_printed: "docs/checking.md";
     families_run_as_printed: "docs/families.md";
+    installing_runs_as_printed: "docs/install.md";
     machines_run_as_printed: "docs/machines.md";
     models_run_as_printed: "docs/models.md";
     planning_runs_as_printed: "docs/planning.md";

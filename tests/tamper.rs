@@ -5,6 +5,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use bladewright::artifact::channel::{Binding, ChannelRow};
+use bladewright::artifact::{AxisMotion, AxisRows, Plan};
 use serde_json::{Value, json};
 
 fn bladewright(args: &[&str], dir: &Path) -> Output {
@@ -75,11 +77,11 @@ fn change(file: &Path, by: impl FnOnce(String) -> String) {
     std::fs::write(file, after).expect("writable");
 }
 
-fn change_plan(run: &Path, by: impl FnOnce(&mut Value)) {
+fn change_plan(run: &Path, by: impl FnOnce(&mut Plan)) {
     change(&run.join("plan.json"), |text| {
-        let mut plan: Value = serde_json::from_str(&text).expect("JSON");
+        let mut plan: Plan = serde_json::from_str(&text).expect("a plan");
         by(&mut plan);
-        plan.to_string()
+        serde_json::to_string(&plan).expect("JSON")
     });
 }
 
@@ -123,8 +125,8 @@ fn forge(run: &Path) {
     });
 }
 
-fn each(list: &mut Value, by: impl Fn(&mut Value)) {
-    list.as_array_mut().expect("a list").iter_mut().for_each(by);
+fn scale(rows: &mut AxisRows, by: f64) {
+    rows.iter_mut().flatten().for_each(|v| *v *= by);
 }
 
 /// A run as it was left is good, also after every other verb has written into its folder; and what
@@ -135,6 +137,8 @@ fn a_run_that_nobody_touched_is_good() {
     shop.copy("1");
     let (code, said) = shop.judged("1");
     assert_eq!(code, Some(0), "{said}");
+    let run = bladewright::run::again::read(&shop.dir.path().join("1"), &bladewright::observe::Silent).expect("a run");
+    assert!(run.recall(&bladewright::observe::Silent).expect("checked").recalled);
     for check in ["job", "job-region", "plan-channel", "channel-clear", "files", "inputs", "table-axes"] {
         assert!(said.lines().any(|l| l.starts_with(&format!("ok   {check} "))), "{check}: {said}");
     }
@@ -181,15 +185,14 @@ fn a_plan_that_was_changed_is_found() {
     // Everything that the plan holds and the program does not show.
     let run = shop.copy("columns");
     change_plan(&run, |plan| {
-        each(&mut plan["channel"]["rows"], |row| {
-            for (key, by) in [("theta_min", -100.0), ("theta_max", 100.0), ("hull_min", -100.0), ("hull_max", 100.0)] {
-                row[key] = json!(row[key].as_f64().expect("a number") + by);
-            }
-        });
-        each(&mut plan["motion"]["acceleration"], |row| *row = json!([0.0, 0.0, 0.0, 0.0, 0.0]));
-        each(&mut plan["motion"]["jerk"], |row| *row = json!([0.0, 0.0, 0.0, 0.0, 0.0]));
-        each(&mut plan["motion"]["feed"], |v| *v = json!(20.0 * v.as_f64().expect("a number")));
-        plan["toolpath"]["turns"] = json!([]);
+        for r in &mut plan.channel.rows {
+            (r.theta_min, r.hull_min) = (r.theta_min - 100.0, r.hull_min - 100.0);
+            (r.theta_max, r.hull_max) = (r.theta_max + 100.0, r.hull_max + 100.0);
+        }
+        scale(&mut plan.motion.acceleration, 0.0);
+        scale(&mut plan.motion.jerk, 0.0);
+        plan.motion.feed.iter_mut().for_each(|v| *v *= 20.0);
+        plan.toolpath.turns.clear();
     });
     forge(&run);
     shop.finds(
@@ -203,28 +206,23 @@ fn a_plan_that_was_changed_is_found() {
         ],
     );
     let run = shop.copy("feed");
-    change_plan(&run, |plan| each(&mut plan["motion"]["feed"], |v| *v = json!(20.0 * v.as_f64().expect("a number"))));
+    change_plan(&run, |plan| plan.motion.feed.iter_mut().for_each(|v| *v *= 20.0));
     shop.finds("feed", &[("plan-motion", &["plan.json, location 0", "feed"]), ("files", &["plan.json has BLAKE3"])]);
 
     for (name, by) in [("jerk-none", 0.0), ("jerk-more", 1.5), ("jerk-against", -1.0)] {
         let run = shop.copy(name);
-        change_plan(&run, |plan| {
-            each(&mut plan["motion"]["jerk"], |row| each(row, |v| *v = json!(by * v.as_f64().expect("a number"))));
-        });
+        change_plan(&run, |plan| scale(&mut plan.motion.jerk, by));
         shop.finds(name, &[("plan-motion", &["plan.json: the root mean square", "jerk"])]);
     }
 
     let run = shop.copy("leads");
     change_plan(&run, |plan| {
-        each(&mut plan["leads"], |lead| {
-            for key in ["centres", "theta"] {
-                lead[key] = json!([]);
-            }
-            for key in ["t_s", "position", "velocity", "acceleration", "jerk", "feed"] {
-                lead["motion"][key] = json!([]);
-            }
-            (lead["radius_mm"], lead["angle_rad"]) = (json!(0.0), json!(0.0));
-        });
+        for lead in &mut plan.leads {
+            lead.centres.clear();
+            lead.theta.clear();
+            lead.motion = AxisMotion { time_s: lead.motion.time_s, ..AxisMotion::default() };
+            (lead.radius_mm, lead.angle_rad) = (0.0, 0.0);
+        }
     });
     forge(&run);
     shop.finds(
@@ -237,16 +235,16 @@ fn a_plan_that_was_changed_is_found() {
     let run = shop.copy("wall");
     let (mut row, mut theta_deg) = (0, 0.0);
     change_plan(&run, |plan| {
-        let rows = plan["channel"]["rows"].as_array_mut().expect("rows");
-        let by_part = |r: &Value| r["binds_max"]["by"] == "part";
+        let rows = &mut plan.channel.rows;
+        let by_part = |r: &ChannelRow| matches!(r.binds_max, Binding::Part { .. });
         let places: Vec<usize> = (0..rows.len()).filter(|k| by_part(&rows[*k])).collect();
         row = places.get(places.len() / 2).copied().unwrap_or(rows.len() / 2);
-        let max = rows[row]["theta_max"].as_f64().expect("a number") + 0.5;
-        (rows[row]["theta_max"], theta_deg) = (json!(max), max.to_degrees());
+        let max = rows[row].theta_max + 0.5;
+        (rows[row].theta_max, theta_deg) = (max, max.to_degrees());
         let mut least = f64::INFINITY;
         for r in rows.iter_mut().rev() {
-            least = least.min(r["theta_max"].as_f64().expect("a number"));
-            r["hull_max"] = json!(least);
+            least = least.min(r.theta_max);
+            r.hull_max = least;
         }
     });
     change_cell(&run.join("cutter_locations.csv"), row, "theta_max_deg", |_| theta_deg);
@@ -286,6 +284,13 @@ fn tables_and_files_that_were_changed_are_found() {
     );
     let out = bladewright(&["post", "cells", "--control", "fanuc"], shop.dir.path());
     assert!(out.status.code() == Some(1) && !run.join("program.nc").exists(), "{}", text(&out));
+
+    // A seal of another report is none.
+    let run = shop.copy("sealed");
+    change(&run.join("verify.json"), |text| text.replacen("\"worst\": 0.0", "\"worst\": 0.000001", 1));
+    forge(&run);
+    let read = bladewright::run::again::read(&run, &bladewright::observe::Silent).expect("a run");
+    assert!(!read.recall(&bladewright::observe::Silent).expect("checked").recalled);
 
     let run = shop.copy("tables");
     change(&run.join("cutter_locations.csv"), |text| text.replacen("cx,cy,cz", "cy,cx,cz", 1));

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Folders of a user's run that the documents speak of; they are no part of the sources.
 const OF_A_RUN: [&str; 4] = ["log", "members", "out", "work"];
 /// Folders whose comments keep to [`COMMENT_COLUMNS`].
-const NARROW: &[&str] = &["src", "tests", "benches", "examples", "fuzz"];
+const NARROW: &[&str] = &["src", "tests", "benches", "examples", "fuzz", "python"];
 /// Most columns of a line that is a comment.
 const COMMENT_COLUMNS: usize = 100;
 

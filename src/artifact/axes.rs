@@ -5,6 +5,8 @@ use std::ops::{Deref, DerefMut, Index, IndexMut, Range};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::packed;
+
 /// Most axes of a machine: the workpiece's rotary axis, and two heads of X, Y, Z and one rotary
 /// axis each.
 pub const MOST_AXES: usize = 9;
@@ -111,7 +113,7 @@ impl<'a, T: Copy + Default + Deserialize<'a>> Deserialize<'a> for Axes<T> {
     }
 }
 
-/// Rows of one value for each axis of a machine, all of the same length. In files a list of lists.
+/// Rows of one value for each axis of a machine, all of the same length.
 #[derive(Clone, Default, PartialEq)]
 pub struct AxisRows {
     /// Row by row.
@@ -236,33 +238,28 @@ impl std::fmt::Debug for AxisRows {
     }
 }
 
+/// In files: the number of columns, and the values row by row.
+#[derive(Serialize, Deserialize)]
+struct Packed {
+    axes: usize,
+    f64le: String,
+}
+
 impl Serialize for AxisRows {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        to.collect_seq(self.iter())
+        Packed { axes: self.axes, f64le: packed::text(&self.values) }.serialize(to)
     }
 }
 
 impl<'a> Deserialize<'a> for AxisRows {
     fn deserialize<D: Deserializer<'a>>(from: D) -> Result<Self, D::Error> {
-        struct Rows;
-        impl<'a> serde::de::Visitor<'a> for Rows {
-            type Value = AxisRows;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("rows of one number for each axis")
-            }
-            fn visit_seq<A: serde::de::SeqAccess<'a>>(self, mut rows: A) -> Result<AxisRows, A::Error> {
-                let mut out = AxisRows::default();
-                while let Some(row) = rows.next_element::<Axes>()? {
-                    if !out.is_empty() && row.len() != out.axes {
-                        let found = format!("row {} has {} columns, the others {}", out.len(), row.len(), out.axes);
-                        return Err(A::Error::custom(found));
-                    }
-                    out.push(&row);
-                }
-                Ok(out)
-            }
+        let Packed { axes, f64le } = Packed::deserialize(from)?;
+        let values = packed::values(&f64le).map_err(D::Error::custom)?;
+        if axes > MOST_AXES || values.len().checked_rem(axes).unwrap_or(values.len()) != 0 {
+            let found = format!("{} values are no whole rows of {axes} axes, at most {MOST_AXES}", values.len());
+            return Err(D::Error::custom(found));
         }
-        from.deserialize_seq(Rows)
+        Ok(AxisRows { axes: if values.is_empty() { 0 } else { axes }, values })
     }
 }
 
@@ -282,16 +279,19 @@ mod tests {
     }
 
     #[test]
-    fn rows_are_a_list_of_lists_of_one_length() {
-        let rows: AxisRows = [[1.0, 2.0], [3.0, 4.5], [5.0, 6.0]].into_iter().collect();
+    fn rows_come_back_from_files() {
+        let rows: AxisRows = [[1.0, 2.0], [3.0, 4.5], [5.0, 0.1]].into_iter().collect();
         let text = serde_json::to_string(&rows).unwrap();
-        assert_eq!(text, "[[1.0,2.0],[3.0,4.5],[5.0,6.0]]");
         assert_eq!(serde_json::from_str::<AxisRows>(&text).unwrap(), rows);
-        assert_eq!(serde_json::from_str::<AxisRows>("[]").unwrap(), AxisRows::default());
-        assert!(serde_json::from_str::<AxisRows>("[[1.0],[2.0,3.0]]").unwrap_err().to_string().contains("row 1 has 2"));
-        assert_eq!((rows.len(), &rows[1], rows.get(3)), (3, [3.0, 4.5].as_slice(), None));
-        assert_eq!(rows.part(1..3), [[3.0, 4.5], [5.0, 6.0]].into_iter().collect());
-        assert!(rows.part(2..4).is_empty() && AxisRows::default().iter().next().is_none());
+        let none = serde_json::to_string(&AxisRows::default()).unwrap();
+        assert_eq!(serde_json::from_str::<AxisRows>(&none).unwrap(), AxisRows::default());
+        for axes in ["4", "0", "12"] {
+            let other = text.replace("\"axes\":2", &format!("\"axes\":{axes}"));
+            assert!(
+                serde_json::from_str::<AxisRows>(&other).unwrap_err().to_string().contains("no whole rows"),
+                "{axes}"
+            );
+        }
     }
 
     #[test]

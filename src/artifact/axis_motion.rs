@@ -1,6 +1,6 @@
 //! Motion of the machine's axes over time.
 
-use super::AxisRows;
+use super::{AxisRows, packed};
 
 /// One row per cutter location, with a column for each axis of the machine (`Machine::axes`).
 /// Linear axes in mm, mm/s, …; rotary axes in rad, rad/s, ….
@@ -8,6 +8,7 @@ use super::AxisRows;
 pub struct AxisMotion {
     /// Time at each cutter location, s, from the start of the whole motion: the first location's is
     /// later than 0 where a lead comes before it.
+    #[serde(with = "packed")]
     pub t_s: Vec<f64>,
     /// Axis positions.
     pub position: AxisRows,
@@ -19,6 +20,7 @@ pub struct AxisMotion {
     /// was not limited).
     pub jerk: AxisRows,
     /// Feed of the ball centre towards each location, mm/s.
+    #[serde(with = "packed")]
     pub feed: Vec<f64>,
     /// From the first location to the last, s.
     pub time_s: f64,

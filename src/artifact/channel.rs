@@ -1,9 +1,9 @@
 //! The S–θ channel: at each cutter location the angles that the whole tool may take.
 
-use super::ToolPart;
+use super::{ToolPart, packed};
 
 /// What limits an end of an interval of θ.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "by")]
 pub enum Binding {
     /// A part of the tool would touch a face of the part.
@@ -34,7 +34,7 @@ pub enum Binding {
 }
 
 /// The interval of the chosen chain at one cutter location; radians, unwrapped over the whole path.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ChannelRow {
     /// Least θ.
     pub theta_min: f64,
@@ -60,6 +60,7 @@ pub struct Channel {
     /// Tolerance of the ends, rad.
     pub tolerance_rad: f64,
     /// One row per cutter location.
+    #[serde(with = "rows")]
     pub rows: Vec<ChannelRow>,
     /// Index of the row where the monotone channel is narrowest.
     pub narrowest_row: usize,
@@ -69,6 +70,61 @@ pub struct Channel {
     /// there with a schedule in walls that hold at locations.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub proven_at: Vec<usize>,
+}
+
+/// Rows in files: a table of numbers, and a list of what limits them.
+mod rows {
+    use std::collections::HashMap;
+
+    use serde::de::Error as _;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::packed::{self, Table};
+    use super::{Binding, ChannelRow};
+
+    const COLUMNS: [&str; 8] =
+        ["theta_min", "theta_max", "hull_min", "hull_max", "tangent_min", "tangent_max", "binds_min", "binds_max"];
+
+    #[derive(Serialize, Deserialize)]
+    struct Packed {
+        /// The last two columns of the table are places in this list.
+        bindings: Vec<Binding>,
+        table: Table,
+    }
+
+    pub(super) fn serialize<S: Serializer>(rows: &[ChannelRow], to: S) -> Result<S::Ok, S::Error> {
+        let mut places = HashMap::new();
+        let mut bindings = Vec::new();
+        let mut place = |b: &Binding| {
+            *places.entry(b.clone()).or_insert_with(|| {
+                bindings.push(b.clone());
+                bindings.len() as f64 - 1.0
+            })
+        };
+        let row = |r: &ChannelRow| {
+            let [min, max] = [place(&r.binds_min), place(&r.binds_max)];
+            [r.theta_min, r.theta_max, r.hull_min, r.hull_max, r.tangent_min, r.tangent_max, min, max]
+        };
+        let table = Table::of(COLUMNS, rows.iter().map(row));
+        Packed { bindings, table }.serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<ChannelRow>, D::Error> {
+        let Packed { bindings, table } = Packed::deserialize(from)?;
+        let binding = |k: f64| {
+            let at = packed::index(k)? as usize;
+            bindings
+                .get(at)
+                .cloned()
+                .ok_or_else(|| format!("there are {} bindings, none is number {at}", bindings.len()))
+        };
+        let row = |[theta_min, theta_max, hull_min, hull_max, tangent_min, tangent_max, min, max]: [f64; 8]| {
+            let [binds_min, binds_max] = [binding(min)?, binding(max)?];
+            Ok(ChannelRow { theta_min, theta_max, hull_min, hull_max, tangent_min, tangent_max, binds_min, binds_max })
+        };
+        let rows = table.rows(COLUMNS).map_err(D::Error::custom)?;
+        rows.into_iter().map(row).collect::<Result<_, String>>().map_err(D::Error::custom)
+    }
 }
 
 /// How wide the channel is at one B, over places on the path (the moves between them are not looked

@@ -11,6 +11,7 @@ pub mod deviation;
 pub mod lead;
 pub mod motion;
 pub mod obstacle;
+mod packed;
 pub mod plan;
 pub mod program;
 pub mod region;

@@ -1,5 +1,6 @@
 //! A schedule θ(S): the tool axis' angle about the blade axis along the path.
 
+use super::packed;
 use crate::numerics::bezier::{cubic, parameter};
 
 /// How a schedule was made.
@@ -94,6 +95,7 @@ pub struct Schedule {
     /// How it was made.
     pub kind: ScheduleKind,
     /// θ at each cutter location, rad, unwrapped over the whole path.
+    #[serde(with = "packed")]
     pub theta: Vec<f64>,
     /// The curve itself, pieces in order, covering the whole path. A piece whose four `s` are evenly spaced is a cubic in `s`.
     pub pieces: Vec<BezierPiece>,

@@ -108,7 +108,55 @@ pub struct Toolpath {
     /// Turns in order.
     pub turns: Vec<Turn>,
     /// Locations in order.
+    #[serde(with = "locations")]
     pub locations: Vec<CutterLocation>,
+}
+
+/// Locations in files: a table of numbers.
+mod locations {
+    use serde::de::Error as _;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::{CutterLocation, Point, Vector};
+    use crate::artifact::packed::{self, Table};
+
+    const COLUMNS: [&str; 12] = [
+        "turn",
+        "turn_s_mm",
+        "s_mm",
+        "centre_x",
+        "centre_y",
+        "centre_z",
+        "contact_x",
+        "contact_y",
+        "contact_z",
+        "normal_x",
+        "normal_y",
+        "normal_z",
+    ];
+
+    pub(super) fn serialize<S: Serializer>(locations: &[CutterLocation], to: S) -> Result<S::Ok, S::Error> {
+        let row = |l: &CutterLocation| {
+            let (c, k, n) = (l.centre, l.contact, l.normal);
+            [f64::from(l.turn), l.turn_s_mm, l.s_mm, c.x, c.y, c.z, k.x, k.y, k.z, n.x, n.y, n.z]
+        };
+        Table::of(COLUMNS, locations.iter().map(row)).serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<CutterLocation>, D::Error> {
+        let rows = Table::deserialize(from)?.rows(COLUMNS).map_err(D::Error::custom)?;
+        let location = |[turn, turn_s_mm, s_mm, cx, cy, cz, kx, ky, kz, nx, ny, nz]: [f64; 12]| {
+            Ok(CutterLocation {
+                turn: packed::index(turn)?,
+                turn_s_mm,
+                s_mm,
+                centre: Point::new(cx, cy, cz),
+                contact: Point::new(kx, ky, kz),
+                normal: Vector::new(nx, ny, nz),
+            })
+        };
+        rows.into_iter().map(location).collect::<Result<_, String>>().map_err(D::Error::custom)
+    }
 }
 
 impl Toolpath {

@@ -191,7 +191,7 @@ fn finished(record: Record, key: &str, outcome: &Outcome) -> Result<Record> {
         stage: found.map(|_| Stage::Verify),
         reason: found.and_then(finding),
         summary,
-        picture: outcome.plan.as_ref().and_then(picture::of),
+        picture: outcome.verdict.as_ref().and_then(|v| picture::of(v.value())),
         ..record
     })
 }

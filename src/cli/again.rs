@@ -23,18 +23,14 @@ pub fn verify(out: &Path, map: Option<(&Path, f64)>, quiet: bool) -> Result<u8> 
     let terminal = Terminal::new(quiet);
     let checked = read(out, &terminal).and_then(|run| run.check(&terminal));
     terminal.finish();
-    let Checked { loaded, verdict, files, wrote_programs } = checked?;
+    let checked = checked?;
     if let Some((file, tolerance)) = map {
-        let path = &verdict.value().toolpath;
-        let map = verify::deviation(&loaded.setup.blade, path, tolerance)?;
-        write_map(file, &map, &loaded.setup.blade, path.scallop_mm)?;
+        let (blade, path) = (&checked.loaded.setup.blade, &checked.verdict.value().toolpath);
+        let map = verify::deviation(blade, path, tolerance)?;
+        write_map(file, &map, blade, path.scallop_mm)?;
     }
-    let mut report = verdict.report().clone();
-    report.checks.extend(files);
     let mut folder = RunFolder::begin(out)?;
-    if let Some(verified) = plan::accept(verdict, true) {
-        report.checks.extend(run::programs_again(&loaded.setup, &verified, &folder, wrote_programs)?.checks);
-    }
+    let report = checked.report(&folder)?;
     for c in &report.checks {
         let verdict = if c.passed { "ok  " } else { "FAIL" };
         sayln!("{verdict} {:<28} {:>12} {:<8} limit {} {}", c.id, amount(c.worst), c.unit, limit(c.limit), c.unit);
@@ -66,7 +62,7 @@ pub fn write_map(file: &Path, map: &DeviationMap, blade: &Blade, scallop_mm: f64
     run::write_file(file, &preview::deviation(&blade.name, map, &blade.model_from_blade, scallop_mm)?)
 }
 
-/// `post`: checks again, then writes the program.
+/// `post`: writes the program of a run whose checks passed; checks again where a file has changed.
 pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     let out = match (&args.out, &args.runs[..]) {
         (Some(out), _) | (None, [out]) => out,
@@ -107,13 +103,13 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
     Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
 }
 
-/// A finished run with its checks made again, and whether they passed; a turn to go on with must be
+/// A finished run with its verdict, and whether its checks passed; a turn to go on with must be
 /// one of its own.
 fn checked(run: &Path, from_turn: Option<usize>, force: bool, quiet: bool) -> Result<(Done, bool)> {
     let terminal = Terminal::new(quiet);
     let checked = read(run, &terminal).and_then(|run| {
         post::planned(&run.plan, &PostOptions { from_turn, ..run.loaded.setup.post_options() })?;
-        run.check(&terminal)
+        run.recall(&terminal)
     });
     terminal.finish();
     let Checked { loaded, verdict, files, .. } = checked?;

@@ -245,7 +245,7 @@ pub struct Plan {
     /// What is to be planned.
     #[command(flatten)]
     pub job: Job,
-    /// Stop after this stage: section, path, channel, schedule, feed or verify.
+    /// Stop after this stage: section, path, channel, schedule, or verify (all but the programs).
     #[arg(long, value_name = "STAGE", value_parser = parse_stage)]
     pub until: Option<Stage>,
     /// Write programs even if the checks failed; their headers say so.
@@ -323,7 +323,6 @@ fn parse_stage(text: &str) -> Result<Stage, String> {
         ("path", Stage::Path),
         ("channel", Stage::Channel),
         ("schedule", Stage::Schedule),
-        ("feed", Stage::Feed),
         ("verify", Stage::Verify),
     ];
     stages

@@ -3,7 +3,6 @@
 use super::args::{Faces, Inspect, Reading, RegionHeights};
 use super::out::{self, say, sayln};
 use super::progress::Terminal;
-use crate::artifact::region::{self, Patch};
 use crate::error::Result;
 use crate::read::model::{self, ModelOptions};
 use crate::run;
@@ -20,7 +19,7 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
     if out::is_json()
         && let Some(regions) = survey.regions()
     {
-        let list: Vec<_> = regions.list.iter().map(as_json).collect();
+        let list: Vec<_> = regions.list.iter().map(model::region_json).collect();
         out::event(&json!({ "event": "regions", "regions": list }));
     }
     if let Some(file) = &args.glb {
@@ -29,29 +28,6 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
         sayln!("{:<10} {}", "written", file.display());
     }
     Ok(0)
-}
-
-/// A region for other programs: lengths in mm, blade frame; sides counter-clockwise seen from its
-/// start.
-fn as_json(region: &region::Region) -> serde_json::Value {
-    let faces = if let Patch::Faces(faces) = &region.patch {
-        json!(faces.iter().map(|f| f + 1).collect::<Vec<_>>())
-    } else {
-        serde_json::Value::Null
-    };
-    let sides = region.sides.as_ref().map(|s| match s.suction_follows_leading {
-        true => ["leading-edge", "suction-side", "trailing-edge", "pressure-side"],
-        false => ["leading-edge", "pressure-side", "trailing-edge", "suction-side"],
-    });
-    json!({
-        "name": region.area,
-        "along": region.along,
-        "heights_mm": region.x_mm(),
-        "start": region.start,
-        "end": region.end,
-        "faces": faces,
-        "sides": sides,
-    })
 }
 
 fn options(args: &Inspect) -> ModelOptions {

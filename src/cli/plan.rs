@@ -91,7 +91,8 @@ fn read_as(file: &mut JobFile, reading: &Reading) -> Result<()> {
 }
 
 fn print(outcome: &Outcome, until: Option<Stage>) {
-    sayln!("tool: {} ({})", outcome.tool.in_words(), outcome.tool.why);
+    let tool = &outcome.setup.tool;
+    sayln!("tool: {} ({})", tool.in_words(), tool.why);
     if let Some(summary) = &outcome.summary {
         print_summary(summary);
     }

@@ -26,8 +26,7 @@ pub(super) fn stop_flag(patience: Duration) -> Arc<AtomicBool> {
         let stop = Arc::new(AtomicBool::new(false));
         // First: a signal that comes in between ends the program then, where the flag would not
         // have heard it.
-        #[cfg(unix)]
-        end_after(patience);
+        end_after(patience, &stop);
         for signal in [SIGINT, SIGTERM] {
             // Refused only where the system has no such signal; the run then cannot be asked to
             // stop, and goes on.
@@ -45,7 +44,7 @@ fn exit_code() -> i32 {
 /// Ends the program some time after the first signal: a stage may be at something that cannot be
 /// stopped, or a reader of what it prints asleep.
 #[cfg(unix)]
-fn end_after(patience: Duration) {
+fn end_after(patience: Duration, _stop: &Arc<AtomicBool>) {
     use std::io::Read;
     use std::os::unix::net::UnixStream;
     let Ok((mut heard, tell)) = UnixStream::pair() else { return };
@@ -59,5 +58,19 @@ fn end_after(patience: Duration) {
             std::thread::sleep(patience);
             std::process::exit(exit_code());
         }
+    });
+}
+
+/// The same where there are no pipes that a signal may write to: Windows.
+#[cfg(not(unix))]
+fn end_after(patience: Duration, stop: &Arc<AtomicBool>) {
+    use std::sync::atomic::Ordering;
+    let stop = Arc::clone(stop);
+    std::thread::spawn(move || {
+        while !stop.load(Ordering::Relaxed) {
+            std::thread::sleep(Duration::from_millis(100));
+        }
+        std::thread::sleep(patience);
+        std::process::exit(exit_code());
     });
 }

@@ -171,7 +171,8 @@ struct Work<const X: usize, const V: usize> {
 /// Solves; `start` must follow the dynamics (for the last stage only its own state and controls
 /// count).
 ///
-/// Returns `None` where lengths do not fit, a number is not finite or the systems cannot be solved.
+/// Returns `None` where lengths do not fit or a number is not finite. Where a system cannot be
+/// solved, as near the limit of rounding, it returns the last iterate.
 pub fn solve<const X: usize, const V: usize>(
     stages: &mut [Stage<X, V>],
     start: &[[f64; V]],
@@ -187,6 +188,9 @@ pub fn solve<const X: usize, const V: usize>(
         model.refresh(i, &v[i], &[], s);
     }
     let mut w = Work::new(stages, &v, options);
+    if !w.residual.iter().all(|r| r.is_finite()) {
+        return None;
+    }
     let rows = w.slack.len();
     let mut out = Solution {
         v: Vec::new(),
@@ -209,17 +213,14 @@ pub fn solve<const X: usize, const V: usize>(
             break;
         }
         before = mu;
-        let begun = w.factor(stages).and_then(|()| w.step(stages, &v, None, options));
-        if begun.is_none() && options.interior {
-            break;
-        }
-        let length = begun?.length(1.0);
+        let Some(begun) = w.factor(stages).and_then(|()| w.step(stages, &v, None, options)) else { break };
+        let length = begun.length(1.0);
         let centre = mu * w.left(length).powi(3);
-        let stepped = w.step(stages, &v, Some(centre), options);
-        if options.interior && !(stepped.is_some() && w.d.iter().flatten().all(|x| x.is_finite())) {
+        let Some(stepped) = w.step(stages, &v, Some(centre), options) else { break };
+        if !w.d.iter().flatten().all(|x| x.is_finite()) {
             break;
         }
-        let length = stepped?.length(if mu < 1e-6 { 0.999 } else { 0.99 });
+        let length = stepped.length(if mu < 1e-6 { 0.999 } else { 0.99 });
         stationarity *= 1.0 - length;
         for i in 0..n {
             for k in 0..V {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{AxisMotion, Channel, Lead, Schedule, Toolpath};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorKind, Result};
 use crate::feed::FeedOptions;
 use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent, Warning};
@@ -25,7 +25,12 @@ pub(crate) fn least_time(
     observer: &dyn Observer,
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
-    let own = paced(&setup.machine, &feed, path, channel, &options)?;
+    let (own, rivals) =
+        rayon::join(|| paced(&setup.machine, &feed, path, channel, &options), || rivals(path, channel, &options));
+    let own = match own {
+        Err(e) if e.kind == ErrorKind::Infeasible && !rivals.is_empty() => Vec::new(),
+        own => own?,
+    };
     let moved = |schedule: Schedule| -> Result<MovedSchedule> {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
@@ -33,7 +38,7 @@ pub(crate) fn least_time(
         let (motion, leads) = leads::motion(setup, path, &schedule, leads, &told)?;
         Ok(MovedSchedule { schedule, motion, leads, warnings: told.warnings() })
     };
-    let candidates: Vec<Schedule> = own.into_iter().chain(rivals(path, channel, &options)).collect();
+    let candidates: Vec<Schedule> = own.into_iter().chain(rivals).collect();
     let moved: Vec<Result<MovedSchedule>> = candidates.into_par_iter().map(moved).collect();
     let moved = moved.into_iter().collect::<Result<Vec<_>>>()?;
     // Of equals the first.
@@ -69,7 +74,7 @@ pub(crate) fn pace(machine: &Machine, feed_mm_min: f64) -> Pace {
 /// standing still while the ball gains and loses its feed.
 ///
 /// # Errors
-/// Those of [`schedule::plan`] for the first.
+/// Those of [`schedule::plan`], where it makes none of them.
 pub(crate) fn paced(
     machine: &Machine,
     feed: &FeedOptions,
@@ -90,9 +95,12 @@ pub(crate) fn paced(
         let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
         schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
     };
-    let (first, others): (Result<Schedule>, Vec<Option<Schedule>>) =
-        rayon::join(|| plan(0.0), || STANDING.par_iter().map(|s| plan(*s).ok()).collect());
-    Ok(std::iter::once(first?).chain(others.into_iter().flatten()).collect())
+    let (first, others): (Result<Schedule>, Vec<Schedule>) =
+        rayon::join(|| plan(0.0), || STANDING.par_iter().filter_map(|s| plan(*s).ok()).collect());
+    match first {
+        Err(e) if e.kind != ErrorKind::Infeasible || others.is_empty() => Err(e),
+        first => Ok(first.into_iter().chain(others).collect()),
+    }
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.

@@ -14,21 +14,23 @@ use std::path::Path;
 
 use super::inputs::{self, Loaded};
 use super::manifest::{self, Input, Manifest};
-use super::{reuse, settle, tables};
+use super::{RunFolder, programs_again, reuse, settle, tables};
 use crate::artifact::report::Check;
-use crate::artifact::{CheckId, Plan};
+use crate::artifact::{CheckId, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
+use crate::job::Job;
 use crate::observe::Observer;
-use crate::plan::Setup;
+use crate::plan::{self, Setup};
+use crate::verify::seal::{self, Subject};
 use crate::verify::{self, Verdict};
 
 /// A finished run, its plan not checked yet.
 pub struct Finished {
     /// Job, blade, machine, and the files that these were read from.
     pub loaded: Loaded,
-    /// The plan, with the cutter locations of `cutter_locations.csv`: that is the file other
-    /// programs read, so that is what must be checked.
+    /// The plan; where its `cutter_locations.csv` differs, with the locations of that table: other
+    /// programs read it, so it must be checked.
     pub plan: Plan,
     /// What was found on the files of the folder.
     pub checks: Vec<Check>,
@@ -36,7 +38,35 @@ pub struct Finished {
     pub wrote_programs: bool,
     /// The run was stopped before programs were written.
     pub stopped: bool,
+    /// Where every file is as the run left it.
+    evidence: Option<Evidence>,
 }
+
+/// What the run found by its checks.
+struct Evidence {
+    plan_json: String,
+    /// Without the checks of programs.
+    report: CheckReport,
+    seal: String,
+}
+
+impl Evidence {
+    /// Of the files of a folder; `None` where another build wrote them, for another job, or one
+    /// cannot be read.
+    fn of(out: &Path, kept: &Manifest, loaded: &Loaded, plan_json: String) -> Option<Self> {
+        let job: Job = serde_json::from_value(kept.job.clone()).ok()?;
+        let same = kept.program == super::program()
+            && kept.build == super::build()
+            && reuse::same_but_post(&job, &kept.inputs, loaded);
+        let mut report: CheckReport = serde_json::from_str(&text_of(out, "verify.json")?).ok()?;
+        report.checks.retain(|c| !c.id.is_of_program() && !FILES.contains(&c.id));
+        let seal = kept.seal.clone()?;
+        same.then_some(Evidence { plan_json, report, seal })
+    }
+}
+
+/// Checks of the files of a run.
+const FILES: [CheckId; 4] = [CheckId::Files, CheckId::Inputs, CheckId::TableCutterLocations, CheckId::TableAxes];
 
 /// A finished run with its verdict: of the plan, and of the files that others read.
 pub struct Checked {
@@ -49,6 +79,8 @@ pub struct Checked {
     pub files: Vec<Check>,
     /// The run is to have its programs: it was not stopped before, and it was good or is.
     pub wrote_programs: bool,
+    /// The verdict is that of the run.
+    pub recalled: bool,
 }
 
 impl Finished {
@@ -57,10 +89,48 @@ impl Finished {
     /// # Errors
     /// Those of [`Setup::verdict`].
     pub fn check(self, observer: &dyn Observer) -> Result<Checked> {
-        let Finished { loaded, plan, checks: files, wrote_programs, stopped } = self;
+        let Finished { loaded, plan, checks: files, wrote_programs, stopped, .. } = self;
         let verdict = loaded.setup.verdict(plan, observer)?;
         let wrote_programs = wrote_programs || (!stopped && matches!(verdict, Verdict::Passed(_)));
-        Ok(Checked { loaded, verdict, files, wrote_programs })
+        Ok(Checked { loaded, verdict, files, wrote_programs, recalled: false })
+    }
+
+    /// The verdict of the run itself, where every file is as that left it and the seal of its
+    /// checks fits; else the plan is checked.
+    ///
+    /// # Errors
+    /// Those of [`Finished::check`].
+    pub fn recall(mut self, observer: &dyn Observer) -> Result<Checked> {
+        let Some(Evidence { plan_json, report, seal }) = self.evidence.take() else {
+            return self.check(observer);
+        };
+        let setup = &self.loaded.setup;
+        let (part, options) = (reuse::part(&self.loaded), setup.verify_options());
+        let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
+        match seal::recall(self.plan, &plan_json, report, &seal, &about)? {
+            Ok(verdict) => {
+                let Finished { loaded, checks: files, wrote_programs, .. } = self;
+                Ok(Checked { loaded, verdict, files, wrote_programs, recalled: true })
+            }
+            Err(plan) => Finished { plan, ..self }.check(observer),
+        }
+    }
+}
+
+impl Checked {
+    /// All that the checks found: on the plan, on the files of the folder, and on its programs,
+    /// read back.
+    ///
+    /// # Errors
+    /// Those of [`programs_again`].
+    pub fn report(self, folder: &RunFolder) -> Result<CheckReport> {
+        let Checked { loaded, verdict, files, wrote_programs, .. } = self;
+        let mut report = verdict.report().clone();
+        report.checks.extend(files);
+        if let Some(verified) = plan::accept(verdict, true) {
+            report.checks.extend(programs_again(&loaded.setup, &verified, folder, wrote_programs)?.checks);
+        }
+        Ok(report)
     }
 }
 
@@ -99,11 +169,16 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let mut checks = vec![outputs(out, kept.as_ref()), changed(&loaded.inputs, kept.as_ref())];
     let (plan, tables) = read_tables(out, &loaded.setup, plan);
     checks.extend(tables);
+    let evidence = match &kept {
+        Some(kept) if checks.iter().all(|c| c.passed) => Evidence::of(out, kept, &loaded, text),
+        _ => None,
+    };
     let wrote_programs = kept.is_none_or(|m| m.status == reuse::GOOD);
     Ok(Finished {
         loaded,
         plan,
         checks,
+        evidence,
         wrote_programs,
         stopped: stopped.is_some_and(|s| s == Stage::Verify.to_string()),
     })
@@ -118,11 +193,7 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
     let wanted = [tables::cutter_locations(&setup.blade, &plan), tables::axes(&plan, setup.machine.axes())];
     let names = [(CheckId::TableCutterLocations, "cutter_locations.csv"), (CheckId::TableAxes, "axes.csv")];
     let texts = names.each_ref().map(|(_, file)| text_of(out, file));
-    let mut read = plan.clone();
-    let locations = texts[0].as_deref().map(|t| tables::read_cutter_locations(t, &setup.blade, &mut read));
-    // A table that cannot be read is reported below.
-    let plan = if locations.is_some_and(|l| l.is_ok()) { read } else { plan };
-    let checks = std::array::from_fn(|k| {
+    let checks: [Check; 2] = std::array::from_fn(|k| {
         let (id, file) = names[k].clone();
         let difference = match &texts[k] {
             Some(text) => tables::difference(text, &wanted[k]),
@@ -131,7 +202,13 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
         let note = if difference.count == 0 { file.to_owned() } else { format!("{file}, {}", difference.first) };
         count(id, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
     });
-    (plan, checks)
+    // The table that is the plan's holds the same locations, but for the rounding of their frame.
+    let mut read = plan.clone();
+    let differs = !checks[0].passed;
+    let is_read = differs
+        && texts[0].as_deref().is_some_and(|t| tables::read_cutter_locations(t, &setup.blade, &mut read).is_ok());
+    // A table that cannot be read is among the findings.
+    (if is_read { read } else { plan }, checks)
 }
 
 /// Files that are not as the run, or what was done in its folder since, left them.

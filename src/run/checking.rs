@@ -2,6 +2,7 @@
 
 use super::inputs::Loaded;
 use super::look::{self, Look};
+use super::making;
 use super::reuse::{self, Checks};
 use super::summary::{self, ProgramFigures, ScheduleFigures, Summary};
 use super::{Course, RunFolder, json_compact, tables};
@@ -9,8 +10,8 @@ use crate::artifact::report::Check;
 use crate::artifact::{CheckReport, Plan, Program, Schedule, Section};
 use crate::error::{Result, Stage};
 use crate::feed;
-use crate::observe::{Recorder, timed};
-use crate::plan::{Baseline, Setup, accept, paths};
+use crate::observe::{Observer, Recorder, timed};
+use crate::plan::{Baseline, Setup, paths};
 use crate::verify::seal::{self, Subject};
 use crate::verify::{self, Verdict, Verified};
 
@@ -18,7 +19,7 @@ use crate::verify::{self, Verdict, Verified};
 pub(super) struct Checked {
     pub summary: Option<Summary>,
     pub report: CheckReport,
-    pub plan: Plan,
+    pub verdict: Verdict<Plan>,
     pub seal: String,
     /// The verdict is an earlier run's.
     pub recalled: bool,
@@ -48,43 +49,36 @@ impl RunAtWork<'_, '_> {
         self.folder.add("plan.json", &plan_json)?;
         let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;
         let mut report = verdict.report().clone();
-        let figures = compare(setup, verdict.value(), baseline)?;
-        let mut summary = summary::summary(&setup.blade.name, verdict.value(), &report, figures);
-        if setup.job.path.compare {
-            let path = &verdict.value().toolpath;
-            let others = timed(self.observer, Stage::Path, || paths::others(setup, path, &report, self.observer))?;
-            let figures = |(other, limit)| summary::path_figures(&other, limit, &report.limit);
-            summary.other_paths = others.into_iter().map(figures).collect();
-        }
-        summary.limits_assumed = setup.machine.assumed_limits().into_iter().map(String::from).collect();
-        let plan = verdict.value().clone();
+        let verdict = if course.force { making::forced(verdict) } else { verdict };
+        let plan = verdict.value();
+        let mut summary = figures(setup, plan, &report, baseline, self.observer)?;
         if !course.ends_at(Stage::Verify) {
             let (folder, observer) = (&mut *self.folder, self.observer);
             let (mut forced, mut program) = (false, None);
             if recalled {
                 timed(observer, Stage::Verify, || {
-                    verify::places(&plan, &setup.blade, &setup.verify_options(), &mut report);
+                    verify::places(plan, &setup.blade, &setup.verify_options(), &mut report);
                 });
             }
-            if let Some(verified) = accept(verdict, course.force) {
+            if let Verdict::Passed(verified) = &verdict {
                 forced = verified.forced();
-                let posted = timed(self.observer, Stage::Post, || post_all(setup, &verified, folder))?;
+                let posted = timed(self.observer, Stage::Post, || post_all(setup, verified, folder))?;
                 report.checks.extend(posted.checks);
                 summary.programs = posted.figures;
                 program = posted.first;
             }
-            let others = timed(observer, Stage::Schedule, || look::others(setup, &plan));
+            let others = timed(observer, Stage::Schedule, || look::others(setup, plan));
             let (baseline, others, report) = (Some(baseline), &others[..], &report);
             let (inputs, budget_bytes) = (&self.loaded.inputs[..], course.preview_bytes);
             let program = program.as_ref();
             let look =
                 Look { sections, inputs, baseline, others, report, forced, program, budget_bytes, payload: None };
             let summary = look::json_of(&summary)?;
-            timed(self.observer, Stage::Preview, || look::write(setup, &plan, &look, &summary, folder, observer))?;
+            timed(self.observer, Stage::Preview, || look::write(setup, plan, &look, &summary, folder, observer))?;
         }
         self.folder.add_json("summary.json", &summary)?;
         self.folder.add_json("verify.json", &report)?;
-        Ok(Checked { summary: Some(summary), report, plan, seal, recalled })
+        Ok(Checked { summary: Some(summary), report, verdict, seal, recalled })
     }
 
     /// The verdict with its seal, and whether it was recalled from an earlier run that was about
@@ -105,6 +99,25 @@ impl RunAtWork<'_, '_> {
         let seal = seal::seal(plan_json, verdict.report(), &about)?;
         Ok((verdict, seal, false))
     }
+}
+
+/// The figures of a plan, before programs are written.
+pub(super) fn figures(
+    setup: &Setup,
+    plan: &Plan,
+    report: &CheckReport,
+    baseline: &Baseline,
+    observer: &dyn Observer,
+) -> Result<Summary> {
+    let schedules = compare(setup, plan, baseline)?;
+    let mut summary = summary::summary(&setup.blade.name, plan, report, schedules);
+    if setup.job.path.compare {
+        let others = timed(observer, Stage::Path, || paths::others(setup, &plan.toolpath, report, observer))?;
+        let figures = |(other, limit)| summary::path_figures(&other, limit, &report.limit);
+        summary.other_paths = others.into_iter().map(figures).collect();
+    }
+    summary.limits_assumed = setup.machine.assumed_limits().into_iter().map(String::from).collect();
+    Ok(summary)
 }
 
 /// What writing all programs came to.

@@ -56,7 +56,8 @@ pub struct RunFolder {
     staging: Staging,
     /// Names of the programs of all controls, where all of an earlier run goes.
     replaces: Option<Vec<String>>,
-    files: Vec<(String, File)>,
+    /// Names, and the files as long as they are not known to be on the disk.
+    files: Vec<(String, Option<File>)>,
     hashes: BTreeMap<String, String>,
     programs: BTreeMap<String, String>,
     kept: BTreeSet<String>,
@@ -149,7 +150,7 @@ impl RunFolder {
         let file = write().map_err(|e| trouble("cannot write", &to, e))?;
         self.hashes.insert(name.to_owned(), blake3::hash(content.as_ref()).to_hex().to_string());
         self.files.retain(|(known, _)| known != name);
-        self.files.push((name.to_owned(), file));
+        self.files.push((name.to_owned(), Some(file)));
         Ok(())
     }
 
@@ -263,8 +264,10 @@ impl RunFolder {
         Ok(written)
     }
 
-    fn sync(&self) -> Result<()> {
-        for (name, file) in &self.files {
+    /// Closes the files too: Windows moves no folder in which one is open.
+    fn sync(&mut self) -> Result<()> {
+        for (name, file) in &mut self.files {
+            let Some(file) = file.take() else { continue };
             file.sync_all().map_err(|e| trouble("cannot write", &self.target.join(name), e))?;
         }
         Ok(())

@@ -187,7 +187,7 @@ pub fn preview_again(
     folder: &mut RunFolder,
     observer: &dyn Observer,
 ) -> Result<()> {
-    let Checked { loaded, verdict, files, wrote_programs } = run;
+    let Checked { loaded, verdict, files, wrote_programs, .. } = run;
     let setup = &loaded.setup;
     let recorder = Recorder::new(observer);
     let sections = section::plan(&setup.blade, &setup.section_options(), &recorder)?;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checking::RunAtWork;
+use super::checking::{RunAtWork, figures};
 use super::folder::RunFolder;
 use super::inputs::Loaded;
 use super::manifest::{self, Clock, Manifest, SCHEMA_VERSION, StageRecord};
@@ -12,10 +12,12 @@ use super::{build, program, repost};
 use crate::artifact::program::Control;
 use crate::artifact::{CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
-use crate::job::{Chosen, Draft};
-use crate::observe::{Observer, Recorder, timed};
-use crate::plan::planning::{self, Reached};
+use crate::job::Draft;
+use crate::observe::{Observer, Recorder, Warning, timed};
+use crate::plan::Setup;
+use crate::plan::planning::{self, Known, Reached};
 use crate::section;
+use crate::verify::Verdict;
 use crate::write::post::Dialect;
 
 /// How far to go and what to do with a plan that fails its checks.
@@ -43,14 +45,17 @@ impl Course {
 pub struct Outcome {
     /// Files written, in order.
     pub files: Vec<PathBuf>,
-    /// The tool of the job, and why it is this one.
-    pub tool: Chosen,
+    /// The job, complete, with its tool, blade and machine.
+    pub setup: Setup,
     /// Figures, where the run went far enough.
     pub summary: Option<Summary>,
     /// What the checks found, where the run went far enough.
     pub report: Option<CheckReport>,
-    /// The plan, where the run went far enough.
-    pub plan: Option<Plan>,
+    /// The plan with its verdict, where the run went far enough. A plan that fails its checks and
+    /// was forced counts as passed, marked as forced.
+    pub verdict: Option<Verdict<Plan>>,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
     /// Time and memory of each stage that was worked on.
     pub stages: Vec<StageRecord>,
     /// Stages whose results were taken over from earlier runs.
@@ -111,16 +116,53 @@ pub fn run_on(
             status,
         },
     )?;
-    let Made { summary, report, plan, taken, .. } = made;
+    let Made { summary, report, verdict, taken, .. } = made;
     Ok(Outcome {
         files: folder.finish()?,
-        tool: loaded.setup.tool,
+        setup: loaded.setup,
         summary,
         report,
-        plan,
+        verdict,
+        warnings: recorder.warnings(),
         stages: clock.records(),
         taken,
     })
+}
+
+/// Plans and checks without a folder: nothing is written, and no program is made.
+///
+/// # Errors
+/// The first stage's that fails.
+pub fn in_memory(draft: &Draft, force: bool, observer: &dyn Observer) -> Result<Outcome> {
+    let clock = Clock::new(observer);
+    let recorder = Recorder::new(&clock);
+    let setup = timed(&recorder, Stage::Model, || Loaded::read(draft, &recorder))?.setup;
+    let Reached::Motion(planned) = planning::stages(&setup, None, Known::default(), &recorder)? else {
+        return Err(Error::usage(Stage::Feed, "planning ended before the motion"));
+    };
+    let (plan, baseline) = *planned;
+    let verdict = timed(&recorder, Stage::Verify, || setup.verdict(plan, &recorder))?;
+    let verdict = if force { forced(verdict) } else { verdict };
+    let report = verdict.report().clone();
+    let summary = figures(&setup, verdict.value(), &report, &baseline, &recorder)?;
+    Ok(Outcome {
+        files: Vec::new(),
+        setup,
+        summary: Some(summary),
+        report: Some(report),
+        verdict: Some(verdict),
+        warnings: recorder.warnings(),
+        stages: clock.records(),
+        taken: Vec::new(),
+    })
+}
+
+/// A plan that fails its checks is taken all the same, marked as forced.
+pub(super) fn forced(verdict: Verdict<Plan>) -> Verdict<Plan> {
+    match verdict {
+        Verdict::Failed(rejected) => Verdict::Passed(rejected.write_anyway()),
+        passed => passed,
+    }
 }
 
 /// What the stages after the model came to.
@@ -128,7 +170,7 @@ pub fn run_on(
 pub(super) struct Made {
     pub summary: Option<Summary>,
     pub report: Option<CheckReport>,
-    pub plan: Option<Plan>,
+    pub verdict: Option<Verdict<Plan>>,
     pub seal: Option<String>,
     pub taken: Vec<Stage>,
 }
@@ -150,7 +192,7 @@ fn make(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Made> {
         let (plan, baseline) = *planned;
         let checked = run.check_and_write(&sections, plan, &baseline, known.checks)?;
         made.taken.extend(checked.recalled.then_some(Stage::Verify));
-        (made.summary, made.report, made.plan) = (checked.summary, Some(checked.report), Some(checked.plan));
+        (made.summary, made.report, made.verdict) = (checked.summary, Some(checked.report), Some(checked.verdict));
         made.seal = Some(checked.seal);
     }
     Ok(made)

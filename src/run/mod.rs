@@ -26,7 +26,7 @@ use std::path::Path;
 pub use folder::RunFolder;
 pub use inputs::Loaded;
 pub use look::{plots, preview_again};
-pub use making::{Course, Outcome, run, run_on};
+pub use making::{Course, Outcome, in_memory, run, run_on};
 pub use programs::{ProgramsAgain, programs_again};
 use staging::Staging;
 pub(crate) use staging::sync;

@@ -7,13 +7,12 @@
 
 use super::checking::{RunAtWork, post_all};
 use super::look::{self, Look};
-use super::making::Made;
+use super::making::{self, Made};
 use super::reuse::{self, Earlier};
 use super::summary::Summary;
 use crate::artifact::Plan;
 use crate::error::{Result, Stage};
 use crate::observe::{Observer, timed};
-use crate::plan::accept;
 use crate::verify::Verdict;
 use crate::verify::seal::{self, Subject};
 use crate::write::preview::report::Payload;
@@ -48,12 +47,13 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         run.folder.add(name, content)?;
     }
     let (setup, folder, observer) = (&run.loaded.setup, &mut *run.folder, run.observer);
-    let (mut report, plan) = (kept.verdict.report().clone(), kept.verdict.value().clone());
+    let verdict = if run.course.force { making::forced(kept.verdict) } else { kept.verdict };
+    let (mut report, plan) = (verdict.report().clone(), verdict.value());
     let (mut forced, mut program) = (false, None);
     let mut summary = Summary { programs: Vec::new(), ..kept.summary };
-    if let Some(verified) = accept(kept.verdict, run.course.force) {
+    if let Verdict::Passed(verified) = &verdict {
         forced = verified.forced();
-        let posted = timed(observer, Stage::Post, || post_all(setup, &verified, folder))?;
+        let posted = timed(observer, Stage::Post, || post_all(setup, verified, folder))?;
         report.checks.extend(posted.checks);
         summary.programs = posted.figures;
         program = posted.first;
@@ -71,12 +71,12 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         payload: Some(&kept.payload),
     };
     let shown = look::json_of(&summary)?;
-    timed(observer, Stage::Preview, || look::page(setup, &plan, &look, &shown, folder, observer))?;
+    timed(observer, Stage::Preview, || look::page(setup, plan, &look, &shown, folder, observer))?;
     run.folder.add_json("summary.json", &summary)?;
     run.folder.add_json("verify.json", &report)?;
     Ok(Some(Made {
         summary: Some(summary),
-        plan: Some(plan),
+        verdict: Some(verdict),
         report: Some(report),
         seal: Some(kept.seal),
         taken: TAKEN.to_vec(),

@@ -47,6 +47,19 @@ pub(super) const GOOD: &str = "good";
 /// Status of a run that came to its end but failed a check.
 pub(super) const FINDINGS: &str = "findings";
 
+/// A job with these inputs asks for what `loaded` does, but for `[post]`. Where files lie does not
+/// matter; what they hold does.
+pub(super) fn same_but_post(job: &Job, inputs: &[Input], loaded: &Loaded) -> bool {
+    let asked = &loaded.setup.job;
+    let bare = |job: &Job| Job {
+        model: bare_model(&job.model),
+        machine: MachineSettings { file: None, ..job.machine.clone() },
+        post: asked.post.clone(),
+        ..job.clone()
+    };
+    Files::of(job, inputs) == Files::of(asked, &loaded.inputs) && bare(job) == bare(asked)
+}
+
 /// What of a manifest matters here.
 #[derive(serde::Deserialize)]
 struct Before {
@@ -105,15 +118,8 @@ impl<'a> Earlier<'a> {
 
     /// This run came to its end and stands for that of `loaded` in all but its programs.
     pub(super) fn differs_by_post_alone(&self, loaded: &Loaded) -> bool {
-        let (a, b) = (&self.before.job, &loaded.setup.job);
-        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &loaded.inputs));
-        let bare = |job: &Job| Job {
-            model: bare_model(&job.model),
-            machine: MachineSettings { file: None, ..job.machine.clone() },
-            post: b.post.clone(),
-            ..job.clone()
-        };
-        [GOOD, FINDINGS].contains(&self.before.status.as_str()) && mine == yours && bare(a) == bare(b)
+        [GOOD, FINDINGS].contains(&self.before.status.as_str())
+            && same_but_post(&self.before.job, &self.before.inputs, loaded)
     }
 
     /// A file of that run as it left it; `None` where it has been changed since.

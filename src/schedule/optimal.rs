@@ -33,6 +33,8 @@ const ROUND: f64 = 3e-3;
 const TRIAL: usize = 3000;
 /// Share of the slope that full feed allows which counts as standing still.
 const STANDING: f64 = 0.01;
+/// What the mean factor may be above the least, as a share, for the least time.
+const PACE_GAP: f64 = 1e-2;
 /// Blocks of a turn with a factor of their own, for the least time.
 const BLOCKS: f64 = 48.0;
 /// Intervals at least, and at most where locations are too far apart.
@@ -166,7 +168,8 @@ pub(super) enum Goal {
     /// The integral of the square.
     Square { third: bool },
     /// The mean over blocks of the factor γ ≥ 1 by which θ' and θ'' exceed what the pace allows.
-    Pace { pace: Pace, borders: Vec<bool> },
+    /// Solved for γ / `unit`.
+    Pace { pace: Pace, unit: f64, borders: Vec<bool> },
 }
 
 /// Every so many samples of the walls that about `most` are left, with the first and the last.
@@ -247,7 +250,12 @@ fn solve(
     }
     let (last, weights) = match measure {
         _ if let Some(pace) = pace => {
-            let found = round(walls, &scale, &Goal::Pace { pace, borders: blocks(walls, &scale) }, 1e-4);
+            // What the mean slope and the trial's peak come to: where the machine is slow or the
+            // channel bends sharply, γ is thousands.
+            let second = scale.second / scale.length.powi(2);
+            let unit = pace.needed(scale.base[1].abs(), second).max(1.0);
+            let goal = Goal::Pace { pace, unit, borders: blocks(walls, &scale) };
+            let found = round(walls, &scale, &goal, 1e-4 / unit);
             (found.ok_or_else(stuck)?, Vec::new())
         }
         Measure::PeakSecond | Measure::PeakThird => {
@@ -354,7 +362,20 @@ pub(super) fn round_from(
         ..Options::default()
     };
     let found = stages::solve(&mut all, &start, &(), &options)?;
-    (found.excess < 1e-8 && found.complementarity * (count as f64) < 1e3 * gap).then_some(found)
+    let enough = match goal {
+        Goal::Pace { .. } => PACE_GAP * mean_factor(walls, scale, &found),
+        _ => 1e3 * gap,
+    };
+    (found.excess < 1e-8 && found.complementarity * (count as f64) < enough).then_some(found)
+}
+
+/// The mean of γ over the path, in its units.
+fn mean_factor(walls: &Corridor, scale: &SolverUnits, found: &Solution<X, V>) -> f64 {
+    let share = |i: usize| {
+        let interval = Interval::of(walls, scale, i);
+        interval.h / interval.whole
+    };
+    found.v.iter().enumerate().map(|(i, v)| share(i) * v[3]).sum()
 }
 
 /// Dynamics, objective and rows of one interval (of the last sample: what holds there alone).
@@ -364,7 +385,7 @@ fn stage(walls: &Corridor, scale: &SolverUnits, goal: &Goal, i: usize) -> Stage<
     out.hessian[5][5] = 1.0;
     interval.keep_within_walls(&mut out.rows);
     match goal {
-        Goal::Pace { pace, .. } => interval.keep_pace(pace, &mut out.rows),
+        Goal::Pace { pace, unit, .. } => interval.keep_pace(pace, *unit, &mut out.rows),
         Goal::Peak { third } | Goal::Turns { third, .. } => interval.keep_below_peak(*third, &mut out.rows),
         // γ is not used; something must hold it.
         Goal::Square { .. } => out.hessian[3][3] = interval.h.max(1e-9),
@@ -430,18 +451,19 @@ impl<'a> Interval<'a> {
 
     /// γ is at least 1 and as much as θ' and θ'' exceed what the pace allows; near the ends of the
     /// path θ all but stands.
-    fn keep_pace(&self, pace: &Pace, rows: &mut Vec<Row<V>>) {
+    fn keep_pace(&self, pace: &Pace, unit: f64, rows: &mut Vec<Row<V>>) {
         let Interval { walls, scale, i, .. } = *self;
         let [rate, second] = [1.0 / (scale.length * pace.rate), scale.second / (scale.length.powi(2) * pace.second)];
-        rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -scale.base[1] / pace.rate });
+        let [rate, second, base] = [rate / unit, second / unit, scale.base[1] / (pace.rate * unit)];
+        rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -base });
         let to_end = (walls.s[i] - walls.s[0]).min(walls.s[walls.s.len() - 1] - walls.s[i]);
         if to_end < pace.standing_mm {
             let g = [0.0, rate, 0.0, 0.0, 0.0, 0.0];
-            rows.push(Row { g, most: STANDING - scale.base[1] / pace.rate });
+            rows.push(Row { g, most: STANDING / unit - base });
         }
         rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
         rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
-        rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 });
+        rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 / unit });
     }
 
     /// γ is at least the second, or the `third` derivative, of either sign.

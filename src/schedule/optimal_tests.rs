@@ -208,3 +208,21 @@ fn a_channel_one_sample_wide_is_passed() {
         }
     }
 }
+
+#[test]
+fn a_machine_that_is_too_slow_by_far_changes_the_least_time_by_a_factor_only() {
+    // Where every place is slowed by the axis, its limits divide out.
+    let (p, walls) = (path(4, 90), blade_like(4, 90, 0.35, 0.2));
+    let paced = |share: f64| {
+        let pace = Some(Pace { rate: share * 1e-2, second: share * 1e-3, standing_mm: 0.0 });
+        let options = ScheduleOptions { pace, ..options(Measure::PeakSecond) };
+        let s = plan(ScheduleKind::Time, &p, &channel(&walls), &options, &Silent).unwrap();
+        assert!(s.reversals == 0 && s.quality.outside_rad < 1e-8);
+        s.theta
+    };
+    let known = paced(1e-3);
+    for share in [1e-5, 1e-7, 1e-9] {
+        let apart = paced(share).iter().zip(&known).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-3, "{share}: {apart}");
+    }
+}

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use serde_json::{Map, Value, json};
+
 use super::bodies::{Body, LISTED};
 use super::recognise::areas::of_faces;
 use super::recognise::{self, wheel};
 use super::survey::Survey;
 use crate::artifact::blade::Diagnosis;
-use crate::artifact::region::Area;
+use crate::artifact::region::{Area, Patch, Region};
+use crate::error::Error;
 
 /// Openings that are listed.
 const OPENINGS: usize = 5;
@@ -59,6 +62,60 @@ pub fn inspect_text(survey: &Survey) -> String {
     }
     out.list("notes", d.notes.iter().cloned());
     out.text
+}
+
+/// The same figures for other programs: lengths in mm, the box in the model frame. What was not
+/// found is null.
+pub fn inspect_json(survey: &Survey) -> Value {
+    let (d, measured) = (&survey.diagnosis, survey.part.measure());
+    let corners = survey.part.mesh.aabb().map(|b| [b.min, b.max].map(|p| [p.x, p.y, p.z]));
+    let said = |e: &Error| json!({ "stage": e.stage, "message": e.message, "advice": e.advice });
+    let regions = survey.regions().map(|r| r.list.iter().map(region_json).collect::<Vec<_>>());
+    json!({
+        "name": survey.name,
+        "format": d.format,
+        "unit": survey.unit,
+        "unit_reason": d.unit_reason,
+        "bodies": d.bodies,
+        "faces": d.faces.iter().map(|(kind, n)| (kind.clone(), json!(n))).collect::<Map<_, _>>(),
+        "triangles": survey.part.mesh.triangles.len(),
+        "box_mm": corners,
+        "area_mm2": measured.area_mm2,
+        "volume_mm3": d.closed.then_some(measured.volume_mm3),
+        "closed": d.closed,
+        "openings": d.openings,
+        "model_from_blade": survey.found.as_ref().ok().map(|f| {
+            let m = f.model_from_blade.to_homogeneous();
+            std::array::from_fn::<[f64; 4], 4, _>(|i| std::array::from_fn(|k| m[(i, k)]))
+        }),
+        "reasons": survey.found.as_ref().ok().map(|f| &f.heights.reasons),
+        "regions": regions,
+        "problem": survey.found.as_ref().err().or(survey.obstacle.as_ref()).map(said),
+        "notes": d.notes,
+    })
+}
+
+/// A region for other programs: lengths in mm, blade frame; sides counter-clockwise seen from its
+/// start.
+pub fn region_json(region: &Region) -> Value {
+    let faces = if let Patch::Faces(faces) = &region.patch {
+        json!(faces.iter().map(|f| f + 1).collect::<Vec<_>>())
+    } else {
+        Value::Null
+    };
+    let sides = region.sides.as_ref().map(|s| match s.suction_follows_leading {
+        true => ["leading-edge", "suction-side", "trailing-edge", "pressure-side"],
+        false => ["leading-edge", "pressure-side", "trailing-edge", "suction-side"],
+    });
+    json!({
+        "name": region.area,
+        "along": region.along,
+        "heights_mm": region.x_mm(),
+        "start": region.start,
+        "end": region.end,
+        "faces": faces,
+        "sides": sides,
+    })
 }
 
 /// What a body of an assembly is, where that can be told.

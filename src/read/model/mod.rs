@@ -59,7 +59,7 @@ use crate::observe::{Doubt, Observer, Warning};
 
 pub use fixture::{fixture, obstacle};
 use format::Format;
-pub use inspect::inspect_text;
+pub use inspect::{inspect_json, inspect_text, region_json};
 pub use survey::Survey;
 
 /// Faces that do not share their edges are joined where the edges are this near to each other, mm:
