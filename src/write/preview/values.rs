@@ -153,7 +153,8 @@ mod tests {
         assert!(lo == 0.0 && (480.0..=499.0).contains(&hi), "{lo} {hi}");
         let [lo, hi] = spanned((0..5000).map(|k| -peaks(k)));
         assert!(hi == 0.0 && (-499.0..=-480.0).contains(&lo), "{lo} {hi}");
-        // Three in a hundred are too many to leave out; where all but one are alike, that one is seen.
+        // Three in a hundred are too many to leave out; where all but one are alike, that one is
+        // seen.
         assert_eq!(spanned((0..5000).map(|k| if k % 100 < 3 { 5e4 } else { 1.0 })), [1.0, 5e4]);
         assert_eq!(spanned((0..5000).map(|k| if k == 9 { 2.0 } else { 1.0 })), [1.0, 2.0]);
         assert_eq!((spanned([]), spanned([f64::NAN, 3.0])), ([0.0; 2], [3.0; 2]));

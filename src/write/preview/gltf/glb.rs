@@ -229,8 +229,8 @@ impl Glb {
         self.root.extensions_used.push("KHR_materials_variants".into());
     }
 
-    /// The materials of a primitive by variant: what it shows where none of them is chosen, and where
-    /// viewers know no variants, is `material`.
+    /// The materials of a primitive by variant: what it shows where none of them is chosen, and
+    /// where viewers know no variants, is `material`.
     pub(super) fn by_variant(primitive: &mut Primitive, material: Index<Material>, by: &[(u32, Index<Material>)]) {
         let mapping = |(variant, material): &(u32, Index<Material>)| Mapping {
             material: u32::try_from(material.value()).unwrap_or(0),
@@ -241,7 +241,8 @@ impl Glb {
         primitive.material = Some(material);
     }
 
-    /// Meshes of these names are seen only where the last variant is chosen; without variants always.
+    /// Meshes of these names are seen only where the last variant is chosen; without variants
+    /// always.
     pub(super) fn only_in_last_variant(&mut self, names: &[&str]) {
         let variants = self.root.extensions.as_ref().and_then(|e| e.khr_materials_variants.as_ref());
         let last = variants.and_then(|v| u32::try_from(v.variants.len()).ok()?.checked_sub(1));

@@ -9,8 +9,8 @@
 //!   * `path`: a ribbon through the ball centres, one primitive a turn; its material is chosen by
 //!     `KHR_materials_variants`: coloured by turn, scallop, width of the channel, feed or axis
 //!     acceleration, dark for low values and bright for high ones (the scales stand in the node's
-//!     `extras`); the last variant shows contacts, channel, base vectors and altered points too, which
-//!     are unseen otherwise;
+//!     `extras`); the last variant shows contacts, channel, base vectors and altered points too,
+//!     which are unseen otherwise;
 //!   * `leads`: ball centres of lead-in and lead-out, and the beginning of the straight way along
 //!     the tool axis;
 //!   * `cutter contacts`: where the ball touches the part;

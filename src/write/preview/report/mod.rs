@@ -11,8 +11,8 @@
 //! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the
 //! file and the JSON pointer that they were made from (`data-figure`), and tests compare what is
 //! shown with the files. Only the section on the channel's walls counts for itself, in the channel
-//! of `plan.json`; what the sheet of setup and tool says of tool, machine and zero point is what the
-//! job gives.
+//! of `plan.json`; what the sheet of setup and tool says of tool, machine and zero point is what
+//! the job gives.
 //!
 //! Plots are thinned: each turn is cut into stretches, and a stretch shows the channel walls where
 //! they come *nearest* to the schedule and the *greatest* of its velocities, accelerations and
@@ -20,11 +20,12 @@
 //! The 3-D view holds up to 40 000 points of the path and 3 MB of the rest.
 //!
 //! **Numbers are rounded and the data is deflated**: lengths to 0.001 mm, angles to 0.001°
-//! (0.00001 rad in the 3-D view, 0.0001 rad the channel's limits there), times to 0.0001 s, and what plots scale to their own height to a
-//! 4000th of the greatest value shown; what is drawn is off by at most half of that (`pack.rs`).
-//! The scene is rounded as [`GltfOptions::rounded`](super::GltfOptions::rounded) says. Lines of the
-//! program are those of its file, byte for byte (`program.rs`). The page of a path of 47 000
-//! locations is smaller than 4 MB.
+//! (0.00001 rad in the 3-D view, 0.0001 rad the channel's limits there), times to 0.0001 s, and
+//! what plots scale to their own height to a 4000th of the greatest value shown; what is drawn is
+//! off by at most half of that (`pack.rs`). The scene is rounded as
+//! [`GltfOptions::rounded`](super::GltfOptions::rounded) says. Lines of the program are those of
+//! its file, byte for byte (`program.rs`). The page of a path of 47 000 locations is smaller than 4
+//! MB.
 
 mod channel;
 mod data;
