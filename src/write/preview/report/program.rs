@@ -110,9 +110,12 @@ fn data(program: &Program) -> Result<Value> {
     }))
 }
 
-/// A line as letters, each piece with the number behind it where there is one: that as a whole
-/// number of its last digit, digits after the point, and whether it has a `+`.
-fn pieces(line: &str) -> Vec<(&str, Option<(f64, usize, bool)>)> {
+/// A number of a line: as a whole number of its last digit, digits after the point, and whether it
+/// has a `+`.
+type Number = (f64, usize, bool);
+
+/// A line as letters, each piece with the number behind it where there is one.
+fn pieces(line: &str) -> Vec<(&str, Option<Number>)> {
     let (mut out, mut from, mut at) = (Vec::new(), 0, 0);
     let bytes = line.as_bytes();
     let digits = |at: usize| bytes[at..].iter().take_while(|b| b.is_ascii_digit()).count();
