@@ -3,7 +3,7 @@ import { $, before, data, show } from './data.js';
 import { legend } from './colour.js';
 import { cursor } from './cursor.js';
 import { plots, redrawAll } from './plot.js';
-import { View, path, placeOf, timeOf } from './scene.js';
+import { View, minmax, path, placeOf, timeOf } from './scene.js';
 import * as turns from './turns.js';
 import * as scallop from './scallop.js';
 import * as sections from './sections.js';
@@ -109,6 +109,11 @@ function controls() {
     view?.setCut($('cut-on').checked ? x : null);
     $('cut-out').textContent = `at ${show(+x.toFixed(2))} mm`;
   };
+  // The section begins where the path is, which is what the first look frames.
+  if (path?.x.length) {
+    const [a, b] = minmax(path.x);
+    $('cut').value = Math.round(1000 * ((a + b) / 2 - box[0][0]) / (box[1][0] - box[0][0]));
+  }
   $('cut').addEventListener('input', () => { $('cut-on').checked = true; cut(); });
   $('cut-on').addEventListener('change', cut);
   cut();

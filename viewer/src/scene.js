@@ -453,7 +453,7 @@ function plain(m) {
   return new MeshPhongMaterial({ name, color, side, vertexColors, transparent, opacity, flatShading, specular: 0x1c1c1c, shininess: 24 });
 }
 
-function minmax(l) {
+export function minmax(l) {
   let [lo, hi] = [Infinity, -Infinity];
   for (const v of l) { if (v < lo) lo = v; if (v > hi) hi = v; }
   return [lo, hi];

@@ -165,7 +165,7 @@ async function desktop(browser, folder, url) {
   });
   assert.ok(Math.abs(marked - placeSaid) < 0.02 * longest, `S ${placeSaid} is marked at ${marked} of ${longest}`);
   await changes(page, 'the section', () => page.check('#cut-on'));
-  await changes(page, 'the section\'s height', () => set(page, 'cut', 300));
+  await changes(page, 'the section\'s height', async () => set(page, 'cut', +(await page.inputValue('#cut')) - 40));
   await page.uncheck('#cut-on');
   for (const k of await page.$$eval('#colouring option', o => o.map(e => e.value))) {
     await page.selectOption('#colouring', k);
@@ -229,7 +229,7 @@ async function desktop(browser, folder, url) {
   const was = await page.textContent('#along-out');
   let hit = false;
   for (let k = 0; k < 300 && !hit; k++) {
-    await page.mouse.move(box.x + box.width * (0.3 + 0.4 * ((k * 0.618) % 1)), box.y + box.height * (0.2 + 0.6 * ((k * 0.382) % 1)));
+    await page.mouse.move(box.x + box.width * (0.3 + 0.4 * ((k * 0.7549) % 1)), box.y + box.height * (0.2 + 0.6 * ((k * 0.5698) % 1)));
     await page.evaluate(() => new Promise(d => requestAnimationFrame(() => requestAnimationFrame(d))));
     hit = await page.locator('#pick').isVisible();
   }
