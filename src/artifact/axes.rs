@@ -279,8 +279,11 @@ mod tests {
     }
 
     #[test]
-    fn rows_come_back_from_files() {
+    fn rows_are_all_of_one_length_and_come_back_from_files() {
         let rows: AxisRows = [[1.0, 2.0], [3.0, 4.5], [5.0, 0.1]].into_iter().collect();
+        assert_eq!((rows.len(), &rows[1], rows.get(3)), (3, [3.0, 4.5].as_slice(), None));
+        assert_eq!(rows.part(1..3), [[3.0, 4.5], [5.0, 0.1]].into_iter().collect());
+        assert!(rows.part(2..4).is_empty() && AxisRows::default().iter().next().is_none());
         let text = serde_json::to_string(&rows).unwrap();
         assert_eq!(serde_json::from_str::<AxisRows>(&text).unwrap(), rows);
         let none = serde_json::to_string(&AxisRows::default()).unwrap();
