@@ -8,10 +8,9 @@ mod error;
 mod planned;
 mod settings;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use bladewright::error::Result;
-use bladewright::job::{Draft, JobFile};
+use bladewright::job::Draft;
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::run::{self, Course, RunFolder, again, inputs};
 use pyo3::prelude::*;
@@ -31,28 +30,18 @@ fn plan(
     progress: Option<&Bound<'_, PyAny>>,
     threads: Option<usize>,
 ) -> PyResult<Planned> {
-    let (mut job, base) = job_of(&model).map_err(|e| error::raised(py, &e))?;
+    let (mut job, base) = inputs::typed(&model).map_err(|e| error::raised(py, &e))?;
     if let Some(settings) = settings {
         settings::apply(&mut job, settings)?;
     }
     let outcome = call::run(py, threads, progress, |observer| {
-        let draft: Draft = inputs::draft(job, &base)?;
+        let draft: Draft = inputs::draft(job, base)?;
         match &out {
             Some(out) => run::run(&draft, out, Course { force, ..Course::default() }, observer),
             None => run::in_memory(&draft, force, observer),
         }
     })?;
     Ok(Planned::new(outcome))
-}
-
-/// A job file with the folder that its paths start from, or a job of defaults for a model.
-fn job_of(input: &Path) -> Result<(JobFile, PathBuf)> {
-    let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    if is_toml && !model::table::is_header_file(input) {
-        let base = input.parent().unwrap_or(Path::new("."));
-        return Ok((inputs::job(input)?, base.to_path_buf()));
-    }
-    Ok((JobFile::from_model(input), PathBuf::from(".")))
 }
 
 /// Checks a finished run again and writes its `verify.json`; the same as JSON.

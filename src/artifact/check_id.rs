@@ -145,6 +145,12 @@ impl CheckId {
         )
     }
 
+    /// It judges the files of a finished run, not its plan.
+    pub fn is_of_files(&self) -> bool {
+        use CheckId as Id;
+        matches!(self, Id::Files | Id::Inputs | Id::TableCutterLocations | Id::TableAxes)
+    }
+
     /// It judges the ways onto the path and off it.
     pub fn is_of_lead(&self) -> bool {
         use CheckId as Id;

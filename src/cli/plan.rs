@@ -10,7 +10,6 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{Draft, JobFile};
 use crate::make::BladeDesign;
-use crate::read::model;
 use crate::run::summary::{ScheduleFigures, Summary};
 use crate::run::{self, Course, Outcome, inputs};
 
@@ -35,31 +34,24 @@ pub(super) fn draft_of(args: &Job) -> Result<Draft> {
 
 /// A model or job file, how to read it, and changed keys as a draft.
 pub(super) fn draft_from(input: &Path, reading: &Reading, set: &[String]) -> Result<Draft> {
-    let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    let is_job = is_toml && !model::table::is_header_file(input);
-    let mut file = if is_job { job_file(input)? } else { JobFile::from_model(input) };
+    let (mut file, base) = inputs::typed(input).map_err(|e| named(input, e))?;
     read_as(&mut file, reading)?;
     for assignment in set {
         file.set(assignment)?;
     }
-    let base = if is_job { input.parent().unwrap_or(Path::new(".")) } else { Path::new(".") };
     inputs::draft(file, base)
 }
 
-/// A job file; a design for `make` in its place is named as that.
-fn job_file(input: &Path) -> Result<JobFile> {
-    let read = inputs::job(input);
-    let design = || files::read_text(input, files::SHORT).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
-    match (read, input.display()) {
-        (Err(_), name) if design().is_some() => Err(Error::usage(
-            Stage::Job,
-            format!("{name} is the design of a blade for `make`, neither a job nor a model"),
-        )
-        .advise(format!(
-            "bladewright make {name} -o FOLDER writes the blade as STEP and OBJ; give one of these to plan"
-        ))),
-        (read, _) => read,
+/// The error of what is no job file; a design for `make` in its place is named as that.
+fn named(input: &Path, e: Error) -> Error {
+    let design = files::read_text(input, files::SHORT).ok().and_then(|text| BladeDesign::from_toml(&text).ok());
+    if design.is_none() {
+        return e;
     }
+    let name = input.display();
+    Error::usage(Stage::Job, format!("{name} is the design of a blade for `make`, neither a job nor a model")).advise(
+        format!("bladewright make {name} -o FOLDER writes the blade as STEP and OBJ; give one of these to plan"),
+    )
 }
 
 /// `--unit`, `--axis`, `--body`, `--region` and `--faces` as keys of the job.

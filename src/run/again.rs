@@ -14,15 +14,15 @@ use std::path::Path;
 
 use super::inputs::{self, Loaded};
 use super::manifest::{self, Input, Manifest};
-use super::{RunFolder, programs_again, reuse, settle, tables};
+use super::reuse::{self, Checks, Earlier};
+use super::{RunFolder, programs_again, settle, tables};
 use crate::artifact::report::Check;
 use crate::artifact::{CheckId, CheckReport, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::job::Job;
 use crate::observe::Observer;
 use crate::plan::{self, Setup};
-use crate::verify::seal::{self, Subject};
+use crate::verify::seal;
 use crate::verify::{self, Verdict};
 
 /// A finished run, its plan not checked yet.
@@ -42,31 +42,18 @@ pub struct Finished {
     evidence: Option<Evidence>,
 }
 
-/// What the run found by its checks.
+/// The text of a plan, and what the run found by its checks.
 struct Evidence {
     plan_json: String,
-    /// Without the checks of programs.
-    report: CheckReport,
-    seal: String,
+    checks: Checks,
 }
 
-impl Evidence {
-    /// Of the files of a folder; `None` where another build wrote them, for another job, or one
-    /// cannot be read.
-    fn of(out: &Path, kept: &Manifest, loaded: &Loaded, plan_json: String) -> Option<Self> {
-        let job: Job = serde_json::from_value(kept.job.clone()).ok()?;
-        let same = kept.program == super::program()
-            && kept.build == super::build()
-            && reuse::same_but_post(&job, &kept.inputs, loaded);
-        let mut report: CheckReport = serde_json::from_str(&text_of(out, "verify.json")?).ok()?;
-        report.checks.retain(|c| !c.id.is_of_program() && !FILES.contains(&c.id));
-        let seal = kept.seal.clone()?;
-        same.then_some(Evidence { plan_json, report, seal })
-    }
+/// What the run of a folder found by its checks; `None` where another build made it, for another
+/// job, or its report cannot be read.
+fn checks_of(out: &Path, loaded: &Loaded) -> Option<Checks> {
+    let earlier = Earlier::open(Box::new(|name| files::read(&out.join(name), files::LONG).ok()))?;
+    if earlier.differs_by_post_alone(loaded) { earlier.checks() } else { None }
 }
-
-/// Checks of the files of a run.
-const FILES: [CheckId; 4] = [CheckId::Files, CheckId::Inputs, CheckId::TableCutterLocations, CheckId::TableAxes];
 
 /// A finished run with its verdict: of the plan, and of the files that others read.
 pub struct Checked {
@@ -101,12 +88,10 @@ impl Finished {
     /// # Errors
     /// Those of [`Finished::check`].
     pub fn recall(mut self, observer: &dyn Observer) -> Result<Checked> {
-        let Some(Evidence { plan_json, report, seal }) = self.evidence.take() else {
+        let Some(Evidence { plan_json, checks: Checks { report, seal } }) = self.evidence.take() else {
             return self.check(observer);
         };
-        let setup = &self.loaded.setup;
-        let (part, options) = (reuse::part(&self.loaded), setup.verify_options());
-        let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
+        let about = reuse::subject(&self.loaded);
         match seal::recall(self.plan, &plan_json, report, &seal, &about)? {
             Ok(verdict) => {
                 let Finished { loaded, checks: files, wrote_programs, .. } = self;
@@ -169,10 +154,8 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let mut checks = vec![outputs(out, kept.as_ref()), changed(&loaded.inputs, kept.as_ref())];
     let (plan, tables) = read_tables(out, &loaded.setup, plan);
     checks.extend(tables);
-    let evidence = match &kept {
-        Some(kept) if checks.iter().all(|c| c.passed) => Evidence::of(out, kept, &loaded, text),
-        _ => None,
-    };
+    let untouched = checks.iter().all(|c| c.passed).then(|| checks_of(out, &loaded)).flatten();
+    let evidence = untouched.map(|checks| Evidence { plan_json: text, checks });
     let wrote_programs = kept.is_none_or(|m| m.status == reuse::GOOD);
     Ok(Finished {
         loaded,
@@ -203,10 +186,12 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
         count(id, &format!("cells of {file} that are not what the plan gives"), difference.count, note)
     });
     // The table that is the plan's holds the same locations, but for the rounding of their frame.
+    if checks[0].passed {
+        return (plan, checks);
+    }
     let mut read = plan.clone();
-    let differs = !checks[0].passed;
-    let is_read = differs
-        && texts[0].as_deref().is_some_and(|t| tables::read_cutter_locations(t, &setup.blade, &mut read).is_ok());
+    let is_read =
+        texts[0].as_deref().is_some_and(|t| tables::read_cutter_locations(t, &setup.blade, &mut read).is_ok());
     // A table that cannot be read is among the findings.
     (if is_read { read } else { plan }, checks)
 }

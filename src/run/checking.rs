@@ -12,7 +12,7 @@ use crate::error::{Result, Stage};
 use crate::feed;
 use crate::observe::{Observer, Recorder, timed};
 use crate::plan::{Baseline, Setup, paths};
-use crate::verify::seal::{self, Subject};
+use crate::verify::seal;
 use crate::verify::{self, Verdict, Verified};
 
 /// What checking and writing came to.
@@ -85,9 +85,7 @@ impl RunAtWork<'_, '_> {
     /// the very same.
     fn check(&mut self, plan: Plan, plan_json: &str, before: Option<Checks>) -> Result<(Verdict<Plan>, String, bool)> {
         let setup = &self.loaded.setup;
-        let options = setup.verify_options();
-        let part = reuse::part(self.loaded);
-        let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
+        let about = reuse::subject(self.loaded);
         let plan = match before {
             None => plan,
             Some(b) => match seal::recall(plan, plan_json, b.report, &b.seal, &about)? {

@@ -104,6 +104,18 @@ pub fn job(path: &Path) -> Result<JobFile> {
     job::parse(&text_of(path, Stage::Job, "job file", short)?, &path.display().to_string())
 }
 
+/// A job file with the folder that its paths start from; of a model a job of defaults.
+///
+/// # Errors
+/// Those of [`job`].
+pub fn typed(input: &Path) -> Result<(JobFile, &Path)> {
+    let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    if is_toml && !model::table::is_header_file(input) {
+        return Ok((job(input)?, input.parent().unwrap_or(Path::new("."))));
+    }
+    Ok((JobFile::from_model(input), Path::new(".")))
+}
+
 /// Settles what does not depend on the blade, as [`job::resolve`] does, with the tool that the job
 /// names in a library.
 ///

@@ -14,7 +14,7 @@ use crate::artifact::Plan;
 use crate::error::{Result, Stage};
 use crate::observe::{Observer, timed};
 use crate::verify::Verdict;
-use crate::verify::seal::{self, Subject};
+use crate::verify::seal;
 use crate::write::preview::report::Payload;
 
 /// Files that know nothing of the post.
@@ -85,16 +85,13 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
 
 /// Everything that is taken over; `None` where something of it is not as that run left it.
 fn open(run: &RunAtWork, earlier: &Earlier) -> Option<KeptRun> {
-    let setup = &run.loaded.setup;
     let files: Vec<_> = KEPT.iter().map(|name| Some((*name, earlier.file(name)?))).collect::<Option<_>>()?;
     let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
     let (plan_json, summary) = (text("plan.json")?, earlier.file("summary.json")?);
     let payload = Payload::of_page(std::str::from_utf8(&earlier.file("report.html")?).ok()?)?;
-    let (part, options) = (reuse::part(run.loaded), setup.verify_options());
-    let about = Subject { part: &part, tool: &setup.job.tool, machine: &setup.machine, options: &options };
     let plan: Plan = serde_json::from_str(plan_json).ok()?;
     let checks = earlier.checks()?;
-    let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &about).ok()?.ok()?;
+    let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &reuse::subject(run.loaded)).ok()?.ok()?;
     let summary = serde_json::from_slice(&summary).ok()?;
     Some(KeptRun { verdict, seal: checks.seal, summary, payload, files })
 }

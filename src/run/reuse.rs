@@ -29,14 +29,22 @@ use crate::observe::{Observer, Warning};
 use crate::path::PathSettings;
 use crate::plan::planning::Known;
 use crate::verify::VerifySettings;
+use crate::verify::seal::Subject;
 
 /// Names the part that the checks were about, and the program: what its exact shape follows from.
-pub(super) fn part(loaded: &Loaded) -> String {
+fn part(loaded: &Loaded) -> String {
     let (job, files) = (&loaded.setup.job, Files::of(&loaded.setup.job, &loaded.inputs));
     let model = ModelSettings { file: Default::default(), ..job.model.clone() };
     let (read, among) = (files.model.join(" "), files.obstacles.join(" "));
     let by = (super::program(), super::build());
     format!("{} {} {read} {model:?} {among} {:?} {:?}", by.0, by.1, job.fixture, job.stock)
+}
+
+/// What the checks of a plan are about.
+pub(super) fn subject(loaded: &Loaded) -> Subject<'_> {
+    let setup = &loaded.setup;
+    let (tool, machine, options) = (&setup.job.tool, &setup.machine, setup.verify_options());
+    Subject { part: part(loaded), tool, machine, options }
 }
 
 /// Reads a file of an earlier run by its name; `None` where there is none.
@@ -46,19 +54,6 @@ pub type ReadFile<'a> = Box<dyn Fn(&str) -> Option<Vec<u8>> + Send + Sync + 'a>;
 pub(super) const GOOD: &str = "good";
 /// Status of a run that came to its end but failed a check.
 pub(super) const FINDINGS: &str = "findings";
-
-/// A job with these inputs asks for what `loaded` does, but for `[post]`. Where files lie does not
-/// matter; what they hold does.
-pub(super) fn same_but_post(job: &Job, inputs: &[Input], loaded: &Loaded) -> bool {
-    let asked = &loaded.setup.job;
-    let bare = |job: &Job| Job {
-        model: bare_model(&job.model),
-        machine: MachineSettings { file: None, ..job.machine.clone() },
-        post: asked.post.clone(),
-        ..job.clone()
-    };
-    Files::of(job, inputs) == Files::of(asked, &loaded.inputs) && bare(job) == bare(asked)
-}
 
 /// What of a manifest matters here.
 #[derive(serde::Deserialize)]
@@ -116,10 +111,18 @@ impl<'a> Earlier<'a> {
         Some(if machine && room(&a.verify) == room(&b.verify) { Stage::Feed } else { Stage::Schedule })
     }
 
-    /// This run came to its end and stands for that of `loaded` in all but its programs.
+    /// This run came to its end and stands for that of `loaded` in all but its programs. Where
+    /// files lie does not matter; what they hold does.
     pub(super) fn differs_by_post_alone(&self, loaded: &Loaded) -> bool {
-        [GOOD, FINDINGS].contains(&self.before.status.as_str())
-            && same_but_post(&self.before.job, &self.before.inputs, loaded)
+        let (a, b) = (&self.before.job, &loaded.setup.job);
+        let (mine, yours) = (Files::of(a, &self.before.inputs), Files::of(b, &loaded.inputs));
+        let bare = |job: &Job| Job {
+            model: bare_model(&job.model),
+            machine: MachineSettings { file: None, ..job.machine.clone() },
+            post: b.post.clone(),
+            ..job.clone()
+        };
+        [GOOD, FINDINGS].contains(&self.before.status.as_str()) && mine == yours && bare(a) == bare(b)
     }
 
     /// A file of that run as it left it; `None` where it has been changed since.
@@ -138,10 +141,10 @@ impl<'a> Earlier<'a> {
         serde_json::from_slice(&self.file("plan.json")?).ok()
     }
 
-    /// The checks of that run, without those of its programs.
+    /// The checks of that run on its plan: without those of its files and its programs.
     pub(super) fn checks(&self) -> Option<Checks> {
         let mut report: CheckReport = serde_json::from_slice(&self.file("verify.json")?).ok()?;
-        report.checks.retain(|c| !c.id.is_of_program());
+        report.checks.retain(|c| !c.id.is_of_program() && !c.id.is_of_files());
         Some(Checks { report, seal: self.before.seal.clone()? })
     }
 }

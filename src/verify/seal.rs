@@ -14,17 +14,17 @@ use crate::machine::Machine;
 use crate::tool::Tool;
 
 /// What a report is about, besides the plan.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Subject<'a> {
     /// Names the part and the program that checks: hashes of the model's files, how they were read,
     /// the version.
-    pub part: &'a str,
+    pub part: String,
     /// The tool.
     pub tool: &'a Tool,
     /// The machine.
     pub machine: &'a Machine,
     /// Limits and sampling.
-    pub options: &'a VerifyOptions,
+    pub options: VerifyOptions,
 }
 
 /// The seal of a report; `plan_json` is the plan as [`crate::run::json_compact`] writes it.
