@@ -107,7 +107,7 @@ pub fn job(path: &Path) -> Result<JobFile> {
 /// A job file with the folder that its paths start from; of a model a job of defaults.
 ///
 /// # Errors
-/// Those of [`job`].
+/// Those of [`job()`].
 pub fn typed(input: &Path) -> Result<(JobFile, &Path)> {
     let is_toml = input.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     if is_toml && !model::table::is_header_file(input) {
