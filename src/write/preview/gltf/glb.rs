@@ -249,7 +249,8 @@ impl Glb {
         let Some(variant) = last else { return };
         let unseen = self.material("unseen", [1.0; 3], false);
         if let Some(m) = self.root.materials.get_mut(unseen.value()) {
-            m.alpha_mode = Checked::Valid(AlphaMode::Mask);
+            // Not a mask: viewers draw lines with a mask as if there were none.
+            m.alpha_mode = Checked::Valid(AlphaMode::Blend);
             m.pbr_metallic_roughness.base_color_factor = PbrBaseColorFactor([1.0, 1.0, 1.0, 0.0]);
         }
         let chosen = self.root.meshes.iter_mut().filter(|m| m.name.as_deref().is_some_and(|n| names.contains(&n)));

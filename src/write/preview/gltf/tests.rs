@@ -145,6 +145,8 @@ fn every_variant_reads_its_own_values() {
         for p in mesh.primitives() {
             let alpha = |m: ::gltf::Material| m.pbr_metallic_roughness().base_color_factor()[3];
             assert_eq!(alpha(p.material()) == 0.0, layer, "{:?}", mesh.name());
+            let blends = p.material().alpha_mode() == ::gltf::material::AlphaMode::Blend;
+            assert!(!layer || blends, "{:?}", mesh.name());
             let all: Vec<_> = p.mappings().map(|m| (m.variants().to_vec(), alpha(m.material()) > 0.0)).collect();
             assert!(!layer || all == [(vec![5], true)], "{:?} {all:?}", mesh.name());
         }
