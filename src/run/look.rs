@@ -11,7 +11,7 @@ use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{CheckReport, Plan, Program, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::lead;
-use crate::observe::{Observer, Recorder};
+use crate::observe::{Observer, Recorder, Silent};
 use crate::plan::{Baseline, Setup, leads, sketch};
 use crate::schedule;
 use crate::section;
@@ -222,10 +222,11 @@ pub fn preview_again(
     write(setup, plan, &look, &summary, folder, &recorder)
 }
 
-/// The fixed lead on the plan's path.
+/// The fixed lead on the plan's path. What a baseline that nobody asked for does wrong is no
+/// warning.
 fn fixed_lead(setup: &Setup, plan: &Plan, observer: &dyn Observer) -> Result<Baseline> {
     let options = setup.schedule_options();
-    let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, observer)?;
+    let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, &Silent)?;
     let others = lead::for_schedule(&plan.leads, &plan.toolpath, &schedule);
     let (motion, _) = leads::motion(setup, &plan.toolpath, &schedule, others, observer)?;
     Ok(Baseline { schedule, motion })
