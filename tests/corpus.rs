@@ -2,6 +2,10 @@
 //! (their licences do not allow it); where the variable is not set, each test fails and says so.
 //! Slow: `cargo nextest run --release --run-ignored only corpus`.
 
+#[cfg(unix)]
+use std::os::unix::fs::symlink;
+#[cfg(windows)]
+use std::os::windows::fs::symlink_dir as symlink;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -416,7 +420,7 @@ fn header(text: &str) -> (tempfile::TempDir, PathBuf) {
     let dir = tempfile::tempdir().expect("temporary folder");
     let path = dir.path().join("table.toml");
     // Tables lie in the folder of their header or below it.
-    std::os::unix::fs::symlink(blades(), dir.path().join("blades")).expect("a link");
+    symlink(blades(), dir.path().join("blades")).expect("a link");
     std::fs::write(&path, text.replace("FOLDER", "blades")).expect("header written");
     (dir, path)
 }

@@ -1,5 +1,6 @@
 //! README and manual run as printed: the commands in every `sh` fence of a chapter are one session
 //! of a shell, in a folder that holds what a clean checkout holds.
+#![cfg(unix)]
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -57,7 +58,6 @@ fn run_as_printed(name: &str) -> tempfile::TempDir {
     let chapter = checkout().join(name);
     let folder = tempfile::tempdir().expect("a folder");
     for entry in ["Cargo.toml", "docs", "examples", "models", "src", "tests"] {
-        #[cfg(unix)]
         std::os::unix::fs::symlink(checkout().join(entry), folder.path().join(entry)).expect("a link");
     }
     let binary = Path::new(env!("CARGO_BIN_EXE_bladewright"));
