@@ -61,7 +61,7 @@ fn what_is_in_the_way_is_named() {
     job(d, "missing.obj");
     fails(&["plan", "job.toml", "-o", "out"], d, 4, &["missing.obj"]);
     job(d, "round.obj");
-    let words = ["the tool starts in collision: the ball centre is inside fixture round.obj at turn 0"];
+    let words = ["the tool starts in collision: the ball centre is inside fixture round.obj at turn 1"];
     fails(&["plan", "job.toml", "-o", "out"], d, 3, &words);
     let swallows = ["--set", "tool.stickout_mm=6", "--set", "tool.holder=[{radius_mm=300, length_mm=200}]"];
     let model = prism();

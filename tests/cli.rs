@@ -263,6 +263,7 @@ fn plan_verify_post_and_preview_of_the_prism() {
         assert!(d.join("1/plots").join(file).is_file(), "{file}");
     }
     std::fs::remove_dir_all(d.join("1/plots")).expect("removable");
+    fails(&["plot", "1", "--turn", "0"], d, 2, &["there is no turn 0, the plan has turns 1 to"]);
     let again = bladewright(&["plan", "1/job.resolved.toml", "-o", "again"], d);
     assert_eq!(again.status.code(), Some(0), "{}", String::from_utf8_lossy(&again.stderr));
     let csv = |out: &str| std::fs::read(d.join(out).join("cutter_locations.csv")).expect("readable");

@@ -74,7 +74,7 @@ fn corpus_turbocharger_sector() {
     // The blade stands radially, and the back plate of the hub sector is in the way of the tool at
     // once.
     let options = set(&["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"]);
-    ends("turbocharger_turbine_sector.stl", &options, 3, "the channel closes at turn 0");
+    ends("turbocharger_turbine_sector.stl", &options, 3, "the channel closes at turn 1");
 }
 
 #[test]

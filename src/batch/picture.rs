@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::artifact::Plan;
+use crate::error::turn_number;
 use crate::write::draw;
 
 /// Points of a curve.
@@ -12,7 +13,7 @@ const POINTS: usize = 48;
 /// The channel over one turn, at evenly spread locations: rows of S in mm and θ in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
-    /// The turn.
+    /// The turn, from 0.
     pub turn: u32,
     /// `[S, θ min, θ max, θ]`.
     pub rows: Vec<[f64; 4]>,
@@ -46,7 +47,7 @@ impl Picture {
     /// picture.
     pub fn svg(&self) -> String {
         let line = |k: usize| self.rows.iter().map(|r| [r[0], r[k]]).collect::<Vec<_>>();
-        let label = format!("channel and schedule of turn {}", self.turn);
+        let label = format!("channel and schedule of turn {}", turn_number(self.turn));
         draw::small(&label, (&line(1), &line(2)), &line(3))
     }
 }

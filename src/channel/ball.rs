@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::report;
 use crate::artifact::{Blade, Obstacle, Toolpath};
-use crate::error::{Error, Infeasible, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
 
@@ -44,7 +44,8 @@ pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> R
 
 fn too_near(o: &Obstacle, (path, blade): (&Toolpath, &Blade), i: usize, what: &str, inside: bool) -> Error {
     let place = path.locations.get(i).map_or_else(String::new, |l| {
-        format!("turn {}, S = {:.2} mm, {:.3} mm along the blade axis", l.turn, l.turn_s_mm, l.centre.x)
+        let turn = turn_number(l.turn);
+        format!("turn {turn}, S = {:.2} mm, {:.3} mm along the blade axis", l.turn_s_mm, l.centre.x)
     });
     let since = Infeasible::BallNearFixture {
         at: report::at(path, i, |p| blade.model_from_blade * p),

@@ -2,7 +2,7 @@
 
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, ToolPart, Toolpath};
-use crate::error::{At, Bound, Error, Infeasible, Stage};
+use crate::error::{At, Bound, Error, Infeasible, Stage, turn_number};
 use crate::geometry::Point;
 use crate::geometry::part::Part;
 
@@ -177,7 +177,12 @@ impl Reporter<'_> {
         let p = self.blade.model_from_blade * l.centre;
         format!(
             "turn {}, S = {:.2} mm, ball centre ({:.3}, {:.3}, {:.3}) mm in the model, {:.3} mm along the blade axis",
-            l.turn, l.turn_s_mm, p.x, p.y, p.z, l.centre.x
+            turn_number(l.turn),
+            l.turn_s_mm,
+            p.x,
+            p.y,
+            p.z,
+            l.centre.x
         )
     }
 

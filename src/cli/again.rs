@@ -8,7 +8,7 @@ use super::progress::Terminal;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckReport};
-use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::error::{Error, ErrorKind, Result, Stage, turn_number};
 use crate::plan;
 use crate::run::again::{Checked, read};
 use crate::run::operations::{self, Done};
@@ -145,7 +145,7 @@ pub fn preview(args: &Preview, quiet: bool) -> Result<u8> {
 pub fn plot(args: &Plot, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
     let drawn = read(&args.run, &terminal).and_then(|run| run.check(&terminal)).and_then(|run| {
-        let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2);
+        let turn = args.turn.unwrap_or(run.verdict.value().toolpath.turns.len() / 2 + 1);
         run::plots(&run.loaded.setup, &run.verdict, turn, &terminal)
     });
     terminal.finish();
@@ -178,7 +178,7 @@ pub fn print_failed(report: &CheckReport) {
 
 /// The line of a check that failed; `place`: where on the path or in the program, after a comma.
 pub(super) fn finding(c: &Check, place: &str) {
-    let turn = c.turn.map(|t| format!(", turn {t}")).unwrap_or_default();
+    let turn = c.turn.map(|t| format!(", turn {}", turn_number(t))).unwrap_or_default();
     let at = c.point_mm.map(|[x, y, z]| format!(" at ({x:.3}, {y:.3}, {z:.3})")).unwrap_or_default();
     sayln!(
         "finding: {}: {} is {} {}, limit {}{at}{turn}{place}; {}",

@@ -369,7 +369,7 @@ pub enum Format {
 pub struct Plot {
     /// The folder of a finished run.
     pub run: PathBuf,
-    /// Turn to plot; default: the middle one.
+    /// Turn to plot, from 1; default: the middle one.
     #[arg(long, value_name = "N")]
     pub turn: Option<usize>,
     /// Kinds of files.

@@ -3,13 +3,13 @@
 use std::fmt::Write;
 
 use super::args::{Advise, Channel};
-use super::out::sayln;
+use super::out::{limit, sayln};
 use super::plan::{draft_from, draft_of};
 use super::progress::Terminal;
 use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
 use crate::channel::{self, FreeInterval, Leans};
-use crate::error::Result;
+use crate::error::{Result, turn_number};
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::run::{self, Loaded, RunFolder};
@@ -97,7 +97,13 @@ fn print_widths(widths: &[Width]) {
     for w in widths {
         let number = |v: Option<f64>| v.map_or_else(|| "closed".to_owned(), |v| format!("{v:.2}°"));
         let (a, b) = (number(w.narrowest_deg), number(w.monotone_deg));
-        sayln!("{:>7}° {a:>12} {b:>12}  turn {}, S = {:.2} mm: {}", w.b_deg, w.turn, w.turn_s_mm, w.binds);
+        sayln!(
+            "{:>7}° {a:>12} {b:>12}  turn {}, S = {:.2} mm: {}",
+            limit(w.b_deg),
+            turn_number(w.turn),
+            w.turn_s_mm,
+            w.binds
+        );
     }
 }
 
@@ -125,12 +131,15 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
             None => "closed".into(),
         },
     );
-    row("decided at", format!("turn {}, S = {:.2} mm: {}", now.turn, now.turn_s_mm, now.binds));
+    row("decided at", format!("turn {}, S = {:.2} mm: {}", turn_number(now.turn), now.turn_s_mm, now.binds));
     let ranges: Vec<String> = found.b_ranges_deg.iter().map(|[a, b]| format!("{a:.1}° to {b:.1}°")).collect();
-    let looked = angles.first().zip(angles.last()).map_or_else(String::new, |(a, b)| format!(" within {a}° to {b}°"));
+    let looked = angles
+        .first()
+        .zip(angles.last())
+        .map_or_else(String::new, |(a, b)| format!(" within {}° to {}°", limit(*a), limit(*b)));
     row("B that opens it", if ranges.is_empty() { format!("none{looked}") } else { ranges.join(", ") + &looked });
     if let Some(b) = found.best_b_deg {
-        row("widest at B", format!("{b}°"));
+        row("widest at B", format!("{}°", limit(b)));
     }
     let mm =
         |v: Option<f64>, digits: usize, none: &str| v.map_or_else(|| none.to_owned(), |v| format!("{v:.digits$} mm"));
@@ -145,11 +154,14 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let now_mm = format!(" (now {:.2} mm)", tool.shank_radius_mm);
     row("thickest shank that opens it", mm(found.shank_radius_mm, 2, "none, not even as thin as the ball") + &now_mm);
     if let Some(f) = &found.farthest {
-        row("leads farthest", format!("B = {}°: to height {:.2} mm, turn {}", f.b_deg, f.height_mm, f.turn));
+        row(
+            "leads farthest",
+            format!("B = {}°: to height {:.2} mm, turn {}", limit(f.b_deg), f.height_mm, turn_number(f.turn)),
+        );
     }
     if now.monotone_deg.is_none_or(|w| w < 0.0) && found.opens_nothing() {
         let end = found.farthest.as_ref().map_or_else(String::new, |f| {
-            format!(": end the region above height {:.2} mm (region.end_mm) with B = {}°", f.height_mm, f.b_deg)
+            format!(": end the region above height {:.2} mm (region.end_mm) with B = {}°", f.height_mm, limit(f.b_deg))
         });
         row("none of these alone opens it", format!("machine less of the blade, or take another tool{end}"));
     }

@@ -136,5 +136,11 @@ impl Error {
     }
 }
 
+/// The number of a turn as people read it. Data, tables and code count turns from 0; sentences, the
+/// report, programs and options from 1.
+pub fn turn_number(index: u32) -> u64 {
+    u64::from(index) + 1
+}
+
 /// Result of a stage.
 pub type Result<T> = std::result::Result<T, Error>;

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::turn_number;
+
 /// Surface that a ball does not go to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOver {
@@ -358,8 +360,9 @@ impl fmt::Display for Doubt {
             ),
             Doubt::NarrowChannel { width_deg, turn, turn_s_mm } => write!(
                 f,
-                "the monotone channel is only {width_deg:.3}° wide at turn {turn}, S = {turn_s_mm:.3} mm: the schedule \
-                 has little room there"
+                "the monotone channel is only {width_deg:.3}° wide at turn {}, S = {turn_s_mm:.3} mm: the schedule \
+                 has little room there",
+                turn_number(*turn)
             ),
             Doubt::QuaternionLeavesChannel { outside_deg, reversals } => write!(
                 f,
@@ -382,17 +385,20 @@ impl fmt::Display for Doubt {
             Doubt::MarginNotKept { margin_deg, locations, least_deg, turn, turn_s_mm } => write!(
                 f,
                 "the channel is narrower than four margins of {margin_deg:.3} deg at {locations} locations; there a \
-                 quarter of its width is kept, least {least_deg:.6} deg at turn {turn}, S = {turn_s_mm:.3} mm"
+                 quarter of its width is kept, least {least_deg:.6} deg at turn {}, S = {turn_s_mm:.3} mm",
+                turn_number(*turn)
             ),
             Doubt::LevelShortened { count, base_points, turn, length_mm } => write!(
                 f,
                 "the level stretch at {count} of {base_points} base points had to be shortened to fit the channel, \
-                 most at turn {turn} to {length_mm:.3} mm on either side; rotary acceleration is greater there"
+                 most at turn {} to {length_mm:.3} mm on either side; rotary acceleration is greater there",
+                turn_number(*turn)
             ),
             Doubt::TurnsMerged { count, first_turn } => write!(
                 f,
-                "{count} turns are scheduled together with the turn before, first turn {first_turn}: they are short \
-                 outer turns or the channel holds no level stretch at their base points"
+                "{count} turns are scheduled together with the turn before, first turn {}: they are short \
+                 outer turns or the channel holds no level stretch at their base points",
+                turn_number(*first_turn)
             ),
             Doubt::StraightLead { lead, reason } => write!(f, "the {lead} is straight along the tool axis: {reason}"),
             Doubt::RoughBound { gap } => write!(
@@ -402,12 +408,12 @@ impl fmt::Display for Doubt {
                 100.0 * gap
             ),
             Doubt::StandsOut { share, ratio, height_mm, turn, at_mm: [x, y, z] } => {
-                let percent = 100.0 * share;
+                let (percent, number) = (100.0 * share, turn_number(*turn));
                 let part = if percent < 0.005 { "under 0.01 %".to_owned() } else { format!("{percent:.2} %") };
                 write!(
                     f,
                     "{part} of the surface stands more than {ratio} times the scallop high, the most {height_mm:.4} mm \
-                     at turn {turn}, ({x:.3}, {y:.3}, {z:.3}) mm in the model: see the scallop map there, and machine \
+                     at turn {number}, ({x:.3}, {y:.3}, {z:.3}) mm in the model: see the scallop map there, and machine \
                      it again, or take a smaller scallop or ball"
                 )
             }

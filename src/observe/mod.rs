@@ -131,7 +131,7 @@ mod tests {
         let warning = Warning { stage: Stage::Channel, doubt };
         let json = written(&warning);
         let sentence =
-            "the monotone channel is only 0.300° wide at turn 3, S = 0.333 mm: the schedule has little room there";
+            "the monotone channel is only 0.300° wide at turn 4, S = 0.333 mm: the schedule has little room there";
         assert_eq!((&json["message"], &json["doubt"]["what"]), (&sentence.into(), &"narrow-channel".into()));
         assert_eq!(json["doubt"]["turn"], 3);
         let text = serde_json::to_string(&warning).unwrap();

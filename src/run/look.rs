@@ -232,7 +232,7 @@ fn fixed_lead(setup: &Setup, plan: &Plan, observer: &dyn Observer) -> Result<Bas
     Ok(Baseline { schedule, motion })
 }
 
-/// The report's plots of a turn, as names and SVG texts.
+/// The report's plots of a turn, which counts from 1, as names and SVG texts.
 ///
 /// # Errors
 /// Those of the stages; `Usage` where there is no such turn.

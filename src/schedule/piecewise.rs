@@ -11,7 +11,7 @@ use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Along, Error, Infeasible, Result, Stage};
+use crate::error::{Along, Error, Infeasible, Result, Stage, turn_number};
 use crate::observe::{Doubt, Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
@@ -53,7 +53,8 @@ pub(super) fn plan(
 
 /// `turn 3, S = 12.5 mm` of a location.
 pub(super) fn place(path: &Toolpath, row: usize) -> String {
-    path.locations.get(row).map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", l.turn, l.turn_s_mm))
+    let l = path.locations.get(row);
+    l.map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", turn_number(l.turn), l.turn_s_mm))
 }
 
 /// A row of the path as a place.

@@ -175,7 +175,7 @@ fn a_closed_hull_is_infeasible_and_says_where_and_why() {
     raw[130][0] += 1.2;
     let e = run(&p, &channel(&raw)).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible);
-    assert!(e.message.contains("turn 1, S = ") && e.message.contains("taper against the part"), "{e}");
+    assert!(e.message.contains("turn 2, S = ") && e.message.contains("taper against the part"), "{e}");
     assert!(e.message.contains("contact angle") && e.advice.is_some());
     let Some(Infeasible::HullClosed { at, short_deg, lower_at, upper_at }) = e.infeasible.as_deref() else {
         panic!("{e:?}")

@@ -94,7 +94,7 @@ fn turns(plan: &Plan, blade: &Blade) -> Check {
     let mut next = 0;
     for (k, turn) in turns.iter().enumerate() {
         if turn.first != next || turn.count == 0 || next + turn.count > locations.len() {
-            let is = format!("turn {k} has locations {} to {}", turn.first, turn.first + turn.count);
+            let is = format!("turn {} has locations {} to {}", k + 1, turn.first, turn.first + turn.count);
             found.add(next.min(locations.len() - 1), || format!("plan.json: {is}, the one before ends at {next}"));
             break;
         }

@@ -117,7 +117,7 @@ function controls() {
   $('cut').addEventListener('input', () => { $('cut-on').checked = true; cut(); });
   $('cut-on').addEventListener('change', cut);
   cut();
-  const last = Math.max(0, (P?.turns || 1) - 1);
+  const last = P?.turns || 1;
   for (const id of ['first-turn', 'last-turn']) { $(id).max = last; $(id).addEventListener('change', () => view?.setTurns(+$('first-turn').value, +$('last-turn').value)); }
   $('last-turn').value = last;
 }

@@ -53,7 +53,7 @@ export class View {
     this.camera.add(sun);
     this.mode = 'part';
     this.s = 0;
-    this.turns = [0, Math.max(0, (P?.turns || 1) - 1)];
+    this.turns = [1, P?.turns || 1];
     this.cut = null;
     this.plane = new Plane();
     this.layers = new Map();
@@ -213,7 +213,7 @@ export class View {
     this.setColouring(0);
   }
 
-  /** Shows turns `from` to `to`. */
+  /** Shows turns `from` to `to`, from 1. */
   setTurns(from, to) {
     const first = Math.max(0, path.turn.findIndex(t => t >= from));
     let last = path.turn.length - 1;

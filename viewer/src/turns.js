@@ -9,9 +9,10 @@ let channel = null;
 let axesPlots = [];
 let shown = [];
 
+/** Places of the turns chosen in the list; the page counts turns from 1. */
 const chosen = () => {
-  const first = Math.min(+$('turn').value, turns.length - 1);
-  return turns.map((_, t) => t).slice(Math.max(0, first), Math.max(0, first) + count());
+  const first = Math.max(0, Math.min(+$('turn').value, turns.length) - 1);
+  return turns.map((_, t) => t).slice(first, first + count());
 };
 
 /** A field of the turns shown as one list, lifted by each turn's start and angle. */
@@ -53,7 +54,7 @@ export function drawChannel() {
     onMove: s => cursor.set(s + turns[first].from, 'channel'),
     onPick: s => cursor.set(s + turns[first].from, 'channel', true),
   });
-  $('turn-out').textContent = shown.length > 1 ? `${first} – ${end} of 0 – ${turns.length - 1}` : `${first} of 0 – ${turns.length - 1}`;
+  $('turn-out').textContent = `${first + 1}${shown.length > 1 ? ` – ${end + 1}` : ''} of ${turns.length}`;
 }
 
 const kinds = [['position', 'Position', ''], ['velocity', 'Velocity', '/s'], ['acceleration', 'Acceleration', '/s²'], ['jerk', 'Jerk', '/s³']];
@@ -106,8 +107,8 @@ export function drawAxes() {
 }
 
 export function start() {
-  $('turn').max = Math.max(0, turns.length - 1);
-  $('turn').value = Math.floor(turns.length / 2);
+  $('turn').max = Math.max(1, turns.length);
+  $('turn').value = Math.floor(turns.length / 2) + 1;
   const A = data.axes;
   if (A) {
     $('axis').innerHTML = A.names.map((n, i) => `<option value="${i}"${i === 3 ? ' selected' : ''}>${n}</option>`).join('');
@@ -122,7 +123,7 @@ export function start() {
   cursor.on((s, from, settle) => {
     if (!turns.length) return;
     const turn = before(turns.map(t => t.from), s);
-    if (from !== 'channel' && from !== 'axes' && settle && !shown.includes(turn)) { $('turn').value = turn; both(); }
+    if (from !== 'channel' && from !== 'axes' && settle && !shown.includes(turn)) { $('turn').value = turn + 1; both(); }
     if (!shown.includes(turn)) return;
     if (from !== 'channel') channel?.mark(s - turns[shown[0]].from);
     if (from !== 'axes') for (const p of axesPlots) p?.mark(s);

@@ -146,7 +146,7 @@ pub(super) fn checks(scene: &AuditScene, heights: &Heights) -> Vec<LineCheck> {
     if let Some((turn, p95, top)) = worst_turn(scene, all) {
         let quantity = "95th percentile of the height left between passes over one turn".to_owned();
         let limit = limit(CheckId::ScallopTurn, quantity, p95.height_mm, scene.options.turn_ratio);
-        let note = format!("turn {turn}, highest {:.6}{}", top.height_mm, passes(&p95, usual));
+        let note = format!("highest {:.6}{}", top.height_mm, passes(&p95, usual));
         let mut check = scene.judged(limit, &scene.on_leg(p95.height_mm, top.leg, Some(top.point)), note);
         check.check.turn = Some(turn);
         out.push(check);

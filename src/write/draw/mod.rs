@@ -54,16 +54,17 @@ pub struct PlotInput<'a> {
 }
 
 /// File names without their ending, and SVG texts: S–θ plot and axes of the turn, histogram and map
-/// of the scallop, the middle section.
+/// of the scallop, the middle section. Turns count from 1.
 ///
 /// # Errors
 /// `Usage` where the plan has no such turn.
 pub fn plots(input: &PlotInput, turn: usize) -> Result<Vec<(String, String)>> {
     let plan = input.plan;
     let n = plan.toolpath.locations.len().min(plan.channel.rows.len()).min(plan.schedule.theta.len());
-    let Some(t) = plan.toolpath.turns.get(turn) else {
-        let last = plan.toolpath.turns.len().saturating_sub(1);
-        return Err(Error::usage(Stage::Preview, format!("there is no turn {turn}, turns run from 0 to {last}")));
+    let turns = &plan.toolpath.turns;
+    let Some(t) = turn.checked_sub(1).and_then(|k| turns.get(k)) else {
+        let message = format!("there is no turn {turn}, the plan has turns 1 to {}", turns.len());
+        return Err(Error::usage(Stage::Preview, message));
     };
     let rows = t.first.min(n)..t.first.saturating_add(t.count).min(n);
     let mut out = vec![(format!("channel-turn-{turn}"), chart::svg(&[channel(input, turn, rows.clone())]))];
@@ -283,9 +284,9 @@ mod tests {
 
     #[test]
     fn every_plot_is_well_formed_and_becomes_a_picture() {
-        let all = made(1).unwrap();
+        let all = made(2).unwrap();
         let names: Vec<&str> = all.iter().map(|p| p.0.as_str()).collect();
-        assert_eq!(names[..2], ["channel-turn-1", "axis-x-turn-1"]);
+        assert_eq!(names[..2], ["channel-turn-2", "axis-x-turn-2"]);
         assert_eq!(names[6..], ["scallop-histogram", "scallop-map", "section"]);
         for (name, svg) in &all {
             assert!(!svg.contains("NaN") && !svg.contains("a < b"), "{name}");
@@ -303,7 +304,12 @@ mod tests {
 
     #[test]
     fn a_turn_that_is_not_there_is_told() {
-        assert!(made(3).unwrap_err().message.contains("0 to 2"));
+        for turn in [0, 4] {
+            let message = made(turn).unwrap_err().message;
+            assert_eq!(message, format!("there is no turn {turn}, the plan has turns 1 to 3"));
+        }
+        // The plots of the last turn are those of its rows.
+        assert!(made(3).unwrap()[0].1.contains("channel of turn 3"));
         assert!(png("<svg/>", 0).is_err() && png("no svg", 100).is_err());
     }
 }

@@ -1,6 +1,7 @@
 //! What a path can be coloured by: one value for each cutter location.
 
 use crate::artifact::{CheckReport, Plan};
+use crate::error::turn_number;
 use crate::machine::Machine;
 
 /// A quantity along the path.
@@ -80,7 +81,7 @@ pub fn all(plan: &Plan, machine: &Machine, checks: Option<&CheckReport>) -> Vec<
     };
     let widths = plan.channel.rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).collect();
     vec![
-        Values::new("turn", "turn", "", locations.iter().map(|l| f64::from(l.turn)).collect()),
+        Values::new("turn", "turn", "", locations.iter().map(|l| turn_number(l.turn) as f64).collect()),
         Values::new("scallop", "scallop to the next turn", "mm", scallop(plan, checks)),
         Values::new("width", "width of the channel", "°", fitted(widths)),
         Values::new("feed", "feed", "mm/min", fitted(plan.motion.feed.iter().map(|v| v * 60.0).collect())),
@@ -139,6 +140,7 @@ mod tests {
         assert!(scallop.of[90].is_nan() && scallop.of[59].is_nan() && scallop.share(90).is_nan());
         assert!((of("width").of[5] - (2.0 * sample::WIDTH_RAD).to_degrees()).abs() < 1e-9);
         assert!((of("feed").of[7] - 1200.0).abs() < 1e-9);
+        assert_eq!(of("turn").range, [1.0, 3.0]);
         assert_eq!(of("turn").share(0), 0.0);
         assert_eq!(of("turn").share(180), 1.0);
     }

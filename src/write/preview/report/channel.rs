@@ -1,8 +1,9 @@
-//! The channel in figures: against the paper's limits from tangents, and against B.
+//! The channel in figures: against the published limits from tangents, and against B.
 
 use super::{ReportInput, escape, number};
 use crate::artifact::Plan;
 use crate::artifact::channel::{Binding, ChannelRow};
+use crate::error::turn_number;
 use crate::write::draw;
 
 /// What a limit from tangents is off by, over all locations.
@@ -83,7 +84,7 @@ fn tangents(plan: &Plan) -> String {
     let tolerance = plan.channel.tolerance_rad.to_degrees();
     let place = |row: usize| {
         let l = plan.toolpath.locations.get(row);
-        l.map_or_else(String::new, |l| format!("turn {}, S = {} mm", l.turn, number(l.turn_s_mm)))
+        l.map_or_else(String::new, |l| format!("turn {}, S = {} mm", turn_number(l.turn), number(l.turn_s_mm)))
     };
     let mut body = String::new();
     for (name, c) in [
@@ -106,8 +107,8 @@ fn tangents(plan: &Plan) -> String {
     let mean =
         |f: fn(&ChannelRow) -> f64| number(rows.iter().map(f).sum::<f64>().to_degrees() / rows.len().max(1) as f64);
     format!(
-        "<h3>Beside limits from tangents</h3><p>Limits from the path's tangents and the taper alone (the paper's) against the \
-         whole tool among the whole part. Mean width: {}° from tangents, {}° in truth. Where a limit lies outside the true wall \
+        "<h3>Beside limits from tangents</h3><p>Limits as the S–θ method was published, from the path's tangents \
+         and the taper alone, against the whole tool among the whole part. Mean width: {}° from tangents, {}° in truth. Where a limit lies outside the true wall \
          the tool would have come too near; where it lies more than {TIMID_DEG}° inside, room is given away.</p>\n\
          <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Limits from tangents\"><table><thead><tr>\
          <th scope=\"col\">From tangents</th><th scope=\"col\" class=\"n\">Locations outside</th><th scope=\"col\">Farthest</th>\

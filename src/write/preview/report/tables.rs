@@ -3,6 +3,7 @@
 use super::figures::table;
 use super::{ReportInput, escape, figure};
 use crate::artifact::report::Check;
+use crate::error::turn_number;
 
 /// Header with the verdict and the ways through the page.
 pub(super) fn header(input: &ReportInput) -> String {
@@ -76,7 +77,7 @@ pub(super) fn checks(input: &ReportInput) -> String {
 fn place(c: &Check) -> String {
     let mut words = Vec::new();
     if let Some(t) = c.turn {
-        words.push(format!("turn {t}"));
+        words.push(format!("turn {}", turn_number(t)));
     }
     if let Some(r) = c.row {
         words.push(format!("<button type=\"button\" class=\"go\" data-row=\"{r}\">location {r}</button>"));
