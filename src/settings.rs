@@ -169,3 +169,97 @@ pub(crate) fn check(stage: Stage, key: &str, value: &dyn Number, range: &RangeIn
     let lo = if lo == TINY { "greater than 0".to_string() } else { format!("at least {lo}") };
     Err(Error::usage(stage, format!("{key} is {v}, it must be {lo} and at most {hi}")))
 }
+
+/// What is wrong with a TOML text, in one line of plain words: the parser speaks of its own types.
+pub fn in_words(e: &toml::de::Error) -> String {
+    plain(&e.message().trim().replace('\n', " "))
+}
+
+/// `invalid type: string "2", expected f64` as `a number is wanted, not the text "2"`; any other
+/// message as it is.
+fn plain(message: &str) -> String {
+    if let Some(key) = message.strip_prefix("missing field ") {
+        return format!("{key} is missing");
+    }
+    let Some((found, wanted)) = message.strip_prefix("invalid ").and_then(|m| m.split_once(", expected ")) else {
+        return message.to_owned();
+    };
+    let (kind, found) = found.split_once(' ').unwrap_or((found, ""));
+    let found = match (kind, found) {
+        ("length", n) => format!("a list of {n}"),
+        (_, "sequence") => "a list".to_owned(),
+        (_, "map") => "a table".to_owned(),
+        (_, x) => x.strip_prefix("string ").map_or_else(|| bare(x), |text| format!("the text {text}")),
+    };
+    let wanted = match wanted {
+        "f64" => "a number".to_owned(),
+        "u8" | "u16" | "u32" | "u64" | "usize" => "a whole number from 0".to_owned(),
+        "i64" => "a whole number".to_owned(),
+        "a boolean" => "true or false".to_owned(),
+        "a string" => "a text".to_owned(),
+        "path string" => "the name of a file".to_owned(),
+        "a sequence" => "a list".to_owned(),
+        "a map" => "a table".to_owned(),
+        w if w.starts_with("struct ") => "a table".to_owned(),
+        w => w.strip_prefix("an array of length ").map_or_else(|| w.to_owned(), |n| format!("a list of {n}")),
+    };
+    format!("{wanted} is wanted, not {found}")
+}
+
+/// ``integer `5` `` as `5`.
+fn bare(found: &str) -> String {
+    found.split('`').nth(1).unwrap_or(found).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::in_words;
+
+    #[test]
+    fn types_of_the_parser_are_told_in_words() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        #[allow(dead_code)]
+        struct Inner {
+            number: f64,
+        }
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        #[allow(dead_code)]
+        struct All {
+            number: f64,
+            count: u32,
+            list: Vec<f64>,
+            three: [f64; 3],
+            yes: bool,
+            name: String,
+            inner: Option<Inner>,
+        }
+        impl Default for All {
+            fn default() -> Self {
+                let (name, inner) = (String::new(), None);
+                All { number: 0.0, count: 0, list: Vec::new(), three: [0.0; 3], yes: false, name, inner }
+            }
+        }
+        for (text, says) in [
+            ("number = \"2,5\"", "a number is wanted, not the text \"2,5\""),
+            ("number = [1]", "a number is wanted, not a list"),
+            ("number = true", "a number is wanted, not true"),
+            ("count = -1", "a whole number from 0 is wanted, not -1"),
+            ("count = 1.5", "a whole number from 0 is wanted, not 1.5"),
+            ("list = { a = 1 }", "a list is wanted, not a table"),
+            ("three = [1, 2]", "a list of 3 is wanted, not a list of 2"),
+            ("yes = 1", "true or false is wanted, not 1"),
+            ("name = 3", "a text is wanted, not 3"),
+            ("inner = 3", "a table is wanted, not 3"),
+            ("inner = {}", "`number` is missing"),
+            (
+                "nomber = 3",
+                "unknown field `nomber`, expected one of `number`, `count`, `list`, `three`, `yes`, `name`, `inner`",
+            ),
+        ] {
+            assert_eq!(in_words(&toml::from_str::<All>(text).unwrap_err()), says, "{text}");
+        }
+    }
+}

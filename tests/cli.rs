@@ -332,7 +332,7 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     fails(&["verify", "arc.nc", "--part", model, "--tool", tool], d, 2, &["line 2", "G2: arcs are not read"]);
     fails(&["verify", "letter.txt", "--part", model, "--tool", tool], d, 2, &["letter.txt", "does not look like"]);
     fails(&["verify", "none.nc", "--part", model, "--tool", tool], d, 4, &["none.nc"]);
-    fails(&["verify", "arc.nc", "--part", model, "--tool", "tool.toml"], d, 2, &["tool.toml", "missing field"]);
+    fails(&["verify", "arc.nc", "--part", model, "--tool", "tool.toml"], d, 2, &["tool.toml", "is missing"]);
     fails(&["verify", "arc.nc", "--part", "no.step", "--tool", tool], d, 4, &["no.step"]);
     fails(&["verify", "arc.nc"], d, 2, &["--part"]);
     for file in ["theirs.ngc", "arc.nc", "letter.txt", "tool.toml"] {
@@ -537,6 +537,10 @@ fn stages_can_be_stopped_after() {
     assert_eq!(names, ["job.resolved.toml", "sections.json", "toolpath.json"]);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert!(said.starts_with("tool: ball R 4 mm, taper 4°, shank 12 mm, stick-out "), "{said}");
+    for words in ["\n  turns  ", "\n  ball centres at heights            ", "stopped after path, as asked: model "] {
+        assert!(said.contains(words), "`{words}` is not in {said}");
+    }
+    assert!(!said.contains("narrowest channel"), "{said}");
     // A feed that no axis reaches is told; and so is a ball that is too large.
     let options = ["feed.feed_mm_min=200000", "tool.radius_mm=10", "region.start_mm=15"].map(|o| ["--set", o]).concat();
     let out = bladewright(&[&["plan", &model, "-o", "fast", "--until", "section"][..], &options].concat(), dir.path());
@@ -559,5 +563,7 @@ fn the_helix_ends_where_the_tool_has_no_room() {
     let text = String::from_utf8_lossy(&out.stderr).into_owned();
     assert_eq!(out.status.code(), Some(0), "{text}");
     assert!(text.contains("the helix ends at height") && text.contains("taper against"), "{text}");
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert!(said.contains("\n  narrowest channel ") && said.contains("\n    without turning back "), "{said}");
     fails(&[&until[..], &["--set", "region.end_mm=5"]].concat(), dir.path(), 3, &["channel", "taper"]);
 }

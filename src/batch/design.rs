@@ -6,6 +6,7 @@ use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job;
 use crate::make::{BladeDesign, Law, presets};
+use crate::settings::in_words;
 
 /// Variations of a design, beside its own keys.
 pub(super) const VARIATIONS: [(&str, &str); 3] = [
@@ -41,7 +42,7 @@ pub(super) fn set(
     }
     let mut root = toml::Value::try_from(&*design).map_err(|e| e.to_string())?;
     job::insert(&mut root, key, value.clone())?;
-    *design = root.try_into().map_err(|e: toml::de::Error| e.message().trim().replace('\n', " "))?;
+    *design = root.try_into().map_err(|e: toml::de::Error| in_words(&e))?;
     Ok(())
 }
 

@@ -12,6 +12,7 @@ use crate::error::{Error, Result, Stage};
 use crate::job::JobFile;
 use crate::make::BladeDesign;
 use crate::run::inputs;
+use crate::settings::in_words;
 
 /// Where a member's blade comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,7 +127,7 @@ fn template(file: &FamilyFile, base: &Path) -> Result<JobFile> {
     let value = |j: &JobFile| toml::Value::try_from(j).map_err(|e| usage(format!("the template job: {e}")));
     let mut root = value(&of_file)?;
     overlay(&mut root, value(&absolute(keys.clone(), base))?);
-    root.try_into().map_err(|e: toml::de::Error| usage(format!("the template job: {}", e.message())))
+    root.try_into().map_err(|e: toml::de::Error| usage(format!("the template job: {}", in_words(&e))))
 }
 
 fn overlay(under: &mut toml::Value, over: toml::Value) {

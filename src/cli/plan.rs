@@ -1,5 +1,6 @@
 //! `plan`: model or job file in, programs out.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use super::args::{Faces, Job, Plan, Reading, RegionHeights};
@@ -10,7 +11,7 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{Draft, JobFile};
 use crate::make::BladeDesign;
-use crate::run::summary::{ScheduleFigures, Summary};
+use crate::run::summary::{ScheduleFigures, StoppedFigures, Summary};
 use crate::run::{self, Course, Outcome, inputs};
 
 /// Runs the verb; the exit code.
@@ -88,6 +89,10 @@ fn print(outcome: &Outcome, until: Option<Stage>) {
     if let Some(summary) = &outcome.summary {
         print_summary(summary);
     }
+    if let Some(stopped) = &outcome.stopped {
+        sayln!("{}", outcome.setup.blade.name);
+        print_stopped(stopped);
+    }
     if let Some(until) = until {
         let took: Vec<String> = outcome.stages.iter().map(|s| format!("{} {:.1} s", s.stage, s.seconds)).collect();
         sayln!("stopped after {until}, as asked: {}", took.join(", "));
@@ -101,13 +106,37 @@ fn print(outcome: &Outcome, until: Option<Stage>) {
     }
 }
 
+/// A figure with its name.
+fn row(name: &str, value: impl Display) {
+    sayln!("  {name:<34} {value}");
+}
+
+/// What a run that was stopped has.
+fn print_stopped(s: &StoppedFigures) {
+    print_path(s.turns, s.cutter_locations, s.region_x_mm, s.path_length_mm);
+    if let Some(c) = &s.channel {
+        print_channel(c.narrowest_deg, c.narrowest_row, c.monotone_deg);
+    }
+    if let Some(reversals) = s.reversals {
+        row("reversals", reversals);
+    }
+}
+
+fn print_path(turns: usize, locations: usize, [from, to]: [f64; 2], length_mm: f64) {
+    row("turns", turns);
+    row("cutter locations", locations);
+    row("ball centres at heights", format!("{from:.3} to {to:.3} mm"));
+    row("path length", format!("{length_mm:.1} mm"));
+}
+
+fn print_channel(narrowest_deg: f64, location: usize, monotone_deg: f64) {
+    row("narrowest channel", format!("{narrowest_deg:.2}° at location {location}"));
+    row("  without turning back", format!("{monotone_deg:.2}°"));
+}
+
 fn print_summary(s: &Summary) {
     sayln!("{}", s.name);
-    let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
-    row("turns", s.turns.to_string());
-    row("cutter locations", s.cutter_locations.to_string());
-    row("ball centres at heights", format!("{:.3} to {:.3} mm", s.region_x_mm[0], s.region_x_mm[1]));
-    row("path length", format!("{:.1} mm", s.path_length_mm));
+    print_path(s.turns, s.cutter_locations, s.region_x_mm, s.path_length_mm);
     row("machining time", minutes(s.machining_time_s));
     for p in &s.programs {
         row(&format!("  cycle, {}", p.file), cycle(&p.cycle));
@@ -125,8 +154,7 @@ fn print_summary(s: &Summary) {
     }
     row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
-    row("narrowest channel", format!("{:.2}° at location {}", s.channel_width_min_deg, s.channel_narrowest_row));
-    row("  without turning back", format!("{:.2}°", s.channel_monotone_min_deg));
+    print_channel(s.channel_width_min_deg, s.channel_narrowest_row, s.channel_monotone_min_deg);
     if let [used, fixed, ..] = &s.schedules[..] {
         sayln!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
         let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {

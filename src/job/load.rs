@@ -5,6 +5,7 @@ use std::path::Path;
 use super::sections::ModelKeys;
 use super::typed::JobFile;
 use crate::error::{Error, Result, Stage};
+use crate::settings::in_words;
 
 /// Parses the text of a job file; `name` is used in messages.
 ///
@@ -19,7 +20,7 @@ pub fn parse(text: &str, name: &str) -> Result<JobFile> {
         let place = line.map(|l| format!("{name}, line {l}")).unwrap_or_else(|| name.to_string());
         let shown = line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
         let shown = shown.map(|l| format!(" at `{l}`")).unwrap_or_default();
-        Error::usage(Stage::Job, format!("{place}{shown}: {}", e.message().trim().replace('\n', " ")))
+        Error::usage(Stage::Job, format!("{place}{shown}: {}", in_words(&e)))
             .advise("models/job.schema.json lists every key; job.resolved.toml of any run is a complete example")
     })
 }
@@ -45,8 +46,12 @@ impl JobFile {
         if keys.len() < 2 || keys.iter().any(|k| k.is_empty()) {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
-        let text = value.trim();
-        self.set_value(&keys, read_value(text)).map_err(|m| bad(hint(text, &m).unwrap_or(m)))
+        let (text, value) = (value.trim(), read_value(value.trim()));
+        let hint = |m: &str| match value {
+            toml::Value::Table(_) => None,
+            _ => list_hint(&keys, text, m).or_else(|| number_hint(text, m)),
+        };
+        self.set_value(&keys, value.clone()).map_err(|m| bad(hint(&m).unwrap_or(m)))
     }
 
     /// Sets one key, given as the list of its parts, to a TOML value.
@@ -56,19 +61,23 @@ impl JobFile {
     pub fn set_value(&mut self, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
         let mut root = toml::Value::try_from(&*self).map_err(|e| e.to_string())?;
         insert(&mut root, keys, value)?;
-        *self = root.try_into().map_err(|e: toml::de::Error| e.message().trim().replace('\n', " "))?;
+        *self = root.try_into().map_err(|e: toml::de::Error| in_words(&e))?;
         Ok(())
     }
 }
 
-/// What is wrong with a text where a number or a list is wanted; `None` where something else is
+/// What to type where an entry of a list is set without its number; `None` where something else is
 /// wrong.
-fn hint(text: &str, message: &str) -> Option<String> {
-    if message.contains("expected a sequence") {
-        return Some(format!("{message}: this is a list, name its first entry by 0, as in fixture.0.file=vice.stl"));
-    }
-    let wanted = ["expected f64", "expected u32", "expected u64", "expected usize"];
-    if !(message.contains("invalid type: string") && wanted.iter().any(|w| message.contains(w))) {
+fn list_hint(keys: &[&str], text: &str, message: &str) -> Option<String> {
+    let (last, list) = keys.split_last()?;
+    let list = list.join(".");
+    (message == "a list is wanted, not a table")
+        .then(|| format!("{list} is a list: name its first entry by 0, as in --set {list}.0.{last}={text}"))
+}
+
+/// What is wrong with a text where a number is wanted; `None` where something else is wrong.
+fn number_hint(text: &str, message: &str) -> Option<String> {
+    if !(message.contains("number") && message.contains("is wanted, not the text")) {
         return None;
     }
     let point = text.replacen(',', ".", 1);

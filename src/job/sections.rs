@@ -119,7 +119,7 @@ pub struct RegionSettings {
 
 /// What a tool is called in a library.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "the number or the name of a tool is wanted")]
 pub enum LibraryEntry {
     /// Its number.
     Number(u32),

@@ -14,7 +14,10 @@ fn messages_name_line_key_and_what_is_allowed() {
     let m = usage("[model]\nfile = \"a.stl\"\n\n[path]\nscalop_mm = 0.01\n");
     assert!(m.contains("blade.toml, line 5") && m.contains("scalop_mm") && m.contains("scallop_mm"), "{m}");
     let m = usage("[tool]\nradius_mm = \"eight\"\n");
-    assert!(m.contains("line 2") && m.contains("radius_mm") && m.contains("expected f64"), "{m}");
+    assert!(
+        m.contains("line 2") && m.contains("radius_mm") && m.contains("a number is wanted, not the text \"eight\""),
+        "{m}"
+    );
     let m = usage("[[tool.holder]]\nradius_mm = 8\nlenght_mm = 3\n");
     assert!(m.contains("line 3") && m.contains("lenght_mm") && m.contains("length_mm"), "{m}");
     let m = usage("[model]\naxis = \"w\"\n");

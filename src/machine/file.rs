@@ -8,6 +8,7 @@ use super::chain::Head;
 use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::settings::in_words;
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -39,7 +40,7 @@ impl MachineFile {
                 let before = text.get(..s.start).unwrap_or(text);
                 format!(" line {}", before.matches('\n').count() + 1)
             });
-            Error::usage(Stage::Machine, format!("{origin}{}: {}", place.unwrap_or_default(), e.message()))
+            Error::usage(Stage::Machine, format!("{origin}{}: {}", place.unwrap_or_default(), in_words(&e)))
                 .advise("models/machines/demo_table_head.toml shows every key with its unit")
         })
     }

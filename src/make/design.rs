@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
+use crate::settings::in_words;
 
 /// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along
 /// +z:
@@ -34,7 +35,7 @@ pub struct BladeDesign {
 /// A quantity along the height: one number, or stations `[height fraction, value]` from 0 at the
 /// platform to 1 at the tip (two: linear; more: natural cubic spline).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number is wanted, or a list of [height fraction, value]")]
 pub enum Law {
     /// The same at all heights.
     Constant(f64),
@@ -206,7 +207,7 @@ impl BladeDesign {
     /// Reads a design file; unknown keys and impossible values are errors that name the key.
     pub fn from_toml(text: &str) -> Result<Self> {
         let design: BladeDesign = toml::from_str(text).map_err(|e| {
-            Error::usage(Stage::Make, format!("the design file is not understood: {}", e.message()))
+            Error::usage(Stage::Make, format!("the design file is not understood: {}", in_words(&e)))
                 .advise("compare with the design files in models/")
                 .caused_by(e)
         })?;

@@ -7,7 +7,7 @@ use super::folder::RunFolder;
 use super::inputs::Loaded;
 use super::manifest::{self, Clock, Manifest, SCHEMA_VERSION, StageRecord};
 use super::reuse::{self, Earlier};
-use super::summary::Summary;
+use super::summary::{self, StoppedFigures, Summary};
 use super::{build, program, repost};
 use crate::artifact::program::Control;
 use crate::artifact::{CheckReport, Plan};
@@ -49,6 +49,8 @@ pub struct Outcome {
     pub setup: Setup,
     /// Figures, where the run went far enough.
     pub summary: Option<Summary>,
+    /// Figures of what there is, where the run was stopped after its path or later.
+    pub stopped: Option<StoppedFigures>,
     /// What the checks found, where the run went far enough.
     pub report: Option<CheckReport>,
     /// The plan with its verdict, where the run went far enough. A plan that fails its checks and
@@ -116,11 +118,12 @@ pub fn run_on(
             status,
         },
     )?;
-    let Made { summary, report, verdict, taken, .. } = made;
+    let Made { summary, stopped, report, verdict, taken, .. } = made;
     Ok(Outcome {
         files: folder.finish()?,
         setup: loaded.setup,
         summary,
+        stopped,
         report,
         verdict,
         warnings: recorder.warnings(),
@@ -149,6 +152,7 @@ pub fn in_memory(draft: &Draft, force: bool, observer: &dyn Observer) -> Result<
         files: Vec::new(),
         setup,
         summary: Some(summary),
+        stopped: None,
         report: Some(report),
         verdict: Some(verdict),
         warnings: recorder.warnings(),
@@ -169,6 +173,7 @@ pub(super) fn forced(verdict: Verdict<Plan>) -> Verdict<Plan> {
 #[derive(Default)]
 pub(super) struct Made {
     pub summary: Option<Summary>,
+    pub stopped: Option<StoppedFigures>,
     pub report: Option<CheckReport>,
     pub verdict: Option<Verdict<Plan>>,
     pub seal: Option<String>,
@@ -187,7 +192,7 @@ fn make(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Made> {
     let known = reuse::take(run.loaded, earlier, observer);
     made.taken = known.stages;
     let reached = planning::stages(setup, run.course.until, known.results, observer)?;
-    write_as_far(&reached, run.folder)?;
+    made.stopped = write_as_far(&reached, run.folder)?;
     if let Reached::Motion(planned) = reached {
         let (plan, baseline) = *planned;
         let checked = run.check_and_write(&sections, plan, &baseline, known.checks)?;
@@ -198,15 +203,17 @@ fn make(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Made> {
     Ok(made)
 }
 
-/// Writes what was planned where planning stopped early; a whole plan is written with its checks.
-fn write_as_far(reached: &Reached, folder: &mut RunFolder) -> Result<()> {
+/// Writes what was planned where planning stopped early, with its figures; a whole plan is written
+/// with its checks.
+fn write_as_far(reached: &Reached, folder: &mut RunFolder) -> Result<Option<StoppedFigures>> {
     let (path, channel, schedule) = match reached {
         Reached::Path(path) => (path, None, None),
         Reached::Channel(path, channel) => (path, Some(channel), None),
         Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
-        Reached::Motion(..) => return Ok(()),
+        Reached::Motion(..) => return Ok(None),
     };
     folder.add_json("toolpath.json", path)?;
     channel.map_or(Ok(()), |c| folder.add_json("channel.json", c))?;
-    schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))
+    schedule.map_or(Ok(()), |s| folder.add_json("schedule.json", s))?;
+    Ok(Some(summary::stopped(path, channel, schedule)))
 }

@@ -78,6 +78,7 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         summary: Some(summary),
         verdict: Some(verdict),
         report: Some(report),
+        stopped: None,
         seal: Some(kept.seal),
         taken: TAKEN.to_vec(),
     }))

@@ -4,7 +4,7 @@ use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{AxisMotion, AxisRows, CheckReport, Plan, Schedule};
+use crate::artifact::{AxisMotion, AxisRows, Channel, CheckReport, Plan, Schedule};
 use crate::machine::Axis;
 
 /// Greatest velocity, acceleration and jerk of one axis over the path.
@@ -209,12 +209,59 @@ pub fn path_figures(path: &Toolpath, limit: LimitFigures, used: &LimitFigures) -
     }
 }
 
+/// Figures of a run that was stopped after its path or later.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoppedFigures {
+    /// Turns.
+    pub turns: usize,
+    /// Cutter locations.
+    pub cutter_locations: usize,
+    /// Heights of the first and last ball centre along the blade axis, mm.
+    pub region_x_mm: [f64; 2],
+    /// Length of the path of ball centres, mm.
+    pub path_length_mm: f64,
+    /// How wide the channel is; `None`: stopped before it.
+    pub channel: Option<ChannelFigures>,
+    /// Places where θ turns back; `None`: stopped before the schedule.
+    pub reversals: Option<usize>,
+}
+
+/// Figures of what there is of a plan.
+pub fn stopped(path: &Toolpath, channel: Option<&Channel>, schedule: Option<&Schedule>) -> StoppedFigures {
+    StoppedFigures {
+        turns: path.turns.len(),
+        cutter_locations: path.locations.len(),
+        region_x_mm: path.region_x_mm,
+        path_length_mm: path.locations.last().map_or(0.0, |l| l.s_mm),
+        channel: channel.map(channel_figures),
+        reversals: schedule.map(|s| s.reversals),
+    }
+}
+
+/// How wide a channel is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChannelFigures {
+    /// Least width, degrees.
+    pub narrowest_deg: f64,
+    /// Cutter location of it.
+    pub narrowest_row: usize,
+    /// Least width of the monotone hull, degrees.
+    pub monotone_deg: f64,
+}
+
+/// Least widths of a channel.
+fn channel_figures(channel: &Channel) -> ChannelFigures {
+    let widths = channel.rows.iter().map(|r| r.theta_max - r.theta_min).enumerate();
+    let (narrowest_row, width) = widths.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+    let hull = channel.rows.get(channel.narrowest_row);
+    let monotone_deg = hull.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees());
+    ChannelFigures { narrowest_deg: width.to_degrees(), narrowest_row, monotone_deg }
+}
+
 /// The summary of a checked plan.
 pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<ScheduleFigures>) -> Summary {
     let path = &plan.toolpath;
-    let widths = plan.channel.rows.iter().map(|r| r.theta_max - r.theta_min).enumerate();
-    let (narrowest, width) = widths.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
-    let hull = plan.channel.rows.get(plan.channel.narrowest_row);
+    let width = channel_figures(&plan.channel);
     Summary {
         name: name.into(),
         turns: path.turns.len(),
@@ -237,9 +284,9 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         uncut_height_mm: report.uncut_height_mm,
         gouge_mm: report.gouge_mm,
         clearance_mm: report.clearance_mm,
-        channel_width_min_deg: width.to_degrees(),
-        channel_narrowest_row: narrowest,
-        channel_monotone_min_deg: hull.map_or(0.0, |r| (r.hull_max - r.hull_min).to_degrees()),
+        channel_width_min_deg: width.narrowest_deg,
+        channel_narrowest_row: width.narrowest_row,
+        channel_monotone_min_deg: width.monotone_deg,
         schedules,
         limits_assumed: Vec::new(),
         programs: Vec::new(),

@@ -3,6 +3,7 @@
 
 use super::HolderStage;
 use crate::error::{Error, Result, Stage};
+use crate::settings::in_words;
 
 /// The built-in catalogue.
 const BUILT_IN: &str = include_str!("../../models/tools/cutters.toml");
@@ -87,7 +88,7 @@ impl Catalogue {
     /// None for the built-in file, which a test reads.
     pub fn built_in() -> Result<Self> {
         toml::from_str(BUILT_IN)
-            .map_err(|e| Error::usage(Stage::Job, format!("models/tools/cutters.toml: {}", e.message())))
+            .map_err(|e| Error::usage(Stage::Job, format!("models/tools/cutters.toml: {}", in_words(&e))))
     }
 
     /// The cutter for a ball that need not be in the catalogue: the smallest with a ball as large,

@@ -11,6 +11,7 @@ pub mod scallop;
 use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
+use crate::settings::in_words;
 
 /// Room that taper and shank keep from a part where nobody asks for another, mm.
 pub const CLEARANCE_MM: f64 = 0.1;
@@ -72,13 +73,13 @@ impl Tool {
                  [{ radius_mm = …, length_mm = … }]; job.resolved.toml of any run will do",
             )
         };
-        let mut table: toml::Table = toml::from_str(text).map_err(|e| bad(e.message()))?;
+        let mut table: toml::Table = toml::from_str(text).map_err(|e| bad(&in_words(&e)))?;
         let own = match table.remove("tool") {
             Some(toml::Value::Table(tool)) => tool,
             Some(_) => return Err(bad("`tool` is not a table")),
             None => table,
         };
-        let tool: Tool = own.try_into().map_err(|e: toml::de::Error| bad(e.message()))?;
+        let tool: Tool = own.try_into().map_err(|e: toml::de::Error| bad(&in_words(&e)))?;
         tool.validate()?;
         Ok(tool)
     }

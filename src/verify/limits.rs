@@ -115,8 +115,9 @@ fn judge(peak: &AxisPeak, plan: &Plan, blade: &Blade, machine: &Machine, options
 fn forward_in_time(plan: &Plan, blade: &Blade) -> Check {
     let t = &plan.motion.t_s;
     let back = worst(t.windows(2).map(|w| w[0] - w[1]));
-    let quantity = "greatest step back in time, seconds (negative: all steps are forward)";
-    let check = Check::at_most(CheckId::Time, quantity, back.value, 0.0, "s", String::new());
+    let quantity = "greatest step back in time, seconds";
+    let note = if back.value == 0.0 { "two rows at the same time".into() } else { String::new() };
+    let check = Check::at_most(CheckId::Time, quantity, back.value.max(0.0), 0.0, "s", note);
     Check { passed: back.value < 0.0, ..check }.at_location(back.row, plan, blade)
 }
 

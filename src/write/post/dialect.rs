@@ -30,6 +30,7 @@ use serde::{Deserialize, Serialize};
 use super::template::{TemplateLine, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
+use crate::settings::in_words;
 
 /// What rotary words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -301,7 +302,7 @@ impl Dialect {
         let file: PostFile = toml::from_str(text).map_err(|e| {
             let line = e.span().map(|s| text.get(..s.start).unwrap_or(text).matches('\n').count() + 1);
             let place = line.map(|n| format!(" line {n}")).unwrap_or_default();
-            Error::usage(Stage::Post, format!("{origin}{place}: {}", e.message()))
+            Error::usage(Stage::Post, format!("{origin}{place}: {}", in_words(&e)))
                 .advise("models/posts/siemens.toml shows every key")
         })?;
         file.validate(origin)?;

@@ -294,7 +294,8 @@ fn checks(run: &OperationRun, lines: &mut Lines) {
     }
     for c in &run.report.checks {
         let verdict = if c.passed { "ok    " } else { "FAILED" };
-        lines.comment(&format!("  {verdict} {}: {:.6} {u}, limit {:.6} {u}", c.id, c.worst, c.limit, u = c.unit));
+        let unit = if c.unit.is_empty() { String::new() } else { format!(" {}", c.unit) };
+        lines.comment(&format!("  {verdict} {}: {:.6}{unit}, limit {:.6}{unit}", c.id, c.worst, c.limit));
     }
 }
 

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::files;
+use crate::settings::in_words;
 
 /// What a job or design file never has at its top.
 #[derive(Debug, serde::Deserialize)]
@@ -57,7 +58,7 @@ pub struct Header {
 
 /// One name or several.
 #[derive(Clone, Debug, serde::Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a text is wanted, or a list of texts")]
 pub enum Names {
     /// One.
     One(String),
@@ -123,7 +124,7 @@ pub fn parse(text: &str, name: &str) -> Result<Header> {
     let file: HeaderFile = toml::from_str(text).map_err(|e| {
         let line = e.span().map(|s| text.get(..s.start).unwrap_or(text).matches('\n').count() + 1);
         let place = line.map(|l| format!("line {l}: ")).unwrap_or_default();
-        bad(format!("{place}{}", e.message().trim().replace('\n', " ")))
+        bad(format!("{place}{}", in_words(&e)))
     })?;
     let h = file.sections;
     let positive = |key: &str, x: Option<f64>| match x {
