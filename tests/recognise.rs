@@ -108,7 +108,7 @@ fn turned((points, triangles): &Mesh, by: &UnitQuaternion<f64>) -> Mesh {
 /// The blade axis found, root to tip, and what is doubted.
 fn axis(survey: &Survey) -> (Vector3<f64>, Vec<String>) {
     let found = survey.found.as_ref().unwrap_or_else(|e| panic!("{e}"));
-    (found.model_from_blade.rotation * Vector3::x(), found.doubts.clone())
+    (found.model_from_blade.rotation * Vector3::x(), found.doubts.iter().map(ToString::to_string).collect())
 }
 
 /// The axis of a mesh in three positions: within `within_deg` of z, turned along, root to tip.
@@ -241,7 +241,7 @@ fn a_body_of_an_assembly_is_chosen_by_its_number() {
     }
     let whole = read(None).expect("read");
     let told = match &whole.found {
-        Ok(_) => whole.diagnosis.notes.join("\n"),
+        Ok(_) => whole.diagnosis.notes.iter().map(|n| format!("{n}\n")).collect(),
         Err(e) => e.to_string(),
     };
     assert!(told.contains("--body") && told.contains("2 bodies"), "{told}");

@@ -3,6 +3,7 @@
 use super::region::Regions;
 use crate::geometry::Rigid;
 use crate::geometry::part::Part;
+use crate::observe::Remark;
 
 /// Length unit of a model file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
@@ -73,9 +74,9 @@ pub struct Diagnosis {
     pub mirrored: bool,
     /// What speaks against the blade axis that was given.
     #[serde(skip)]
-    pub axis_against: Option<String>,
+    pub axis_against: Option<Remark>,
     /// What was changed or looks odd.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
 }
 
 /// A blade.

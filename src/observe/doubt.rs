@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::Remark;
 use crate::error::turn_number;
 
 /// Surface that a ball does not go to.
@@ -243,15 +244,18 @@ pub enum Doubt {
         /// Its place, model frame, mm.
         at_mm: [f64; 3],
     },
-    /// What reading the model left to be said: words alone.
+    /// The words of a warning whose data is not known.
     #[serde(skip)]
-    Remark(String),
+    Words(String),
+    /// What reading the model left to be said.
+    #[serde(untagged)]
+    Model(Remark),
 }
 
 impl Doubt {
     /// There is data besides the words.
     pub fn has_data(&self) -> bool {
-        !matches!(self, Doubt::Remark(_))
+        !matches!(self, Doubt::Words(_))
     }
 }
 
@@ -417,7 +421,8 @@ impl fmt::Display for Doubt {
                      it again, or take a smaller scallop or ball"
                 )
             }
-            Doubt::Remark(text) => f.write_str(text),
+            Doubt::Words(text) => f.write_str(text),
+            Doubt::Model(remark) => remark.fmt(f),
         }
     }
 }

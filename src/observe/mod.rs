@@ -1,8 +1,10 @@
 //! Progress, warnings and cancellation: how a stage speaks while it works.
 
 mod doubt;
+mod remark;
 
 pub use doubt::{Doubt, LeftOver, tightest};
+pub use remark::{FarthestMove, Remark, direction, listed, short, standing_out};
 
 use crate::error::{Error, Result, Stage};
 
@@ -36,7 +38,7 @@ impl From<Told> for Warning {
     /// What another version made of other data stays as its sentence.
     fn from(Told { stage, message, doubt }: Told) -> Self {
         let known = doubt.and_then(|d| serde_json::from_value::<Doubt>(d).ok()).filter(|d| d.to_string() == message);
-        Warning { stage, doubt: known.unwrap_or(Doubt::Remark(message)) }
+        Warning { stage, doubt: known.unwrap_or(Doubt::Words(message)) }
     }
 }
 
@@ -139,8 +141,41 @@ mod tests {
     }
 
     #[test]
+    fn remarks_on_a_model_have_data_too() {
+        let joined = Remark::EdgesJoined { count: 3, gap_mm: 0.1 + 0.2 };
+        let farthest = FarthestMove { mm: 0.25, face: "face 7".into(), at_mm: [1.0, 1.0 / 3.0, -2.0] };
+        for (remark, says, key) in [
+            (joined, "3 edges that faces did not share were joined, at most 3.00e-1 mm apart", "gap_mm"),
+            (Remark::TakenAtRest, "skins and morph targets are not applied: the mesh is taken at rest", "what"),
+            (
+                Remark::UnitNotCertain { across_mm: 7.4, unit: "mm".into(), others: vec![("cm".into(), 74.0)] },
+                "the unit is not certain: the file names none, and 7.400 mm across in mm is unusual for a blade; in cm \
+                 74.00 mm would be usual; give it with --unit",
+                "others",
+            ),
+            (
+                Remark::FacesChanged { count: 2, dropped: 1, farthest: Some(farthest) },
+                "sewing changed 2 faces, 1 of them dropped, the most 0.2500 mm at face 7 near (1.000, 0.333, -2.000): \
+                 the tool spares them as the file has them too",
+                "farthest",
+            ),
+            (
+                Remark::RepeatedFaces { faces: vec![["face 2".into(), "face 1".into()]] },
+                "faces given twice were dropped: face 2 repeats face 1",
+                "faces",
+            ),
+        ] {
+            let warning = Warning { stage: Stage::Model, doubt: Doubt::Model(remark) };
+            let json = written(&warning);
+            assert_eq!(json["message"], says);
+            assert!(json["doubt"]["what"].is_string() && !json["doubt"][key].is_null(), "{json}");
+            assert_eq!(serde_json::from_value::<Warning>(json).unwrap(), warning);
+        }
+    }
+
+    #[test]
     fn what_nobody_knows_stays_a_sentence() {
-        let remark = Warning { stage: Stage::Model, doubt: Doubt::Remark("a face is odd".into()) };
+        let remark = Warning { stage: Stage::Model, doubt: Doubt::Words("a face is odd".into()) };
         let bare = serde_json::json!({ "stage": "model", "message": "a face is odd" });
         assert_eq!(written(&remark), bare);
         for doubt in [

@@ -4,6 +4,7 @@ use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::geometry::Vector;
 use crate::geometry::brep::Brep;
+use crate::observe::Remark;
 
 /// The faces of a model, before anything is healed.
 pub struct FaceModel {
@@ -20,7 +21,7 @@ pub struct FaceModel {
     /// Who says so.
     pub unit_source: UnitSource,
     /// What the user should know.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
     /// How the sections are stacked, where the faces were lofted through a table of them.
     pub stacking: Option<Stacking>,
 }

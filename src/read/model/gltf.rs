@@ -18,6 +18,7 @@ use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::geometry::Point;
+use crate::observe::Remark;
 
 /// Nodes deeper than this are taken for circular.
 const DEEPEST: usize = 64;
@@ -66,10 +67,10 @@ fn read_guarded(path: &Path, bytes: &[u8]) -> Said<Soup> {
     }
     let mut soup = scene.soup;
     if scene.other > 0 {
-        soup.notes.push(format!("{} primitives of points or lines were passed over", scene.other));
+        soup.notes.push(Remark::PrimitivesPassedOver { count: scene.other });
     }
     if scene.posed {
-        soup.notes.push("skins and morph targets are not applied: the mesh is taken at rest".into());
+        soup.notes.push(Remark::TakenAtRest);
     }
     Ok(soup)
 }

@@ -23,6 +23,7 @@ use super::published::{self, MOVED_MM};
 use super::wind;
 use crate::geometry::boundary;
 use crate::geometry::mesh::{Mesh, topology, weld};
+use crate::observe::Remark;
 
 /// Welding tolerances that are tried where the mesh has faults, as shares of its diagonal: the
 /// rounding of single precision and of files with seven and with five digits.
@@ -46,7 +47,7 @@ pub struct Healed {
     /// The mesh, mm.
     pub mesh: Mesh,
     /// What was changed.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
     /// Triangles that are not as the file has them, as it has them.
     pub published: Option<Mesh>,
 }
@@ -58,14 +59,14 @@ pub fn heal(mesh: Mesh, options: &HealOptions) -> Healed {
     let mut mesh = welded(&read, options.weld_mm, &mut notes);
     let repeated = drop_repeated(&mut mesh);
     if repeated > 0 {
-        notes.push(format!("{repeated} duplicate triangles were dropped"));
+        notes.push(Remark::RepeatedDropped { triangles: repeated });
     }
     let (flipped, left) = flip_flat(&mut mesh);
     if flipped > 0 {
-        notes.push(format!("{flipped} triangles without area were merged into their neighbours"));
+        notes.push(Remark::FlatMerged { triangles: flipped });
     }
     if left > 0 {
-        notes.push(format!("{left} triangles without area stay: they have no neighbour to merge with"));
+        notes.push(Remark::FlatLeft { triangles: left });
     }
     notes.extend(wind::orient(&mut mesh));
     if let Some(most_mm) = options.close_holes_mm {
@@ -73,20 +74,17 @@ pub fn heal(mesh: Mesh, options: &HealOptions) -> Healed {
         let before = mesh.triangles.len();
         let closed = boundary::close(&mut mesh, most_mm, face);
         if closed > 0 {
-            let added = mesh.triangles.len() - before;
-            notes.push(format!("{closed} holes up to {most_mm} mm were closed with {added} triangles"));
+            let triangles = mesh.triangles.len() - before;
+            notes.push(Remark::HolesClosed { count: closed, most_mm, triangles });
             // A piece that was open may be wound inward, and nothing told so before.
             notes.extend(wind::orient(&mut mesh));
         } else {
-            notes.push(format!("no hole up to {most_mm} mm was found to close"));
+            notes.push(Remark::NoHoleToClose { most_mm });
         }
     }
     let published = published::triangles(&read, &mesh);
     if let Some(moved) = &published {
-        notes.push(format!(
-            "{} triangles had corners that moved by more than {MOVED_MM} mm: the tool spares them as the file has them too",
-            moved.triangles.len()
-        ));
+        notes.push(Remark::CornersMoved { triangles: moved.triangles.len(), beyond_mm: MOVED_MM });
     }
     drop_unused_points(&mut mesh);
     Healed { mesh, notes, published }
@@ -98,7 +96,7 @@ fn faults(mesh: &Mesh) -> usize {
     t.open_edges + t.nonmanifold_edges
 }
 
-fn welded(mesh: &Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
+fn welded(mesh: &Mesh, told_mm: Option<f64>, notes: &mut Vec<Remark>) -> Mesh {
     let size = mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
     let mut best = None;
     if let Some(tolerance) = told_mm {
@@ -120,8 +118,7 @@ fn welded(mesh: &Mesh, told_mm: Option<f64>, notes: &mut Vec<String>) -> Mesh {
     let merged = mesh.points.len() - closer.points.len();
     let lost = mesh.triangles.len() - closer.triangles.len();
     if merged > 0 {
-        let lost = if lost > 0 { format!("; {lost} triangles vanished by it") } else { String::new() };
-        notes.push(format!("{merged} vertices closer than {tolerance:.2e} mm to another were merged{lost}"));
+        notes.push(Remark::VerticesMerged { vertices: merged, within_mm: tolerance, vanished: lost });
     }
     closer
 }

@@ -48,7 +48,7 @@ fn corners_apart_by_rounding_are_welded_and_apart_by_more_are_not() {
         assert_eq!(topology(&h.mesh).open_edges == 0, closes, "{gap}: {:?}", h.notes);
         if closes {
             sound(&h);
-            assert!(h.notes.iter().any(|n| n.contains("merged")), "{:?}", h.notes);
+            assert!(h.notes.iter().any(|n| n.to_string().contains("merged")), "{:?}", h.notes);
         }
         // The user may ask for more.
         sound_loosely(&heal(mesh, &HealOptions { weld_mm: Some(0.01), ..HealOptions::default() }));
@@ -71,7 +71,7 @@ fn repeated_triangles_go() {
     }
     let h = healed(mesh);
     sound(&h);
-    assert!(h.notes.iter().any(|n| n.starts_with("3 duplicate")), "{:?}", h.notes);
+    assert!(h.notes.iter().any(|n| n.to_string().starts_with("3 duplicate")), "{:?}", h.notes);
     assert_eq!(h.mesh.face_of.len(), h.mesh.triangles.len());
 }
 
@@ -94,7 +94,7 @@ fn a_wall_without_thickness_inside_goes() {
     let t = topology(&h.mesh);
     assert!(t.closed() && t.components == 1, "{t:?} {:?}", h.notes);
     assert!((h.mesh.volume_mm3() - 16.0).abs() < 1e-12);
-    assert!(h.notes.iter().any(|n| n.starts_with("4 duplicate")), "{:?}", h.notes);
+    assert!(h.notes.iter().any(|n| n.to_string().starts_with("4 duplicate")), "{:?}", h.notes);
 }
 
 #[test]
@@ -112,7 +112,7 @@ fn triangles_without_area_are_merged_into_their_neighbours() {
     assert!(topology(&mesh).closed());
     let h = healed(mesh);
     sound(&h);
-    assert!(h.notes.iter().any(|n| n.starts_with("1 triangles without area")), "{:?}", h.notes);
+    assert!(h.notes.iter().any(|n| n.to_string().starts_with("1 triangles without area")), "{:?}", h.notes);
     assert!((0..h.mesh.triangles.len()).all(|t| height(&h.mesh, t) > 0.1));
 }
 
@@ -124,10 +124,14 @@ fn holes_are_closed_on_request_only() {
     assert_eq!(topology(&healed(mesh.clone()).mesh).open_edges, 3);
     let small = heal(mesh.clone(), &HealOptions { close_holes_mm: Some(1.0), ..HealOptions::default() });
     assert_eq!(topology(&small.mesh).open_edges, 3);
-    assert!(small.notes.iter().any(|n| n.contains("no hole up to 1 mm")), "{:?}", small.notes);
+    assert!(small.notes.iter().any(|n| n.to_string().contains("no hole up to 1 mm")), "{:?}", small.notes);
     let h = heal(mesh, &HealOptions { close_holes_mm: Some(3.0), ..HealOptions::default() });
     sound(&h);
-    assert!(h.notes.iter().any(|n| n.contains("1 holes up to 3 mm were closed with 1 triangles")), "{:?}", h.notes);
+    assert!(
+        h.notes.iter().any(|n| n.to_string().contains("1 holes up to 3 mm were closed with 1 triangles")),
+        "{:?}",
+        h.notes
+    );
 }
 
 #[test]

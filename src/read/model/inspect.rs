@@ -60,7 +60,7 @@ pub fn inspect_text(survey: &Survey) -> String {
     if let Some(e) = &survey.obstacle {
         out.list("plan", [format!("not possible as it is: {}", e.message)].into_iter().chain(e.advice.clone()));
     }
-    out.list("notes", d.notes.iter().cloned());
+    out.list("notes", d.notes.iter().map(ToString::to_string));
     out.text
 }
 
@@ -91,7 +91,8 @@ pub fn inspect_json(survey: &Survey) -> Value {
         "reasons": survey.found.as_ref().ok().map(|f| &f.heights.reasons),
         "regions": regions,
         "problem": survey.found.as_ref().err().or(survey.obstacle.as_ref()).map(said),
-        "notes": d.notes,
+        "notes": d.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "remarks": d.notes,
     })
 }
 

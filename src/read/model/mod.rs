@@ -138,7 +138,7 @@ pub fn load(path: &Path, options: &ModelOptions, observer: &dyn Observer) -> Res
 pub fn load_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &dyn Observer) -> Result<Blade> {
     let blade = survey_bytes(path, bytes, options, observer)?.into_blade(observer)?;
     for note in &blade.diagnosis.notes {
-        observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Remark(note.clone()) });
+        observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Model(note.clone()) });
     }
     Ok(blade)
 }

@@ -12,6 +12,7 @@ use std::path::Path;
 
 use super::soup::Soup;
 use crate::error::{Error, Result, Stage};
+use crate::observe::Remark;
 
 /// The name that `tobj` gives to what has none.
 const UNNAMED: &str = "unnamed_object";
@@ -51,8 +52,7 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Soup> {
         }
     }
     if weighted > 0 {
-        soup.notes
-            .push(format!("weights of {weighted} vertices were passed over: they are for curves, not for a mesh"));
+        soup.notes.push(Remark::WeightsPassedOver { vertices: weighted });
     }
     Ok(soup)
 }
@@ -173,7 +173,7 @@ mod tests {
         let others = soup("v 1 2 3 0\nv 4 5 6 -2.5\nv 7 8 0 1\nf 1 2 3\n").unwrap();
         assert!(plain.triangles == ones.triangles && plain.triangles == others.triangles);
         assert!(plain.notes.is_empty() && ones.notes.is_empty());
-        assert!(others.notes.len() == 1 && others.notes[0].contains("2 vertices"), "{:?}", others.notes);
+        assert!(others.notes.len() == 1 && others.notes[0].to_string().contains("2 vertices"), "{:?}", others.notes);
     }
 
     #[test]

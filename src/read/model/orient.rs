@@ -6,11 +6,12 @@
 
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
+use crate::observe::Remark;
 
 use super::wind;
 
 /// Turns faces and their triangles; says what was turned.
-pub fn orient(brep: &mut Brep, mesh: &mut Mesh) -> Vec<String> {
+pub fn orient(brep: &mut Brep, mesh: &mut Mesh) -> Option<Remark> {
     let before = mesh.triangles.clone();
     wind::orient(mesh);
     let mut turned: Vec<Option<bool>> = vec![None; brep.faces.len()];
@@ -26,12 +27,5 @@ pub fn orient(brep: &mut Brep, mesh: &mut Mesh) -> Vec<String> {
             count += 1;
         }
     }
-    match count {
-        0 => Vec::new(),
-        n if n == brep.faces.len() => vec!["all faces were oriented inward and were turned".into()],
-        n => vec![format!(
-            "{n} of {} faces were oriented against their neighbours or inward and were turned",
-            brep.faces.len()
-        )],
-    }
+    (count > 0).then_some(Remark::FacesTurned { count, of: brep.faces.len() })
 }

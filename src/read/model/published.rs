@@ -19,7 +19,7 @@ use crate::geometry::brep::{Brep, Coedge, Edge, Face};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point, Rigid};
-use crate::observe::Observer;
+use crate::observe::{FarthestMove, Observer, Remark};
 
 /// What moved by less than this counts as not moved, mm: half of what a tessellation takes for one
 /// edge.
@@ -101,17 +101,18 @@ impl Published {
         }
     }
 
-    /// What was changed, in a sentence.
-    pub fn note(&self) -> String {
-        let dropped = self.of.iter().filter(|of| of.is_none()).count();
-        let dropped = if dropped > 0 { format!(", {dropped} of them dropped") } else { String::new() };
-        let at = self.moved_at.as_ref().map_or_else(String::new, |(face, p)| {
-            format!(", the most {:.4} mm at {face} near ({:.3}, {:.3}, {:.3})", self.moved_mm, p.x, p.y, p.z)
-        });
-        format!(
-            "sewing changed {} faces{dropped}{at}: the tool spares them as the file has them too",
-            self.brep.faces.len()
-        )
+    /// What was changed.
+    pub fn note(&self) -> Remark {
+        let farthest = self.moved_at.as_ref();
+        Remark::FacesChanged {
+            count: self.brep.faces.len(),
+            dropped: self.of.iter().filter(|of| of.is_none()).count(),
+            farthest: farthest.map(|(face, p)| FarthestMove {
+                mm: self.moved_mm,
+                face: face.clone(),
+                at_mm: (*p).into(),
+            }),
+        }
     }
 
     /// The faces with what exact distances need, in another frame; the names of faces of which none

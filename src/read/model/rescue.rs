@@ -14,7 +14,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Face};
 use crate::geometry::part::Part;
-use crate::observe::Observer;
+use crate::observe::{Observer, Remark};
 
 /// Edges this share of the face's size from the natural boundary still run along it.
 const ALONG: f64 = 2e-3;
@@ -25,7 +25,7 @@ const SAMPLES: usize = 64;
 #[derive(Default)]
 pub struct Rescued {
     /// What was done.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
     /// Why no plan may be made: a face was left out.
     pub obstacle: Option<Error>,
     /// What sewing joined.
@@ -54,11 +54,8 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
         let e = match Part::meshed(brep, finer, observer) {
             Ok(part) => {
                 let note = |e: Error| {
-                    format!(
-                        "edges were joined within {:.1e} mm and faces meshed within {finer} mm, since with more {}",
-                        within_mm.last().copied().unwrap_or(0.0),
-                        e.message
-                    )
+                    let edges_mm = within_mm.last().copied().unwrap_or(0.0);
+                    Remark::MadeCloser { edges_mm, faces_mm: finer, reason: e.message }
                 };
                 let notes = first.map(note).into_iter().collect();
                 let published = changed(&original, &part);
@@ -82,13 +79,11 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
         let natural = Face { loops: Vec::new(), ..brep.faces[k].clone() };
         let follows = along_boundary(&brep, &brep.faces[k]);
         if follows && Part::meshed(alone(&brep, natural.clone()), deflection_mm, observer).is_ok() {
-            let name = &natural.name;
-            out.notes
-                .push(format!("{name} cannot be trimmed ({}): it was taken up to its natural boundary", e.message));
+            out.notes.push(Remark::Untrimmed { face: natural.name.clone(), reason: e.message });
             brep.faces[k] = natural;
             keep.push(true);
         } else {
-            out.notes.push(format!("left out: {}", e.message));
+            out.notes.push(Remark::FaceLeftOut { reason: e.message.clone() });
             out.obstacle.get_or_insert(e);
             keep.push(false);
         }
@@ -169,7 +164,7 @@ mod tests {
         let far = brep.faces[16].loops[0][0];
         brep.faces[8].loops[0].push(far);
         let (part, done) = rescued(brep);
-        assert!(done.notes.iter().any(|n| n.starts_with("left out")), "{:?}", done.notes);
+        assert!(done.notes.iter().any(|n| matches!(n, Remark::FaceLeftOut { .. })), "{:?}", done.notes);
         assert!(done.obstacle.is_some() && topology(&part.mesh).open_edges > 0);
     }
 

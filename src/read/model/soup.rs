@@ -8,6 +8,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::curve::FARTHEST_MM;
+use crate::observe::Remark;
 
 /// Triangles with corners of their own, in groups.
 #[derive(Default)]
@@ -23,7 +24,7 @@ pub struct Soup {
     /// Unit that the format prescribes; `None`: the file names none.
     pub unit: Option<Unit>,
     /// What the reader has to say.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
 }
 
 impl Soup {
@@ -74,7 +75,7 @@ impl Soup {
         let (mesh, dropped) = self.welded(mm_per_unit);
         let mut healed = heal(mesh, options);
         if dropped > 0 {
-            healed.notes.insert(0, format!("{dropped} degenerate triangles were dropped"));
+            healed.notes.insert(0, Remark::DegenerateDropped { triangles: dropped });
         }
         healed.notes.splice(0..0, self.notes);
         if healed.mesh.triangles.is_empty() {

@@ -27,6 +27,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
+use crate::observe::Remark;
 
 /// Places on each edge that the surface of its face has to cover.
 const EDGE_PLACES: usize = 32;
@@ -72,7 +73,7 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
         step_io::ApFamily::Ap242 => "AP242",
         _ => "of unknown schema",
     };
-    notes.extend(scene.warnings().iter().map(|w| format!("STEP reader: {w}")));
+    notes.extend(scene.warnings().iter().map(|w| Remark::StepReader { words: w.to_string() }));
     let unit_source = match (told, scene.units().length.is_some()) {
         (true, _) => UnitSource::Told,
         (false, true) => UnitSource::Declared,
@@ -91,7 +92,7 @@ fn read_guarded(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceMod
 }
 
 /// Refuses a file of which faces were lost; notes what else was skipped.
-fn check_dropped(path: &Path, bytes: &[u8], scene: &Scene, report: &Report, notes: &mut Vec<String>) -> Result<()> {
+fn check_dropped(path: &Path, bytes: &[u8], scene: &Scene, report: &Report, notes: &mut Vec<Remark>) -> Result<()> {
     let Some((id, reason)) = report.dropped.first() else { return Ok(()) };
     let count = report.dropped.len();
     let in_file = count_entities(bytes, &[b"ADVANCED_FACE", b"FACE_SURFACE"]);
@@ -107,7 +108,7 @@ fn check_dropped(path: &Path, bytes: &[u8], scene: &Scene, report: &Report, note
         )
         .advise("repair the body in CAD or export it with another schema"));
     }
-    notes.push(format!("{count} entities that no face needs were skipped, the first #{id} ({reason})"));
+    notes.push(Remark::EntitiesSkipped { count, first: *id, reason: reason.to_string() });
     Ok(())
 }
 

@@ -248,7 +248,7 @@ fn a_bar_loads_in_any_unit() {
         let b = load_text(&bar_file(unit), told);
         if mm * 60.0 > 5000.0 {
             // 60 m: read, with a warning.
-            assert!(b.unwrap().diagnosis.notes.iter().any(|n| n.contains("too large")));
+            assert!(b.unwrap().diagnosis.notes.iter().any(|n| n.to_string().contains("too large")));
             continue;
         }
         let b = b.unwrap();
@@ -376,7 +376,8 @@ fn control_points_out_of_all_bounds_are_refused() {
 #[test]
 fn faces_are_meshed_no_finer_than_their_size_asks() {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/prism.step");
-    let coarse = |survey: &Survey| survey.diagnosis.notes.iter().any(|n| n.starts_with("faces are meshed within"));
+    let coarse =
+        |survey: &Survey| survey.diagnosis.notes.iter().any(|n| n.to_string().starts_with("faces are meshed within"));
     let large = survey(
         &file,
         &ModelOptions { unit: Some(crate::artifact::blade::Unit::M), ..ModelOptions::default() },

@@ -8,6 +8,7 @@ use std::path::Path;
 use super::format::binary_stl_length;
 use super::soup::Soup;
 use crate::error::{Error, Result, Stage};
+use crate::observe::Remark;
 
 /// Reads a binary STL.
 ///
@@ -41,7 +42,7 @@ pub fn read_binary(path: &Path, bytes: &[u8]) -> Result<Soup> {
         soup.push([corner(0), corner(1), corner(2)]);
     }
     if bytes.len() > length {
-        soup.notes.push(format!("{} bytes after the last triangle were ignored", bytes.len() - length));
+        soup.notes.push(Remark::BytesIgnored { bytes: bytes.len() - length });
     }
     soup.format = "STL, binary".into();
     Ok(soup)

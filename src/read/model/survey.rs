@@ -17,7 +17,6 @@ use super::recognise::pieces::pieces;
 use super::recognise::wheel::{self, Wheel};
 use super::recognise::{self, Recognised};
 use super::rescue;
-use super::sew::listed;
 use super::soup::Soup;
 use super::units::{self, Guess, UnitSource};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
@@ -28,7 +27,7 @@ use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
-use crate::observe::{Doubt, Observer, Warning};
+use crate::observe::{Doubt, Observer, Remark, Warning};
 
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
 const NO_VOLUME: f64 = 1e-9;
@@ -112,14 +111,9 @@ impl Survey {
                 let Prepared { part: published, of, without } =
                     faces.part(&blade_from_model, self.deflection_mm, observer)?;
                 if !without.is_empty() {
-                    let message = format!(
-                        "{} cannot be followed as the file trims them, by up to {:.4} mm otherwise than sewn: gouge is measured there on the sewn part alone; \
-                         sew the part in CAD to be sure",
-                        listed(&without),
-                        faces.moved_mm
-                    );
-                    self.diagnosis.notes.push(message.clone());
-                    observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Remark(message) });
+                    let remark = Remark::NotAsTrimmed { faces: without, moved_mm: faces.moved_mm };
+                    self.diagnosis.notes.push(remark.clone());
+                    observer.warn(Warning { stage: Stage::Model, doubt: Doubt::Model(remark) });
                 }
                 match published {
                     Some(published) => part.with_published(published, of),
@@ -192,22 +186,16 @@ pub fn from_faces(
     let mut survey = read.survey(path, options, observer)?;
     survey.published = published.map(Changed::Faces);
     if options.close_holes_mm.is_some() && !survey.diagnosis.openings.is_empty() {
-        survey.diagnosis.notes.push(
-            "openings between exact faces are not closed, close_holes_mm acts on meshes: an invented face would pass for the \
-             designer's; add the face in the CAD system, or export a mesh"
-                .into(),
-        );
+        survey.diagnosis.notes.push(Remark::ExactOpeningsStay);
     }
     Ok(survey)
 }
 
 /// The deflection that was asked for, or the finest for a part of this size, which is noted.
-fn finest(brep: &Brep, asked_mm: f64, notes: &mut Vec<String>) -> f64 {
+fn finest(brep: &Brep, asked_mm: f64, notes: &mut Vec<Remark>) -> f64 {
     let least_mm = FINEST * edge_box(brep).map_or(0.0, |b| b.diagonal_mm());
     if asked_mm < least_mm {
-        notes.push(format!(
-            "faces are meshed within {least_mm:.3} mm, {FINEST:e} of the part's size, not within {asked_mm} mm: the mesh would be too large"
-        ));
+        notes.push(Remark::MeshedCoarser { least_mm, share: FINEST, asked_mm });
     }
     asked_mm.max(least_mm)
 }
@@ -291,10 +279,7 @@ impl ReadPart {
         };
         let found = on_whole(found, own, &part.mesh, &bodies);
         if let (Ok(_), Some(w)) = (&found, &wheel) {
-            diagnosis.notes.push(format!(
-                "the part is {}: the helix goes round one blade, the others stand in the tool's way",
-                w.in_words()
-            ));
+            diagnosis.notes.push(Remark::Wheel { wheel: w.in_words() });
         }
         if let (Ok(found), None, [_, _, ..]) = (&found, own, &bodies[..]) {
             diagnosis.notes.extend(assembly(found, part.brep.is_some(), &bodies));
@@ -383,19 +368,14 @@ fn on_whole(found: Result<Recognised>, own: Option<&Body>, mesh: &Mesh, bodies: 
 }
 
 /// What is said of a model of several bodies: on which the airfoil was found.
-fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<String> {
+fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<Remark> {
     let areas = areas(&found.mesh, found, is_exact);
     let airfoil_mm2 = |b: &Body| -> f64 {
         let own = b.triangles.iter().map(|t| *t as usize).filter(|t| areas.get(*t) == Some(&Area::Airfoil));
         own.map(|t| found.mesh.triangle_area_mm2(t)).sum()
     };
     let (number, body) = bodies.iter().enumerate().max_by(|a, b| airfoil_mm2(a.1).total_cmp(&airfoil_mm2(b.1)))?;
-    Some(format!(
-        "the model is an assembly of {} bodies; the airfoil was found on body {} ({}), and the tool keeps clear of all of them; --body chooses another",
-        bodies.len(),
-        number + 1,
-        body.in_words()
-    ))
+    Some(Remark::Assembly { bodies: bodies.len(), number: number + 1, body: body.in_words() })
 }
 
 /// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings

@@ -196,7 +196,11 @@ fn units_scale_and_absurd_sizes_are_named() {
     let mut tiny = blade();
     tiny.points.iter_mut().for_each(|p| p.coords *= 0.02);
     let b = plain("tiny.stl", ascii_stl(&tiny).as_bytes()).unwrap();
-    assert!(b.diagnosis.notes.iter().any(|n| n.contains("too small for a blade")), "{:?}", b.diagnosis.notes);
+    assert!(
+        b.diagnosis.notes.iter().any(|n| n.to_string().contains("too small for a blade")),
+        "{:?}",
+        b.diagnosis.notes
+    );
 }
 
 #[test]
@@ -206,7 +210,7 @@ fn damaged_meshes_are_healed_or_refused() {
     let mut inward = mesh.clone();
     inward.triangles.iter_mut().for_each(|t| t.swap(0, 1));
     let b = plain("inward.obj", obj(&inward).as_bytes()).unwrap();
-    assert!(b.part.mesh.volume_mm3() > 0.0 && b.diagnosis.notes.iter().any(|n| n.contains("inward")));
+    assert!(b.part.mesh.volume_mm3() > 0.0 && b.diagnosis.notes.iter().any(|n| n.to_string().contains("inward")));
     // Some triangles the wrong way round.
     let mut mixed = mesh.clone();
     mixed.triangles.iter_mut().step_by(5).for_each(|t| t.swap(0, 1));
@@ -216,7 +220,7 @@ fn damaged_meshes_are_healed_or_refused() {
     let mut flat = mesh.clone();
     flat.triangles.push([3, 3, 4]);
     let b = plain("flat.obj", obj(&flat).as_bytes()).unwrap();
-    assert!(b.diagnosis.notes.iter().any(|n| n.starts_with("1 degenerate")), "{:?}", b.diagnosis.notes);
+    assert!(b.diagnosis.notes.iter().any(|n| n.to_string().starts_with("1 degenerate")), "{:?}", b.diagnosis.notes);
     // A hole.
     let mut open = mesh.clone();
     open.triangles.remove(700);

@@ -10,6 +10,7 @@ use std::path::Path;
 use crate::artifact::blade::{Diagnosis, Unit};
 use crate::error::{Error, Stage};
 use crate::geometry::Aabb;
+use crate::observe::{Remark, short};
 
 /// Sizes (largest side of the box) that blades have, mm: below or above, the unit is probably
 /// wrong.
@@ -56,20 +57,14 @@ pub fn unnamed(size: Option<f64>) -> String {
     }
 }
 
-/// Four significant digits.
-fn short(x: f64) -> String {
-    let digits = if x > 0.0 { (3.0 - x.log10().floor()).clamp(0.0, 9.0) as usize } else { 1 };
-    format!("{x:.digits$}")
-}
-
 /// What the size says about the unit.
 pub enum Guess {
     /// Nothing against it.
     Fits,
     /// Unusual, but possible: a note.
-    Odd(String),
+    Odd(Remark),
     /// The user's own unit gives a size that is not possible: taken, but no plan is made.
-    Refused(Error),
+    Refused(Remark, Error),
     /// The size is not possible; in another unit it is a blade's.
     Other {
         /// That unit.
@@ -91,16 +86,13 @@ impl Guess {
                 diagnosis.notes.push(note);
                 (unit, None)
             }
-            Guess::Refused(e) => {
-                diagnosis.notes.push(e.message.clone());
+            Guess::Refused(remark, e) => {
+                diagnosis.notes.push(remark);
                 (unit, Some(e))
             }
             Guess::Other { unit: other, reason, refusal } => {
-                diagnosis.notes.push(format!(
-                    "the unit is a guess: {reason}; give it with --unit {} before planning",
-                    name(other)
-                ));
                 diagnosis.unit_reason = format!("{}, guessed: {reason}", name(other));
+                diagnosis.notes.push(Remark::UnitGuessed { unit: name(other).into(), reason });
                 (other, Some(refusal))
             }
         }
@@ -119,17 +111,11 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
 /// so is its length if the file's numbers are metres: such models are drawn in metres, whatever the
 /// file says, and nothing else in the file tells. Nothing is planned then before the user has told
 /// the unit.
-pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: UnitSource) -> Option<String> {
+pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: UnitSource) -> Option<Remark> {
     let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
     let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
-    (fits && source != UnitSource::Told && unit != Unit::M).then(|| {
-        format!(
-            "the unit is not certain: the blade is {ratio:.0} times as long as its mean chord, as slender as a wind turbine's, and \
-             {} m would be the length of one; if the file is in metres, pass --unit m, else --unit {}",
-            short(metres),
-            name(unit)
-        )
-    })
+    let doubtful = fits && source != UnitSource::Told && unit != Unit::M;
+    doubtful.then(|| Remark::WindTurbine { ratio, length_m: metres, unit: name(unit).into() })
 }
 
 /// Judges the unit by the part's box, mm. A unit that the user told is taken whatever the size.
@@ -138,19 +124,14 @@ pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, source: UnitSource) -> Gu
 }
 
 /// What is said of a size that few blades have, where nothing but the size tells the unit.
-fn unlikely(size_mm: f64, unit: Unit) -> String {
+fn unlikely(size_mm: f64, unit: Unit) -> Remark {
     let size = size_mm / unit.mm();
     let others = [Unit::Cm, Unit::Inch, Unit::M].into_iter().filter(|u| *u != unit);
-    let list: Vec<String> = others
+    let others = others
         .filter(|u| (LIKELY_MM[0]..=LIKELY_MM[1]).contains(&(size * u.mm())))
-        .map(|u| format!("in {} {} mm", name(u), short(size * u.mm())))
+        .map(|u| (name(u).to_owned(), size * u.mm()))
         .collect();
-    let other = if list.is_empty() { String::new() } else { format!("; {} would be usual", list.join(", ")) };
-    format!(
-        "the unit is not certain: the file names none, and {} mm across in {} is unusual for a blade{other}; give it with --unit",
-        short(size_mm),
-        name(unit)
-    )
+    Remark::UnitNotCertain { across_mm: size_mm, unit: name(unit).into(), others }
 }
 
 /// As [`judge`], from the longest side of the box, mm.
@@ -166,12 +147,18 @@ pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, source: UnitSou
         .map(|u| format!("the file is probably in {}: pass --unit {0}", name(u)))
         .unwrap_or_else(|| "check the unit".to_owned());
     let side = if size_mm < USUAL_MM[0] { "small" } else { "large" };
-    let message =
-        format!("{} is {} mm across in {}, too {side} for a blade", path.display(), short(size_mm), name(unit));
+    let remark = |advice: Option<String>| Remark::SizeUnusual {
+        file: path.display().to_string(),
+        across_mm: size_mm,
+        unit: name(unit).into(),
+        small: size_mm < USUAL_MM[0],
+        advice,
+    };
     if (POSSIBLE_MM[0]..=POSSIBLE_MM[1]).contains(&size_mm) {
-        return Guess::Odd(format!("{message} ({advice})"));
+        return Guess::Odd(remark(Some(advice)));
     }
-    let refusal = Error::io(Stage::Model, message).advise(advice);
+    let refused = remark(None);
+    let refusal = Error::io(Stage::Model, refused.to_string()).advise(advice);
     match other.filter(|_| !told) {
         Some(other) => {
             let across = short(size_mm / unit.mm() * other.mm());
@@ -183,7 +170,7 @@ pub fn judge_size(path: &Path, size_mm: Option<f64>, unit: Unit, source: UnitSou
             );
             Guess::Other { unit: other, reason, refusal }
         }
-        None => Guess::Refused(refusal),
+        None => Guess::Refused(refused, refusal),
     }
 }
 
@@ -201,7 +188,9 @@ mod tests {
     fn what_only_the_size_tells_is_told_to_be_uncertain_where_the_size_is_unusual() {
         let guess = |size| judge_size(Path::new("a.dat"), Some(size), Unit::Mm, UnitSource::Assumed);
         assert!(matches!(guess(90.0), Guess::Fits));
-        assert!(matches!(guess(7.4), Guess::Odd(n) if n.contains("in cm 74.00 mm, in inch 188.0 mm would be usual")));
+        assert!(
+            matches!(guess(7.4), Guess::Odd(n) if n.to_string().contains("in cm 74.00 mm, in inch 188.0 mm would be usual"))
+        );
         assert!(matches!(judge_size(Path::new("a.stp"), Some(7.4), Unit::Mm, UnitSource::Declared), Guess::Fits));
     }
 
@@ -209,7 +198,7 @@ mod tests {
     fn a_slender_blade_of_a_wind_turbines_length_in_metres_is_doubted() {
         assert!(
             slender(117.0, 4.0, Unit::Mm, UnitSource::Declared)
-                .is_some_and(|n| n.contains("117.0 m") && n.contains("--unit m,"))
+                .is_some_and(|n| n.to_string().contains("117.0 m") && n.to_string().contains("--unit m,"))
         );
         // As long, but a usual blade; slender, but of no such length; the user knows; it is in
         // metres.
@@ -222,13 +211,13 @@ mod tests {
     #[test]
     fn sizes_decide() {
         assert!(matches!(guess(90.0, Unit::Mm, false), Guess::Fits));
-        assert!(matches!(guess(2.0, Unit::Mm, false), Guess::Odd(n) if n.contains("too small")));
+        assert!(matches!(guess(2.0, Unit::Mm, false), Guess::Odd(n) if n.to_string().contains("too small")));
         assert!(matches!(guess(0.09, Unit::Mm, false), Guess::Other { unit: Unit::M, reason, refusal }
             if reason.contains("90.00 mm") && refusal.message.contains("too small")));
         // 300 mm that a file declares as metres.
-        assert!(matches!(guess(3e5 * 1000.0, Unit::M, false), Guess::Refused(_)));
+        assert!(matches!(guess(3e5 * 1000.0, Unit::M, false), Guess::Refused(..)));
         assert!(matches!(guess(600_000.0, Unit::M, false), Guess::Other { unit: Unit::Mm, .. }));
-        assert!(matches!(guess(0.09, Unit::Mm, true), Guess::Refused(_)));
+        assert!(matches!(guess(0.09, Unit::Mm, true), Guess::Refused(..)));
         assert!(matches!(guess(f64::NAN, Unit::Mm, false), Guess::Fits));
     }
 

@@ -9,6 +9,7 @@
 use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point};
+use crate::observe::Remark;
 
 /// An open piece with less volume than this share of its area times its size is a sheet.
 const SHEET: f64 = 1e-3;
@@ -28,7 +29,7 @@ struct ConnectedTriangles {
 }
 
 /// Winds the mesh; says what was changed.
-pub fn orient(mesh: &mut Mesh) -> Vec<String> {
+pub fn orient(mesh: &mut Mesh) -> Vec<Remark> {
     let pieces = pieces(mesh);
     let inward: Vec<bool> = pieces.iter().map(|p| p.given_mm3 < 0.0 && p.closed).collect();
     let mut notes = Vec::new();
@@ -51,15 +52,15 @@ pub fn orient(mesh: &mut Mesh) -> Vec<String> {
         whole -= if pieces[i].turned == 0 { pieces[i].triangles.len() } else { 0 };
     }
     if turned > 0 {
-        notes.push(format!("{turned} triangles were wound against their neighbours and were turned"));
+        notes.push(Remark::TrianglesTurned { triangles: turned });
     }
     if whole == mesh.triangles.len() {
-        notes.push("all triangles were wound inward and were turned".into());
+        notes.push(Remark::AllTrianglesTurned);
     } else if whole > 0 {
-        notes.push(format!("pieces of {whole} triangles were wound inward and were turned"));
+        notes.push(Remark::PiecesTurned { triangles: whole });
     }
     if !cavities.is_empty() {
-        notes.push(format!("{} closed pieces wound inward inside another are cavities", cavities.len()));
+        notes.push(Remark::Cavities { pieces: cavities.len() });
     }
     notes
 }
@@ -211,7 +212,8 @@ mod tests {
         let notes = orient(&mut mesh);
         assert!((mesh.volume_mm3() - (1000.0 - 8.0 + 8.0)).abs() < 1e-9, "{}", mesh.volume_mm3());
         assert!(
-            notes.iter().any(|n| n.contains("1 closed pieces")) && notes.iter().any(|n| n.contains("12 triangles")),
+            notes.contains(&Remark::Cavities { pieces: 1 })
+                && notes.iter().any(|n| n.to_string().contains("12 triangles")),
             "{notes:?}"
         );
     }
@@ -223,7 +225,7 @@ mod tests {
         // One side missing, all inward: far from the origin the plain sum would say anything.
         mesh.triangles.truncate(10);
         mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1));
-        assert_eq!(orient(&mut mesh), ["all triangles were wound inward and were turned"]);
+        assert_eq!(orient(&mut mesh), [Remark::AllTrianglesTurned]);
         let n = mesh.normal(0);
         assert!(n.z < -0.99, "{n}");
         // A flat sheet keeps its sense.

@@ -11,6 +11,7 @@ use super::{solids, trims};
 use crate::error::Result;
 use crate::geometry::brep::{Brep, Coedge, Edge, Face};
 use crate::geometry::nurbs::NurbsSurface;
+use crate::observe::Remark;
 
 /// Instances inside one another deeper than this are taken for circular.
 const DEEPEST: usize = 16;
@@ -52,7 +53,7 @@ impl<'f> Build<'f> {
     ///
     /// # Errors
     /// Anything that a body needs and that is damaged or cannot be read.
-    pub fn all(&mut self, root: &Matrix4<f64>) -> Result<Vec<String>> {
+    pub fn all(&mut self, root: &Matrix4<f64>) -> Result<Vec<Remark>> {
         let mut notes = Vec::new();
         let used = self.used_by_others()?;
         let independent = |e: &&Entity| !used.contains(&e.line);
@@ -63,7 +64,7 @@ impl<'f> Build<'f> {
         let shown: Vec<&Entity> = all.iter().copied().filter(|e| !e.blanked).collect();
         let taken = if shown.is_empty() { &all } else { &shown };
         if taken.len() < all.len() {
-            notes.push(format!("{} hidden bodies or faces were passed over", all.len() - taken.len()));
+            notes.push(Remark::HiddenPassedOver { count: all.len() - taken.len() });
         }
         for e in taken {
             self.instance(e, root, 0)?;

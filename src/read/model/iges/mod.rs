@@ -36,6 +36,7 @@ use super::faces::FaceModel;
 use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
+use crate::observe::Remark;
 use build::Build;
 use file::{File, Global};
 
@@ -60,7 +61,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
         .advise("export the blade's surfaces or solid, not a wire frame or a drawing"));
     }
     if file.global.scale != 1.0 && unit_reason.ends_with("as the file says") {
-        notes.push(format!("the file's model scale of {} was undone", file.global.scale));
+        notes.push(Remark::ScaleUndone { scale: file.global.scale });
     }
     let version = match file.global.version {
         v @ 6..=8 => format!("IGES {}.0", v - 2),

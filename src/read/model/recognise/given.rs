@@ -11,6 +11,7 @@ use super::{no_blade, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
+use crate::observe::Remark;
 use crate::read::model::faces::Stacking;
 
 /// Directions farther apart than this are not the same axis, degrees; the search has rivals from
@@ -28,7 +29,7 @@ pub struct Given {
     /// Which axis, in words.
     pub reason: String,
     /// What speaks against it.
-    pub against: Option<String>,
+    pub against: Option<Remark>,
 }
 
 /// The run along `axis`; `faces`: as for [`run::along`].
@@ -54,28 +55,20 @@ pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Opti
 }
 
 /// What is said where the search settles on another axis.
-fn against(mesh: &Mesh, run: &Run, found: &FoundAxis, faces: Option<&[bool]>) -> Option<String> {
+fn against(mesh: &Mesh, run: &Run, found: &FoundAxis, faces: Option<&[bool]>) -> Option<Remark> {
     let (given, other) = (&run.direction, &found.run.direction);
     let apart_deg = given.angle(other).to_degrees();
     if apart_deg > 180.0 - APART_DEG {
-        let why = found.sense.as_ref()?;
-        return Some(format!(
-            "the blade axis was given as {}; without --axis {} is found, the opposite ({why}): with the axis as given the airfoil's free end is \
-             taken for its root and machined",
-            words(given),
-            words(other)
-        ));
+        let reason = found.sense.clone()?;
+        return Some(Remark::AxisOpposite { given: (*given).into(), found: (*other).into(), reason });
     }
     // Lids count in the search only: both are weighed without.
     let score = run::along(mesh, other, faces).score;
-    (apart_deg > APART_DEG && run.score < FAR_LESS * score).then(|| {
-        format!(
-            "the blade axis was given as {}; without --axis {} is found, {apart_deg:.0}° away, along which sections look far more like an \
-             airfoil (score {score:.2} against {:.2})",
-            words(given),
-            words(other),
-            run.score
-        )
+    (apart_deg > APART_DEG && run.score < FAR_LESS * score).then(|| Remark::AxisElsewhere {
+        given: (*given).into(),
+        found: (*other).into(),
+        apart_deg,
+        scores: [score, run.score],
     })
 }
 

@@ -34,6 +34,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid, Vector};
+use crate::observe::{Remark, direction};
 use run::Run;
 
 /// Below this mean likeness the sections are steady but not airfoils, …
@@ -69,9 +70,9 @@ pub struct Recognised {
     /// Heights of the regions, with reasons (the axis first).
     pub heights: Heights,
     /// What the user should know.
-    pub doubts: Vec<String>,
+    pub doubts: Vec<Remark>,
     /// What speaks against the axis that was given.
-    pub against: Option<String>,
+    pub against: Option<Remark>,
     /// Why this is hardly a blade: no section looks like an airfoil.
     pub unlike: Option<String>,
     /// Boxes around the airfoil's sections: height, then least y, least z, greatest y, greatest z,
@@ -124,22 +125,9 @@ pub fn recognise(
         )
     });
     if run.likeness < DOUBTFUL {
-        doubts.push(format!(
-            "no section looks like an airfoil (likeness {:.2}): the longest steady run of sections was taken; \
-             {}",
-            run.likeness,
-            if options.axis.is_some() {
-                "the blade axis may be another than was given"
-            } else {
-                "give the axis if it is wrong"
-            }
-        ));
+        doubts.push(Remark::NoAirfoil { likeness: run.likeness, axis_given: options.axis.is_some() });
     } else if run.likeness < PARTLY {
-        doubts.push(format!(
-            "sections look only partly like an airfoil (likeness {:.2}): something seems to be attached to the blade, \
-             such as a back plate, a web or another blade",
-            run.likeness
-        ));
+        doubts.push(Remark::PartlyAirfoil { likeness: run.likeness });
     }
     let (model_from_blade, origin) = frame(&run);
     for link in &mut run.links {
@@ -179,10 +167,5 @@ fn frame(run: &Run) -> (Rigid, [f64; 2]) {
 
 /// A direction in words.
 fn words(d: &Vector) -> String {
-    for (k, name) in ["X", "Y", "Z"].iter().enumerate() {
-        if d[k].abs() > 1.0 - 1e-12 {
-            return format!("{}{name} of the model", if d[k] < 0.0 { "-" } else { "+" });
-        }
-    }
-    format!("({:.4}, {:.4}, {:.4}) in the model", d.x, d.y, d.z)
+    direction(&(*d).into())
 }

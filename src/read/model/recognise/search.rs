@@ -22,6 +22,7 @@ use super::{DOUBTFUL, given, rotor, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::{Mesh, edge_uses};
+use crate::observe::Remark;
 use crate::read::model::faces::Stacking;
 
 /// A datum direction within this angle of the best one is taken without further ado, degrees …
@@ -65,7 +66,7 @@ pub struct FoundAxis {
     /// Why the root is at the low end; `None` where nothing tells the ends apart.
     pub sense: Option<String>,
     /// Why the axis is not certain.
-    pub doubt: Option<String>,
+    pub doubt: Option<Remark>,
 }
 
 /// The best run of all candidates, its sense from root to tip, and why. `faces`: as for
@@ -143,10 +144,7 @@ pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Resu
     let doubt = if lean_deg > LEAN_DEG && !stacking.parallel {
         Some(leaning(&stacking.line, &stacking.normal, lean_deg))
     } else if growth > GROWS {
-        Some(format!(
-            "which end is the root is not certain: the last section of the table is {growth:.1} times as large as the first; give \
-             the axis from root to tip with --axis if the table runs from tip to root"
-        ))
+        Some(Remark::RootNotCertain { growth })
     } else {
         fading(&run, 0)
     };
@@ -305,7 +303,7 @@ fn doubted(
     patches: &[FlatPatch],
     ends: Option<AirfoilEnds>,
     radius: Option<usize>,
-) -> Option<String> {
+) -> Option<Remark> {
     let run = &runs[chosen];
     let ended = ends.is_some_and(|e| between_deg(&e.line, &run.direction) < DATUM_DEG);
     let stood = radius.is_some_and(|k| nearest_axis(&run.direction) == (Vector::ith(k, 1.0), 0.0));
@@ -323,7 +321,7 @@ fn doubted(
 struct Other {
     line: Vector,
     why: &'static str,
-    doubt: String,
+    doubt: Remark,
     /// Whether the root is at its high end, and why, where the ends tell.
     sense: Option<(bool, String)>,
 }
@@ -346,11 +344,7 @@ fn aslant(run: &Run, patches: &[FlatPatch], ends: Option<AirfoilEnds>) -> Option
         return Some(Other { line, why, doubt: leaning(&told, &d, lean_deg), sense: ends.and_then(sense) });
     }
     let ends = ends.filter(|e| !e.flat && between_deg(&e.line, &d) > LEAN_DEG && caps::lids(patches, run) == 0)?;
-    let doubt = format!(
-        "the blade axis is not certain: sections square to ({:.2}, {:.2}, {:.2}) look most like an airfoil, but reach neither of its ends, \
-         between which the blade turns; give the axis with --axis if it is wrong",
-        d.x, d.y, d.z
-    );
+    let doubt = Remark::EndsNotReached { square_to: d.into() };
     Some(Other { line: ends.line, why: WHY, doubt, sense: sense(ends) })
 }
 
@@ -360,48 +354,32 @@ const TAPERS: f64 = 1.5;
 /// The best run far from the chosen one, in words, where it scores nearly as much as what is near
 /// the chosen one. Not along the shaft of the rotor where that is known and the chosen one stands
 /// off it: the flow runs there, and no blade.
-fn rival(runs: &[Run], chosen: usize, near_deg: f64, shaft: Option<Vector>) -> Option<String> {
+fn rival(runs: &[Run], chosen: usize, near_deg: f64, shaft: Option<Vector>) -> Option<Remark> {
     let axis = runs[chosen].direction;
     let off = |r: &&Run, d: &Vector, deg: f64| between_deg(&r.direction, d) > deg;
     let shaft = shaft.filter(|s| between_deg(s, &axis) > 90.0 - RIVAL_DEG);
     let far = |r: &&Run| off(r, &axis, near_deg) && shaft.is_none_or(|s| off(r, &s, RIVAL_DEG));
     let best = runs.iter().filter(far).max_by(|a, b| a.score.total_cmp(&b.score))?;
     let own = runs.iter().filter(|r| !off(r, &axis, near_deg)).map(|r| r.score).fold(0.0, f64::max);
-    (best.score > RIVAL * own).then(|| {
-        let d = best.direction;
-        format!(
-            "the blade axis is not certain: sections along ({:.2}, {:.2}, {:.2}) look like an airfoil too (score {:.2} against {:.2}); \
-             give it with --axis if it is wrong",
-            d.x, d.y, d.z, best.score, own
-        )
-    })
+    let scores = [best.score, own];
+    (best.score > RIVAL * own).then(|| Remark::AxisRivalled { other: best.direction.into(), scores })
 }
 
 /// What is said where sections fade out towards the ends, with no flat end and nothing larger that
 /// closes the airfoil there.
-fn fading(run: &Run, lids: usize) -> Option<String> {
+fn fading(run: &Run, lids: usize) -> Option<Remark> {
     let length = run.part_mm[1] - run.part_mm[0];
     let (first, last) = (run.links.first()?, run.links.last()?);
     let gaps = [first.height_mm - run.part_mm[0], run.part_mm[1] - last.height_mm];
     let faded: f64 = gaps.iter().zip(run.body).filter(|(_, body)| !body).map(|(g, _)| g / length).sum();
-    (faded > FADED && lids == 0).then(|| {
-        format!(
-            "the blade axis is not certain: over {:.0} % of the part sections are cut short by its ends, which are not square to the \
-             axis; give it with --axis if it is wrong",
-            100.0 * faded
-        )
-    })
+    (faded > FADED && lids == 0).then_some(Remark::EndsCutSections { share: faded })
 }
 
 /// What is said where both ends are flat, parallel, and far from square to the axis.
-fn slanted(run: &Run, patches: &[FlatPatch]) -> Option<String> {
+fn slanted(run: &Run, patches: &[FlatPatch]) -> Option<Remark> {
     let normal = caps::slanted_ends(patches, run, COMMON_DEG, LEAN_DEG)?;
-    let deg = normal.dot(&run.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
-    Some(format!(
-        "the blade axis is not certain: both ends of the blade are square to ({:.2}, {:.2}, {:.2}), {deg:.0}° from it; give it with \
-         --axis if it is wrong",
-        normal.x, normal.y, normal.z
-    ))
+    let off_deg = normal.dot(&run.direction).abs().clamp(0.0, 1.0).acos().to_degrees();
+    Some(Remark::EndsSlanted { normal: normal.into(), off_deg })
 }
 
 /// Share of the part's length that sections may be cut short by slanted ends before the axis is
@@ -409,12 +387,8 @@ fn slanted(run: &Run, patches: &[FlatPatch]) -> Option<String> {
 const FADED: f64 = 0.25;
 
 /// What is said of a blade whose sections are far from square to its length.
-fn leaning(line: &Vector, sections: &Vector, lean_deg: f64) -> String {
-    format!(
-        "the blade axis is not certain: the blade leans, its middle runs along ({:.2}, {:.2}, {:.2}), the sections \
-         themselves are square to ({:.2}, {:.2}, {:.2}), {lean_deg:.0}° away; give the axis with --axis if it is wrong",
-        line.x, line.y, line.z, sections.x, sections.y, sections.z
-    )
+fn leaning(line: &Vector, sections: &Vector, lean_deg: f64) -> Remark {
+    Remark::BladeLeans { middle: (*line).into(), square_to: (*sections).into(), lean_deg }
 }
 
 /// # Errors

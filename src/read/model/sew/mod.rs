@@ -28,6 +28,7 @@ pub use curve::{backwards, from_vertex};
 
 use crate::geometry::Point;
 use crate::geometry::brep::Brep;
+use crate::observe::Remark;
 use curve::{coincide, hull, slack};
 
 /// What sewing did.
@@ -52,35 +53,27 @@ pub struct Sewn {
 }
 
 impl Sewn {
-    /// What was done, in sentences.
-    pub fn notes(&self) -> Vec<String> {
+    /// What was done.
+    pub fn notes(&self) -> Vec<Remark> {
         let mut out = Vec::new();
         if self.joined > 0 {
-            let gap = self.gap_mm;
-            out.push(format!("{} edges that faces did not share were joined, at most {gap:.2e} mm apart", self.joined));
+            out.push(Remark::EdgesJoined { count: self.joined, gap_mm: self.gap_mm });
         }
         if self.cut > 0 {
-            out.push(format!("{} edges were cut where edges of neighbouring faces end", self.cut));
+            out.push(Remark::EdgesCut { count: self.cut });
         }
         if self.short > 0 {
-            out.push(format!("{} edges shorter than the sewing tolerance were dropped", self.short));
+            out.push(Remark::EdgesDropped { count: self.short });
         }
         if !self.slivers.is_empty() {
-            out.push(format!("sliver faces were dropped, their neighbours joined: {}", listed(&self.slivers)));
+            out.push(Remark::SliversDropped { faces: self.slivers.clone() });
         }
         if !self.repeated.is_empty() {
-            let pairs: Vec<String> = self.repeated.iter().map(|(a, b)| format!("{a} repeats {b}")).collect();
-            out.push(format!("faces given twice were dropped: {}", listed(&pairs)));
+            let faces = self.repeated.iter().map(|(a, b)| [a.clone(), b.clone()]).collect();
+            out.push(Remark::RepeatedFaces { faces });
         }
         out
     }
-}
-
-/// The first few of a list.
-pub fn listed(all: &[String]) -> String {
-    const MOST: usize = 6;
-    let more = if all.len() > MOST { format!(" and {} more", all.len() - MOST) } else { String::new() };
-    format!("{}{more}", all[..all.len().min(MOST)].join(", "))
 }
 
 /// Two open edges that coincide.

@@ -121,7 +121,7 @@ fn edges_are_cut_where_others_end() {
     // The bottom's and the top's front edges are cut once, the top's rear edge twice.
     assert_eq!((sewn.open, sewn.cut, sewn.gap_mm < 1e-9), (0, 3, true), "{sewn:?}");
     assert!((volume(&brep).unwrap() - 120.0).abs() < 1e-9);
-    assert!(sewn.notes().iter().any(|n| n.starts_with("3 edges were cut")));
+    assert!(sewn.notes().iter().any(|n| n.to_string().starts_with("3 edges were cut")));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::columns::{self, Columns, Rows, TableLine};
 use super::header::{Angle, Blocks, Header};
 use super::suspect;
+use crate::observe::Remark;
 
 /// What a text is, by its content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +37,7 @@ pub struct PointTable {
     /// Their columns.
     pub columns: Columns,
     /// What the user should know.
-    pub notes: Vec<String>,
+    pub notes: Vec<Remark>,
 }
 
 /// Lines that detection looks at.

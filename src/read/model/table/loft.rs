@@ -12,6 +12,7 @@ use crate::geometry::Point;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::fit::surface_through_rows;
 use crate::geometry::nurbs::foot::ParameterSpace;
+use crate::observe::Remark;
 
 /// Samples of a section are made denser until the points of the table are this near, as a share of
 /// the tolerance.
@@ -67,7 +68,7 @@ pub struct Fitted {
     /// The points of the table are those of the grid.
     pub by_number: bool,
     /// What the user should know.
-    pub note: Option<String>,
+    pub note: Option<Remark>,
 }
 
 /// The loft through sections that are aligned: through the points themselves where they belong
@@ -82,7 +83,7 @@ pub fn fit(outlines: &[TableOutline], tolerance_mm: f64) -> Result<Fitted, Strin
         return Ok(Fitted { loft, error, by_number: true, note: None });
     }
     // Where sections differ in their sharp edges, all are taken as round.
-    let note = by_shape(outlines, 1, true).err().map(|m| format!("{m}; all edges are taken as round"));
+    let note = by_shape(outlines, 1, true).err().map(|reason| Remark::EdgesTakenAsRound { reason });
     let mut best: Option<Fitted> = None;
     for parts in [1, 2, 4, 8] {
         let grid = by_shape(outlines, parts, note.is_none())?;

@@ -34,6 +34,7 @@ use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::geometry::{Point, Vector};
+use crate::observe::Remark;
 
 use columns::{Columns, PointBlock, Rows};
 use direct::TableKind;
@@ -145,7 +146,7 @@ struct Raw {
     blocks: Vec<Rows>,
     columns: Columns,
     format: String,
-    notes: Vec<String>,
+    notes: Vec<Remark>,
 }
 
 fn gather(header: &Header, sources: &[(String, String)]) -> Said<Raw> {
@@ -192,7 +193,7 @@ fn outlines(
     blocks: Vec<Rows>,
     columns: &Columns,
     mm: f64,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Remark>,
 ) -> Said<Vec<TableOutline>> {
     let two = columns.sides() == 2;
     let points = |rows: &Rows, side: usize, height: f64| -> Vec<Point> {
@@ -300,7 +301,7 @@ fn order(header: &Header, blocks: &[PointBlock]) -> Said<Order> {
 }
 
 /// Leaves out sections at the ends that have shrunk to a point or a line (a tip of no chord).
-fn without_collapsed(sections: Vec<Said<TableOutline>>, notes: &mut Vec<String>) -> Said<Vec<TableOutline>> {
+fn without_collapsed(sections: Vec<Said<TableOutline>>, notes: &mut Vec<Remark>) -> Said<Vec<TableOutline>> {
     let largest = sections.iter().flatten().map(|o| o.area().norm()).fold(0.0, f64::max);
     let collapsed = |o: &Said<TableOutline>| match o {
         Ok(o) => o.area().norm() < COLLAPSED * COLLAPSED * largest,
@@ -312,8 +313,8 @@ fn without_collapsed(sections: Vec<Said<TableOutline>>, notes: &mut Vec<String>)
         return sections.into_iter().collect();
     }
     for o in sections.iter().take(from).chain(sections.iter().skip(to)) {
-        let place = o.as_ref().map_or_else(String::clone, |o| format!("the section at {} encloses no area", o.place));
-        notes.push(format!("left out at the end: {place}"));
+        let reason = o.as_ref().map_or_else(String::clone, |o| format!("the section at {} encloses no area", o.place));
+        notes.push(Remark::SectionLeftOut { reason });
     }
     sections.into_iter().take(to).skip(from).collect()
 }
@@ -343,7 +344,7 @@ fn shape(
     name: &str,
     header: &Header,
     outlines: Vec<TableOutline>,
-    mut notes: Vec<String>,
+    mut notes: Vec<Remark>,
     (format, (unit, unit_reason, unit_source)): (String, (Unit, String, UnitSource)),
 ) -> Result<FaceModel> {
     let tolerance = header.tolerance_mm.unwrap_or(TOLERANCE_MM);
@@ -368,22 +369,18 @@ fn shape(
         .advise("look for a wrong point there, give more points where the section bends most, or raise tolerance_mm in the header"));
     }
     let grid = &fitted.loft.grid;
-    let how = if fitted.by_number { "points joined by number" } else { "sections sampled along splines of their own" };
-    notes.push(format!(
-        "lofted through {} sections ({how}, {} round, {} sharp edges): the points of the table are within {:.6} mm of the surface",
-        grid.rows.len(),
-        grid.around(),
-        grid.anchors.iter().filter(|a| a.sharp).count(),
-        e.greatest_mm
-    ));
+    notes.push(Remark::Lofted {
+        sections: grid.rows.len(),
+        by_number: fitted.by_number,
+        around: grid.around(),
+        sharp_edges: grid.anchors.iter().filter(|a| a.sharp).count(),
+        greatest_mm: e.greatest_mm,
+    });
     notes.extend(fitted.note.clone());
     let tests = [("point", fitted.loft.without_points()), ("section", fitted.loft.without_sections())];
     for (what, error) in tests.into_iter().filter_map(|(w, e)| Some((w, e?))) {
-        notes.push(format!(
-            "left-out test: through every second {what} only, the surface misses the others by up to {:.4} mm, {:.4} mm in \
-             the root mean square",
-            error.greatest_mm, error.rms_mm
-        ));
+        let (of, greatest_mm, rms_mm) = (what.into(), error.greatest_mm, error.rms_mm);
+        notes.push(Remark::LeftOutTest { of, greatest_mm, rms_mm });
     }
     let brep = solid::close(&fitted.loft).map_err(bad)?;
     for face in &brep.faces {

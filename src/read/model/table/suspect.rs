@@ -3,6 +3,7 @@
 use super::columns::PointBlock;
 use super::outline::TableOutline;
 use crate::geometry::Point;
+use crate::observe::{Remark, standing_out};
 
 /// Points whose chain is longer than this many times their size, and each step longer than this
 /// share of it, are in no order.
@@ -23,17 +24,6 @@ pub struct StandingOut {
     pub off_mm: f64,
     /// So far that the chain turns back at it: no blade has that shape.
     pub spike: bool,
-}
-
-impl StandingOut {
-    /// In words, after the section's place.
-    pub fn words(&self) -> String {
-        let [x, y, z]: [f64; 3] = self.at.into();
-        format!(
-            "point {} at ({x:.4}, {y:.4}, {z:.4}) mm stands out, {:.4} mm from the middle of its neighbours, while the chain goes on beside it as if it were not there",
-            self.number, self.off_mm
-        )
-    }
 }
 
 impl TableOutline {
@@ -87,13 +77,13 @@ pub fn sound(b: &PointBlock) -> Result<(), String> {
 ///
 /// # Errors
 /// The first with which a section has no shape of a blade.
-pub fn displaced(sections: &[TableOutline], notes: &mut Vec<String>) -> Result<(), String> {
+pub fn displaced(sections: &[TableOutline], notes: &mut Vec<Remark>) -> Result<(), String> {
     for (place, found) in sections.iter().filter_map(|o| Some((&o.place, o.standing_out()?))) {
-        let words = format!("in the section at {place} {}", found.words());
-        if found.spike {
-            return Err(format!("{words}: correct it or leave it out"));
+        let StandingOut { number, at, off_mm, spike } = found;
+        if spike {
+            return Err(format!("{}: correct it or leave it out", standing_out(place, number, &at.into(), off_mm)));
         }
-        notes.push(format!("{words}: is it right?"));
+        notes.push(Remark::PointStandsOut { section: place.clone(), number, at_mm: at.into(), off_mm });
     }
     Ok(())
 }
@@ -122,7 +112,6 @@ mod tests {
             let found = TableOutline::from_loop("t", bad.clone()).unwrap().standing_out().unwrap();
             assert_eq!((found.number, found.at, found.spike), (14, bad[13], spike), "{out}");
             assert!((found.off_mm - out.abs()).abs() < 0.05, "{}", found.off_mm);
-            assert!(found.words().starts_with("point 14 at ("));
         }
         // Blunt and sharp edges, a hollow side.
         let side =

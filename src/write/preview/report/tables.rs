@@ -117,8 +117,9 @@ pub(super) fn provenance(input: &ReportInput) -> String {
             rows.push_str(&format!("<tr><th scope=\"row\">{name}</th><td>{}</td></tr>", escape(value)));
         }
     }
-    let reasons: String =
-        input.blade.regions.reasons.iter().chain(&diagnosis.notes).map(|r| format!("<li>{}</li>", escape(r))).collect();
+    let reasons = input.blade.regions.reasons.iter().cloned();
+    let reasons = reasons.chain(diagnosis.notes.iter().map(ToString::to_string));
+    let reasons: String = reasons.map(|r| format!("<li>{}</li>", escape(&r))).collect();
     let recognised = if reasons.is_empty() { String::new() } else { format!("<h3>Recognised</h3><ul>{reasons}</ul>") };
     let job = if input.job_toml.is_empty() {
         "<p>No job was given.</p>".into()

@@ -28,7 +28,7 @@ fn program() -> Program {
 fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
     let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
     let (sections, report) = (sample::sections(), sample::report());
-    let warnings = [Warning { stage: Stage::Model, doubt: Doubt::Remark("an <odd> face".into()) }];
+    let warnings = [Warning { stage: Stage::Model, doubt: Doubt::Words("an <odd> face".into()) }];
     let provenance = [("File".to_string(), "cylinder.obj".to_string())];
     let summary = serde_json::json!({
         "turns": 3, "path_length_mm": 471.23889803846896, "machining_time_s": 50.0, "end_reason": "<here>",

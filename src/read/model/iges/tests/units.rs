@@ -91,6 +91,6 @@ fn a_box_becomes_a_blade_without_its_extension() {
     assert!((b.part.mesh.volume_mm3() - 2400.0).abs() < 1e-6 && b.diagnosis.closed);
     assert_eq!(read(&marked(text.as_bytes())).part.mesh.points, b.part.mesh.points);
     assert_eq!(b.diagnosis.format, "IGES 5.3");
-    let says = |words: &str| b.diagnosis.notes.iter().any(|n| n.contains(words));
+    let says = |words: &str| b.diagnosis.notes.iter().any(|n| n.to_string().contains(words));
     assert!(says("12 edges that faces did not share") && says("faces were oriented"), "{:?}", b.diagnosis.notes);
 }
