@@ -50,6 +50,7 @@ pub(crate) mod sample;
 pub mod schedule;
 pub mod section;
 pub(crate) mod settings;
+pub mod smooth;
 pub mod tool;
 pub mod verify;
 pub mod write;

@@ -28,7 +28,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
         "machine" => &["numerics", "geometry", "artifact", "tool"],
-        "section" | "path" | "channel" | "schedule" | "lead" | "feed" => STAGE,
+        "section" | "path" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
         "verify" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
         "read" => READER,
         "make" => STAGE,

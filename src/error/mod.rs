@@ -25,6 +25,8 @@ pub enum Stage {
     Channel,
     /// Orientation schedule.
     Schedule,
+    /// The smooth curve of ball centre and tool axis.
+    Smooth,
     /// Machine kinematics.
     Machine,
     /// Feed and time.

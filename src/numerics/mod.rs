@@ -1,7 +1,9 @@
 //! Numbers only, no geometry: angles, splines, banded systems, convex problems along a line of
-//! stages.
+//! stages and of a spline's control values.
 pub mod angle;
 pub mod banded;
 pub mod bezier;
+pub mod bounded;
+pub mod quintic;
 pub mod spline;
 pub mod stages;
