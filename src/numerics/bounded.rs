@@ -566,3 +566,107 @@ impl<const W: usize> Factor<W> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::quintic::{Breaks, apply};
+    use super::*;
+    use proptest::prelude::*;
+
+    const ENOUGH: Enough = Enough { gap: 1e-6, nothing: 1e-12 };
+
+    /// `½ Σ (x − wish)²` over control values, shared out to the spans, and one strip for each span.
+    fn nearest(breaks: &Breaks, wish: &[f64], limits: &[[f64; 2]]) -> (Vec<Span<1, 6>>, f64) {
+        let span = |i: usize| {
+            let mut hessian = Box::new([[0.0; 6]; 6]);
+            let mut gradient = [0.0; 6];
+            for k in 0..6 {
+                let spans = (0..breaks.spans()).filter(|j| (*j..*j + 6).contains(&(i + k))).count() as f64;
+                hessian[k][k] = 1.0 / spans;
+                gradient[k] = -wish[i + k] / spans;
+            }
+            let map = breaks.ordinates(i, breaks.span(i));
+            let [lo, hi] = limits[i].map(|l| [l; 6]);
+            Span { hessian, gradient, rows: Vec::new(), strips: vec![Strip { map, direction: [1.0], lo, hi }] }
+        };
+        let value = 0.5 * wish.iter().map(|w| w * w).sum::<f64>();
+        ((0..breaks.spans()).map(span).collect(), value)
+    }
+
+    proptest! {
+        #[test]
+        fn no_values_within_the_limits_have_less_than_the_bound(
+            steps in prop::collection::vec(0.3..2.0f64, 2..7),
+            wish in prop::collection::vec(-1.0..1.0f64, 12),
+            widths in prop::collection::vec(0.05..1.5f64, 7),
+            tries in prop::collection::vec(prop::collection::vec(-1.0..1.0f64, 12), 8),
+        ) {
+            let mut s = vec![0.0];
+            steps.iter().for_each(|d| s.push(s[s.len() - 1] + d));
+            let breaks = Breaks::new(s).unwrap();
+            let limits: Vec<[f64; 2]> = (0..breaks.spans()).map(|i| [-widths[i], 0.7 * widths[i]]).collect();
+            let (spans, at_zero) = nearest(&breaks, &wish, &limits);
+            let found = solve(&spans, at_zero, ENOUGH, 1e3).unwrap();
+            prop_assert!(found.bound <= found.objective + 1e-12);
+            prop_assert!(found.objective - found.bound <= 1e-5 * at_zero, "{} {}", found.objective, found.bound);
+            let ordinates = |x: &[[f64; 1]], i: usize| apply(&spans[i].strips[0].map, &x[i..]);
+            for i in 0..breaks.spans() {
+                for [v] in ordinates(&found.x, i) {
+                    prop_assert!(limits[i][0] - 1e-5 <= v && v <= limits[i][1] + 1e-5);
+                }
+            }
+            // Others, made small enough to keep the limits.
+            for other in tries {
+                let x: Vec<[f64; 1]> = other[..breaks.controls()].iter().map(|v| [*v]).collect();
+                let over = |i: usize| {
+                    ordinates(&x, i).iter().map(|[v]| (v / limits[i][1]).max(v / limits[i][0])).fold(0.0, f64::max)
+                };
+                let most = (0..breaks.spans()).map(over).fold(1.0, f64::max);
+                let value: f64 = x.iter().zip(&wish).map(|([v], w)| 0.5 * (v / most - w).powi(2)).sum();
+                prop_assert!(value - at_zero >= found.bound - 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn one_active_limit_in_closed_form() {
+        // The nearest control values to 0 whose span is nowhere under 1: all are 1.
+        let breaks = Breaks::new(vec![0.0, 1.0]).unwrap();
+        let (mut spans, _) = nearest(&breaks, &[0.0; 6], &[[1.0, f64::INFINITY]]);
+        let found = solve(&spans, 1.0, ENOUGH, 10.0).unwrap();
+        assert!(found.x.iter().all(|[v]| (v - 1.0).abs() < 1e-4), "{:?}", found.x);
+        assert!((found.objective - 3.0).abs() < 1e-4);
+        // A row on their sum alone: the same.
+        spans[0].strips.clear();
+        spans[0].rows.push(Row { g: [1.0; 6], lo: 6.0, hi: 8.0 });
+        let found = solve(&spans, 1.0, ENOUGH, 10.0).unwrap();
+        assert!((found.objective - 3.0).abs() < 1e-4 && found.bound <= 3.0 + 1e-9);
+    }
+
+    #[test]
+    fn limits_against_one_another_are_named() {
+        let breaks = Breaks::new(vec![0.0, 1.0, 2.0, 3.0]).unwrap();
+        let (mut spans, at_zero) = nearest(&breaks, &[0.5; 8], &[[-1.0, 1.0]; 3]);
+        spans[1].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
+        spans[1].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: -3.0 });
+        let Missed(missed) = solve(&spans, at_zero, ENOUGH, 1e3).unwrap_err();
+        assert!(missed.iter().any(|(i, by)| *i == 1 && *by > 1.0), "{missed:?}");
+        spans[1].rows[0].lo = f64::NAN;
+        assert!(solve(&spans, at_zero, ENOUGH, 1e3).is_err());
+    }
+
+    #[test]
+    fn factors_solve() {
+        // 4 on the diagonal, 1 beside it.
+        let mut band = vec![[0.0, 1.0, 4.0]; 9];
+        band[0] = [0.0, 0.0, 4.0];
+        let want: Vec<f64> = (0..9).map(f64::from).collect();
+        let at = |k: i32| if (0..9).contains(&k) { f64::from(k) } else { 0.0 };
+        let mut x: Vec<f64> = (0..9).map(|k| at(k - 1) + 4.0 * at(k) + at(k + 1)).collect();
+        let factor = Factor::<3>::of(band).unwrap();
+        factor.solve(&mut x);
+        assert!(x.iter().zip(&want).all(|(a, b)| (a - b).abs() < 1e-12));
+        assert!(Factor::<2>::of(vec![[0.0, -1.0]]).is_none() && Factor::<2>::of(vec![[0.0, f64::NAN]]).is_none());
+    }
+}

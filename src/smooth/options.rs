@@ -65,3 +65,12 @@ impl SmoothOptions {
         }
     }
 }
+
+impl SmoothOptions {
+    /// Those for a part that is a mesh: along the normal as much as facets need. Inwards nearly the
+    /// usual limit of gouges, outwards a quarter of the ridges.
+    #[must_use]
+    pub fn on_mesh(self, scallop_mm: f64) -> Self {
+        SmoothOptions { inwards_mm: 0.9e-3, outwards_mm: (0.25 * scallop_mm).max(self.outwards_mm), ..self }
+    }
+}
