@@ -27,19 +27,15 @@ pub(super) struct Proof {
     pub inwards_mm: f64,
     /// No place of the ball is farther off the part, mm; at least 0.
     pub outwards_mm: f64,
-    /// The deepest place that was measured, mm.
-    pub measured_inwards_mm: f64,
-    /// The farthest place off the part that was measured, mm.
-    pub measured_outwards_mm: f64,
 }
 
 impl Proof {
+    const LOST: Proof = Proof { inwards_mm: f64::INFINITY, outwards_mm: f64::INFINITY };
+
     fn and(self, other: Self) -> Self {
         Proof {
             inwards_mm: self.inwards_mm.max(other.inwards_mm),
             outwards_mm: self.outwards_mm.max(other.outwards_mm),
-            measured_inwards_mm: self.measured_inwards_mm.max(other.measured_inwards_mm),
-            measured_outwards_mm: self.measured_outwards_mm.max(other.measured_outwards_mm),
         }
     }
 }
@@ -53,17 +49,13 @@ struct Place {
 }
 
 /// Proves, span by span, that the ball is no deeper in the part than `limits[0]` and no farther off
-/// than `limits[1]`, mm; where it is, the proof tells by how much. `None` where the part is nowhere
+/// than `limits[1]`, mm; where it is, the proof tells by how much. Infinite where the part is nowhere
 /// near.
-pub(super) fn prove(
-    part: &Allowed,
-    radius_mm: f64,
-    breaks: &Breaks,
-    x: &[[f64; 3]],
-    limits: [f64; 2],
-) -> Option<Vec<Proof>> {
-    let of =
-        |i: usize| span(part, radius_mm, breaks.span(i), &apply(&breaks.ordinates(i, breaks.span(i)), &x[i..]), limits);
+pub(super) fn prove(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3]], limits: [f64; 2]) -> Vec<Proof> {
+    let of = |i: usize| {
+        let ordinates = apply(&breaks.ordinates(i, breaks.span(i)), &x[i..]);
+        span(part, radius_mm, breaks.span(i), &ordinates, limits).unwrap_or(Proof::LOST)
+    };
     (0..breaks.spans()).into_par_iter().with_min_len(16).map(of).collect()
 }
 
@@ -79,14 +71,10 @@ fn span(part: &Allowed, radius: f64, [a, b]: [f64; 2], o: &[[f64; 3]; ORDER], li
     let second = (0..4).map(|j| (o[j + 2] - o[j + 1] * 2.0 + o[j]).norm()).fold(0.0, f64::max) * 20.0 / (h * h);
     let cap = 2.0 * radius + h * first;
     let ordinates = o.map(<[f64; 3]>::from);
-    let mut out = Proof::default();
-    let mut see = |t: f64| {
+    let see = |t: f64| {
         let at = quintic::at(&ordinates, h, t);
         let c = Point::from(at[0]);
         let near = part.closest(&c, cap)?;
-        let off = near.distance_mm - radius;
-        out.measured_inwards_mm = out.measured_inwards_mm.max(-off);
-        out.measured_outwards_mm = out.measured_outwards_mm.max(off);
         let away = (c - near.point).try_normalize(1e-12)? * near.distance_mm;
         Some(Place { t, distance: near.distance_mm, slope: away.dot(&Vector::from(at[1])) })
     };
@@ -116,7 +104,7 @@ fn span(part: &Allowed, radius: f64, [a, b]: [f64; 2], o: &[[f64; 3]; ORDER], li
         open.push((p, middle));
         open.push((middle, q));
     }
-    Some(Proof { inwards_mm: proven[0], outwards_mm: proven[1], ..out })
+    Some(Proof { inwards_mm: proven[0].max(0.0), outwards_mm: proven[1].max(0.0) })
 }
 
 /// Least of `(1 − t) d₀² + t d₁² − t (1 − t) m` over `0 ≤ t ≤ 1`, as a distance.

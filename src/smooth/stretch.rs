@@ -129,10 +129,10 @@ impl Stretch<'_> {
             let any = self.options.bound_of_any.then(|| self.correct(&tube, &angle, false)).and_then(Result::ok);
             let bound_of_any = any.map(|(_, [_, bound])| bound);
             x = corrected;
-            let proofs = prove::prove(self.part, self.radius_mm, breaks, &x, limits)?;
+            let proofs = prove::prove(self.part, self.radius_mm, breaks, &x, limits);
             let kept = |p: &Proof| p.inwards_mm <= limits[0] && p.outwards_mm <= limits[1];
             if proofs.iter().all(kept) {
-                let Proof { inwards_mm, outwards_mm, .. } = prove::worst(&proofs);
+                let Proof { inwards_mm, outwards_mm } = prove::worst(&proofs);
                 let proof =
                     CurveProof { inwards_mm, outwards_mm, square, bound, bound_of_any, theta_square, theta_bound };
                 return Some(Ok(CurveStretch { breaks: breaks.clone(), centre: x, theta_breaks, theta, proof }));

@@ -121,7 +121,7 @@ fn noise_across_a_helix_goes_and_the_curve_stays_where_the_part_wants_it() {
             assert!((p.x.hypot(p.y) - CAN - BALL).abs() <= 0.25e-3 + 1e-9);
             let row = path.locations.partition_point(|l| l.s_mm <= s).clamp(1, angles.len() - 1);
             let near = &path.locations[row - 1];
-            assert!((p.z - near.centre.z).abs() < 0.01 * PITCH + PITCH * 2.0 / f64::from(PER_TURN) + 2e-3);
+            assert!((p.z - near.centre.z).abs() < 0.03 * PITCH + PITCH * 2.0 / f64::from(PER_TURN) + 2e-3);
             peak = peak.max(place.derivative(3).norm());
             assert!(place.theta[0] >= last && place.theta[1] >= -1e-9);
             last = place.theta[0];
@@ -277,7 +277,7 @@ fn a_proof_holds_at_every_place() {
         .map(|(k, s)| [CAN + BALL + 2e-3 * noise(k as u32), 0.3 * s, 36.0 + s])
         .collect();
     for limits in [[0.25e-3; 2], [3e-3, 0.3]] {
-        let proofs = prove::prove(&part, BALL, &breaks, &x, limits).unwrap();
+        let proofs = prove::prove(&part, BALL, &breaks, &x, limits);
         for (i, proof) in proofs.iter().enumerate() {
             let [a, b] = breaks.span(i);
             let mut worst = [0.0_f64; 2];
