@@ -13,7 +13,7 @@
 //!
 //! ## Method
 //! Ball centre `c(s)` and angle `θ(s)` are splines of degree 5 on the same breaks, some moves apart
-//! (`start`), in the arc length `s` of the path.
+//! (`start`), in the arc length `s` of the path; θ on some of them.
 //!
 //! 1. `θ` first (`turn`): least is `∫ θ'''²`, with ordinates of every interval between locations
 //!    within the walls of the channel and near the schedule, and ordinates of every span rising.
@@ -45,6 +45,7 @@
 //! Kind `Usage` for options out of their limits and inputs that do not belong together. Where no
 //! curve is found the path stays as it is, which [`Curve::left`] says with place and reason.
 
+pub mod corner;
 mod form;
 mod options;
 mod prove;

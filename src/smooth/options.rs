@@ -13,7 +13,7 @@ pub struct SmoothOptions {
     /// How far the ball may be beside the path on the part, as a share of the distance to the next
     /// turn. Default 0.03. A ridge grows with the square of the distance of two turns, so a single one
     /// may grow by 12 %; nearly everywhere both turns move alike, and the ridges' 99th percentile grew
-    /// by 1.2 % at most on the blades it was measured on (`docs/smoothing.md`).
+    /// by 2.3 % at most on the blades it was measured on (`docs/smoothing.md`).
     pub across: f64,
     /// How far ahead of or behind its place on the path the ball may be, mm. Default 2 µm: it is the
     /// same curve, run a little otherwise.
@@ -44,6 +44,13 @@ impl Default for SmoothOptions {
 }
 
 impl SmoothOptions {
+    /// Those for a part that is a mesh: along the normal as much as facets need. Inwards nearly the
+    /// usual limit of gouges, outwards a quarter of the ridges.
+    #[must_use]
+    pub fn on_mesh(self, scallop_mm: f64) -> Self {
+        SmoothOptions { inwards_mm: 0.9e-3, outwards_mm: (0.25 * scallop_mm).max(self.outwards_mm), ..self }
+    }
+
     /// Checks all values.
     ///
     /// # Errors
@@ -64,14 +71,5 @@ impl SmoothOptions {
             }
             None => Ok(()),
         }
-    }
-}
-
-impl SmoothOptions {
-    /// Those for a part that is a mesh: along the normal as much as facets need. Inwards nearly the
-    /// usual limit of gouges, outwards a quarter of the ridges.
-    #[must_use]
-    pub fn on_mesh(self, scallop_mm: f64) -> Self {
-        SmoothOptions { inwards_mm: 0.9e-3, outwards_mm: (0.25 * scallop_mm).max(self.outwards_mm), ..self }
     }
 }
