@@ -32,8 +32,8 @@
 //! ## Guarantees
 //! Of every [`CurveStretch`]: four times continuously differentiable; nowhere deeper in the part or
 //! farther off it than the options say, for all `s`, measured on the part and proven between; `θ`
-//! between the walls and never falling, for all `s`; the objective within
-//! [`SmoothOptions::gap`] of a proven bound. The same bytes on any number of threads; time and
+//! between the walls and never falling, for all `s`. Objectives are within [`SmoothOptions::gap`] of a
+//! proven bound, or by as much above it as the proof says. The same bytes on any number of threads; time and
 //! memory are linear in the number of locations.
 //!
 //! ## Limits

@@ -24,7 +24,8 @@ pub struct SmoothOptions {
     pub margin_rad: f64,
     /// Share by which the result may be worse than the best on the same breaks. Default 0.005.
     pub gap: f64,
-    /// Also prove what no curve of any form can fall below; takes as long again.
+    /// Also prove what no curve of any form can fall below, for [`super::Objective::Part`]; takes as
+    /// long again.
     pub bound_of_any: bool,
 }
 

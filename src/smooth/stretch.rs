@@ -126,7 +126,9 @@ impl Stretch<'_> {
                 Ok(found) => found,
                 Err(missed) => return marked(missed),
             };
-            let any = self.options.bound_of_any.then(|| self.correct(&tube, &angle, false)).and_then(Result::ok);
+            // Axes' derivatives are no polynomials: for them nothing is known of other forms.
+            let is_asked = self.options.bound_of_any && matches!(self.objective, Objective::Part);
+            let any = is_asked.then(|| self.correct(&tube, &angle, false)).and_then(Result::ok);
             let bound_of_any = any.map(|(_, [_, bound])| bound);
             x = corrected;
             let proofs = prove::prove(self.part, self.radius_mm, breaks, &x, limits);
