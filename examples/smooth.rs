@@ -148,7 +148,7 @@ fn measure(file: &Path) -> Result<()> {
     let curve =
         smooth::plan(&setup.blade.part, path, &plan.channel, &plan.schedule, &Objective::Part, &options, &Silent)?;
     let (seconds, n) = (start.elapsed().as_secs_f64(), path.locations.len());
-    let left: f64 = curve.left.iter().map(|l| l.s_mm[1] - l.s_mm[0]).sum();
+    let left = curve.left.iter().fold(0.0, |sum, l| sum + l.s_mm[1] - l.s_mm[0]);
     println!("{}: {n} locations, {} pieces, {left:.1} mm left, {seconds:.1} s", file.display(), curve.pieces());
     for stretch in curve.stretches.iter().take(3) {
         let (p, [from, to]) = (stretch.proof, stretch.s_mm());
