@@ -1,9 +1,10 @@
-//! What the smooth curve gains: jerk of the axes at constant feed and machining time, beside the path
-//! as it is and beside one whose touches were merely evened.
+//! What the smooth curve gains: jerk of the axes at constant feed and machining time, beside the
+//! path as it is and beside one whose touches were merely evened.
 //!
-//! `cargo run --release --example smooth [-- model ...]`; without models those of the folder `models`.
-//! Jobs are the defaults. Jerks of the path and of the evened one are those of the natural cubic
-//! spline of the axes through the locations, which the feed is planned on, away from its ends.
+//! `cargo run --release --example smooth [-- model ...]`; without models those of the folder
+//! `models`. Jobs are the defaults. Jerks of the path and of the evened one are those of the
+//! natural cubic spline of the axes through the locations, which the feed is planned on, away from
+//! its ends.
 #![allow(clippy::print_stdout)]
 
 use std::path::{Path, PathBuf};
@@ -81,8 +82,8 @@ fn jerk_of_curve(setup: &Setup, curve: &Curve, lean_rad: f64) -> Vec<f64> {
     out.into_iter().map(|v| v * (FEED / 60.0).powi(3)).collect()
 }
 
-/// Each location moved to a mean over five, its own place along the path kept, and set onto the part
-/// again.
+/// Each location moved to a mean over five, its own place along the path kept, and set onto the
+/// part again.
 fn evened(part: &Allowed, path: &Toolpath) -> Toolpath {
     let mut out = path.clone();
     let all = &path.locations;

@@ -65,8 +65,8 @@ pub struct CurveProof {
     pub square: f64,
     /// No curve on the same breaks within the same limits has less.
     pub bound: f64,
-    /// No curve that is where this one may be at the breaks has less, whatever its form; absent where
-    /// it was not asked for.
+    /// No curve that is where this one may be at the breaks has less, whatever its form; absent
+    /// where it was not asked for.
     pub bound_of_any: Option<f64>,
     /// `½ ∫ θ'''² ds`, rad²/mm⁵.
     pub theta_square: f64,

@@ -22,7 +22,8 @@
 //!
 //! ## Failure
 //! [`Missed`] names the spans whose limits are missed, where no control values keep all of them or
-//! numbers are not finite. The same bytes on any number of threads: sums are taken in a fixed order.
+//! numbers are not finite. The same bytes on any number of threads: sums are taken in a fixed
+//! order.
 
 use rayon::prelude::*;
 
@@ -181,8 +182,8 @@ pub struct Enough {
     pub nothing: f64,
 }
 
-/// Solves. `at_zero`: the objective where all control values are 0. `reach`: control values within the
-/// limits differ by no more than this.
+/// Solves. `at_zero`: the objective where all control values are 0. `reach`: control values within
+/// the limits differ by no more than this.
 ///
 /// # Errors
 /// [`Missed`], see the module's page.
@@ -522,9 +523,9 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 pub struct Factor<const W: usize>(Vec<[f64; W]>);
 
 impl<const W: usize> Factor<W> {
-    /// Of the rows of the lower half; the last of the `W` numbers of a row is on the diagonal, those
-    /// before the first column are 0. A row that depends on those before leaves its unknown where it
-    /// is. `None` where a diagonal entry is not positive, or not a number.
+    /// Of the rows of the lower half; the last of the `W` numbers of a row is on the diagonal,
+    /// those before the first column are 0. A row that depends on those before leaves its unknown
+    /// where it is. `None` where a diagonal entry is not positive, or not a number.
     pub fn of(mut band: Vec<[f64; W]>) -> Option<Self> {
         for i in 0..band.len() {
             let (before, rest) = band.split_at_mut(i);

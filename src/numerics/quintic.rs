@@ -3,23 +3,23 @@
 //! In: rising breaks `s₀ < … < s_n`. A spline on them has `n + 5` control values. On span `i`, from
 //! `s_i` to `s_{i+1}`, it is a polynomial of degree 5 that control values `i … i + 5` make. Its
 //! *ordinates* on an interval `[a, b]` of the span are the coefficients of the Bernstein basis
-//! there: the polynomial lies between the least and the greatest of them. Ordinate `j` is the blossom
-//! of the span at `5 − j` times `a` and `j` times `b` (Ramshaw 1989, "Blossoms are polar forms",
-//! CAGD 6), which de Boor's recursion computes.
+//! there: the polynomial lies between the least and the greatest of them. Ordinate `j` is the
+//! blossom of the span at `5 − j` times `a` and `j` times `b` (Ramshaw 1989, "Blossoms are polar
+//! forms", CAGD 6), which de Boor's recursion computes.
 
 /// Degree of the splines.
 pub const DEGREE: usize = 5;
 /// Control values of a span.
 pub const ORDER: usize = 6;
-/// No control value is greater than the greatest value of the spline by more than this factor, on any
-/// breaks: `k 2^k` with the order `k` (Scherer and Shadrin 1999, "New upper bound for the B-spline
-/// basis condition number II", J. Approx. Theory 99).
+/// No control value is greater than the greatest value of the spline by more than this factor, on
+/// any breaks: `k 2^k` with the order `k` (Scherer and Shadrin 1999, "New upper bound for the
+/// B-spline basis condition number II", J. Approx. Theory 99).
 pub const CONDITION: f64 = 384.0;
 /// A linear map from the control values of a span to numbers of the same count.
 pub type Map = [[f64; ORDER]; ORDER];
 
-/// The breaks of a spline. At either end the knot is sixfold, so that the spline begins in its first
-/// control value and ends in its last.
+/// The breaks of a spline. At either end the knot is sixfold, so that the spline begins in its
+/// first control value and ends in its last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breaks(Vec<f64>);
 

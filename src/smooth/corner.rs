@@ -1,23 +1,24 @@
 //! Single corners of a polyline, rounded by published curves and by a better one of the same form.
 //!
 //! The curve is a spline of degree 5 with seven control points on the breaks 0, ½, 1, symmetric
-//! about the corner, which is its fourth. From the end inwards the control points are `d₁`, `d₂`, `d₃`
-//! apart; the first four are on the straight move, so curvature and its derivative vanish where the
-//! curve leaves it. With `θ` the interior angle (π: straight) and `ε` the distance of the curve's
-//! middle from the corner (Wan et al. 2019, "G3 continuous tool path smoothing … quasi-uniform
-//! quintic B-spline", Chinese Journal of Aeronautics 32(7))
+//! about the corner, which is its fourth. From the end inwards the control points are `d₁`, `d₂`,
+//! `d₃` apart; the first four are on the straight move, so curvature and its derivative vanish
+//! where the curve leaves it. With `θ` the interior angle (π: straight) and `ε` the distance of the
+//! curve's middle from the corner (Wan et al. 2019, "G3 continuous tool path smoothing …
+//! quasi-uniform quintic B-spline", Chinese Journal of Aeronautics 32(7))
 //!
 //! ```text
 //! ε = (d₂ + 5 d₃) cos(θ/2) / 8,       κ ε = 0.8 (1 + ν)(5 + ν)/(3 + ν)² cot²(θ/2),  ν = d₂/d₃
 //! ```
 //!
-//! Their kind makes `∫ |c''|² + β ∫ |c'''|²` least, derivatives by the parameter: a quadratic form in
-//! `d = (d₁, d₂, d₃)` with `ε` given, so `d ∝ M⁻¹ (0, 1, 5)`. The rival's, Tulsyan and Altintas 2015, has
-//! equal derivatives by the parameter up to the third where curve and move meet: `d₁ : d₂ : d₃ = 1 : 2 :
-//! 2`. [`CornerKind::LeastThird`] makes the greatest third derivative by arc length itself least.
+//! Their kind makes `∫ |c''|² + β ∫ |c'''|²` least, derivatives by the parameter: a quadratic form
+//! in `d = (d₁, d₂, d₃)` with `ε` given, so `d ∝ M⁻¹ (0, 1, 5)`. The rival's, Tulsyan and Altintas
+//! 2015, has equal derivatives by the parameter up to the third where curve and move meet: `d₁ : d₂
+//! : d₃ = 1 : 2 : 2`. [`CornerKind::LeastThird`] makes the greatest third derivative by arc length
+//! itself least.
 //!
-//! A corner needs [`Corner::reach_mm`] of both moves. Where the reaches of two corners overlap these
-//! curves do not exist, as on dense cutter locations: [`super::plan`] is for those.
+//! A corner needs [`Corner::reach_mm`] of both moves. Where the reaches of two corners overlap
+//! these curves do not exist, as on dense cutter locations: [`super::plan`] is for those.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -144,9 +145,9 @@ fn least_energy(angle_rad: f64, beta: f64) -> Option<[f64; 2]> {
     (beta >= 0.0 && shares.iter().all(|s| s.is_finite())).then_some(shares)
 }
 
-/// The corner with the least third derivative: the best of a grid, then of the neighbours, nearer and
-/// nearer. The greatest of many places has creases along which a search that goes straight stands
-/// still, so neighbours are looked at all round.
+/// The corner with the least third derivative: the best of a grid, then of the neighbours, nearer
+/// and nearer. The greatest of many places has creases along which a search that goes straight
+/// stands still, so neighbours are looked at all round.
 fn least_third(of: &dyn Fn(f64, f64) -> Corner) -> Corner {
     let value = |[mu, nu]: [f64; 2]| of(mu, nu).peaks()[1];
     let grid = (0..GRID * GRID).map(|k| [k / GRID, k % GRID].map(|j| LEAST_SHARE + WIDE * j as f64 / GRID as f64));
@@ -213,8 +214,8 @@ mod tests {
         }
     }
 
-    /// Greatest curvature and third derivative, and reach, of the rival; what the published kind with
-    /// β = 0.04 and the least third derivative save.
+    /// Greatest curvature and third derivative, and reach, of the rival; what the published kind
+    /// with β = 0.04 and the least third derivative save.
     #[test]
     fn known_figures_are_met() {
         let rows = [

@@ -96,8 +96,8 @@ fn third_at(places: &[f64]) -> Vec<[f64; NODES]> {
     places.iter().map(of).collect()
 }
 
-/// `½ Σ ∫ (weight q''')²` over span `i`, of three axes whose positions are linear in the centre, given
-/// by the arc length.
+/// `½ Σ ∫ (weight q''')²` over span `i`, of three axes whose positions are linear in the centre,
+/// given by the arc length.
 pub(super) fn axes(
     breaks: &Breaks,
     i: usize,
@@ -162,8 +162,8 @@ impl Linear {
     }
 }
 
-/// What third derivatives of the linear axes are multiplied by: the least of their limits of jerk over
-/// their own.
+/// What third derivatives of the linear axes are multiplied by: the least of their limits of jerk
+/// over their own.
 pub(super) fn weights(machine: &Machine) -> [f64; 3] {
     let jerk = machine.linear().map(|k| machine.axes()[k].limits.jerk);
     let least = jerk.into_iter().fold(f64::INFINITY, f64::min);

@@ -8,8 +8,8 @@
 //! their small errors make corners of some tenths of a degree, and the third derivative of whatever
 //! a control rounds them to is noise. Local rounding of corners needs room along the moves that
 //! dense locations do not leave: reaches of neighbouring corners overlap. So the whole path is
-//! replaced at once. What may be moved is not the polyline but the part's business: along the normal
-//! a fraction of a micrometre, across the path as much as ridges allow.
+//! replaced at once. How far it may move is not a matter of the polyline but of the part: along the
+//! normal by a fraction of a micrometre, across the path by as much as the ridges allow.
 //!
 //! ## Method
 //! Ball centre `c(s)` and angle `θ(s)` are splines of degree 5 on the same breaks, some moves apart
@@ -27,19 +27,20 @@
 //!    not within the limits the part is looked at anew, then spans are halved, and in the end the
 //!    path is left as it is there.
 //!
-//! The path is cut where the normal turns by more than [`CREASE_RAD`] from one location to the next.
+//! The path is cut where the normal turns by more than [`CREASE_RAD`] from one location to the
+//! next.
 //!
 //! ## Guarantees
 //! Of every [`CurveStretch`]: four times continuously differentiable; nowhere deeper in the part or
 //! farther off it than the options say, for all `s`, measured on the part and proven between; `θ`
-//! between the walls and never falling, for all `s`. Objectives are within [`SmoothOptions::gap`] of a
-//! proven bound, or by as much above it as the proof says. The same bytes on any number of threads; time and
-//! memory are linear in the number of locations.
+//! between the walls and never falling, for all `s`. Objectives are within [`SmoothOptions::gap`]
+//! of a proven bound, or by as much above it as the proof says. The same bytes on any number of
+//! threads; time and memory are linear in the number of locations.
 //!
 //! ## Limits
 //! Stretches begin and end freely in the tube: where the path is left as it is, a straight move
-//! leads from the end of one to the next location. Third derivatives are least in the square; single
-//! places may have greater ones than another curve would.
+//! leads from the end of one to the next location. Third derivatives are least in the square;
+//! single places may have greater ones than another curve would.
 //!
 //! ## Failure
 //! Kind `Usage` for options out of their limits and inputs that do not belong together. Where no

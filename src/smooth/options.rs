@@ -11,12 +11,12 @@ pub struct SmoothOptions {
     /// How far the ball may be off the part, mm. Default 0.25 µm, far less than a ridge.
     pub outwards_mm: f64,
     /// How far the ball may be beside the path on the part, as a share of the distance to the next
-    /// turn. Default 0.03. A ridge grows with the square of the distance of two turns, so a single one
-    /// may grow by 12 %; nearly everywhere both turns move alike, and the ridges' 99th percentile grew
-    /// by 2.3 % at most on the blades it was measured on (`docs/smoothing.md`).
+    /// turn. Default 0.03. A ridge grows with the square of the distance of two turns, so a single
+    /// one may grow by 12 %; nearly everywhere both turns move alike, and the ridges' 99th
+    /// percentile grew by 2.3 % at most on the blades it was measured on (`docs/smoothing.md`).
     pub across: f64,
-    /// How far ahead of or behind its place on the path the ball may be, mm. Default 2 µm: it is the
-    /// same curve, run a little otherwise.
+    /// How far ahead of or behind its place on the path the ball may be, mm. Default 2 µm: it is
+    /// the same curve, run a little otherwise.
     pub along_mm: f64,
     /// How far θ may be from the schedule, rad. Default 0.5°.
     pub turn_rad: f64,
@@ -24,8 +24,8 @@ pub struct SmoothOptions {
     pub margin_rad: f64,
     /// Share by which the result may be worse than the best on the same breaks. Default 0.005.
     pub gap: f64,
-    /// Also prove what no curve of any form can fall below, for [`super::Objective::Part`]; takes as
-    /// long again.
+    /// Also prove what no curve of any form can fall below, for [`super::Objective::Part`]; takes
+    /// as long again.
     pub bound_of_any: bool,
 }
 

@@ -1,15 +1,16 @@
 //! How far the curve is from where the part wants it, proven between places that are measured.
 //!
-//! Over an interval of the curve let `|c'|² + D |c''| ≤ M`, with `D` no less than the distance of the
-//! curve from those points of the part that are nearest to a place of it. The square of the distance
-//! to one such point `p` has a second derivative of `2 |c'|² + 2 (c − p)·c'' ≤ 2 M`. So
-//! `d²(s) − M s²` is the least of concave functions, hence concave, and over an interval of length `L`
-//! with distances `d₀`, `d₁` at its ends
+//! Over an interval of the curve let `|c'|² + D |c''| ≤ M`, with `D` no less than the distance of
+//! the curve from those points of the part that are nearest to a place of it. The square of the
+//! distance to one such point `p` has a second derivative of `2 |c'|² + 2 (c − p)·c'' ≤ 2 M`. So
+//! `d²(s) − M s²` is the least of concave functions, hence concave, and over an interval of length
+//! `L` with distances `d₀`, `d₁` at its ends
 //! ```text
 //! d²(t) ≥ (1 − t) d₀² + t d₁² − t (1 − t) M L²
 //! ```
 //! whatever the part looks like. From above, `d² ≤ |c − p|²` for the foot `p` of either end, which
-//! Taylor's formula bounds with the same `M`. An interval is halved until both bounds are good enough.
+//! Taylor's formula bounds with the same `M`. An interval is halved until both bounds are good
+//! enough.
 
 use rayon::prelude::*;
 
@@ -49,8 +50,8 @@ struct Place {
 }
 
 /// Proves, span by span, that the ball is no deeper in the part than `limits[0]` and no farther off
-/// than `limits[1]`, mm; where it is, the proof tells by how much. Infinite where the part is nowhere
-/// near.
+/// than `limits[1]`, mm; where it is, the proof tells by how much. Infinite where the part is
+/// nowhere near.
 pub(super) fn prove(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3]], limits: [f64; 2]) -> Vec<Proof> {
     let of = |i: usize| {
         let ordinates = apply(&breaks.ordinates(i, breaks.span(i)), &x[i..]);

@@ -1,5 +1,5 @@
-//! The tube: where the part lets the ball centre go, as limits on the ordinates of a correction to a
-//! curve.
+//! The tube: where the part lets the ball centre go, as limits on the ordinates of a correction to
+//! a curve.
 //!
 //! On every span of a curve the part is looked at from five places. The ball's distance off it is a
 //! polynomial of degree 4 through what they see, the normal one of degree 2 through three of them.

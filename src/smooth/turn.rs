@@ -1,6 +1,6 @@
 //! θ of the curve: between the walls of the channel, never falling. Its breaks are some of those of
-//! the ball centre: where these are near to one another, numbers of one size in floating point would
-//! not tell third derivatives of θ.
+//! the ball centre: where these are near to one another, numbers of one size in floating point
+//! would not tell third derivatives of θ.
 
 use rayon::prelude::*;
 
@@ -11,8 +11,8 @@ use crate::artifact::toolpath::CutterLocation;
 use crate::numerics::bounded::{self, Enough, Missed, Row, Solution, Span, Strip};
 use crate::numerics::quintic::{Breaks, CONDITION, ORDER, apply};
 
-/// A span is cut where walls as seen from the curve differ by more than this share of the way between
-/// them.
+/// A span is cut where walls as seen from the curve differ by more than this share of the way
+/// between them.
 const EVEN: f64 = 0.05;
 /// A third derivative that is nothing, rad/mm³: at 100 mm/s a jerk of 6°/s³.
 const NOTHING: f64 = 1e-7;
@@ -37,8 +37,8 @@ impl Turning<'_> {
         self.theta[k - 1] + (self.theta[k] - self.theta[k - 1]) * share
     }
 
-    /// Least and greatest angle at a location, rad: no nearer to a wall than the margin, or than the
-    /// schedule itself where that is nearer.
+    /// Least and greatest angle at a location, rad: no nearer to a wall than the margin, or than
+    /// the schedule itself where that is nearer.
     fn walls(&self, k: usize, options: &SmoothOptions) -> [f64; 2] {
         let (wall, theta) = (&self.walls[k], self.theta[k]);
         let (keep, margin) = (options.turn_rad, options.margin_rad);
