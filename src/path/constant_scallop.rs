@@ -245,7 +245,7 @@ impl<'a> Laying<'a> {
 
     /// The helix of turns laid up from the end that was found.
     fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Up> {
-        let mut reason = end_reason(self.blade, down, self.options);
+        let mut reason = end_reason(self.blade, stopped(down), self.options);
         let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
         let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
         // A finer search, or ways that are evened out, may find an end from which turns can be laid
@@ -270,8 +270,9 @@ impl<'a> Laying<'a> {
                 }
                 continue;
             }
-            let reversed = laid.turns.into_iter().rev().map(|t| t.into_iter().rev().collect()).collect();
-            match finish(self.level, self.options, reversed, reason.clone(), self.observer) {
+            let reversed: Vec<Vec<Touch>> =
+                laid.turns.iter().rev().map(|t| t.iter().rev().map(|n| n.touch).collect()).collect();
+            match finish(self.level, self.options, &reversed, reason.clone(), self.observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
                 done => return done.map(Up::Laid),
             }
@@ -333,7 +334,7 @@ impl<'a> Laying<'a> {
     /// The helix of the turns that were laid down from the start.
     fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
-        let reason = end_reason(blade, &down, options);
+        let reason = end_reason(blade, stopped(&down), options);
         if down.turns.len() < 2 {
             let (by, at) = stopped(&down);
             let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
@@ -347,7 +348,8 @@ impl<'a> Laying<'a> {
             let why = format!("no turns lead from the end of the region up to the faces at which it begins{at}");
             return Err(Error::infeasible(Stage::Path, why, since).advise("give region.start_mm"));
         }
-        finish(self.level, options, down.turns, reason, self.observer)
+        let turns: Vec<Vec<Touch>> = down.turns.iter().map(|t| t.iter().map(|n| n.touch).collect()).collect();
+        finish(self.level, options, &turns, reason, self.observer)
     }
 }
 
@@ -357,23 +359,31 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
         return (Stopped::BallTooLarge, laid.lost);
     }
     match laid.last().iter().filter_map(|n| n.stop).find(|s| *s != Stop::Height) {
-        Some(Stop::Lean(p)) => (Stopped::WallLeans, Some(p)),
-        Some(Stop::Edge(p)) => (Stopped::Edge, Some(p)),
-        Some(Stop::Face(p, face)) => (Stopped::Face(face), Some(p)),
-        Some(Stop::Rim(p)) => (Stopped::Rim, Some(p)),
-        Some(Stop::Corner(p)) => (Stopped::Corner, Some(p)),
+        Some(stop) => named(stop),
         // Places that wait at the height, and others that never come to it.
-        _ => match laid.last().iter().find(|n| n.stop.is_none()) {
+        None => match laid.last().iter().find(|n| n.stop.is_none()) {
             Some(free) if !laid.is_at_the_end() => (Stopped::NoNearer, Some(free.touch.centre)),
             _ => (Stopped::Region, None),
         },
     }
 }
 
+/// What ended a path, and where, as data.
+pub(super) fn named(stop: Stop) -> (Stopped, Option<Point>) {
+    match stop {
+        Stop::Height => (Stopped::Region, None),
+        Stop::Lean(p) => (Stopped::WallLeans, Some(p)),
+        Stop::Edge(p) => (Stopped::Edge, Some(p)),
+        Stop::Face(p, face) => (Stopped::Face(face), Some(p)),
+        Stop::Rim(p) => (Stopped::Rim, Some(p)),
+        Stop::Corner(p) => (Stopped::Corner, Some(p)),
+    }
+}
+
 /// Why the helix ends, in words.
-fn end_reason(blade: &Blade, laid: &Laid, options: &PathOptions) -> EndReason {
+pub(super) fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptions) -> EndReason {
     let most_deg = options.settings.max_lean_deg;
-    let (by, Some(p)) = stopped(laid) else { return EndReason::Region };
+    let (by, Some(p)) = stop else { return EndReason::Region };
     let at = |why: String| format!("{why} at {}", place(blade, &p));
     EndReason::Blocked(match by {
         Stopped::WallLeans => {
@@ -394,14 +404,13 @@ fn is_closed(turn: &[Touch]) -> bool {
 }
 
 /// From turns to locations.
-fn finish(
+pub(super) fn finish(
     level: &LevelSet,
     options: &PathOptions,
-    turns: Vec<Vec<TurnNode>>,
+    turns: &[Vec<Touch>],
     reason: EndReason,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let turns: Vec<Vec<Touch>> = turns.iter().map(|t| t.iter().map(|n| n.touch).collect()).collect();
     let done = std::sync::atomic::AtomicUsize::new(0);
     let filled: Vec<Vec<Touch>> = (0..turns.len())
         .into_par_iter()

@@ -53,6 +53,7 @@ mod constant_scallop;
 mod constant_scallop_tests;
 mod curve;
 mod direction;
+pub mod field;
 mod front;
 mod helix;
 mod iso_parametric;

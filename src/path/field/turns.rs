@@ -1,0 +1,328 @@
+//! Turns read off the field, each polished by the ridge to the one before.
+
+use rayon::prelude::*;
+
+use super::super::curve::arc_lengths;
+use super::super::level::Touch;
+use super::super::stepover::ridge_over_creases;
+use super::feet::{Curve, Place};
+use super::net::{Edge, lines};
+use super::values::Field;
+use crate::geometry::Point;
+
+/// Ways this near to the one that leaves the scallop, as a share, are right.
+const GOOD: f64 = 5e-4;
+/// Tries of the law of squares.
+const MOST_TRIES: usize = 8;
+/// A place that would have to move farther than this, in stepovers, stays where the field has it.
+const FAR: f64 = 0.9;
+/// Least share of a stepover by which a turn leaves the end.
+const LEAST_SHARE: f64 = 1e-3;
+/// Length of the ramp from a turn to the next, in stepovers.
+const RAMP_STEPOVERS: f64 = 20.0;
+
+/// Feet on the turn before are sought about the same share of it, by so much to either side.
+const BESIDE: f64 = 0.3;
+
+/// Ways that scatter about their means by less than this share, in the median, are not evened.
+const LEAST_SCATTER: f64 = 0.01;
+/// A turn of fewer nodes is none.
+const LEAST_NODES: usize = 8;
+/// Nodes nearer to the beginning of a turn, in steps, are left out.
+const CLOSE: f64 = 0.3;
+/// Turns run back on the field by no more than this from one to the next.
+const MOST_DRIFT: f64 = 0.5;
+
+/// A place of a turn.
+#[derive(Clone, Copy)]
+pub struct Node {
+    pub touch: Touch,
+    pub phi: f64,
+    /// Whether it waits at the border of the mesh.
+    pub waits: bool,
+}
+
+/// A turn.
+pub struct Turn {
+    pub curve: Curve,
+    /// φ at its nodes.
+    phi: Vec<f64>,
+    /// The value of φ about which it runs.
+    value: f64,
+    /// Its last node, at which the next begins.
+    end: Node,
+    /// Whether it is the closed end of the region.
+    pub is_end: bool,
+    /// Whether nodes other than the first wait.
+    pub waits: Vec<bool>,
+}
+
+impl Turn {
+    fn new(nodes: Vec<Node>, value: f64) -> Turn {
+        let end = nodes[nodes.len() - 1];
+        Turn {
+            phi: nodes.iter().map(|n| n.phi).collect(),
+            waits: nodes.iter().map(|n| n.waits).collect(),
+            curve: Curve::new(nodes.iter().map(|n| n.touch).collect(), false),
+            value,
+            end,
+            is_end: false,
+        }
+    }
+
+    /// The end of the region, closed; `None` without balls.
+    pub fn of_end(touches: Vec<Touch>) -> Option<Turn> {
+        let end = Node { touch: *touches.first()?, phi: 0.0, waits: false };
+        let (phi, waits) = (vec![0.0; touches.len()], vec![false; touches.len()]);
+        Some(Turn { curve: Curve::new(touches, true), phi, value: 0.0, end, is_end: true, waits })
+    }
+
+    /// The balls, the first repeated at the end of a closed turn.
+    pub fn touches(&self) -> Vec<Touch> {
+        let touches = &self.curve.touches;
+        touches.iter().chain(touches.first().filter(|_| self.is_end)).copied().collect()
+    }
+
+    /// By how much the nodes that do not wait run beside the value, in the median: polished turns
+    /// drift from the field.
+    fn drift(&self) -> f64 {
+        let mut off: Vec<f64> =
+            self.phi.iter().zip(&self.waits).filter(|(_, w)| !**w).map(|(p, _)| p - self.value).collect();
+        off.sort_by(f64::total_cmp);
+        off.get(off.len() / 2).copied().unwrap_or(0.0)
+    }
+}
+
+/// A node before it is polished.
+struct Guess {
+    node: Node,
+    /// Its foot on the turn before; none where it waits.
+    near: Option<Place>,
+    /// The share of a stepover by which it is to be apart from the turn before.
+    share: f64,
+}
+
+/// Reads turns.
+pub struct Reader<'a> {
+    pub field: &'a Field<'a>,
+    pub flat_mm: f64,
+    pub step_mm: f64,
+    /// Length over which ways are evened out along a turn, mm; 0: not.
+    pub even_mm: f64,
+    /// The ball at an edge that leaves the bounds.
+    pub border: &'a (dyn Fn(Edge) -> Touch + Sync),
+    pub within: &'a (dyn Fn(&Touch) -> bool + Sync),
+}
+
+impl Reader<'_> {
+    /// The closed line at a value, counted so that the field grows to the left of it seen from
+    /// outside, at even steps.
+    fn line(&self, value: f64) -> Vec<Node> {
+        let (net, phi) = (self.field.net, &self.field.phi);
+        let below = |v: u32| Some(phi[v as usize] < value);
+        let mut best: Option<(f64, Vec<Node>)> = None;
+        for line in lines(&net.triangles, below) {
+            let mut turn = 0.0;
+            let nodes: Vec<(Point, bool)> = line
+                .iter()
+                .map(|&(a, b)| {
+                    let (fa, fb) = (phi[a as usize], phi[b as usize]);
+                    if fa.is_finite() && fb.is_finite() {
+                        let (p, q) = (net.centre(a), net.centre(b));
+                        (p + (q - p) * ((value - fa) / (fb - fa)), false)
+                    } else {
+                        ((self.border)((a, b)).centre, true)
+                    }
+                })
+                .collect();
+            let n = nodes.len();
+            for (i, &(a, b)) in line.iter().enumerate() {
+                let (low, high) = if phi[a as usize] < value { (a, b) } else { (b, a) };
+                let way = nodes[(i + 1) % n].0 - nodes[i].0;
+                turn += net.touches[low as usize].normal.cross(&way).dot(&(net.centre(high) - net.centre(low)));
+            }
+            let mut nodes = nodes;
+            if turn < 0.0 {
+                nodes.reverse();
+            }
+            let length_mm: f64 = (0..n).map(|i| (nodes[(i + 1) % n].0 - nodes[i].0).norm()).sum();
+            if best.as_ref().is_none_or(|b| length_mm > b.0) {
+                best = Some((length_mm, self.even(&nodes, length_mm, value)));
+            }
+        }
+        best.map_or_else(Vec::new, |b| b.1)
+    }
+
+    fn even(&self, nodes: &[(Point, bool)], length_mm: f64, value: f64) -> Vec<Node> {
+        let n = nodes.len();
+        let count = (length_mm / self.step_mm).ceil().max(12.0) as usize;
+        let (mut i, mut start) = (0, 0.0);
+        let length = |i: usize| (nodes[(i + 1) % n].0 - nodes[i % n].0).norm();
+        let mut places = Vec::with_capacity(count);
+        for k in 0..count {
+            let s = length_mm * k as f64 / count as f64;
+            while i + 1 < n && start + length(i) < s {
+                start += length(i);
+                i += 1;
+            }
+            let (a, b) = (nodes[i], nodes[(i + 1) % n]);
+            places.push((a.0 + (b.0 - a.0) * ((s - start) / length(i).max(1e-300)).clamp(0.0, 1.0), a.1 && b.1));
+        }
+        let on_level = |(p, waits): &(Point, bool)| {
+            let touch = self.field.level.touch(p, self.field.net.cell_mm)?;
+            Some(Node { touch, phi: value, waits: *waits })
+        };
+        places.par_iter().filter_map(on_level).collect()
+    }
+
+    /// The ball at which the ridge to a curve is the scallop times the square of `share`, from a
+    /// guess. `None` where ridges do not tell.
+    fn polished(&self, before: &Curve, guess: &Touch, near: Place, share: f64) -> Option<Touch> {
+        let level = self.field.level;
+        let goal_mm = self.field.scallop_mm * share * share;
+        let (mut touch, mut near) = (*guess, near);
+        for _ in 0..MOST_TRIES {
+            near = before.nearest_about(&touch.centre, near)?;
+            let foot = level.touch(&before.point(near), 0.1 * level.radius_mm)?.centre;
+            let ridge = ridge_over_creases(level, &touch.centre, &foot).unwrap_or(f64::INFINITY);
+            let factor = (goal_mm / ridge.max(1e-3 * goal_mm)).sqrt().clamp(0.5, 2.0);
+            if (factor - 1.0).abs() < GOOD {
+                let is_near = (touch.centre - guess.centre).norm() < FAR * self.flat_mm;
+                return is_near.then_some(touch);
+            }
+            let way = touch.centre - foot;
+            touch = level.touch(&(foot + way * factor), 0.8 * way.norm() * factor)?;
+        }
+        None
+    }
+
+    /// The turn after one, which begins where that ends; `None` where the field has no closed line
+    /// there.
+    pub fn next(&self, before: &Turn) -> Option<Turn> {
+        let value = before.value + before.drift().max(-MOST_DRIFT) + 1.0;
+        let from = before.end;
+        let mut line = self.line(value);
+        if line.len() < LEAST_NODES {
+            return None;
+        }
+        // The line begins where it passes the beginning of the turn.
+        let ring = Curve::new(line.iter().map(|n| n.touch).collect(), true);
+        let at = ring.nearest(&from.touch.centre)?;
+        let over = self.field.level.touch(&ring.point(at), self.field.net.cell_mm)?;
+        let over = Node { touch: over, phi: value, waits: line[at.number].waits };
+        let count = line.len();
+        line.rotate_left((at.number + 1) % count);
+        // A node hardly past the beginning would make a kink.
+        line.retain(|n| (n.touch.centre - over.touch.centre).norm() >= CLOSE * self.step_mm);
+        line.push(over);
+        let shares = self.shares(&line);
+        let count = line.len();
+        let guessed: Vec<Guess> = (0..count)
+            .into_par_iter()
+            .map(|i| {
+                let is_last = i + 1 == count;
+                self.guess(before, line[i], if is_last { 1.0 } else { shares[i] }, i as f64 / count as f64, is_last)
+            })
+            .collect();
+        let polished: Vec<Option<Touch>> = guessed.par_iter().map(|g| self.polish(before, g)).collect();
+        let polished = if self.even_mm > 0.0 { self.evened(before, &guessed, &polished) } else { polished };
+        let at = |(g, touch): (&Guess, Option<Touch>)| touch.map_or(g.node, |touch| Node { touch, ..g.node });
+        let nodes: Vec<Node> = guessed.iter().zip(polished).map(at).collect();
+        let known: Vec<Node> = nodes
+            .par_iter()
+            .map(|n| {
+                let phi = self.field.at(&n.touch).map(|v| v.0).filter(|p| p.is_finite());
+                Node { phi: phi.unwrap_or(n.phi), ..*n }
+            })
+            .collect();
+        let begin = Node { phi: if before.is_end { 0.0 } else { from.phi }, ..from };
+        Some(Turn::new(std::iter::once(begin).chain(known).collect(), value))
+    }
+
+    /// The shares of a stepover by which a turn has left the height at which it begins: from 0 to 1
+    /// with continuous curvature over the ramp. Round a thin edge the ball's centre goes a long way
+    /// and its contact hardly any: the shorter of the two ways counts.
+    fn shares(&self, line: &[Node]) -> Vec<f64> {
+        let ramp_mm = RAMP_STEPOVERS * self.flat_mm;
+        let (mut gone_mm, mut last) = (0.0, line[line.len() - 1].touch);
+        line.iter()
+            .map(|n| {
+                let t = n.touch;
+                gone_mm += (t.centre - last.centre).norm().min((t.contact - last.contact).norm());
+                last = t;
+                let u = (gone_mm / ramp_mm).min(1.0);
+                u * u * u * (10.0 + u * (6.0 * u - 15.0))
+            })
+            .collect()
+    }
+
+    /// About where a node of a line goes, and its foot on the turn before; `along` is the share of
+    /// the turn.
+    fn guess(&self, before: &Turn, node: Node, share: f64, along: f64, is_last: bool) -> Guess {
+        let (field, curve) = (self.field, &before.curve);
+        if node.waits {
+            return Guess { node, near: None, share };
+        }
+        // In the ramp first down to about its height: the turn before is to be the nearest.
+        let lower =
+            if share < 1.0 { field.onto(node.touch, node.phi - 1.0 + share).unwrap_or(node.touch) } else { node.touch };
+        let near = if before.is_end {
+            curve.nearest(&lower.centre)
+        } else if is_last {
+            curve.last()
+        } else {
+            // Where a turn begins the turn before ends, near by.
+            curve.nearest_within(&lower.centre, [along - BESIDE, along + BESIDE])
+        };
+        let Some(near) = near else { return Guess { node: Node { touch: lower, ..node }, near, share } };
+        let share = if before.is_end { share } else { 1.0 };
+        let phi = curve.value(&before.phi, near) + share;
+        let touch = field.onto(lower, phi).filter(|t| (self.within)(t)).unwrap_or(lower);
+        Guess { node: Node { touch, phi, waits: false }, near: Some(near), share }
+    }
+
+    /// The ball where the ridge to the turn before is the scallop; `None` where ridges do not tell
+    /// or the node waits.
+    fn polish(&self, before: &Turn, guess: &Guess) -> Option<Touch> {
+        let (near, level) = (guess.near?, self.field.level);
+        if guess.share < LEAST_SHARE {
+            return level.touch(&before.curve.point(near), 0.1 * level.radius_mm);
+        }
+        self.polished(&before.curve, &guess.node.touch, near, guess.share).filter(|t| (self.within)(t))
+    }
+
+    /// Nodes whose ways from the turn before, over those guessed, are evened out along the turn.
+    fn evened(&self, before: &Turn, guessed: &[Guess], polished: &[Option<Touch>]) -> Vec<Option<Touch>> {
+        let (level, curve) = (self.field.level, &before.curve);
+        let s_mm = arc_lengths(guessed.iter().map(|g| &g.node.touch.centre));
+        let foot = |g: &Guess, t: &Touch| Some(curve.point(curve.nearest_about(&t.centre, g.near?)?));
+        let over = |g: &Guess, polished: &Option<Touch>| {
+            let to = (*polished)?;
+            let was_mm = (g.node.touch.centre - foot(g, &g.node.touch)?).norm();
+            let factor = (to.centre - foot(g, &to)?).norm() / was_mm.max(1e-9);
+            (0.5..2.0).contains(&factor).then(|| factor.ln())
+        };
+        let overs: Vec<Option<f64>> = guessed.iter().zip(polished).map(|(g, n)| over(g, n)).collect();
+        let mean_about = |i: usize| {
+            let from = s_mm.partition_point(|s| *s < s_mm[i] - self.even_mm);
+            let to = s_mm.partition_point(|s| *s <= s_mm[i] + self.even_mm);
+            let near = (from..to).filter_map(|j| Some((overs[j]?, 1.0 - (s_mm[j] - s_mm[i]).abs() / self.even_mm)));
+            let (sum, weights) = near.fold((0.0, 0.0), |(s, n), (over, weight)| (s + over * weight, n + weight));
+            (weights > 0.0).then(|| sum / weights)
+        };
+        let means: Vec<Option<f64>> = (0..guessed.len()).into_par_iter().map(mean_about).collect();
+        // Over fine facets the guesses scatter more than the ridges.
+        let mut scatter: Vec<f64> = overs.iter().zip(&means).filter_map(|(o, m)| Some(((*o)? - (*m)?).abs())).collect();
+        scatter.sort_by(f64::total_cmp);
+        if scatter.get(scatter.len() / 2).is_none_or(|s| *s < LEAST_SCATTER) {
+            return polished.to_vec();
+        }
+        let evened = |i: usize| {
+            let g = &guessed[i];
+            let foot = foot(g, &g.node.touch)?;
+            let way = g.node.touch.centre - foot;
+            level.touch(&(foot + way * means[i]?.exp()), self.field.net.cell_mm)
+        };
+        (0..guessed.len()).into_par_iter().map(evened).collect()
+    }
+}
