@@ -31,11 +31,12 @@
 //! next.
 //!
 //! ## Guarantees
-//! Of every [`CurveStretch`]: four times continuously differentiable; nowhere deeper in the part or
-//! farther off it than the options say, for all `s`, measured on the part and proven between; `θ`
-//! between the walls and never falling, for all `s`. Objectives are within [`SmoothOptions::gap`]
-//! of a proven bound, or by as much above it as the proof says. The same bytes on any number of
-//! threads; time and memory are linear in the number of locations.
+//! Of every [`CurveStretch`](crate::artifact::curve::CurveStretch): four times continuously
+//! differentiable; nowhere deeper in the part or farther off it than the options say, for all `s`,
+//! measured on the part and proven between; `θ` between the walls and never falling, for all `s`.
+//! Objectives are within [`SmoothOptions::gap`] of a proven bound, or by as much above it as the
+//! proof says. The same bytes on any number of threads; time and memory are linear in the number of
+//! locations.
 //!
 //! ## Limits
 //! Stretches begin and end freely in the tube: where the path is left as it is, a straight move
