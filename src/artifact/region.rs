@@ -199,6 +199,14 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// The faces at which it begins, if it begins at faces.
+    pub fn start_faces(&self) -> &[Boundary] {
+        match &self.start {
+            Some(faces @ Boundary::Faces(_)) => std::slice::from_ref(faces),
+            _ => &[],
+        }
+    }
+
     /// Round the first region between two heights of the ball's centre along it, mm; `None`: found
     /// from the part.
     pub fn heights(start_mm: Option<f64>, end_mm: Option<f64>) -> Extent {

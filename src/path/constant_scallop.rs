@@ -51,7 +51,6 @@ use super::ring::{Ring, Tracing};
 use super::stepover::flat_stepover_mm;
 use super::turn::{March, TurnNode};
 use super::{chords, heights_mm, helix, place, rings, spot};
-use crate::artifact::region::Boundary;
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
@@ -164,10 +163,7 @@ impl<'a> Laying<'a> {
         observer: &'a dyn Observer,
     ) -> Result<Self> {
         let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
-        let mut tracing = rings::tracing(options);
-        // The ring's altered points, at one of which the path begins, are those of the blade and
-        // not of its facets.
-        tracing.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
+        let tracing = rings::tracing_along(options, flat_mm);
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds =
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
@@ -280,20 +276,12 @@ impl<'a> Laying<'a> {
         Ok(Up::Lost(lost))
     }
 
-    /// The faces at which the region begins, if it begins at faces.
-    fn begins_at(&self) -> &'a [Boundary] {
-        match &self.options.extent.start {
-            Some(faces @ Boundary::Faces(_)) => std::slice::from_ref(faces),
-            _ => &[],
-        }
-    }
-
     /// Turns of the path from its end up, until one is nowhere under the start height or runs along
     /// the faces at which the region begins.
     fn lay_up(&self, end: &[Touch]) -> Result<Laid> {
         let (start_x, options) = (self.start_x, self.options);
         let end_x = end.iter().map(|t| self.height_mm(&t.centre)).fold(f64::INFINITY, f64::min);
-        let to_faces = !self.begins_at().is_empty();
+        let to_faces = !self.options.extent.start_faces().is_empty();
         let mut highest = if to_faces { f64::INFINITY } else { start_x + HIGHEST * (start_x - end_x) };
         let mut rest = Rest::new(PATIENCE[1]);
         loop {
@@ -301,7 +289,7 @@ impl<'a> Laying<'a> {
                 along: self.level.along,
                 x_mm: [f64::NEG_INFINITY, highest],
                 max_sin_lean: (options.settings.max_lean_deg.to_radians() + ROOM_RAD).min(FRAC_PI_2).sin(),
-                ends: self.begins_at(),
+                ends: self.options.extent.start_faces(),
                 rim: None,
             };
             let plain = self.search(options.settings.scallop_mm);
@@ -341,7 +329,7 @@ impl<'a> Laying<'a> {
             return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
                 .advise(rings::no_turn_advice(down.lost.is_some())));
         }
-        if !self.begins_at().is_empty() {
+        if !self.options.extent.start_faces().is_empty() {
             let at = lost_on_the_way_up.or(down.lost);
             let since = rings::not_one_turn(options, Stopped::NoNearer, at.map(|p| spot(blade, &p)));
             let at = at.map_or_else(String::new, |p| format!(" at {}", place(blade, &p)));

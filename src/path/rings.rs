@@ -108,6 +108,13 @@ pub fn tracing(options: &PathOptions) -> Tracing {
     }
 }
 
+/// How finely the first ring is traced for turns of constant scallop, with their stepover on flat
+/// ground: its altered points, at one of which the path begins, are those of the blade and not of
+/// its facets.
+pub fn tracing_along(options: &PathOptions, flat_mm: f64) -> Tracing {
+    Tracing { max_step_mm: (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm), ..tracing(options) }
+}
+
 /// Says why the stack ended and refuses one that is too short.
 fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Broken>) -> Result<Stack> {
     let Some(broken) = end else { return Ok(Stack { rings, end_reason: EndReason::Region }) };

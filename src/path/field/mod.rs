@@ -56,7 +56,6 @@ use super::rim::Rim;
 use super::ring::Ring;
 use super::stepover::flat_stepover_mm;
 use super::{curve, region, rings, spot, start_height, validate};
-use crate::artifact::region::Boundary;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
@@ -147,10 +146,7 @@ impl<'a> Laying<'a> {
         observer: &'a dyn Observer,
     ) -> Result<Self> {
         let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
-        let mut tracing = rings::tracing(options);
-        // The ring's altered points, at one of which the path begins, are those of the blade and
-        // not of its facets.
-        tracing.max_step_mm = (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm);
+        let tracing = rings::tracing_along(options, flat_mm);
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds =
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
@@ -163,17 +159,9 @@ impl<'a> Laying<'a> {
         self.level.along.height_mm(&t.centre)
     }
 
-    /// The faces at which the region begins, if it begins at faces.
-    fn begins_at(&self) -> &'a [Boundary] {
-        match &self.options.extent.start {
-            Some(faces @ Boundary::Faces(_)) => std::slice::from_ref(faces),
-            _ => &[],
-        }
-    }
-
     /// Whether a touch is where the helix may go, between two heights.
     fn holds(&self, t: &Touch, [low, high]: [f64; 2]) -> bool {
-        let begin = Bounds { ends: self.begins_at(), ..Bounds::NONE };
+        let begin = Bounds { ends: self.options.extent.start_faces(), ..Bounds::NONE };
         (low..=high).contains(&self.height_mm(t)) && self.bounds.hold(t) && begin.hold(t) && !rolls_off(self.level, t)
     }
 
@@ -184,7 +172,7 @@ impl<'a> Laying<'a> {
 
     fn lay(&self) -> Result<Toolpath> {
         let lowest_mm = self.drawn_mm()?;
-        let to_faces = !self.begins_at().is_empty();
+        let to_faces = !self.options.extent.start_faces().is_empty();
         // How far down the end is tells how far up turns may go.
         let highest_mm = if to_faces { f64::INFINITY } else { self.start_x + HIGHEST * (self.start_x - lowest_mm[1]) };
         let within = |t: &Touch| self.holds(t, [lowest_mm[0], highest_mm]);
@@ -216,7 +204,8 @@ impl<'a> Laying<'a> {
     /// is drawn at the lowest place of that front. Ends that were asked for stay.
     fn drawn_mm(&self) -> Result<[f64; 2]> {
         let cell_mm = (COARSER * self.cell_mm).min(CELL_RADII * self.options.radius_mm);
-        let highest_mm = if self.begins_at().is_empty() { self.start_x + 4.0 * cell_mm } else { f64::INFINITY };
+        let highest_mm =
+            if self.options.extent.start_faces().is_empty() { self.start_x + 4.0 * cell_mm } else { f64::INFINITY };
         let within = |t: &Touch| self.holds(t, [f64::NEG_INFINITY, highest_mm]);
         let net = Net::grow(self.level, &self.ring.touches, cell_mm, &within, &|| self.progress(100))?;
         let heights = || (0..net.touches.len()).filter(|v| net.within[*v]).map(|v| self.height_mm(&net.touches[v]));
@@ -267,16 +256,12 @@ impl<'a> Laying<'a> {
     /// height, mm.
     fn front(&self, net: &Net, phi: &[f64], value: f64) -> [f64; 3] {
         let (mut free_mm, mut whole_mm, mut low_mm) = (0.0, 0.0, f64::INFINITY);
-        for line in lines(&net.triangles, |v| Some(phi[v as usize] < value)) {
+        for line in lines(&net.triangles, |v| phi[v as usize] < value) {
             let places: Vec<(Point, bool)> = line
                 .iter()
-                .map(|&(a, b)| {
-                    let (fa, fb) = (phi[a as usize], phi[b as usize]);
-                    if fa.is_finite() && fb.is_finite() {
-                        (net.centre(a) + (net.centre(b) - net.centre(a)) * ((value - fa) / (fb - fa)), true)
-                    } else {
-                        (nalgebra::center(&net.centre(a), &net.centre(b)), false)
-                    }
+                .map(|&(a, b)| match net.crossing((a, b), phi, value) {
+                    Some(p) => (p, true),
+                    None => (nalgebra::center(&net.centre(a), &net.centre(b)), false),
                 })
                 .collect();
             let height = |p: &Point| self.level.along.height_mm(p);
@@ -297,7 +282,7 @@ impl<'a> Laying<'a> {
     fn end_of(&self, net: &Net, within: &(impl Fn(&Touch) -> bool + Sync)) -> Result<End> {
         let mut longest: Option<(f64, Vec<[Touch; 2]>)> = None;
         let mut nearest: Option<[Touch; 2]> = None;
-        for line in lines(&net.triangles, |v| Some(net.within[v as usize])) {
+        for line in lines(&net.triangles, |v| net.within[v as usize]) {
             let border: Vec<[Touch; 2]> = line.par_iter().map(|e| net.border(self.level, *e, within)).collect();
             nearest = nearest.or(border.first().copied());
             let heights = border.iter().map(|b| self.height_mm(&b[0]));
@@ -450,7 +435,7 @@ impl<'a> Laying<'a> {
             within,
         };
         let none = |at: Option<Point>| self.not_one_turn((Stopped::NoNearer, at));
-        let to_faces = !self.begins_at().is_empty();
+        let to_faces = !self.options.extent.start_faces().is_empty();
         let mut last = Turn::of_end(self.first_turn(&field, step_mm)).ok_or_else(|| none(None))?;
         let mut turns = vec![last.touches()];
         loop {

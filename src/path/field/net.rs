@@ -44,6 +44,16 @@ fn plus(a: &Cell, b: &Cell) -> Cell {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
+/// The cell of a place.
+pub fn cell_of(p: &Point, cell_mm: f64) -> Cell {
+    [0, 1, 2].map(|a| (p[a] / cell_mm).floor() as i32)
+}
+
+/// The cells up to so many away from one, itself among them.
+pub fn cells_about([x, y, z]: Cell, n: i32) -> impl Iterator<Item = Cell> {
+    (-n..=n).flat_map(move |i| (-n..=n).flat_map(move |j| (-n..=n).map(move |k| [x + i, y + j, z + k])))
+}
+
 /// Signed distances to the level set at the corners of cells.
 struct Grid<'a> {
     level: &'a LevelSet<'a>,
@@ -52,10 +62,6 @@ struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    fn cell(&self, p: &Point) -> Cell {
-        [0, 1, 2].map(|a| (p[a] / self.cell_mm).floor() as i32)
-    }
-
     fn place(&self, k: &Cell) -> Point {
         Point::from(k.map(|i| f64::from(i) * self.cell_mm))
     }
@@ -146,7 +152,7 @@ impl Net {
         let (mut seen, mut from_outside): (FxHashSet<Cell>, FxHashSet<Cell>) =
             (FxHashSet::default(), FxHashSet::default());
         let mut wave: Vec<Cell> = Vec::new();
-        for cell in seeds.iter().map(|t| grid.cell(&t.centre)) {
+        for cell in seeds.iter().map(|t| cell_of(&t.centre, cell_mm)) {
             if seen.insert(cell) {
                 wave.push(cell);
             }
@@ -225,13 +231,16 @@ impl Net {
 
     /// Vertices in the cells about a place, up to so many cells away.
     pub fn about(&self, p: &Point, cells: i32) -> impl Iterator<Item = u32> + '_ {
-        let [x, y, z] = [0, 1, 2].map(|a| (p[a] / self.cell_mm).floor() as i32);
-        let span = -cells..=cells;
-        let at = move |i, j, k| self.of.get(&[x + i, y + j, z + k]).copied();
-        span.clone().flat_map(move |i| {
-            let span = -cells..=cells;
-            span.clone().flat_map(move |j| (-cells..=cells).filter_map(move |k| at(i, j, k)))
-        })
+        cells_about(cell_of(p, self.cell_mm), cells).filter_map(|c| self.of.get(&c).copied())
+    }
+
+    /// Where a line of equal values crosses an edge: between two known values at their shares;
+    /// `None` at the border, beyond which values are infinite.
+    pub fn crossing(&self, (a, b): Edge, values: &[f64], value: f64) -> Option<Point> {
+        let (at_a, at_b) = (values[a as usize], values[b as usize]);
+        let share = (value - at_a) / (at_b - at_a);
+        let way = self.centre(b) - self.centre(a);
+        (at_a.is_finite() && at_b.is_finite()).then(|| self.centre(a) + way * share)
     }
 
     /// Which vertices lie within so many cells of any of these balls.
@@ -265,10 +274,10 @@ impl Net {
 
 /// Closed lines between the vertices of which `below` holds and the others, as the edges that they
 /// cross in order; open ones, which end at the rim of the mesh, are left out.
-pub fn lines(triangles: &[[u32; 3]], below: impl Fn(u32) -> Option<bool>) -> Vec<Vec<Edge>> {
+pub fn lines(triangles: &[[u32; 3]], below: impl Fn(u32) -> bool) -> Vec<Vec<Edge>> {
     let mut links: FxHashMap<Edge, Vec<Edge>> = FxHashMap::default();
     for t in triangles {
-        let [Some(a), Some(b), Some(c)] = t.map(&below) else { continue };
+        let [a, b, c] = t.map(&below);
         let sides = [(t[0], t[1], a != b), (t[1], t[2], b != c), (t[2], t[0], c != a)];
         let crossed: Vec<Edge> = sides.iter().filter(|s| s.2).map(|s| (s.0.min(s.1), s.0.max(s.1))).collect();
         if let [one, other] = crossed[..] {

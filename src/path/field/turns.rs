@@ -119,20 +119,15 @@ impl Reader<'_> {
     /// outside, at even steps.
     fn line(&self, value: f64) -> Vec<Node> {
         let (net, phi) = (self.field.net, &self.field.phi);
-        let below = |v: u32| Some(phi[v as usize] < value);
+        let below = |v: u32| phi[v as usize] < value;
         let mut best: Option<(f64, Vec<Node>)> = None;
         for line in lines(&net.triangles, below) {
             let mut turn = 0.0;
             let nodes: Vec<(Point, bool)> = line
                 .iter()
-                .map(|&(a, b)| {
-                    let (fa, fb) = (phi[a as usize], phi[b as usize]);
-                    if fa.is_finite() && fb.is_finite() {
-                        let (p, q) = (net.centre(a), net.centre(b));
-                        (p + (q - p) * ((value - fa) / (fb - fa)), false)
-                    } else {
-                        ((self.border)((a, b)).centre, true)
-                    }
+                .map(|&edge| match net.crossing(edge, phi, value) {
+                    Some(p) => (p, false),
+                    None => ((self.border)(edge).centre, true),
                 })
                 .collect();
             let n = nodes.len();

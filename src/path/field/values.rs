@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::super::level::{LevelSet, Touch};
 use super::eikonal::{ONE_SHEET, share_of_scallop, tangent_plane};
 use super::feet::Curve;
-use super::net::{Cell, Net};
+use super::net::{Cell, Net, cell_of, cells_about};
 use crate::geometry::{Point, Vector};
 
 /// Weight of a place of the end beside that of a vertex: places lie four to a cell.
@@ -38,8 +38,7 @@ impl<'a> Field<'a> {
     pub fn new(level: &'a LevelSet, net: &'a Net, phi: Vec<f64>, end: &'a Curve, reach: f64, scallop_mm: f64) -> Self {
         let mut end_in: FxHashMap<Cell, Vec<u32>> = FxHashMap::default();
         for (i, t) in end.touches.iter().enumerate() {
-            let cell = [0, 1, 2].map(|a| (t.centre[a] / net.cell_mm).floor() as i32);
-            end_in.entry(cell).or_default().push(i as u32);
+            end_in.entry(cell_of(&t.centre, net.cell_mm)).or_default().push(i as u32);
         }
         Field { level, net, phi, end, end_in, reach, scallop_mm }
     }
@@ -89,9 +88,8 @@ impl<'a> Field<'a> {
             }
         }
         if self.is_near_end(at) {
-            let [x, y, z] = [0, 1, 2].map(|a| (at.centre[a] / self.net.cell_mm).floor() as i32);
-            for (i, j, k) in cube(cells) {
-                for n in self.end_in.get(&[x + i, y + j, z + k]).into_iter().flatten() {
+            for cell in cells_about(cell_of(&at.centre, self.net.cell_mm), cells) {
+                for n in self.end_in.get(&cell).into_iter().flatten() {
                     add(&self.end.touches[*n as usize], 0.0, OF_END);
                 }
             }
@@ -126,8 +124,4 @@ impl<'a> Field<'a> {
         }
         Some(at)
     }
-}
-
-fn cube(n: i32) -> impl Iterator<Item = (i32, i32, i32)> {
-    (-n..=n).flat_map(move |i| (-n..=n).flat_map(move |j| (-n..=n).map(move |k| (i, j, k))))
 }
