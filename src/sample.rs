@@ -128,7 +128,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
     };
     let (channel, schedule) = (channel(&theta), schedule(&theta, ds));
     let motion = motion(&toolpath, &theta);
-    Plan { toolpath, channel, schedule, motion, leads: Default::default() }
+    Plan { toolpath, channel, schedule, motion, leads: Default::default(), curve: None }
 }
 
 /// The plan with arcs of radius 4 mm and 90 degrees at both ends, at the same feed.

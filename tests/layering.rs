@@ -16,11 +16,11 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
     // All stages, and what they need, but no files.
     const PLANNER: &[&str] = &[
         "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
-        "lead", "feed", "verify", "write", "job",
+        "smooth", "lead", "feed", "verify", "write", "job",
     ];
     const RUNNER: &[&str] = &[
         "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
-        "lead", "feed", "verify", "write", "job", "plan", "files",
+        "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
     ];
     Some(match room {
         "numerics" | "error" | "observe" | "settings" | "files" => &[],

@@ -231,7 +231,7 @@ fn schedule_feed_and_checks() {
         assert!((pose.axis - path.cone(i).tool_axis(used.theta[i])).norm() < 1e-12);
     }
 
-    let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion, leads: Default::default() };
+    let plan = Plan { toolpath: path.clone(), channel, schedule: used, motion, leads: Default::default(), curve: None };
     let limits = VerifyOptions { scallop_mm: SCALLOP, ..VerifyOptions::default() }.with(|s| s.surface_samples = 30_000);
     let verdict = verify::check(plan, &b, &tool, &machine, &limits, &Silent).expect("a verdict");
     let report = verdict.report();

@@ -15,7 +15,7 @@ pub struct Curve {
 }
 
 /// A part of a path that has no smooth curve.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct LeftAsIs {
     /// From and to, arc length from the start of the path, mm.
     pub s_mm: [f64; 2],
@@ -24,7 +24,8 @@ pub struct LeftAsIs {
 }
 
 /// Why the path stays as it is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum WhyLeft {
     /// The surface normal turns from one location to the next, rad: the ball rolls over a crease or
     /// into a corner.
@@ -36,6 +37,25 @@ pub enum WhyLeft {
     NoRoom,
     /// Too few locations.
     Short,
+    /// With the curve θ would leave the channel, or the tool would come too near to something.
+    NotClear,
+}
+
+impl std::fmt::Display for WhyLeft {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            WhyLeft::Crease { turn_rad } => write!(
+                f,
+                "the surface normal turns by {:.1} degrees from one location to the next, a crease",
+                turn_rad.to_degrees()
+            ),
+            WhyLeft::NoRoom => f.write_str("no curve of enough pieces stays as near to the part as it has to"),
+            WhyLeft::Short => f.write_str("too few locations between places without a curve"),
+            WhyLeft::NotClear => {
+                f.write_str("on the curve θ would leave the channel, or the tool would come too near to something")
+            }
+        }
+    }
 }
 
 /// A curve over an interval of the path. Its parameter is the arc length of the path that it
@@ -55,7 +75,7 @@ pub struct CurveStretch {
 }
 
 /// What is known of a curve.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CurveProof {
     /// Nowhere is the ball deeper in the part, mm.
     pub inwards_mm: f64,

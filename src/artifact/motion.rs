@@ -1,7 +1,8 @@
 //! What the tool does from row to row: the one answer for feed, programs, previews and checks.
 
 use super::plan::{Row, Stretch};
-use super::{AxisRows, Cone, Plan, Schedule, Toolpath};
+use super::programmed::Polynomial;
+use super::{AxisRows, Cone, Plan, ProgrammedCurve, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
 use crate::numerics::spline::{CubicSpline, SplineEnds, SplineError};
 
@@ -81,12 +82,14 @@ impl Turning<'_> {
 /// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
 /// moves ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
 /// ([`Motion::curved`]). No machine follows the corners between straight moves: what its axes do is
-/// taken to be [`smooth`], which meets both at the rows.
+/// taken to be [`smooth`], which meets both at the rows. A plan with a programmed curve goes on
+/// that, ball centre and θ ([`Motion::curved`]); straight moves are its chords.
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     rows: Vec<Row>,
     toolpath: &'a Toolpath,
     schedule: &'a Schedule,
+    programmed: Option<&'a ProgrammedCurve>,
     /// Rows before the first location.
     before: usize,
 }
@@ -96,7 +99,8 @@ impl<'a> Motion<'a> {
     pub fn of(plan: &'a Plan) -> Self {
         let rows = plan.rows().collect();
         let before = plan.leads[0].centres.len();
-        Motion { rows, toolpath: &plan.toolpath, schedule: &plan.schedule, before }
+        let programmed = plan.curve.as_ref();
+        Motion { rows, toolpath: &plan.toolpath, schedule: &plan.schedule, programmed, before }
     }
 
     /// All rows, in order of time.
@@ -110,9 +114,21 @@ impl<'a> Motion<'a> {
         Some(self.rows.get(row + 1).map_or(from, |to| from.towards(&to.stand, share)))
     }
 
-    /// As [`Motion::straight`], θ on the schedule's curve where there is one through both rows.
+    /// The polynomial from a row to the next; `None` where the way is straight.
+    pub fn polynomial(&self, row: usize) -> Option<Polynomial> {
+        let location = row.checked_sub(self.before)?;
+        self.programmed?.polynomial(self.toolpath, &self.schedule.theta, location)
+    }
+
+    /// Where the plan's curve goes, a share of its parameter on from a row to the next. Without
+    /// one, or where it leaves the path as it is: as [`Motion::straight`], θ on the schedule's
+    /// curve where there is one through both rows.
     pub fn curved(&self, row: usize, share: f64) -> Option<Stand> {
         let straight = self.straight(row, share)?;
+        if let Some(polynomial) = self.polynomial(row) {
+            let at = polynomial.at(share);
+            return Some(Stand { centre: at.point(), theta: at.theta[0], ..straight });
+        }
         let theta = self.turning(row).and_then(|t| t.at(share)).unwrap_or(straight.theta);
         Some(Stand { theta, ..straight })
     }

@@ -1,5 +1,5 @@
 //! Everything that a program is made from, bundled for the checks.
-use super::{AxisMotion, Channel, Cone, Lead, Schedule, Stand, Toolpath};
+use super::{AxisMotion, Channel, Cone, Lead, ProgrammedCurve, Schedule, Stand, Toolpath};
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -15,6 +15,9 @@ pub struct Plan {
     /// How the tool comes onto the first location, and leaves the last.
     #[serde(default)]
     pub leads: [Lead; 2],
+    /// How ball centre and θ go between cutter locations; `None`: straight and evenly.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<ProgrammedCurve>,
 }
 
 /// What a row of the whole motion belongs to.
@@ -98,6 +101,9 @@ impl Plan {
         left.channel.rows.drain(..drop(self.channel.rows.len()));
         left.channel.narrowest_row = self.channel.narrowest_row.saturating_sub(row);
         left.schedule.theta.drain(..drop(self.schedule.theta.len()));
+        if let Some(curve) = &mut left.curve {
+            curve.rows.drain(..drop(curve.rows.len()));
+        }
         let m = &mut left.motion;
         let (n, times) = (drop(m.position.len()), drop(m.t_s.len()));
         m.t_s.drain(..times);

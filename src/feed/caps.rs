@@ -2,6 +2,7 @@
 //! of the tool tip.
 
 use super::FeedOptions;
+use super::curve::choose;
 use crate::artifact::{Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
 
@@ -59,24 +60,40 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
 /// it, the axis' velocity is within `v`. `q1`: Bernstein coefficients of q'. The product of q'² and
 /// the line has coefficients below v²; what they exceed it by is taken from the line, which is
 /// little where q' changes little.
-pub(super) fn of_velocity(q1: [f64; 3], v: f64, most: f64) -> [f64; 2] {
+pub(super) fn of_velocity(q1: &[f64], v: f64, most: f64) -> [f64; 2] {
     let greatest = q1.iter().fold(0.0f64, |m, q| m.max(q.abs()));
     if greatest * greatest * most <= v * v {
         return [most; 2];
     }
     let level = (v / greatest).powi(2).min(most);
-    let ends = [q1[0], q1[2]].map(|q| (v / q).powi(2).min(most));
-    let [a, b, c] = q1;
-    let square = [a * a, a * b, (2.0 * b * b + a * c) / 3.0, b * c, c * c];
-    let product: [f64; 6] = std::array::from_fn(|k| {
-        let share = k as f64 / 5.0;
+    let [Some(first), Some(last)] = [q1.first(), q1.last()] else { return [level; 2] };
+    let ends = [first, last].map(|q| (v / q).powi(2).min(most));
+    // Bernstein coefficients of the square.
+    let (square, degree) = match *q1 {
+        [a, b, c] => ([a * a, a * b, (2.0 * b * b + a * c) / 3.0, b * c, c * c, 0.0, 0.0, 0.0, 0.0], 4),
+        _ => squared(q1),
+    };
+    let product = (0..=degree + 1).map(|k| {
+        let share = k as f64 / (degree + 1) as f64;
         let before = if k > 0 { share * square[k - 1] * ends[1] } else { 0.0 };
-        let after = if k < 5 { (1.0 - share) * square[k] * ends[0] } else { 0.0 };
+        let after = if k <= degree { (1.0 - share) * square[k] * ends[0] } else { 0.0 };
         before + after
     });
-    let over = product.iter().fold(v * v, |m, p| m.max(*p)) / (v * v);
+    let over = product.fold(v * v, f64::max) / (v * v);
     let line = ends.map(|x| x / over);
     if line[0] + line[1] > 2.0 * level { line } else { [level; 2] }
+}
+
+/// Bernstein coefficients of the square of a polynomial of degree 4 or less, and its degree.
+fn squared(q: &[f64]) -> ([f64; 9], usize) {
+    let n = q.len().clamp(1, 5) - 1;
+    let mut out = [0.0; 9];
+    for i in 0..=n {
+        for j in 0..=n {
+            out[i + j] += choose(n, i) * choose(n, j) / choose(2 * n, i + j) * q[i] * q[j];
+        }
+    }
+    (out, 2 * n)
 }
 
 /// Curvature of the circle through the ends of two steps, 1/mm; 0 where they do not make one.

@@ -8,8 +8,8 @@
 //! a = q' u + q'' x        j = √x (q' w + 3 q'' u + q''' x)
 //! ```
 //!
-//! are cubic and quadratic; their Bernstein coefficients, linear in `(x, u, w)` at the cell's
-//! start, bound them over the whole of it. Limits of jerk, `|bracket| ≤ J / √x`, are not convex:
+//! are cubic and quadratic where the curve is, of degree 5 and 4 where that is of degree 5; their
+//! Bernstein coefficients, linear in `(x, u, w)` at the cell's start, bound them over the whole of it. Limits of jerk, `|bracket| ≤ J / √x`, are not convex:
 //! `1/√x` is convex in `x`, so its tangent lies below it, and with the tangent in its place the
 //! limit is convex and a little too strict. The tangent is taken anew at every iterate of the
 //! interior-point method ([`crate::numerics::stages`]), so at the end nothing is lost by it
@@ -31,7 +31,7 @@
 use rayon::prelude::*;
 
 use super::PER_THREAD;
-use crate::numerics::spline::CubicSpline;
+use super::curve::AxisCurve;
 use crate::observe::Observer;
 
 mod bound;
@@ -68,7 +68,7 @@ pub(super) struct Smooth {
 /// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` where
 /// derivatives of the curve are too great for numbers, or when the user has asked to stop.
 pub(super) fn fastest(
-    curve: &CubicSpline,
+    curve: &AxisCurve,
     limits: &Limits,
     feed: f64,
     cap: &[f64],

@@ -20,6 +20,9 @@
 //! locations. Unlike the published scheme, which imposes the limits at the locations only, they are
 //! imposed on the Bernstein coefficients of every interval, which bound it as a whole.
 //!
+//! On a programmed curve ([`ProgrammedCurve`]) `q(s)` is what the kinematics make of ball centre and
+//! θ on it, as polynomials of degree 5 (`curve` module), and `s` is its parameter.
+//!
 //! With limits of jerk (the default) `w = u'` is constant between points of a grid instead, `u` and
 //! so every axis' acceleration is continuous, and the least time is found by an interior-point
 //! method, stretch by stretch (`jerk` module).
@@ -51,6 +54,7 @@
 //! Kind `Usage` for bad options or inputs that do not belong together.
 
 mod caps;
+mod curve;
 mod jerk;
 mod peaks;
 mod settings;
@@ -59,15 +63,16 @@ mod topp;
 use rayon::prelude::*;
 
 use crate::artifact::toolpath::CHORD_MM;
-use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, Schedule, Toolpath, motion};
+use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, ProgrammedCurve, Schedule, Toolpath, motion};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
-use crate::numerics::spline::CubicSpline;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
+use curve::{AxisCurve, Programmed};
+
 pub use caps::least_time;
-pub use peaks::{AxisPeaks, peaks};
+pub use peaks::{AxisPeaks, peaks, peaks_on};
 pub use settings::{FeedKeys, FeedSettings};
 
 /// Locations that one thread takes at least.
@@ -137,7 +142,22 @@ pub fn plan(
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<AxisMotion> {
-    let (motion, gap) = plan_with_bound(path, schedule, machine, options, observer)?;
+    plan_on(path, schedule, None, machine, options, observer)
+}
+
+/// As [`plan`]; on the curve that a path was given, one row of which belongs to each location.
+///
+/// # Errors
+/// As [`plan`], and where the curve has not as many rows as the path, or its parameters do not rise.
+pub fn plan_on(
+    path: &Toolpath,
+    schedule: &Schedule,
+    on: Option<&ProgrammedCurve>,
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<AxisMotion> {
+    let (motion, gap) = plan_on_with_bound(path, schedule, on, machine, options, observer)?;
     if let Some(gap) = gap.filter(|g| *g > LARGE_GAP) {
         observer.warn(Warning { stage: Stage::Feed, doubt: Doubt::RoughBound { gap } });
     }
@@ -156,9 +176,22 @@ pub fn plan_with_bound(
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, Option<f64>)> {
-    let curve = axis_curve(path, schedule, machine, options)?;
+    plan_on_with_bound(path, schedule, None, machine, options, observer)
+}
+
+fn plan_on_with_bound(
+    path: &Toolpath,
+    schedule: &Schedule,
+    on: Option<&ProgrammedCurve>,
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<(AxisMotion, Option<f64>)> {
+    let (curve, rates) = axis_curve(path, schedule, on, machine, options)?;
     observer.check(Stage::Feed)?;
-    let caps = caps::of_path(path, schedule, options);
+    let mut caps = caps::of_path(path, schedule, options);
+    // Of the ball centre's speed; by the parameter it goes a little faster or slower.
+    caps.iter_mut().zip(&rates).for_each(|(cap, rate)| *cap /= rate * rate);
     let axes = machine.axes();
     observer.progress(Stage::Feed, 0, path.locations.len());
     if options.limit_jerk {
@@ -175,16 +208,35 @@ pub fn plan_with_bound(
             )
         })?;
         observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-        return Ok((motion_within_jerk(&curve, &profile), Some(profile.gap)));
+        let motion = motion_within_jerk(&curve, &profile);
+        return Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, Some(profile.gap)));
     }
     let limits: Vec<_> = axes.iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let profile = topp::fastest(&curve, &limits, &caps, observer)?;
     observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-    Ok((motion_within_acceleration(&curve, &profile), None))
+    let motion = motion_within_acceleration(&curve, &profile);
+    Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, None))
 }
 
-/// Axis positions over the arc length of ball centres.
-fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: &FeedOptions) -> Result<CubicSpline> {
+/// Feeds over the lengths of the path, where its parameter is another.
+fn with_feeds(mut motion: AxisMotion, path: &Toolpath) -> AxisMotion {
+    let l = &path.locations;
+    for i in 1..motion.feed.len() {
+        motion.feed[i] = (l[i].centre - l[i - 1].centre).norm() / (motion.t_s[i] - motion.t_s[i - 1]);
+    }
+    motion.feed[0] = motion.feed[1];
+    motion
+}
+
+/// Axis positions over the arc length of ball centres, or over the curve's parameter; and how fast
+/// the ball centre goes by that in each interval, none where it is arc length.
+fn axis_curve(
+    path: &Toolpath,
+    schedule: &Schedule,
+    on: Option<&ProgrammedCurve>,
+    machine: &Machine,
+    options: &FeedOptions,
+) -> Result<(AxisCurve, Vec<f64>)> {
     options.validate()?;
     let (n, m) = (path.locations.len(), schedule.theta.len());
     if n != m {
@@ -193,28 +245,34 @@ fn axis_curve(path: &Toolpath, schedule: &Schedule, machine: &Machine, options: 
     if n < 3 {
         return Err(Error::usage(Stage::Feed, format!("the path has {n} locations, at least 3 are needed")));
     }
-    let s: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    if let Some(rows) = on.map(|c| c.rows.len()).filter(|rows| *rows != n) {
+        return Err(Error::usage(Stage::Feed, format!("the path has {n} locations but the curve {rows} rows")));
+    }
+    let s: Vec<f64> = match on {
+        Some(curve) => curve.rows.iter().map(|r| r.s_mm).collect(),
+        None => path.locations.iter().map(|l| l.s_mm).collect(),
+    };
     let wrong = |c: &Cone| c.lean_rad.is_nan() || c.lean_rad.abs() >= std::f64::consts::FRAC_PI_2;
     if let Some(cone) = (0..n).map(|k| path.cone(k)).find(wrong) {
         let deg = cone.lean_rad.to_degrees();
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
     let rows = machine.along(path.stands(&schedule.theta), options.gauge_length_mm);
-    motion::smooth(&s, &rows).map_err(|e| {
+    let spline = motion::smooth(&s, &rows).map_err(|e| {
         Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
             .advise("locations must have rising arc lengths and finite coordinates")
-    })
-}
-
-/// Position, first and second derivative of axis `k` at the start of interval `i`, plus `t`.
-fn at(curve: &CubicSpline, i: usize, k: usize, t: f64) -> [f64; 3] {
-    let [a, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
-    [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + 3.0 * t * d), 2.0 * c + 6.0 * t * d]
+    })?;
+    let Some(curve) = on else { return Ok((spline.into(), Vec::new())) };
+    let programmed = Programmed { curve, path, schedule, machine, gauge_length_mm: options.gauge_length_mm };
+    let rates = programmed.rates();
+    let on = AxisCurve::on(spline, rows, &programmed)
+        .ok_or_else(|| Error::usage(Stage::Feed, "the linear axes do not reach all places along the curve"))?;
+    Ok((on, rates))
 }
 
 /// The motion of a speed profile. Accelerations are those just after each location (of the last:
 /// just before).
-fn motion_within_acceleration(curve: &CubicSpline, profile: &topp::Profile) -> AxisMotion {
+fn motion_within_acceleration(curve: &AxisCurve, profile: &topp::Profile) -> AxisMotion {
     let s = curve.abscissae();
     let n = s.len();
     let speed: Vec<f64> = profile.x.iter().map(|x| x.sqrt()).collect();
@@ -235,8 +293,8 @@ fn motion_within_acceleration(curve: &CubicSpline, profile: &topp::Profile) -> A
     };
     // Of the interval after each location, of the last before it.
     let before = |i: usize| i.min(n - 2);
-    let at = |i: usize, k: usize| at(curve, before(i), k, s[i] - s[before(i)]);
-    let position = of_rows(&|i, k| at(i, k)[0]);
+    let at = |i: usize, k: usize| curve.at(before(i), k, s[i] - s[before(i)]);
+    let position = of_rows(&|i, k| curve.position(i, k, at(i, k)[0]));
     let velocity = of_rows(&|i, k| at(i, k)[1] * speed[i]);
     let acceleration = of_rows(&|i, k| {
         let [_, q1, q2] = at(i, k);
@@ -251,7 +309,7 @@ fn motion_within_acceleration(curve: &CubicSpline, profile: &topp::Profile) -> A
 
 /// The motion of a profile with continuous acceleration, at the locations. Jerks are those just
 /// after each.
-fn motion_within_jerk(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion {
+fn motion_within_jerk(curve: &AxisCurve, profile: &jerk::Smooth) -> AxisMotion {
     let s = curve.abscissae();
     let (n, axes) = (s.len(), curve.functions());
     let mut out = AxisMotion {
@@ -269,12 +327,12 @@ fn motion_within_jerk(curve: &CubicSpline, profile: &jerk::Smooth) -> AxisMotion
             g += 1;
         }
         let interval = i.min(n - 2);
-        let d = Axes::from_fn(axes, |k| at(curve, interval, k, s[i] - s[interval]));
-        let third = |k: usize| curve.coefficients(interval, k).map_or(0.0, |c| 6.0 * c[3]);
+        let d = Axes::from_fn(axes, |k| curve.at(interval, k, s[i] - s[interval]));
+        let third = |k: usize| curve.third(interval, k, s[i] - s[interval]);
         let (x, u, w) = (profile.x[g], profile.u[g], profile.w.get(g).or(profile.w.last()).copied().unwrap_or(0.0));
         let v = x.sqrt();
         out.t_s.push(profile.t[g]);
-        out.position.push(&d.map(|q| q[0]));
+        out.position.push(&Axes::from_fn(axes, |k| curve.position(i, k, d[k][0])));
         out.velocity.push(&d.map(|q| q[1] * v));
         out.acceleration.push(&d.map(|q| q[1] * u + q[2] * x));
         // At rest the jerk along the path itself is given.

@@ -57,7 +57,7 @@ fn options(feed_mm_min: f64) -> FeedOptions {
 
 /// Every limit, at the locations (both sides) and densely between them.
 fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedOptions) {
-    let curve = axis_curve(p, s, machine, o).unwrap();
+    let (curve, _) = axis_curve(p, s, None, machine, o).unwrap();
     let limits: Vec<_> = machine.axes().iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let feed = o.settings.feed_mm_min / 60.0;
     let at_s = curve.abscissae();
@@ -70,7 +70,7 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
             let x = (profile.x[i] + 2.0 * t * profile.u[i]).max(0.0);
             assert!(x.sqrt() <= feed * more);
             for (axis, [v, a]) in limits.iter().enumerate() {
-                let [_, q1, q2] = at(&curve, i, axis, t);
+                let [_, q1, q2] = curve.at(i, axis, t);
                 assert!(q1.abs() * x.sqrt() <= v * more, "velocity at {i} + {k}/8");
                 assert!((q1 * profile.u[i] + q2 * x).abs() <= a * more, "acceleration at {i} + {k}/8");
             }

@@ -8,7 +8,7 @@
 use rayon::prelude::*;
 
 use crate::error::{Error, Result, Stage};
-use crate::numerics::spline::CubicSpline;
+use super::curve::{AxisCurve, bernstein};
 use crate::observe::Observer;
 
 /// Below this a coefficient of `u` is taken as 0: with limits scaled to 1 it moves the limit by
@@ -53,10 +53,22 @@ struct Strip {
 
 impl Strip {
     const WITHOUT_END: Strip = Strip { slope: 0.0, half: f64::INFINITY };
+
+    /// `|a u + b x| ≤ 1`; where `u` does not matter it is a limit of `x` at the interval's start.
+    fn of(a: f64, b: f64, caps: &mut [f64; 2]) -> Strip {
+        if a.abs() > FLAT {
+            return Strip { slope: -b / a, half: 1.0 / a.abs() };
+        }
+        if b != 0.0 {
+            caps[0] = caps[0].min(1.0 / b.abs());
+        }
+        Strip::WITHOUT_END
+    }
 }
 
-/// Bernstein coefficients of an acceleration over an interval.
+/// Bernstein coefficients of an acceleration over an interval, on cubics and on curves of degree 5.
 const OF_AXIS: usize = 3;
+const OF_BENT_AXIS: usize = 5;
 
 /// The range of `u` at some `x`, with the slopes of its ends in `x`.
 struct Range {
@@ -69,27 +81,37 @@ struct Range {
 impl<'a> Strips<'a> {
     /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in
     /// each interval; `rows`: [`OF_AXIS`] for each axis, to be filled.
-    fn new(curve: &CubicSpline, i: usize, limits: &[[f64; 2]], most: &[f64], rows: &'a mut [Strip]) -> Self {
+    fn new(curve: &AxisCurve, i: usize, limits: &[[f64; 2]], most: &[f64], rows: &'a mut [Strip]) -> Self {
         let s = curve.abscissae();
         let h = s[i + 1] - s[i];
         let own = most.get(i).copied().unwrap_or(f64::INFINITY);
         let mut caps = [own; 2];
-        for (k, ([velocity, acceleration], rows)) in limits.iter().zip(rows.chunks_exact_mut(OF_AXIS)).enumerate() {
+        let of_axis = rows.len() / limits.len().max(1);
+        for (k, ([velocity, acceleration], rows)) in limits.iter().zip(rows.chunks_exact_mut(of_axis.max(1))).enumerate()
+        {
+            rows.fill(Strip::WITHOUT_END);
+            if let Some(quintic) = curve.quintic(i, k) {
+                let (q1, q2, _) = bernstein(quintic, 0.0, h);
+                let line = super::caps::of_velocity(&q1, *velocity, own);
+                caps = [caps[0].min(line[0]), caps[1].min(line[1])];
+                // q' + 2t q'' and q'', both of degree 4.
+                for (j, row) in rows.iter_mut().enumerate() {
+                    let share = j as f64 / 4.0;
+                    let (before, after) = (if j > 0 { q2[j - 1] } else { 0.0 }, if j < 4 { q2[j] } else { 0.0 });
+                    let second = share * before + (1.0 - share) * after;
+                    *row = Strip::of((q1[j] + 2.0 * h * share * before) / acceleration, second / acceleration, &mut caps);
+                }
+                continue;
+            }
             // q' = b + 2ct + 3dt², q'' = 2c + 6dt, q' + 2t q'' = b + 6ct + 15dt².
-            let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+            let [_, b, c, d] = curve.cubic(i, k);
             let (c, d) = (c * h, d * h * h);
-            let line = super::caps::of_velocity([b, b + c, b + 2.0 * c + 3.0 * d], *velocity, own);
+            let line = super::caps::of_velocity(&[b, b + c, b + 2.0 * c + 3.0 * d], *velocity, own);
             caps = [caps[0].min(line[0]), caps[1].min(line[1])];
             let of_u = [b, b + 3.0 * c, b + 6.0 * c + 15.0 * d];
             let of_x = [2.0 * c, 2.0 * c + 3.0 * d, 2.0 * c + 6.0 * d].map(|v| v / h);
             for ((a, b), row) in of_u.into_iter().zip(of_x).zip(rows) {
-                let (a, b) = (a / acceleration, b / acceleration);
-                *row = Strip::WITHOUT_END;
-                if a.abs() > FLAT {
-                    *row = Strip { slope: -b / a, half: 1.0 / a.abs() };
-                } else if b != 0.0 {
-                    caps[0] = caps[0].min(1.0 / b.abs());
-                }
+                *row = Strip::of(a / acceleration, b / acceleration, &mut caps);
             }
         }
         Strips { rows, most_here: caps[0], most_there: caps[1], length: h }
@@ -141,13 +163,14 @@ impl<'a> Strips<'a> {
 /// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`:
 /// greatest ṡ² in each interval.
 pub(super) fn fastest(
-    curve: &CubicSpline,
+    curve: &AxisCurve,
     limits: &[[f64; 2]],
     most: &[f64],
     observer: &dyn Observer,
 ) -> Result<Profile> {
     let n = curve.abscissae().len();
-    let of_interval = (OF_AXIS * limits.len()).max(1);
+    let of_axis = if curve.is_bent() { OF_BENT_AXIS } else { OF_AXIS };
+    let of_interval = (of_axis * limits.len()).max(1);
     let mut rows = vec![Strip::WITHOUT_END; (n - 1) * of_interval];
     let rows = rows.par_chunks_mut(of_interval).enumerate().with_min_len(super::PER_THREAD);
     let strips: Vec<Strips> = rows.map(|(i, rows)| Strips::new(curve, i, limits, most, rows)).collect();

@@ -7,7 +7,8 @@
 
 use super::Machine;
 use super::chain::Held;
-use crate::artifact::{Axes, AxisRows, Stand};
+use crate::artifact::{Axes, AxisRows, Cone, Stand};
+use crate::numerics::series::Series;
 
 impl Machine {
     /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several
@@ -52,5 +53,84 @@ impl Machine {
             }
         }
         out
+    }
+
+    /// Axis positions as power series of a parameter, one for each axis, from those of the ball
+    /// centre (blade frame, mm) and of θ (rad) on one cone. `at`: where the axes stand at parameter
+    /// 0, of which the rotary ones are taken ([`Machine::along`]). `None` where the linear axes do
+    /// not reach all places. Terms of the axes follow from those given without differencing.
+    pub fn along_series(
+        &self,
+        centre: &[Series; 3],
+        theta: Series,
+        cone: &Cone,
+        at: &[f64],
+        gauge_length_mm: f64,
+    ) -> Option<Vec<Series>> {
+        let head = self.head();
+        let (sin, cos) = theta.sin_cos();
+        let (sb, cb) = cone.lean_rad.sin_cos();
+        let (c, e) = (cone.axis, cone.reference);
+        let f = c.cross(&e);
+        let axis = std::array::from_fn(|k| {
+            Series::constant(c[k] * sb) + cos.scaled(e[k] * cb) + sin.scaled(f[k] * cb)
+        });
+        let rotary: Vec<usize> = head.rotary().collect();
+        let stands = [rotary.first(), rotary.get(1)].map(|k| k.and_then(|k| at.get(*k)).copied().unwrap_or(0.0));
+        let [x, y, z, q1, q2] = head.series(centre, &axis, stands, gauge_length_mm)?;
+        let mut out: Vec<Series> = at.iter().map(|v| Series::constant(*v)).collect();
+        let columns = head.linear().into_iter().chain(rotary).zip([x, y, z, q1, q2]);
+        columns.for_each(|(k, s)| out[k] = s);
+        Some(out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::geometry::Point;
+
+    fn value(s: &Series, t: f64) -> f64 {
+        s.0.iter().rev().fold(0.0, |sum, c| sum * t + c)
+    }
+
+    /// On every machine that comes with the program, tables and heads, four axes and five at once.
+    #[test]
+    fn series_are_the_axes_along_a_curve() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines");
+        let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+        files.sort();
+        let (mut seen, mut moving) = (0, 0);
+        for file in files {
+            let machine = Machine::from_toml(&std::fs::read_to_string(&file).unwrap(), "test").unwrap();
+            for lean_rad in [0.0, 0.2] {
+                if !machine.leans(lean_rad) {
+                    continue;
+                }
+                let cone = Cone::about_blade(lean_rad);
+                let centre = [
+                    Series([40.0, 0.3, 0.05, -0.02, 0.01, 0.003]),
+                    Series([9.0, -0.8, -0.06, 0.03, 0.02, -0.01]),
+                    Series([-4.0, 0.5, 0.1, 0.02, -0.03, 0.02]),
+                ];
+                let theta = Series([0.7, 0.2, 0.1, -0.05, 0.03, 0.02]);
+                let stand = |t: f64| {
+                    Stand::about_blade(Point::from(centre.map(|s| value(&s, t))), value(&theta, t), lean_rad)
+                };
+                let at = machine.place(&stand(0.0), None, 150.0);
+                let series = machine.along_series(&centre, theta, &cone, &at, 150.0).unwrap();
+                for t in [-0.02, 0.01, 0.02f64] {
+                    let want = machine.place(&stand(t), Some(&at), 150.0);
+                    for (k, s) in series.iter().enumerate() {
+                        let off = (value(s, t) - want[k]).abs();
+                        assert!(off < 2e3 * t.abs().powi(6) + 1e-11, "{} axis {k} at {t}: {off}", file.display());
+                    }
+                }
+                let rotary = machine.rotary().filter(|k| series[*k].0[1] != 0.0).count();
+                (seen, moving) = (seen + 1, moving + usize::from(rotary > 1));
+            }
+        }
+        assert!(seen > 5, "{seen} {moving}");
     }
 }

@@ -50,6 +50,8 @@ use crate::geometry::{Point, Rigid, Vector};
 use crate::numerics::angle::within_half_turn;
 use crate::tool;
 
+mod series;
+
 /// Directions nearer to one another than this are parallel, rad.
 const PARALLEL_RAD: f64 = 1e-9;
 /// The tool axis must keep this far from the first rotary axis, rad: at 0 that axis would have to

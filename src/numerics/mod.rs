@@ -5,5 +5,6 @@ pub mod banded;
 pub mod bezier;
 pub mod bounded;
 pub mod quintic;
+pub mod series;
 pub mod spline;
 pub mod stages;

@@ -226,6 +226,24 @@ pub enum Doubt {
         /// Why.
         reason: String,
     },
+    /// Some of the path has no smooth curve.
+    NotSmoothed {
+        /// Length of it, mm.
+        length_mm: f64,
+        /// Length of the path, mm.
+        of_mm: f64,
+        /// How many places.
+        places: usize,
+        /// Where the longest of them begins: arc length from the start of the path, mm.
+        longest_at_mm: f64,
+        /// Why it was left.
+        reason: String,
+    },
+    /// The whole path stays as it is.
+    NothingSmoothed {
+        /// Why.
+        reason: String,
+    },
     /// The motion's time is not proved closely.
     RoughBound {
         /// Share of the time by which no motion on the grid takes less.
@@ -405,6 +423,15 @@ impl fmt::Display for Doubt {
                 turn_number(*first_turn)
             ),
             Doubt::StraightLead { lead, reason } => write!(f, "the {lead} is straight along the tool axis: {reason}"),
+            Doubt::NotSmoothed { length_mm, of_mm, places, longest_at_mm, reason } => write!(
+                f,
+                "{length_mm:.1} of {of_mm:.1} mm of the path ({:.2} %) stay as they are, without a smooth curve, in \
+                 {places} places; the longest begins {longest_at_mm:.1} mm from the start of the path: {reason}",
+                100.0 * length_mm / of_mm
+            ),
+            Doubt::NothingSmoothed { reason } => {
+                write!(f, "the path stays as it is, although feed.smooth is set: {reason}")
+            }
             Doubt::RoughBound { gap } => write!(
                 f,
                 "the motion keeps all limits; on the grid of its locations none that does takes less time by more than \

@@ -2,7 +2,7 @@
 //! give the evidence.
 
 use super::Setup;
-use crate::artifact::{AxisMotion, Lead, Plan, Schedule, Stand, Toolpath};
+use crate::artifact::{AxisMotion, Lead, Plan, ProgrammedCurve, Schedule, Stand, Toolpath};
 use crate::error::{Error, Infeasible, Missed, Result, Stage};
 use crate::feed;
 use crate::lead::{self, End, LeadOptions};
@@ -66,7 +66,8 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
     for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
         let mut left = left.clone();
         let leads = [lead, left.leads[1].clone()];
-        (left.motion, left.leads) = motion(setup, &left.toolpath, &left.schedule, leads, &Silent)?;
+        (left.motion, left.leads) =
+            motion_on(setup, &left.toolpath, &left.schedule, left.curve.as_ref(), leads, &Silent)?;
         match verify::restart(whole, left, &room)? {
             Verdict::Passed(passed) if !whole.forced() => return Ok(passed),
             Verdict::Passed(passed) => return Ok(passed.as_forced()),
@@ -119,7 +120,29 @@ pub(crate) fn motion(
     leads: [Lead; 2],
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, [Lead; 2])> {
+    motion_on(setup, path, schedule, None, leads, observer)
+}
+
+/// As [`motion`], on a programmed curve.
+pub(crate) fn motion_on(
+    setup: &Setup,
+    path: &Toolpath,
+    schedule: &Schedule,
+    curve: Option<&ProgrammedCurve>,
+    leads: [Lead; 2],
+    observer: &dyn Observer,
+) -> Result<(AxisMotion, [Lead; 2])> {
     let (long_path, long_schedule) = lead::extended(path, schedule, &leads);
-    let whole = feed::plan(&long_path, &long_schedule, &setup.machine, &setup.feed_options(), observer)?;
+    let [before, after] = leads.each_ref().map(|l| l.centres.len());
+    let s = |k: usize| long_path.locations[k].s_mm;
+    let (first, end) = (before, long_path.locations.len() - after);
+    let long_curve = curve.map(|c| {
+        let ahead: Vec<f64> = (0..first).map(|k| s(k) - s(first)).collect();
+        let behind: Vec<f64> = (end..end + after).map(|k| s(k) - s(end - 1)).collect();
+        c.extended(&ahead, &behind)
+    });
+    let options = setup.feed_options();
+    let whole =
+        feed::plan_on(&long_path, &long_schedule, long_curve.as_ref(), &setup.machine, &options, observer)?;
     Ok(lead::split(&whole, leads))
 }

@@ -29,6 +29,7 @@ use crate::read::model::openings::{self, ToolReach};
 use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
+use crate::smooth::SmoothOptions;
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions, Workspace};
 use crate::write::post::{self, Dialect, PostOptions};
 
@@ -39,6 +40,7 @@ pub(crate) mod paths;
 pub(crate) mod planning;
 pub(crate) mod schedules;
 pub(crate) mod sketch;
+mod smoothing;
 
 use planning::{Known, Reached};
 
@@ -121,6 +123,20 @@ impl Setup {
     pub fn schedule_options(&self) -> ScheduleOptions {
         let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
         ScheduleOptions { settings: self.job.schedule, pace, ..ScheduleOptions::default() }
+    }
+
+    /// Options of the smooth curve as the job has them: no more of the limit of gouges than a third.
+    pub fn smooth_options(&self) -> SmoothOptions {
+        let usual = SmoothOptions::default();
+        let usual = match self.blade.part.brep {
+            Some(_) => usual,
+            None => usual.on_mesh(self.job.path.scallop_mm),
+        };
+        SmoothOptions {
+            inwards_mm: usual.inwards_mm.min(self.job.verify.gouge_mm / 3.0).max(1e-6),
+            margin_rad: self.job.schedule.margin_deg.to_radians(),
+            ..usual
+        }
     }
 
     /// Options of the feed as the job has them.

@@ -1,10 +1,10 @@
 //! The planning stages, one after another.
 
-use super::{Baseline, Setup, leads, schedules};
+use super::{Baseline, Setup, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
-use crate::artifact::{AxisMotion, Channel, Cones, Lead, Plan, Schedule, Toolpath};
+use crate::artifact::{AxisMotion, Channel, Cones, Lead, Plan, ProgrammedCurve, Schedule, Toolpath};
 use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
@@ -14,7 +14,7 @@ use crate::schedule;
 use crate::verify;
 
 /// A motion with its leads.
-type MotionAndLeads = (AxisMotion, [Lead; 2]);
+pub(super) type MotionAndLeads = (AxisMotion, [Lead; 2]);
 /// A schedule, with its motion where that is known.
 type Scheduled = (Schedule, Option<MotionAndLeads>);
 
@@ -40,6 +40,8 @@ pub(crate) struct Known {
     pub channel: Option<Channel>,
     pub schedule: Option<Schedule>,
     pub motion: Option<(AxisMotion, [Lead; 2])>,
+    /// Where the motion is one on a curve, all of the above are along it.
+    pub curve: Option<ProgrammedCurve>,
 }
 
 /// The planning stages, to `until` or to the end.
@@ -63,21 +65,32 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
     if until == Some(Stage::Channel) {
         return Ok(Reached::Channel(toolpath, channel));
     }
-    let options = setup.schedule_options();
+    let (options, known_curve) = (setup.schedule_options(), known.curve);
     // What a baseline that nobody asked for does wrong is no warning: its figures stand in the
     // summary. Where it is the job's own schedule it is planned again below, and warns.
-    let fixed = timed(observer, Stage::Schedule, || {
+    let mut fixed = timed(observer, Stage::Schedule, || {
         schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
     })?;
     let (mut schedule, mut motion) = match known.schedule {
         Some(s) => (s, known.motion),
         None => timed(observer, Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
     };
-    if !schedule.kind.is_wall() {
+    if !schedule.kind.is_wall() && known_curve.is_none() {
         keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), observer)?;
     }
     if until == Some(Stage::Schedule) {
         return Ok(Reached::Schedule(toolpath, channel, schedule));
+    }
+    let mut curve = known_curve;
+    if setup.job.feed.smooth && curve.is_none() {
+        let before = smoothing::Before { path: &toolpath, channel: &channel, schedule: &schedule };
+        if let Some(made) = smoothing::smoothed(setup, before, motion.as_ref(), observer)? {
+            (toolpath, channel, schedule) = (made.path, made.channel, made.schedule);
+            (motion, curve) = (None, Some(made.curve));
+            fixed = timed(observer, Stage::Schedule, || {
+                schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
+            })?;
+        }
     }
     let (motion, leads, fixed_motion) = timed(observer, Stage::Feed, || {
         let chosen = match &motion {
@@ -87,13 +100,14 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         // From the same leads, so that the two are compared under the same conditions. At the same
         // time, since each takes one thread.
         let others = lead::for_schedule(&chosen, &toolpath, &fixed);
-        let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, chosen, observer), Ok);
+        let on = curve.as_ref();
+        let own = || motion.map_or_else(|| leads::motion_on(setup, &toolpath, &schedule, on, chosen, observer), Ok);
         let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &Silent));
         let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
         Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
-    let plan = Plan { toolpath, channel, schedule, motion, leads };
+    let plan = Plan { toolpath, channel, schedule, motion, leads, curve };
     Ok(Reached::Motion(Box::new((plan, baseline))))
 }
 

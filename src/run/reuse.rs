@@ -106,7 +106,7 @@ impl<'a> Earlier<'a> {
         if a.schedule != b.schedule || (timed && !machine) {
             return Some(Stage::Channel);
         }
-        // Room for the leads is judged by these limits of the checks.
+        // Room for the leads, and for a smooth curve, is judged by these limits of the checks.
         let room = |v: &VerifySettings| [v.gouge_mm, v.resolution_mm];
         Some(if machine && room(&a.verify) == room(&b.verify) { Stage::Feed } else { Stage::Schedule })
     }
@@ -224,6 +224,10 @@ pub(super) fn take(loaded: &Loaded, earlier: &[Earlier], observer: &dyn Observer
     let Some((rank, run, plan)) = found.iter().find_map(|(r, e)| Some((*r, e, e.plan()?))) else {
         return Taken::default();
     };
+    // The path that a smooth curve was made from is not kept.
+    if plan.curve.is_some() && rank < 3 {
+        return Taken::default();
+    }
     // Walls that were moved in for a schedule are those of no other.
     let own = rank == 1 && !plan.channel.proven_at.is_empty();
     if own && loaded.setup.job.region.end_mm.is_none() {
@@ -231,7 +235,9 @@ pub(super) fn take(loaded: &Loaded, earlier: &[Earlier], observer: &dyn Observer
     }
     let rank = if own { 0 } else { rank };
     let stages: Vec<Stage> = STAGES[..=rank].to_vec();
-    for w in run.before.warnings.iter().filter(|w| stages.contains(&w.stage)) {
+    let smoothed = plan.curve.is_some();
+    let again = |w: &&Warning| stages.contains(&w.stage) || smoothed && w.stage == Stage::Smooth;
+    for w in run.before.warnings.iter().filter(again) {
         observer.warn(w.clone());
     }
     let results = Known {
@@ -239,6 +245,7 @@ pub(super) fn take(loaded: &Loaded, earlier: &[Earlier], observer: &dyn Observer
         channel: (rank >= 1).then_some(plan.channel),
         schedule: (rank >= 2).then_some(plan.schedule),
         motion: (rank >= 3).then_some((plan.motion, plan.leads)),
+        curve: plan.curve,
     };
     Taken { results, checks: if rank >= 3 { run.checks() } else { None }, stages }
 }

@@ -222,27 +222,30 @@ impl TrackSearch<'_> {
 /// passes its check: where a motion keeps the clearance at its locations and not between them.
 pub fn short_moves(path: &Toolpath, theta: &[f64], apart: &[Apart], options: &VerifyOptions) -> Vec<usize> {
     let stands = path.stands(theta).collect::<Vec<_>>();
-    let (share, resolution) = CLOSELY;
-    let mut out = Vec::new();
-    for a in apart {
-        let limit = options.least_clearance(a.asked_mm);
-        // What the check takes off what it has measured.
-        let needed = (limit + resolution).max(limit / (1.0 - share));
-        let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
-            let track = Track { stands: &stands, wanted: None };
-            let motion = TrackSearch { part: on, track, segments: &a.segments, resolution, share };
-            let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
-            moves.into_par_iter().filter(short).collect()
-        };
-        let mut short = among(a.part, (0..stands.len().saturating_sub(1)).collect());
-        if let Some(sharper) = a.part.sharper().filter(|_| !short.is_empty()) {
-            short = among(sharper, short);
-        }
-        out.extend(short);
-    }
+    let mut out: Vec<usize> = apart.iter().flat_map(|a| short_stands(&stands, a, 0.0, options)).collect();
     out.sort_unstable();
     out.dedup();
     out
+}
+
+/// Moves from stand to stand, by their first, on which segments may come nearer to a body than
+/// passes their check, with `more_mm` kept besides.
+pub(super) fn short_stands(stands: &[Stand], a: &Apart, more_mm: f64, options: &VerifyOptions) -> Vec<usize> {
+    let (share, resolution) = CLOSELY;
+    let limit = options.least_clearance(a.asked_mm) + more_mm;
+    // What the check takes off what it has measured.
+    let needed = (limit + resolution).max(limit / (1.0 - share));
+    let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
+        let track = Track { stands, wanted: None };
+        let motion = TrackSearch { part: on, track, segments: &a.segments, resolution, share };
+        let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
+        moves.into_par_iter().filter(short).collect()
+    };
+    let short = among(a.part, (0..stands.len().saturating_sub(1)).collect());
+    match a.part.sharper().filter(|_| !short.is_empty()) {
+        Some(sharper) => among(sharper, short),
+        None => short,
+    }
 }
 
 /// How near a motion comes to a part.

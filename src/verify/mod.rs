@@ -20,6 +20,9 @@
 //! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
 //! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
+//! A plan with a programmed curve is judged along that too: `curve-gouge` … `curve-joints`, see the
+//! page of `curve.rs`.
+//!
 //! Gouges, scallop and ridges are measured on the part with the stock on it that the path is to
 //! leave. To the part belongs what sewing or healing moved or left out, as the file has it
 //! ([`crate::geometry::part::Part::published`]): gouges are judged on both.
@@ -28,13 +31,14 @@
 //! value in its note.
 //!
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre
-//! with θ even; the clearance is measured to the part's triangles and lessened by their deflection;
+//! with θ even, or as the plan's curve; the clearance is measured to the part's triangles and lessened by their deflection;
 //! jerk is not checked.
 
 mod apart;
 mod asked;
 pub mod audit;
 mod clearance;
+mod curve;
 mod deviation;
 mod gouge;
 mod height;
@@ -61,6 +65,7 @@ mod whole;
 
 pub use apart::{Apart, apart};
 pub use clearance::{Standing, short_moves, standing};
+pub use curve::short_on_curve;
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::{Asked, VerifyOptions};
@@ -144,6 +149,7 @@ pub fn check_among(
     step(3)?;
     report.checks.extend(schedule::check(&plan, blade, options));
     report.checks.extend(limits::check(&plan, blade, tool, machine, options));
+    report.checks.extend(curve::check(&plan, blade, &part, &apart, options));
     if let Some(asked) = &options.asked {
         report.checks.extend(asked::check(&plan, blade, asked, options));
         report.checks.extend(whole::check(&plan, blade, machine));
@@ -188,6 +194,18 @@ pub fn well_formed(plan: &Plan, machine: &Machine) -> Result<()> {
             return bad(format!(
                 "the {name} of the plan has {k} ball centres but other numbers of angles, positions or times"
             ));
+        }
+    }
+    if let Some(curve) = &plan.curve {
+        let rows = &curve.rows;
+        if rows.len() != n {
+            return bad(format!("the plan has {n} cutter locations but {} rows of its curve", rows.len()));
+        }
+        if let Some(i) = rows.windows(2).position(|w| w[1].s_mm.is_nan() || w[1].s_mm <= w[0].s_mm) {
+            return bad(format!("the parameter of the plan's curve does not rise after cutter location {i}"));
+        }
+        if plan.toolpath.cones.same().is_none() {
+            return bad("the plan has a curve, but another cone of tool axes at each cutter location".into());
         }
     }
     if !plan.toolpath.cones.fit(n) {

@@ -99,6 +99,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
     };
     let zeros: AxisRows = vec![[0.0; 5]; n].into_iter().collect();
     with_motion(Plan {
+        curve: None,
         leads: Default::default(),
         toolpath: Toolpath {
             kind: crate::artifact::toolpath::PathKind::default(),

@@ -32,6 +32,9 @@ use crate::machine::Machine;
 const LENGTH_MM: f64 = 1e-6;
 /// Contacts lie on the part within this, mm: what the distance to exact faces is good for.
 const CONTACT_MM: f64 = 1e-4;
+/// Balls of a programmed curve may be off the part by what was proven of it, and that by no more
+/// than this share of the scallop: then their contacts are feet on the part.
+const OFF_SHARE: f64 = 0.25;
 /// Contacts farther off are so far off, mm.
 const FAR_MM: f64 = 1.0;
 /// Feeds are of arcs on the leads, lengths of their chords; relative.
@@ -138,8 +141,10 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
         let [is, want] = [l.contact, want].map(|p| format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z));
         format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
     };
-    let note = path.locations.get(worst.1).filter(|_| worst.0 > CONTACT_MM).map_or(String::new(), says);
-    Check::at_most(CheckId::PlanContacts, quantity, worst.0, CONTACT_MM, "mm", note).at_location(worst.1, plan, blade)
+    let off = plan.curve.as_ref().map_or(0.0, |c| c.proof.inwards_mm.max(c.proof.outwards_mm));
+    let limit = CONTACT_MM + off.clamp(0.0, OFF_SHARE * path.scallop_mm);
+    let note = path.locations.get(worst.1).filter(|_| worst.0 > limit).map_or(String::new(), says);
+    Check::at_most(CheckId::PlanContacts, quantity, worst.0, limit, "mm", note).at_location(worst.1, plan, blade)
 }
 
 /// All rows of the motion, leads and path, and the ball centre at each.

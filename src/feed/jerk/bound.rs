@@ -20,6 +20,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::PER_THREAD;
+use super::cells::SHARES_OF_X;
 use super::rows::{Dual, Problem};
 
 /// Rounds in which every `r` is moved once end where they gain less than this share of the bound.
@@ -106,15 +107,28 @@ impl Bound {
             }
             (middles[i].c, middles[i].cap) = (c[1], cap[1]);
         }
+        // Jerks at places between coefficients: `1/√x` there is at most the mean of those at the
+        // coefficients, whose weights they take.
+        let between = |d: &Dual, a: usize| (3..6).map(|b| SHARES_OF_X[b][a] * d.sum[b]).sum::<f64>();
+        for (i, d) in duals.iter().enumerate() {
+            sums[i] += between(d, 0);
+            sums[i + 1] += between(d, 2);
+        }
         let share = |c: f64, sum: f64| if sum > MOST * c { MOST * c / sum } else { 1.0 };
         let at: Vec<f64> = joints.iter().zip(&sums).map(|(t, sum)| share(t.c, *sum)).collect();
         for (i, d) in duals.iter().enumerate() {
-            let shares = [at[i], share(middles[i].c, d.sum[1]), at[i + 1]];
-            let k = |a: usize| d.linear[a] + (0..3).map(|b| shares[b] * d.jerk[b][a]).sum::<f64>();
+            let middle = d.sum[1] + between(d, 1);
+            let shares = [at[i], share(middles[i].c, middle), at[i + 1]];
+            // The least of the coefficients' shares: what is taken from their weights is no less.
+            let least = |b: usize| (0..3).filter(|a| SHARES_OF_X[b][*a] > 0.0).map(|a| shares[a]).fold(1.0, f64::min);
+            let k = |a: usize| {
+                let own = d.linear[a] + (0..3).map(|b| shares[b] * d.jerk[b][a]).sum::<f64>();
+                own + (3..6).map(|b| least(b) * d.jerk[b][a]).sum::<f64>()
+            };
             joints[i].k += k(0);
             middles[i].k += k(1);
             joints[i + 1].k += k(2);
-            middles[i].c -= shares[1] * d.sum[1];
+            middles[i].c -= shares[1] * middle;
         }
         for (t, (share, sum)) in joints.iter_mut().zip(at.iter().zip(&sums)) {
             t.c -= share * sum;

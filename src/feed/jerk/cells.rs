@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use crate::artifact::Axes;
 use crate::feed::PER_THREAD;
 use crate::feed::caps::of_velocity;
-use crate::numerics::spline::CubicSpline;
+use crate::feed::curve::{AxisCurve, bernstein, choose};
 
 /// Cells at least.
 const LEAST_CELLS: usize = 24;
@@ -21,12 +21,63 @@ const END_SHARE: f64 = 0.5;
 pub(in crate::feed) type Limits = Axes<[f64; 3]>;
 
 /// Bernstein coefficients of `q'`, `q''` and `q'''` of one axis over one cell, by scaled arc
-/// length.
+/// length. Of a cubic the first 3, 2 and 1 of them count, the others are 0.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Derivatives {
-    pub q1: [f64; 3],
-    pub q2: [f64; 2],
-    pub q3: f64,
+    pub q1: [f64; 5],
+    pub q2: [f64; 4],
+    pub q3: [f64; 3],
+    /// Of degree 5.
+    pub is_bent: bool,
+}
+
+impl Derivatives {
+    /// Bernstein coefficients of `q'`.
+    pub fn first(&self) -> &[f64] {
+        if self.is_bent { &self.q1 } else { &self.q1[..3] }
+    }
+}
+
+/// Rows in `(x, u, w)`, one for each Bernstein coefficient of something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Forms {
+    of: [[f64; 3]; 5],
+    count: usize,
+}
+
+impl Forms {
+    fn three(of: [[f64; 3]; 3]) -> Self {
+        let [a, b, c] = of;
+        Forms { of: [a, b, c, [0.0; 3], [0.0; 3]], count: 3 }
+    }
+}
+
+impl std::ops::Deref for Forms {
+    type Target = [[f64; 3]];
+    fn deref(&self) -> &[[f64; 3]] {
+        &self.of[..self.count]
+    }
+}
+
+/// What `x` is taken at: its three Bernstein coefficients, then those between that it has as a
+/// polynomial of degree 4, each as shares of the three.
+pub(super) const SHARES_OF_X: [[f64; 3]; 6] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.5, 0.5, 0.0],
+    [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0],
+    [0.0, 0.5, 0.5],
+];
+
+/// The places in [`SHARES_OF_X`] of the coefficients of a bracket, by their number.
+pub(super) fn places_of_x(count: usize) -> &'static [usize] {
+    if count == 3 { &[0, 1, 2] } else { &[0, 3, 4, 5, 2] }
+}
+
+/// `x` at a place of [`SHARES_OF_X`], from its three coefficients.
+pub(super) fn mixed(x: &[f64; 3], place: usize) -> f64 {
+    if place < 3 { x[place] } else { dot(&SHARES_OF_X[place], x) }
 }
 
 /// One cell, in scaled arc length.
@@ -97,7 +148,7 @@ pub(super) fn derivatives(grid: &[(f64, usize)], axes: usize) -> Vec<Derivatives
 /// The cells between the points of the grid. `cap`: greatest ṡ² (mm²/s²) in every interval of the
 /// curve; `room`: [`derivatives`].
 pub(super) fn cells<'a>(
-    curve: &CubicSpline,
+    curve: &AxisCurve,
     grid: &[(f64, usize)],
     cap: &[f64],
     (limits, units): (&Limits, Units),
@@ -108,7 +159,7 @@ pub(super) fn cells<'a>(
 }
 
 fn cell<'a>(
-    curve: &CubicSpline,
+    curve: &AxisCurve,
     w: &[(f64, usize)],
     cap: &[f64],
     (limits, units): (&Limits, Units),
@@ -120,16 +171,31 @@ fn cell<'a>(
     let own = cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed);
     let mut cap = [own; 2];
     for (k, axis) in axes.iter_mut().enumerate() {
-        let [_, b, c, d] = curve.coefficients(i, k).unwrap_or_default();
+        if let Some(quintic) = curve.quintic(i, k) {
+            let (q1, q2, q3) = bernstein(quintic, a, h);
+            let line = of_velocity(&q1, limits[k][0], own);
+            cap = [cap[0].min(line[0]), cap[1].min(line[1])];
+            *axis = Derivatives {
+                q1: q1.map(|v| v * l),
+                q2: q2.map(|v| v * l * l),
+                q3: q3.map(|v| v * l * l * l),
+                is_bent: true,
+            };
+            continue;
+        }
+        let [_, b, c, d] = curve.cubic(i, k);
         let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
         let second = |t: f64| 2.0 * c + 6.0 * t * d;
         let q1 = [first(a), first(a) + 0.5 * h * second(a), first(a + h)];
+        let [s0, s1] = [second(a), second(a + h)].map(|v| v * l * l);
+        let [f0, f1, f2] = q1.map(|v| v * l);
         *axis = Derivatives {
-            q1: q1.map(|v| v * l),
-            q2: [second(a), second(a + h)].map(|v| v * l * l),
-            q3: 6.0 * d * l * l * l,
+            q1: [f0, f1, f2, 0.0, 0.0],
+            q2: [s0, s1, 0.0, 0.0],
+            q3: [6.0 * d * l * l * l, 0.0, 0.0],
+            is_bent: false,
         };
-        let line = of_velocity(q1, limits[k][0], own);
+        let line = of_velocity(&q1, limits[k][0], own);
         cap = [cap[0].min(line[0]), cap[1].min(line[1])];
     }
     Cell { h: h / l, axes, cap: cap.map(|c| c / (units.speed * units.speed)) }
@@ -160,6 +226,22 @@ fn combine(terms: &[(f64, [f64; 3])]) -> [f64; 3] {
     out
 }
 
+/// The first five Bernstein coefficients of a sum of products, each of which is of that degree: of
+/// numbers and rows by their own coefficients.
+fn product<const N: usize>(degree: usize, factors: [(&[f64], &[[f64; 3]]); N]) -> Forms {
+    let mut of = [[0.0; 3]; 5];
+    for (numbers, rows) in factors {
+        let (m, n) = (numbers.len() - 1, rows.len() - 1);
+        for (i, q) in numbers.iter().enumerate() {
+            for (j, row) in rows.iter().enumerate().filter(|(j, _)| i + j < 5) {
+                let factor = q * choose(m, i) * choose(n, j) / choose(degree, i + j);
+                (0..3).for_each(|c| of[i + j][c] += factor * row[c]);
+            }
+        }
+    }
+    Forms { of, count: 5 }
+}
+
 /// With brackets of jerk within `J/√x` at the Bernstein coefficients of x, jerk is within J times
 /// this over the whole cell: the mean of `1/√x` is greater than that of the mean, the more so the
 /// more x changes.
@@ -182,28 +264,36 @@ impl Cell<'_> {
     /// Bernstein coefficients of the acceleration of one of the axes but the last, which is the
     /// next cell's first.
     #[inline]
-    pub fn acceleration(&self, axis: &Derivatives) -> [[f64; 3]; 3] {
+    pub fn acceleration(&self, axis: &Derivatives) -> Forms {
         let x = of_x(self.h);
         let u = [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]];
         let Derivatives { q1: q, q2: r, .. } = axis;
-        [
+        if axis.is_bent {
+            return product(5, [(&q[..], &u[..]), (&r[..], &x[..])]);
+        }
+        Forms::three([
             combine(&[(q[0], u[0]), (r[0], x[0])]),
             combine(&[(q[0] / 3.0, u[1]), (q[1] / 1.5, u[0]), (r[1] / 3.0, x[0]), (r[0] / 1.5, x[1])]),
             combine(&[(q[2] / 3.0, u[0]), (q[1] / 1.5, u[1]), (r[0] / 3.0, x[2]), (r[1] / 1.5, x[1])]),
-        ]
+        ])
     }
 
     /// Bernstein coefficients of the bracket of the jerk of one of the axes.
     #[inline]
-    pub fn bracket(&self, axis: &Derivatives) -> [[f64; 3]; 3] {
+    pub fn bracket(&self, axis: &Derivatives) -> Forms {
         let x = of_x(self.h);
         let (u, w) = ([[0.0, 1.0, 0.0], [0.0, 1.0, self.h]], [0.0, 0.0, 1.0]);
-        let Derivatives { q1: q, q2: r, q3: t } = *axis;
-        [
+        let Derivatives { q1: q, q2: r, q3: t, is_bent } = *axis;
+        if is_bent {
+            let triple = r.map(|r| 3.0 * r);
+            return product(4, [(&q[..], &[w][..]), (&triple[..], &u[..]), (&t[..], &x[..])]);
+        }
+        let t = t[0];
+        Forms::three([
             combine(&[(q[0], w), (3.0 * r[0], u[0]), (t, x[0])]),
             combine(&[(q[1], w), (1.5 * r[0], u[1]), (1.5 * r[1], u[0]), (t, x[1])]),
             combine(&[(q[2], w), (3.0 * r[1], u[1]), (t, x[2])]),
-        ]
+        ])
     }
 
     /// Bernstein coefficients of `cap`.
@@ -216,7 +306,7 @@ impl Cell<'_> {
         let mut most = self.cap[0].min(self.cap[1]);
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
             most = most.min(a_max / greatest(&axis.q2));
-            most = most.min((j_max / axis.q3.abs()).powf(2.0 / 3.0));
+            most = most.min((j_max / greatest(&axis.q3)).powf(2.0 / 3.0));
         }
         most
     }
@@ -229,15 +319,26 @@ impl Cell<'_> {
         let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            for g in self.acceleration(axis) {
-                most = most.max(dot(&g, v).abs() / a_max);
+            for g in self.acceleration(axis).iter() {
+                most = most.max(dot(g, v).abs() / a_max);
             }
-            let bracket = self.bracket(axis).map(|g| dot(&g, v));
+            let forms = self.bracket(axis);
             let mut worst = 0.0f64;
-            for f in [0.0, 0.25, 0.5, 0.75, 1.0] {
+            for k in 0..=8 {
+                let f = 0.125 * f64::from(k);
                 let (a, b, c) = ((1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f);
                 let x: f64 = (a * xs[0] + b * xs[1] + c * xs[2]).max(0.0);
-                let j = a * bracket[0] + b * bracket[1] + c * bracket[2];
+                let j = match *forms {
+                    // Of a quadratic every other place will do.
+                    [_, _, _] if k % 2 == 1 => continue,
+                    [p, q, r] => a * dot(&p, v) + b * dot(&q, v) + c * dot(&r, v),
+                    _ => {
+                        let share = |i: usize| {
+                            choose(4, i) * f.powi(i as i32) * (1.0 - f).powi(4 - i as i32)
+                        };
+                        forms.iter().enumerate().map(|(i, g)| share(i) * dot(g, v)).sum()
+                    }
+                };
                 worst = worst.max(j * j * x);
             }
             jerk = jerk.max(worst / (j_max * j_max));
@@ -252,7 +353,7 @@ impl Cell<'_> {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            let (q1, q2, q3) = (greatest(&axis.q1), greatest(&axis.q2), axis.q3.abs());
+            let (q1, q2, q3) = (greatest(&axis.q1), greatest(&axis.q2), greatest(&axis.q3));
             u = u.min(a_max / (q1 + 1.5 * h * q2));
             let jerk = q1 / (6.0 * h).sqrt() + 3.0 * q2 * (1.5 * h).sqrt() + q3 * (1.5 * h).powf(1.5);
             u = u.min((j_max / jerk).powf(2.0 / 3.0));

@@ -9,7 +9,7 @@
 
 use std::ops::Range;
 
-use super::cells::{dot, of_x};
+use super::cells::{SHARES_OF_X, dot, of_x};
 use super::rows::{Dual, Problem, Rows, Shares};
 use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
@@ -113,7 +113,10 @@ impl<'a> Relaxed<'a> {
         out.rows.extend(linear.iter().map(|g| Row { g: wide(*g), most: 1.0 }));
         for j in jerk {
             let mut g = wide(j.g);
-            g[SLOWNESS[j.b]] = -1.0;
+            // Between coefficients a slowness is at most the mean of theirs.
+            for (at, share) in SLOWNESS.into_iter().zip(SHARES_OF_X[j.b]).filter(|(_, share)| *share > 0.0) {
+                g[at] = -share;
+            }
             out.rows.push(Row { g, most: 0.0 });
         }
         out.rows.extend([Row { g: [0.0; 6], most: 0.0 }; 3]);

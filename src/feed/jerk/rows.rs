@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::artifact::Axes;
 
-use super::cells::{Cell, Derivatives, Limits, dot, greatest, of_x};
+use super::cells::{Cell, Derivatives, Limits, dot, greatest, mixed, of_x, places_of_x};
 
 /// The path between the end cells.
 pub(super) struct Problem<'a> {
@@ -56,7 +56,7 @@ impl Problem<'_> {
     }
 }
 
-/// The bracket of an axis' jerk over its limit, at Bernstein coefficient `b`: `g · v ≤ 1/√x`.
+/// The bracket of an axis' jerk over its limit, at place `b` of [`SHARES_OF_X`]: `g · v ≤ 1/√x`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jerk {
     pub b: usize,
@@ -96,13 +96,14 @@ impl Rows {
             for (axis, [_, a_max, j_max]) in
                 c.axes.iter().zip(limits.iter()).zip(active.iter()).filter_map(|(a, on)| on.then_some(a))
             {
-                for g in c.acceleration(axis) {
+                for g in c.acceleration(axis).iter() {
                     let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / a_max));
                     out.linear.extend(signed.into_iter().filter(|g| dot(g, v) > shares.accelerations));
                 }
-                for (b, g) in c.bracket(axis).into_iter().enumerate() {
+                let brackets = c.bracket(axis);
+                for (b, g) in places_of_x(brackets.len()).iter().copied().zip(brackets.iter()) {
                     let signed = [1.0, -1.0].map(|sign| g.map(|v| sign * v / j_max));
-                    let near = signed.into_iter().filter(|g| dot(g, v) * x[b].sqrt() > shares.others);
+                    let near = signed.into_iter().filter(|g| dot(g, v) * mixed(&x, b).sqrt() > shares.others);
                     out.jerk.extend(near.map(|g| Jerk { b, g }));
                 }
             }
@@ -145,10 +146,10 @@ pub(super) struct Dual {
     pub linear: [f64; 3],
     /// … and what they add up to at the limits.
     pub most: f64,
-    /// Of the jerk at each coefficient: factors of the coefficients.
-    pub jerk: [[f64; 3]; 3],
+    /// Of the jerk at each place of [`SHARES_OF_X`]: factors of the coefficients.
+    pub jerk: [[f64; 3]; 6],
     /// … and their sum, the factor of `−1/√x` there.
-    pub sum: [f64; 3],
+    pub sum: [f64; 6],
 }
 
 /// Adds a multiple of a row in `(x, u, w)` to one in the Bernstein coefficients of x.
@@ -162,7 +163,7 @@ fn add(to: &mut [f64; 3], factor: f64, g: &[f64; 3], h: f64) {
 /// Axes whose limits of acceleration or jerk may be reached in a cell. Where the limits of one axis
 /// bound `|u|` and `√x |w|` so much that another cannot reach its own, the other is left out.
 fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
-    let least = |q: &[f64; 3]| {
+    let least = |q: &[f64]| {
         let one_sign = q.iter().all(|v| *v > 0.0) || q.iter().all(|v| *v < 0.0);
         if one_sign { q.iter().fold(f64::INFINITY, |m, v| m.min(v.abs())) } else { 0.0 }
     };
@@ -171,16 +172,16 @@ fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
     let (mut u, mut w) = (f64::INFINITY, f64::INFINITY);
     let each = || p.axes.iter().zip(limits.iter());
     for (axis, [_, a_max, _]) in each() {
-        u = u.min((a_max + greatest(&axis.q2) * cap) / least(&axis.q1));
+        u = u.min((a_max + greatest(&axis.q2) * cap) / least(axis.first()));
     }
-    let rest = |axis: &Derivatives| 3.0 * greatest(&axis.q2) * u * speed + axis.q3.abs() * cap * speed;
+    let rest = |axis: &Derivatives| 3.0 * greatest(&axis.q2) * u * speed + greatest(&axis.q3) * cap * speed;
     for (axis, [_, _, j_max]) in each() {
-        w = w.min((j_max + rest(axis)) / least(&axis.q1));
+        w = w.min((j_max + rest(axis)) / least(axis.first()));
     }
     Axes::from_fn(limits.len(), |k| {
         let (axis, [_, a_max, j_max]) = (&p.axes[k], limits[k]);
         let q = greatest(&axis.q1);
-        if q == 0.0 && axis.q2 == [0.0; 2] {
+        if q == 0.0 && axis.q2 == [0.0; 4] {
             return false;
         }
         let (a, j) = (q * u + greatest(&axis.q2) * cap, q * w + rest(axis));

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::rows::{Rows, Shares};
 use super::*;
-use crate::numerics::spline::SplineEnds;
+use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Silent;
 
 fn limits() -> Limits {
@@ -11,7 +11,7 @@ fn limits() -> Limits {
 }
 
 /// Three axes along a circle with noise.
-fn curve(n: usize, noise: f64) -> CubicSpline {
+fn curve(n: usize, noise: f64) -> AxisCurve {
     let s: Vec<f64> = (0..n).map(|i| 0.1 * i as f64).collect();
     let wild = |i: usize, k: f64| noise * (i as f64 * k).sin();
     let q: Vec<f64> = s
@@ -22,7 +22,7 @@ fn curve(n: usize, noise: f64) -> CubicSpline {
             [wild(i, 12.9898), 20.0 * f.cos() + wild(i, 78.233), 20.0 * f.sin() + wild(i, 37.719), 0.0, 0.0]
         })
         .collect();
-    CubicSpline::new(&s, &q, 5, &SplineEnds::Natural).unwrap()
+    CubicSpline::new(&s, &q, 5, &SplineEnds::Natural).unwrap().into()
 }
 
 proptest! {

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::cells::{dot, jensen, of_x};
+use super::cells::{SHARES_OF_X, dot, jensen, mixed, of_x};
 use super::rows::{Dual, Jerk, Problem, Rows, Shares};
 use crate::numerics::stages::{self, Model, Options, Row, Stage};
 
@@ -158,6 +158,12 @@ fn ties(problem: &Problem, range: &Range<usize>, v: &[[f64; 3]]) -> Vec<Option<T
     out
 }
 
+/// The row of x at a place of [`SHARES_OF_X`], from those of its three coefficients.
+fn at_place(bernstein: &[[f64; 3]; 3], place: usize) -> [f64; 3] {
+    let shares = SHARES_OF_X[place];
+    std::array::from_fn(|c| (0..3).map(|b| shares[b] * bernstein[b][c]).sum())
+}
+
 impl Model<2, 3> for Window<'_> {
     fn refresh(&self, stage: usize, v: &[f64; 3], multipliers: &[f64], of: &mut Stage<2, 3>) {
         let Some(i) = stage.checked_sub(usize::from(self.range.start == 0)) else { return };
@@ -165,16 +171,24 @@ impl Model<2, 3> for Window<'_> {
         let whole = self.whole(i, v);
         let x: [f64; 3] = std::array::from_fn(|b| dot(&bernstein[b], &whole).max(self.floor[i][b]));
         let inverse = x.map(|x| 1.0 / x.sqrt());
+        let places: [f64; 6] = std::array::from_fn(|b| mixed(&x, b));
+        let inverses = places.map(|x| 1.0 / x.sqrt());
         // A jerk within 1/√x, by the tangent of that. Kept at the Bernstein coefficients it is kept
         // up to `jensen` between them.
         let share = 1.0 / jensen(x);
         let first = 3 + self.rows.linear(i).len();
         let mut sums = [0.0; 3];
         for (k, Jerk { b, g }) in (first..).zip(self.rows.jerk(i)) {
-            let slope = 0.5 * share * inverse[*b] / x[*b];
-            let g = std::array::from_fn(|c| g[c] + slope * bernstein[*b][c]);
-            of.rows[k] = self.tied(i, g, 1.5 * share * inverse[*b]);
-            sums[*b] += share * multipliers.get(k).copied().unwrap_or(0.0);
+            let slope = 0.5 * share * inverses[*b] / places[*b];
+            let row = if *b < 3 { bernstein[*b] } else { at_place(&bernstein, *b) };
+            let g = std::array::from_fn(|c| g[c] + slope * row[c]);
+            of.rows[k] = self.tied(i, g, 1.5 * share * inverses[*b]);
+            let sum = share * multipliers.get(k).copied().unwrap_or(0.0);
+            if *b < 3 {
+                sums[*b] += sum;
+            } else {
+                sums.iter_mut().zip(SHARES_OF_X[*b]).for_each(|(s, of)| *s += of * sum);
+            }
         }
         // The time to first order, the Lagrangian to second: the tangents bend against the time.
         let weights = self.problem.weights(self.range.start + i);

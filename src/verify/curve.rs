@@ -1,0 +1,247 @@
+//! The programmed curve of a plan: ball and tool along it, between cutter locations too.
+//!
+//! Nothing is taken from how the curve was made: it is what its rows say, polynomials of degree 5
+//! between locations ([`crate::artifact::programmed`]). Each is cut into parts so short that chords
+//! with θ even are within [`OFF_MM`] and [`OFF_RAD`] of it at the same parameter, by
+//! `h² max |c''|/8`. What is measured on the chords then holds on the curve but for that: distances
+//! to the part change by no more than the ball or the tool moves.
+//!
+//! | check | measured |
+//! | --- | --- |
+//! | `curve-gouge` | depth of the ball in the part along the curve, as `gouge` |
+//! | `curve-chord` | greatest distance of straight moves from location to location from the curve |
+//! | `curve-scallop` | 99th percentile of the heights over the part under the ball along the curve |
+//! | `curve-clearance` | how much less than asked for the tool without its ball keeps from part, fixtures and stock |
+//! | `curve-theta` | how far θ turns back, or lies outside the channel with walls straight between locations |
+//! | `curve-joints` | greatest jump of a third derivative at a location within the curve, as a share of the greatest there is |
+
+use rayon::prelude::*;
+
+use super::apart::Apart;
+use super::clearance::{self, Track};
+use super::height::percentile;
+use super::options::VerifyOptions;
+use super::sweep::Sweep;
+use super::{gouge, scallop};
+use crate::artifact::programmed::Polynomial;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, CheckId, Plan, ProgrammedCurve, Stand, Toolpath};
+use crate::geometry::Point;
+use crate::geometry::allowance::Allowed;
+use crate::tool::Segment;
+
+/// Chords of the curve are off it by at most this, mm, but for pieces that would take too many.
+const OFF_MM: f64 = 1e-4;
+/// The same of θ, rad.
+const OFF_RAD: f64 = 1e-5;
+/// Chords of one polynomial at most.
+const MOST_CHORDS: usize = 64;
+/// Third derivatives at a joint may differ by this share of the greatest.
+const JUMP: f64 = 0.01;
+
+/// A curve as chords.
+struct Chords {
+    stands: Vec<Stand>,
+    contacts: Vec<Point>,
+    /// Location that each stand is at or behind.
+    rows: Vec<usize>,
+    /// Chords are off the curve by at most this, mm and rad, at the same parameter.
+    off: [f64; 2],
+}
+
+impl Chords {
+    fn of(path: &Toolpath, theta: &[f64], curve: &ProgrammedCurve) -> Chords {
+        let l = &path.locations;
+        let all: Vec<Stand> = path.stands(theta).collect();
+        let polynomials: Vec<Option<Polynomial>> =
+            (0..l.len()).into_par_iter().with_min_len(256).map(|k| curve.polynomial(path, theta, k)).collect();
+        let mut out = Chords { stands: Vec::new(), contacts: Vec::new(), rows: Vec::new(), off: [0.0; 2] };
+        for (k, polynomial) in polynomials.iter().enumerate() {
+            let mut put = |stand: Stand, contact: Point| {
+                out.stands.push(stand);
+                out.contacts.push(contact);
+                out.rows.push(k);
+            };
+            put(all[k], l[k].contact);
+            let Some(p) = polynomial else { continue };
+            let [bend, turn] = p.greatest(2).map(|d| d * p.length_mm * p.length_mm / 8.0);
+            let parts = (bend / OFF_MM).max(turn / OFF_RAD).sqrt().ceil().clamp(1.0, MOST_CHORDS as f64);
+            out.off = [out.off[0].max(bend / (parts * parts)), out.off[1].max(turn / (parts * parts))];
+            for j in 1..parts as usize {
+                let share = j as f64 / parts;
+                let at = p.at(share);
+                let stand = Stand { centre: at.point(), theta: at.theta[0], ..all[k] };
+                put(stand, l[k].contact + (l[k + 1].contact - l[k].contact) * share);
+            }
+        }
+        out
+    }
+
+    fn sweep(&self, path: &Toolpath) -> Sweep {
+        let centres = self.stands.iter().map(|s| s.centre).collect();
+        let turns = self.rows.iter().map(|k| path.locations[*k].turn).collect();
+        Sweep::of(centres, self.contacts.clone(), turns, path.radius_mm, None)
+    }
+
+    /// No point of the segments moves by more than this between curve and chord, mm.
+    fn off_at(&self, a: &Apart) -> f64 {
+        let far = |s: &Segment| s.z1.abs().max(s.z0.abs()).hypot(s.r0.max(s.r1));
+        self.off[0] + a.segments.iter().map(far).fold(0.0, f64::max) * self.off[1]
+    }
+}
+
+/// Moves between two locations, by their first, on which the tool may come nearer to something than
+/// passes its check, on the curve or on a straight move from location to location.
+pub fn short_on_curve(
+    path: &Toolpath,
+    theta: &[f64],
+    curve: &ProgrammedCurve,
+    apart: &[Apart],
+    options: &VerifyOptions,
+) -> Vec<usize> {
+    let mut out = clearance::short_moves(path, theta, apart, options);
+    let chords = Chords::of(path, theta, curve);
+    for a in apart {
+        let short = clearance::short_stands(&chords.stands, a, chords.off_at(a), options);
+        out.extend(short.into_iter().map(|k| chords.rows[k]));
+    }
+    out.sort_unstable();
+    out.dedup();
+    out
+}
+
+/// The checks of this module; none where the plan has no curve.
+pub(super) fn check(
+    plan: &Plan,
+    blade: &Blade,
+    part: &Allowed,
+    apart: &[Apart],
+    options: &VerifyOptions,
+) -> Vec<Check> {
+    let Some(curve) = &plan.curve else { return Vec::new() };
+    let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
+    let chords = Chords::of(path, theta, curve);
+    let sweep = chords.sweep(path);
+    let of_ball = [gouges(plan, blade, part, (&chords, &sweep), options), chord(plan, blade, curve)];
+    let of_rest = [
+        heights(plan, blade, part, (&chords, &sweep), options),
+        keeps_clear(plan, blade, apart, &chords, options),
+        turning(plan, blade, curve, options),
+        joints(plan, blade, curve),
+    ];
+    of_ball.into_iter().chain(of_rest).collect()
+}
+
+fn gouges(
+    plan: &Plan,
+    blade: &Blade,
+    part: &Allowed,
+    (chords, sweep): (&Chords, &Sweep),
+    options: &VerifyOptions,
+) -> Check {
+    let g = gouge::measure(part, sweep, options.settings.resolution_mm);
+    let bound = g.bound_mm.max(g.found_mm).max(0.0) + chords.off[0];
+    let note = format!("measured {:.6}, nowhere deeper than {bound:.6}", g.found_mm.max(0.0));
+    let quantity = "depth of the ball in the part along the programmed curve";
+    let check = Check::at_most(CheckId::CurveGouge, quantity, bound, options.settings.gouge_mm, "mm", note);
+    check.at_location(chords.rows[g.segment], plan, blade)
+}
+
+fn chord(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
+    let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
+    let off = |k: usize| {
+        let p = curve.polynomial(path, theta, k);
+        p.map_or(0.0, |p| p.greatest(2)[0] * p.length_mm * p.length_mm / 8.0)
+    };
+    let (worst, row) = greatest((0..theta.len()).map(off));
+    let quantity = "distance of straight moves between locations from the programmed curve, at most";
+    let check = Check::at_most(CheckId::CurveChord, quantity, worst, path.chord_mm, "mm", String::new());
+    check.at_location(row, plan, blade)
+}
+
+/// Greatest value and its place, the first of equals.
+fn greatest(values: impl Iterator<Item = f64>) -> (f64, usize) {
+    values.enumerate().fold((0.0, 0), |best, (k, v)| if v > best.0 || v.is_nan() { (v, k) } else { best })
+}
+
+fn heights(
+    plan: &Plan,
+    blade: &Blade,
+    part: &Allowed,
+    (chords, sweep): (&Chords, &Sweep),
+    options: &VerifyOptions,
+) -> Check {
+    let band = scallop::heights(part, sweep, options.scallop_mm, options.settings.surface_samples as usize);
+    let most = percentile(&band.heights, 0.99) + chords.off[0];
+    let limit = options.settings.scallop_ratio * options.scallop_mm;
+    let at = band.heights.get(((band.heights.len() as f64 * 0.99) as usize).min(band.heights.len().max(1) - 1));
+    let note = format!("at {} samples", band.heights.len());
+    let quantity = "99th percentile of the height left over the part along the programmed curve";
+    let check = Check::at_most(CheckId::CurveScallop, quantity, most, limit, "mm", note);
+    check.at_location(at.map_or(0, |h| chords.rows[h.row.min(chords.rows.len() - 1)]), plan, blade)
+}
+
+fn keeps_clear(plan: &Plan, blade: &Blade, apart: &[Apart], chords: &Chords, options: &VerifyOptions) -> Check {
+    let track = Track { stands: &chords.stands, wanted: None };
+    let mut worst = (f64::NEG_INFINITY, 0, String::new());
+    for a in apart {
+        let limit = options.least_clearance(a.asked_mm);
+        let kept = clearance::kept(track, a.part, &a.segments, limit, options);
+        let least = kept.least_mm - chords.off_at(a);
+        if limit - least > worst.0 {
+            let who = if a.is_holder { "holder" } else { "taper and shank" };
+            let note = format!("{who} to {}: nowhere less than {least:.6} mm, {limit:.6} needed", a.named(kept.face));
+            worst = (limit - least, chords.rows[kept.near.row.min(chords.rows.len() - 1)], note);
+        }
+    }
+    let quantity = "how much less than needed the tool without its ball keeps along the programmed curve";
+    let check = Check::at_most(CheckId::CurveClearance, quantity, worst.0.max(0.0), 0.0, "mm", worst.2);
+    check.at_location(worst.1, plan, blade)
+}
+
+fn turning(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve, options: &VerifyOptions) -> Check {
+    let (path, theta, rows) = (&plan.toolpath, &plan.schedule.theta, &plan.channel.rows);
+    let forward = if theta[theta.len() - 1] >= theta[0] { 1.0 } else { -1.0 };
+    let off = |k: usize| {
+        let Some(p) = curve.polynomial(path, theta, k) else { return 0.0 };
+        let o = p.ordinates.map(|o| o[3]);
+        let back = o.windows(2).map(|w| (w[0] - w[1]) * forward).fold(0.0, f64::max);
+        let (a, b) = (&rows[k], &rows[k + 1]);
+        let outside = |(j, theta): (usize, &f64)| {
+            let share = j as f64 / 5.0;
+            let wall = |a: f64, b: f64| a + (b - a) * share;
+            (wall(a.theta_min, b.theta_min) - theta).max(theta - wall(a.theta_max, b.theta_max))
+        };
+        // At locations `theta-channel` judges; between them the walls are only known to this.
+        let outside = o.iter().enumerate().map(outside).fold(0.0, f64::max) - plan.channel.tolerance_rad;
+        back.max(outside).to_degrees()
+    };
+    let (worst, row) = greatest((0..theta.len()).map(off));
+    let quantity = "how far θ turns back, or lies outside the channel, along the programmed curve, degrees";
+    let limit = options.angle_tolerance_deg;
+    Check::at_most(CheckId::CurveTheta, quantity, worst, limit, "deg", String::new()).at_location(row, plan, blade)
+}
+
+fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
+    let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
+    let thirds: Vec<Option<[[f64; 4]; 2]>> = (0..theta.len())
+        .map(|k| {
+            let p = curve.polynomial(path, theta, k)?;
+            Some([0.0, 1.0].map(|share| {
+                let at = p.at(share);
+                [at.centre[3][0], at.centre[3][1], at.centre[3][2], at.theta[3]]
+            }))
+        })
+        .collect();
+    let size = |v: &[f64; 4]| [(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt(), v[3].abs()];
+    let most = thirds.iter().flatten().flatten().map(size).fold([0.0f64; 2], |m, v| [m[0].max(v[0]), m[1].max(v[1])]);
+    let jump = |w: &[Option<[[f64; 4]; 2]>]| {
+        let (Some([_, a]), Some([b, _])) = (&w[0], &w[1]) else { return 0.0 };
+        let [c, t] = size(&std::array::from_fn(|k| a[k] - b[k]));
+        (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE))
+    };
+    let (worst, before) = greatest(thirds.windows(2).map(jump));
+    let note = format!("greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³", most[0], most[1]);
+    let quantity = "jump of a third derivative at a location along the programmed curve, as a share of the greatest";
+    Check::at_most(CheckId::CurveJoints, quantity, worst, JUMP, "", note).at_location(before + 1, plan, blade)
+}
