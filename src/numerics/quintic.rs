@@ -15,6 +15,8 @@ pub const ORDER: usize = 6;
 /// any breaks: `k 2^k` with the order `k` (Scherer and Shadrin 1999, "New upper bound for the
 /// B-spline basis condition number II", J. Approx. Theory 99).
 pub const CONDITION: f64 = 384.0;
+/// Binomial coefficients of the degree.
+pub const CHOOSE: [f64; ORDER] = [1.0, 5.0, 10.0, 10.0, 5.0, 1.0];
 /// A linear map from the control values of a span to numbers of the same count.
 pub type Map = [[f64; ORDER]; ORDER];
 

@@ -112,6 +112,16 @@ impl Numbers {
     }
 }
 
+/// How a smooth curve is written as polynomials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CurveNumbers {
+    /// Digits after the point of lengths and angles, 5 to 9: derivatives at joints are as good as these.
+    pub decimals: usize,
+    /// Longest line then.
+    pub longest_line: usize,
+}
+
 /// The sections of a program as they stand in the file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -218,6 +228,9 @@ pub struct PostFile {
     pub numbering: Option<Numbering>,
     /// How numbers are written.
     pub numbers: Numbers,
+    /// Where cuts are polynomials and the plan has a smooth curve: more digits, and the longer lines that they take.
+    #[serde(default)]
+    pub curve: Option<CurveNumbers>,
     /// The program.
     pub text: Text,
 }
@@ -292,6 +305,18 @@ impl Dialect {
     /// As [`Dialect::from_toml`]; the built-in files pass.
     pub fn built_in(control: Control) -> Result<Self> {
         Self::from_toml(control.post_file(), "built-in post file")
+    }
+
+    /// As it is for a plan with a smooth curve.
+    pub(super) fn on_curve(&self) -> std::borrow::Cow<'_, Dialect> {
+        let Some(curve) = self.file.curve.filter(|_| self.file.poly_degree.is_some()) else {
+            return std::borrow::Cow::Borrowed(self);
+        };
+        let mut finer = self.clone();
+        finer.file.numbers.length_decimals = curve.decimals;
+        finer.file.numbers.angle_decimals = curve.decimals;
+        finer.file.longest_line = curve.longest_line;
+        std::borrow::Cow::Owned(finer)
     }
 
     /// Reads the text of a post file; `origin` names it in messages.
@@ -436,6 +461,14 @@ impl PostFile {
         ] {
             if !range.contains(&digits) {
                 return no(&format!("numbers.{name} is {digits}, it must be {} to {}", range.start(), range.end()));
+            }
+        }
+        if let Some(curve) = &self.curve {
+            if !(5..=9).contains(&curve.decimals) {
+                return no(&format!("curve.decimals is {}, it must be 5 to 9", curve.decimals));
+            }
+            if !(40..=1000).contains(&curve.longest_line) {
+                return no("curve.longest_line must be 40 to 1000");
             }
         }
         if let Some(what) = self.ranges_do_not_fit().or_else(|| self.look_ahead_is_lost()) {

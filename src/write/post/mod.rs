@@ -42,6 +42,7 @@ mod moves;
 mod polynomial;
 mod settings;
 mod smoothing;
+mod spline;
 mod template;
 #[cfg(test)]
 mod tests;
@@ -192,6 +193,9 @@ pub fn join(
     let Some(start) = runs.first() else {
         return Err(Error::usage(Stage::Post, "there is no operation to write"));
     };
+    let on_curve = written.iter().any(|p| p.curve.is_some());
+    let finer = if on_curve { dialect.on_curve() } else { Cow::Borrowed(dialect) };
+    let dialect: &Dialect = &finer;
     let mut file_name = dialect.file_name().to_owned();
     if let Some(turn) = start.options.from_turn {
         file_name = format!("from_turn_{turn}.{file_name}");

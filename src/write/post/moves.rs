@@ -39,6 +39,9 @@ pub(super) struct Move {
     pub(super) stretch: Stretch,
     /// How its words bend on the way.
     pub(super) bend: Option<WordBends>,
+    /// Its words where they are not to the last digit those of the stand, mm and degrees, a column
+    /// for each axis of the machine, those of X, Y, Z being the programmed point.
+    pub(super) words: Option<Axes>,
 }
 
 impl Move {
@@ -50,6 +53,7 @@ impl Move {
             t_s,
             stretch,
             bend: None,
+            words: None,
         };
         plan.rows().zip(plan.axes()).map(one)
     }

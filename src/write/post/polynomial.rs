@@ -17,16 +17,21 @@
 //! curve's pieces, or halved on a long turn. With `p` up to 1, rounding of the `aₖ` counts no more
 //! than that of the ends.
 //!
-//! **Not carried**: corners of the path of ball centres at the locations stay, since the straight
+//! A plan with a programmed curve is written piece by piece ([`super::spline`]) where the control
+//! takes the fifth degree; with a lesser one every way between two locations follows the curve.
+//!
+//! **Not carried**: without a programmed curve, corners of the path of ball centres at the locations stay, since the straight
 //! moves between them are what was checked; θ on leads goes evenly from row to row as it was
 //! planned.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::OperationRun;
+use super::spline;
 use super::moves::{Move, WordBends};
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
+use crate::numerics::quintic::DEGREE;
 
 /// A polynomial is at most this far off its word, mm: half of what reading back allows.
 const OFF_MM: f64 = 5e-4;
@@ -41,7 +46,7 @@ const MOST_HALVINGS: usize = 12;
 
 /// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X,
 /// Y, Z being the programmed point.
-pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + 'a;
+pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + Sync + 'a;
 
 /// Solves for the coefficients of a degree.
 struct Fit {
@@ -148,16 +153,22 @@ pub(super) fn all(run: &OperationRun, degree: usize, words: &Words) -> Result<Ve
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
     let most_off: Vec<f64> = run.machine.axes().iter().map(|a| if a.is_rotary() { OFF_DEG } else { OFF_MM }).collect();
+    let one = |motion: &Motion, row: usize, from: &Move, to: &Move, words: &Words| {
+        let mut out = Vec::new();
+        let way = RowWay { from: *from, to: *to, motion, row, words, most_off: &most_off };
+        way.write(&fit, [0.0, 1.0], 0, &mut out)?;
+        Ok(out)
+    };
+    if let Some(curve) = plan.curve.as_ref().filter(|_| degree == DEGREE) {
+        return spline::all(run, curve, words, one);
+    }
     let motion = Motion::of(plan);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     let mut from: Option<Move> = None;
     for (k, next) in Move::rows(plan).enumerate() {
         match from {
             None => out.push(next),
-            Some(from) => {
-                let way = RowWay { from, to: next, motion: &motion, row: k - 1, words, most_off: &most_off };
-                way.write(&fit, [0.0, 1.0], 0, &mut out)?;
-            }
+            Some(from) => out.extend(one(&motion, k - 1, &from, &next, words)?),
         }
         from = Some(next);
     }

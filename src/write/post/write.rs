@@ -327,11 +327,18 @@ impl<'a> Writer<'a> {
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
-        for Move { stand, near, t_s, stretch: next, bend } in &moves {
+        for Move { stand, near, t_s, stretch: next, bend, words } in &moves {
             if *next == Stretch::LeadOut {
                 stretch = *next;
             }
-            let placed = self.placed(stand, near);
+            let mut placed = self.placed(stand, near);
+            if let Some(words) = words {
+                placed.point = self.run.machine.linear().map(|k| words[k]);
+                placed.a_deg = words[self.run.machine.turning_axis()];
+                if let Some(k) = self.leaning() {
+                    placed.axes[k] = words[k].to_radians();
+                }
+            }
             let before = self.stands;
             self.take(&placed, bend.as_ref())?;
             let position = self.position(lines)?;
