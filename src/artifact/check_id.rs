@@ -89,6 +89,7 @@ checks! {
     "program-centre" ProgramCentre "ball centres after lines of a program.",
     "program-direction" ProgramDirection "tool axes after lines of a program.",
     "program-curve" ProgramCurve "tool axes within polynomial lines.",
+    "program-joints" ProgramJoints "derivatives where polynomial lines meet.",
     "program-chord" ProgramChord "ball centres within lines.",
     "program-missing" ProgramMissing "cutter locations that a program does not come by.",
     "program-rapids" ProgramRapids "the tool to the part in rapids.",
@@ -133,6 +134,7 @@ impl CheckId {
             Id::ProgramCentre
                 | Id::ProgramDirection
                 | Id::ProgramCurve
+                | Id::ProgramJoints
                 | Id::ProgramChord
                 | Id::ProgramMissing
                 | Id::ProgramRapids

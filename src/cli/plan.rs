@@ -11,7 +11,7 @@ use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{Draft, JobFile};
 use crate::make::BladeDesign;
-use crate::run::summary::{ScheduleFigures, StoppedFigures, Summary};
+use crate::run::summary::{ScheduleFigures, SmoothFigures, StoppedFigures, Summary};
 use crate::run::{self, Course, Outcome, inputs};
 
 /// Runs the verb; the exit code.
@@ -144,6 +144,9 @@ fn print_summary(s: &Summary) {
     if !s.limits_assumed.is_empty() {
         row("  limits assumed, not measured", s.limits_assumed.join(" "));
     }
+    if let Some(smooth) = &s.smooth {
+        print_smooth(smooth, s.cutter_locations);
+    }
     row("worst gouge", format!("{:.4} mm", s.gouge_mm));
     row("worst scallop", format!("{:.4} mm (asked {} mm)", s.scallop_max_mm, s.scallop_asked_mm));
     row("scallop, 99th percentile", format!("{:.4} mm", s.scallop_p99_mm));
@@ -165,6 +168,22 @@ fn print_summary(s: &Summary) {
         pair("reversals", &|x| x.reversals.to_string());
         pair("locations outside the channel", &|x| x.outside_channel.to_string());
         pair("time within the machine's limits", &|x| minutes(x.machining_time_s));
+    }
+}
+
+/// What the smooth curve gains.
+fn print_smooth(s: &SmoothFigures, locations: usize) {
+    let share = |now: f64, before: f64| if before > 0.0 { 100.0 * (now / before - 1.0) } else { 0.0 };
+    let time = share(s.time_s, s.time_before_s);
+    row("smooth curve", format!("{} before, {time:+.1} %", minutes(s.time_before_s)));
+    row("  pieces", format!("{} for {} locations; in straight moves {locations}", s.pieces, s.locations_before));
+    for jerk in s.jerk.iter().filter(|j| j.before > 0.0 || j.now > 0.0) {
+        let times = if jerk.now > 0.0 { format!(", 1/{:.1}", jerk.before / jerk.now) } else { String::new() };
+        let name = format!("  jerk of {} at full feed", jerk.axis);
+        row(&name, format!("{:.0}, before {:.0} per s³{times}", jerk.now, jerk.before));
+    }
+    if s.left_places > 0 {
+        row("  left as it is", format!("{:.1} mm in {} places", s.left_mm, s.left_places));
     }
 }
 

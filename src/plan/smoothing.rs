@@ -24,8 +24,13 @@ use crate::observe::{Doubt, Observer, Silent, Warning, timed};
 use crate::smooth::{self, Objective};
 use crate::verify;
 
-/// How often places are given up before the whole path stays as it is.
-const ROUNDS: usize = 4;
+/// How often the curve is made anew, nearer to the path at places where it does not keep clear, …
+const NEARER: usize = 3;
+/// … each time with this share of the room there, and so far around them, mm.
+const SHARE: f64 = 0.2;
+const AROUND_MM: f64 = 1.0;
+/// How often places are given up then, before the whole path stays as it is.
+const ROUNDS: usize = 3;
 /// Share of the chord tolerance that straight moves from row to row take.
 const CHORD: f64 = 0.9;
 /// In hollows they take so much of it, as the path's own locations do: there they leave ridges.
@@ -73,15 +78,19 @@ pub(super) fn smoothed(
         return given_up("tool axes are on another cone at each location".into());
     }
     let (options, objective) = (setup.smooth_options(), Objective::Part);
-    let Before { path, channel, schedule } = before;
-    let found = timed(observer, Stage::Smooth, || {
-        smooth::plan(&setup.blade.part, path, channel, schedule, &objective, &options, observer)
-    })?;
-    if found.stretches.is_empty() {
-        return given_up(longest(&found.left).map_or("it is too short".into(), |l| l.why.to_string()));
-    }
+    let Before { path: old, channel: walls, schedule } = before;
+    let mut shares = vec![1.0; old.locations.len()];
+    let make = |shares: &[f64]| {
+        timed(observer, Stage::Smooth, || {
+            smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, &options, shares, observer)
+        })
+    };
+    let mut found = make(&shares)?;
     let mut kept: Vec<[f64; 2]> = Vec::new();
-    for _ in 0..ROUNDS {
+    for round in 0..NEARER + ROUNDS {
+        if found.stretches.is_empty() {
+            return given_up(longest(&found.left).map_or("it is too short".into(), |l| l.why.to_string()));
+        }
         let laid = Laid { setup, before, found: &found, kept: &kept };
         let Some((path, schedule, curve)) = timed(observer, Stage::Smooth, || laid.out()) else {
             return given_up("the part is nowhere near".into());
@@ -90,14 +99,22 @@ pub(super) fn smoothed(
             Err(e) if e.kind == ErrorKind::Infeasible => return given_up(format!("on the curve {}", e.message)),
             channel => channel?,
         };
-        let bad = timed(observer, Stage::Smooth, || Ok(not_clear(setup, &path, &schedule, &channel, &curve)))?;
+        let bad = timed(observer, Stage::Smooth, || not_clear(setup, &path, &schedule, &channel, &curve));
         if bad.is_empty() {
             let curve = compared(setup, before, motion, (&path, &schedule), curve)?;
             told(&curve, &before, observer);
             return Ok(Some(Made { path, channel, schedule, curve }));
         }
         observer.check(Stage::Smooth)?;
-        kept.extend(bad);
+        if round + 1 < NEARER {
+            for (l, share) in old.locations.iter().zip(&mut shares) {
+                let is_near = |[a, b]: &[f64; 2]| l.s_mm > a - AROUND_MM && l.s_mm < b + AROUND_MM;
+                *share *= if bad.iter().any(is_near) { SHARE } else { 1.0 };
+            }
+            found = make(&shares)?;
+        } else {
+            kept.extend(bad);
+        }
     }
     given_up("θ leaves the channel, or the tool comes too near to something, at ever more places".into())
 }
@@ -245,7 +262,8 @@ impl Laid<'_> {
         let turns = turns(&mut locations, starts.len());
         let theta: Vec<f64> = rows.iter().map(|r| r.1).collect();
         let rows: Vec<CurveRow> = rows.into_iter().map(|r| r.2).collect();
-        let path = Toolpath { turns, locations, ..old.clone() };
+        let region_x_mm = heights(&turns, &locations, old.region_x_mm);
+        let path = Toolpath { turns, locations, region_x_mm, ..old.clone() };
         let mut left = self.found.left.clone();
         left.extend(given_up.into_iter().map(|s_mm| LeftAsIs { s_mm, why: WhyLeft::NotClear }));
         left.sort_by(|a, b| a.s_mm[0].total_cmp(&b.s_mm[0]));
@@ -420,6 +438,20 @@ fn and(a: CurveProof, b: CurveProof) -> CurveProof {
         bound_of_any: None,
         theta_square: a.theta_square + b.theta_square,
         theta_bound: a.theta_bound + b.theta_bound,
+    }
+}
+
+/// Heights of the first and last ball centres: the outermost of the first and the last turn.
+fn heights(turns: &[Turn], locations: &[CutterLocation], before: [f64; 2]) -> [f64; 2] {
+    let of = |turn: Option<&Turn>, most: fn(f64, f64) -> f64, start: f64| {
+        let rows = turn.and_then(|t| locations.get(t.first..t.first + t.count)).unwrap_or_default();
+        rows.iter().map(|l| l.centre.x).fold(start, most)
+    };
+    let [first, last] = [turns.first(), turns.last()];
+    if before[0] >= before[1] {
+        [of(first, f64::max, f64::NEG_INFINITY), of(last, f64::min, f64::INFINITY)]
+    } else {
+        [of(first, f64::min, f64::INFINITY), of(last, f64::max, f64::NEG_INFINITY)]
     }
 }
 

@@ -201,7 +201,9 @@ pub fn preview_again(
         program = again.first;
     }
     let figures = compare(setup, plan, &baseline)?;
-    let mut summary = json_of(&summary::summary(&setup.blade.name, plan, &report, figures))?;
+    let mut figures = summary::summary(&setup.blade.name, plan, &report, figures);
+    figures.smooth = summary::smooth_figures(plan, setup.machine.axes());
+    let mut summary = json_of(&figures)?;
     let before = folder.existing("summary.json").and_then(|t| serde_json::from_str::<Value>(&t).ok());
     for key in ["other_paths", "programs"] {
         if let Some(known) = before.as_ref().and_then(|b| b.get(key)) {

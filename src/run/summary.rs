@@ -86,6 +86,60 @@ pub fn program_figures(program: &Program) -> ProgramFigures {
     }
 }
 
+/// Greatest jerk of an axis at the programmed feed held constant.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct SmoothedJerk {
+    /// Axis.
+    pub axis: String,
+    /// Of the path as it was, on a spline through its locations: mm or degrees per second cubed.
+    pub before: f64,
+    /// Of the curve.
+    pub now: f64,
+}
+
+/// What a smooth curve gains over the path that it was made from.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct SmoothFigures {
+    /// Length of the path that stays as it is, mm.
+    pub left_mm: f64,
+    /// Places where it does.
+    pub left_places: usize,
+    /// The ball is nowhere deeper in the part on the curve, mm: proved when it was made.
+    pub inwards_mm: f64,
+    /// Nowhere farther off it, mm.
+    pub outwards_mm: f64,
+    /// Cutter locations before; now they are places of the curve.
+    pub locations_before: usize,
+    /// Pieces of the curve and straight moves.
+    pub pieces: usize,
+    /// Machining time before, s.
+    pub time_before_s: f64,
+    /// Machining time on the curve, s.
+    pub time_s: f64,
+    /// Jerk of each axis.
+    pub jerk: Vec<SmoothedJerk>,
+}
+
+/// What the curve of a plan gains; `None` without one.
+pub fn smooth_figures(plan: &Plan, axes: &[Axis]) -> Option<SmoothFigures> {
+    let curve = plan.curve.as_ref()?;
+    let jerk = axes.iter().enumerate().filter_map(|(k, axis)| {
+        let [before, now] = [curve.before.jerk.get(k), curve.before.jerk_now.get(k)];
+        Some(SmoothedJerk { axis: axis.name.clone(), before: axis.shown(*before?), now: axis.shown(*now?) })
+    });
+    Some(SmoothFigures {
+        left_mm: curve.left.iter().map(|l| l.s_mm[1] - l.s_mm[0]).sum(),
+        left_places: curve.left.len(),
+        inwards_mm: curve.proof.inwards_mm,
+        outwards_mm: curve.proof.outwards_mm,
+        locations_before: curve.before.locations,
+        pieces: curve.blocks(),
+        time_before_s: curve.before.time_s,
+        time_s: plan.motion.time_s,
+        jerk: jerk.collect(),
+    })
+}
+
 /// The summary.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Summary {
@@ -144,6 +198,9 @@ pub struct Summary {
     pub channel_monotone_min_deg: f64,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
+    /// What the smooth curve gains; absent without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<SmoothFigures>,
     /// Axes whose velocity, acceleration and jerk are assumed: with them every time above and
     /// below.
     #[serde(default)]
@@ -288,6 +345,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         channel_narrowest_row: width.narrowest_row,
         channel_monotone_min_deg: width.monotone_deg,
         schedules,
+        smooth: None,
         limits_assumed: Vec::new(),
         programs: Vec::new(),
         passed: report.passed(),

@@ -115,10 +115,34 @@ pub fn plan(
     options: &SmoothOptions,
     observer: &dyn Observer,
 ) -> Result<Curve> {
+    plan_near(part, path, channel, schedule, objective, options, &vec![1.0; path.locations.len()], observer)
+}
+
+/// As [`plan`], nearer to the path at some locations: `shares` of the room across the path and of
+/// the angle from the schedule, one for each location, greater than 0 and at most 1.
+///
+/// # Errors
+/// As [`plan`], and where shares are not as many as locations, or out of their limits.
+#[allow(clippy::too_many_arguments)]
+pub fn plan_near(
+    part: &Part,
+    path: &Toolpath,
+    channel: &Channel,
+    schedule: &Schedule,
+    objective: &Objective,
+    options: &SmoothOptions,
+    shares: &[f64],
+    observer: &dyn Observer,
+) -> Result<Curve> {
     options.validate()?;
     validate(path, channel, schedule)?;
+    if shares.len() != path.locations.len() || !shares.iter().all(|s| *s > 0.0 && *s <= 1.0) {
+        let message = "shares of the room must be greater than 0, at most 1, and one for each location";
+        return Err(Error::usage(Stage::Smooth, message));
+    }
     let part = Allowed::new(part, path.stock_mm);
-    let room = room::of(path, options, KEPT);
+    let mut room = room::of(path, options, KEPT);
+    room.iter_mut().zip(shares).for_each(|(r, share)| r.across_mm *= share);
     let whole = path.locations.len();
     let mut curve = Curve::default();
     let mut open: Vec<(Range<usize>, usize)> = Vec::new();
@@ -140,7 +164,8 @@ pub fn plan(
             continue;
         }
         let joined = [range.start > 0, range.end < whole];
-        let stretch = self::stretch(&part, path, channel, schedule, &room, range.clone(), joined, objective, options);
+        let all = (path, channel, schedule);
+        let stretch = self::stretch(&part, all, (&room, shares), range.clone(), joined, objective, options);
         match stretch.smooth() {
             Some(Ok(found)) => curve.stretches.push(found),
             Some(Err(broken)) if cuts < MOST_CUTS && !broken.is_empty() => {
@@ -162,13 +187,10 @@ pub fn plan(
     Ok(curve)
 }
 
-#[allow(clippy::too_many_arguments)]
 fn stretch<'a>(
     part: &'a Allowed<'a>,
-    path: &'a Toolpath,
-    channel: &'a Channel,
-    schedule: &'a Schedule,
-    room: &'a [Room],
+    (path, channel, schedule): (&'a Toolpath, &'a Channel, &'a Schedule),
+    (room, shares): (&'a [Room], &'a [f64]),
     range: Range<usize>,
     joined: [bool; 2],
     objective: &'a Objective<'a>,
@@ -176,7 +198,13 @@ fn stretch<'a>(
 ) -> Stretch<'a> {
     let locations = &path.locations[range.clone()];
     let turning =
-        Turning { locations, walls: &channel.rows[range.clone()], theta: &schedule.theta[range.clone()], joined };
+        Turning {
+            locations,
+            walls: &channel.rows[range.clone()],
+            theta: &schedule.theta[range.clone()],
+            shares: &shares[range.clone()],
+            joined,
+        };
     Stretch { part, radius_mm: path.radius_mm, locations, room: &room[range], turning, options, objective }
 }
 

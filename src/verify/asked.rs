@@ -27,6 +27,8 @@ const SAME: f64 = 1e-9;
 const CHORDS: f64 = 10.0;
 /// ... and at its beginning, which slants with the end, within so many stepovers on flat ground.
 const STEPOVERS: f64 = 3.0;
+/// A smooth curve is beside the path that it was made from by no more than this share of that.
+const BESIDE: f64 = 0.05;
 /// A wall that ends the path leans by the greatest lean, but for this, rad: places of a turn are
 /// some tenths of a stepover apart.
 const LEAN_RAD: f64 = 0.1;
@@ -95,8 +97,11 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let (upper, lower) = if climbs { (first, last) } else { (last, first) };
     let (top, bottom) = (heights(&path.locations, upper), heights(&path.locations, lower));
     let (r, h) = (asked.radius_mm, options.scallop_mm);
-    let room = STEPOVERS * 2.0 * (h * (2.0 * r - h)).max(0.0).sqrt();
-    let close = CHORDS * asked.chord_mm;
+    let stepover = 2.0 * (h * (2.0 * r - h)).max(0.0).sqrt();
+    let room = STEPOVERS * stepover;
+    // A smooth curve leaves the path across it by a share of the stepover.
+    let beside = if plan.curve.is_some() { BESIDE * stepover } else { 0.0 };
+    let close = CHORDS * asked.chord_mm + beside;
     // How far over what is allowed, and what to say of it.
     let mut found: Vec<(f64, usize, String)> = Vec::new();
     let (hi, lo) = (top[2], bottom[0]);

@@ -7,7 +7,8 @@ use nalgebra::Vector4;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckId, Cone, Motion, Plan, Stand};
+use super::joints::{self, WorstJoint};
+use crate::artifact::{Blade, CheckId, Cone, Motion, Plan, ProgrammedCurve, Stand};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
@@ -75,6 +76,11 @@ struct Comparison<'a> {
     chord: WorstLine,
     missing: WorstLine,
     feed: WorstLine,
+    /// Polynomial lines, by their place among the moves, and the row at or before their ends, with
+    /// the share of the way to the next.
+    met: Vec<(usize, OnPath)>,
+    /// Where the last line ended.
+    ended: Option<OnPath>,
     /// When the plan is where the line before ended, s.
     planned_s: f64,
     /// The planned θ there, over all turns, rad.
@@ -100,10 +106,13 @@ pub(super) fn checks(
         chord: WorstLine::default(),
         missing: WorstLine::default(),
         feed: WorstLine::default(),
+        met: Vec::new(),
+        ended: None,
         planned_s: plan.rows().next().map_or(0.0, |r| r.t_s),
         planned_theta: plan.rows().next().map_or(0.0, |r| r.stand.theta),
     };
     let time = c.run(moves);
+    let joint = plan.curve.as_ref().and_then(|curve| joints(&c.met, moves, curve, plan, tool, machine));
     let planned = c.motion.rows().last().map_or(0.0, |r| r.t_s) - c.motion.rows().first().map_or(0.0, |r| r.t_s);
     let before = plan.leads[0].centres.len();
     let off = WorstLine { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
@@ -133,6 +142,11 @@ pub(super) fn checks(
     ]
     .into_iter()
     .chain(curve)
+    .chain(joint.map(|(found, row)| {
+        let worst = WorstLine { value: found.value, line: found.line, row };
+        let quantity = "jump of a derivative where two lines of the curve meet, over what is allowed";
+        (CheckId::ProgramJoints, quantity, worst, 1.0, "")
+    }))
     .map(|(id, quantity, worst, limit, unit)| {
         let at = c.motion.rows().get(worst.row);
         let point = at.map(|r| blade.model_from_blade * r.stand.centre);
@@ -142,6 +156,13 @@ pub(super) fn checks(
             Some(Stretch::LeadIn) => format!("{}{line}, lead-in", program.file_name),
             Some(Stretch::LeadOut) => format!("{}{line}, lead-out", program.file_name),
             _ => format!("{}{line}", program.file_name),
+        };
+        let note = match joint.filter(|_| id == CheckId::ProgramJoints) {
+            Some((j, _)) => format!(
+                "{note}; at {} joints by {:.1e} rad, {:.1e} 1/mm and {:.1e} 1/mm² at most",
+                j.count, j.jumps[0], j.jumps[1], j.jumps[2]
+            ),
+            None => note,
         };
         Check {
             row: Some(worst.row.saturating_sub(before).min(last)),
@@ -169,9 +190,12 @@ impl Comparison<'_> {
         };
         let mut at = 0;
         let mut time = 0.0;
-        for m in moves.get(first + 1..=end).unwrap_or(&[]) {
+        for (k, m) in moves.iter().enumerate().take(end + 1).skip(first + 1) {
             time += m.seconds.unwrap_or(0.0);
             at = self.one(m, at);
+            if let Some(on) = self.ended.take().filter(|_| m.bend.is_some()) {
+                self.met.push((k, on));
+            }
         }
         // Whatever the program has not come by.
         let reached = moves[end].pose(1.0, self.tool, self.machine).centre;
@@ -211,6 +235,7 @@ impl Comparison<'_> {
             };
             here = on.row;
             if k == WITHIN {
+                self.ended = Some(on);
                 self.time(m, on);
                 self.turn(m, on, &poses);
             }
@@ -315,6 +340,15 @@ impl Comparison<'_> {
             (OnPath { row, share, distance_mm }, angle_deg(&pose.axis, &there.axis()))
         };
         let (share, _) = to_segment(&pose.centre, &a.centre, &b.centre);
+        let share = match self.motion.polynomial(row) {
+            // One step along the tangent: the chord's share is not the curve's.
+            Some(p) => {
+                let there = p.at(share);
+                let (off, way) = (pose.centre - there.point(), there.derivative(1) * p.length_mm);
+                (share + off.dot(&way) / way.norm_squared()).clamp(0.0, 1.0)
+            }
+            None => share,
+        };
         let turn = within_half_turn(about(&a.cone, pose) - at(share).theta);
         // Both in units of what is allowed, by the share of the way.
         let (low, high) = ((share - 0.01).max(0.0), (share + 0.01).min(1.0));
@@ -344,6 +378,36 @@ impl Comparison<'_> {
     fn cone(&self, row: usize) -> Cone {
         self.motion.rows().get(row).map_or(Cone::about_blade(0.0), |r| r.stand.cone)
     }
+}
+
+/// The joints of lines that are within the curve, judged: the worst with its row. `None`: there are
+/// none.
+fn joints(
+    met: &[(usize, OnPath)],
+    moves: &[Moved],
+    curve: &ProgrammedCurve,
+    plan: &Plan,
+    tool: &Tool,
+    machine: &Machine,
+) -> Option<(WorstJoint, usize)> {
+    let before = plan.leads[0].centres.len();
+    // The place is at a row, or on the way to the next.
+    let within = |on: &OnPath| {
+        let row = if on.share > 0.5 { on.row + 1 } else { on.row };
+        let at_row = on.share < 1e-3 || on.share > 1.0 - 1e-3;
+        let k = row.checked_sub(before)?;
+        let curved = |k: Option<usize>| k.and_then(|k| curve.rows.get(k)).is_some_and(|r| r.way.is_curved());
+        let joined = if at_row { curved(k.checked_sub(1)) && curved(Some(k)) } else { curved(on.row.checked_sub(before)) };
+        joined.then_some(row)
+    };
+    // Two lines, between which none moves.
+    let pairs = met.windows(2).filter(|w| {
+        let still = |m: &Moved| m.even() && m.from.iter().zip(m.to.iter()).all(|(a, b)| (a - b).abs() < 1e-6);
+        within(&w[0].1).is_some() && moves[w[0].0 + 1..w[1].0].iter().all(still)
+    });
+    let found = joints::worst(pairs.clone().map(|w| (&moves[w[0].0], &moves[w[1].0])), tool, machine);
+    let row = pairs.filter(|w| moves[w[0].0].line == found.line).find_map(|w| within(&w[0].1));
+    (found.count > 0).then_some((found, row.unwrap_or(0)))
 }
 
 /// The angle of a pose's tool axis about the axis of a cone, rad; 0 along it.
