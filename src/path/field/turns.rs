@@ -12,14 +12,25 @@ use crate::geometry::Point;
 
 /// Ways this near to the one that leaves the scallop, as a share, are right.
 const GOOD: f64 = 5e-4;
+/// Ways between which a ridge jumps are known within this share.
+const CLOSE_IN: f64 = 2e-3;
 /// Tries of the law of squares.
-const MOST_TRIES: usize = 8;
+const MOST_TRIES: usize = 14;
 /// A place that would have to move farther than this, in stepovers, stays where the field has it.
 const FAR: f64 = 0.9;
 /// Least share of a stepover by which a turn leaves the end.
 const LEAST_SHARE: f64 = 1e-3;
 /// Length of the ramp from a turn to the next, in stepovers.
 const RAMP_STEPOVERS: f64 = 20.0;
+
+/// A node is put midway between two where the ridge there is off by this share, ...
+const RIDGE_OFF: f64 = 0.03;
+/// ... so many times one after the other, ...
+const REFINEMENTS: usize = 3;
+/// ... but not between nodes nearer than this, in steps, ...
+const SHORTEST: f64 = 0.1;
+/// ... nor where the turn has hardly left the end, as a share of a stepover.
+const LEAST_REFINED: f64 = 0.05;
 
 /// Feet on the turn before are sought about the same share of it, by so much to either side.
 const BESIDE: f64 = 0.3;
@@ -102,6 +113,15 @@ struct Guess {
     share: f64,
 }
 
+/// A node that is laid: its foot on the turn before, where the ridge tells, and the share of a
+/// stepover between.
+#[derive(Clone, Copy)]
+struct Laid {
+    node: Node,
+    near: Option<Place>,
+    share: f64,
+}
+
 /// Reads turns.
 pub struct Reader<'a> {
     pub field: &'a Field<'a>,
@@ -171,24 +191,41 @@ impl Reader<'_> {
     }
 
     /// The ball at which the ridge to a curve is the scallop times the square of `share`, from a
-    /// guess. `None` where ridges do not tell.
+    /// guess: the farthest found that leaves no more, where ridges jump. `None` where ridges do not
+    /// tell.
     fn polished(&self, before: &Curve, guess: &Touch, near: Place, share: f64) -> Option<Touch> {
         let level = self.field.level;
         let goal_mm = self.field.scallop_mm * share * share;
         let (mut touch, mut near) = (*guess, near);
+        let (mut low_mm, mut high_mm, mut best) = (0.0, f64::INFINITY, None);
         for _ in 0..MOST_TRIES {
             near = before.nearest_about(&touch.centre, near)?;
             let foot = level.touch(&before.point(near), 0.1 * level.radius_mm)?.centre;
-            let ridge = ridge_over_creases(level, &touch.centre, &foot).unwrap_or(f64::INFINITY);
-            let factor = (goal_mm / ridge.max(1e-3 * goal_mm)).sqrt().clamp(0.5, 2.0);
-            if (factor - 1.0).abs() < GOOD {
-                let is_near = (touch.centre - guess.centre).norm() < FAR * self.flat_mm;
-                return is_near.then_some(touch);
-            }
             let way = touch.centre - foot;
-            touch = level.touch(&(foot + way * factor), 0.8 * way.norm() * factor)?;
+            let way_mm = way.norm();
+            let ridge = ridge_over_creases(level, &touch.centre, &foot).unwrap_or(f64::INFINITY);
+            let factor = (goal_mm / ridge.max(1e-3 * goal_mm)).sqrt();
+            if factor >= 1.0 && way_mm > low_mm {
+                (low_mm, best) = (way_mm, Some(touch));
+            } else if factor < 1.0 {
+                high_mm = high_mm.min(way_mm);
+            }
+            if (factor - 1.0).abs() < GOOD {
+                best = Some(touch);
+                break;
+            }
+            if high_mm - low_mm < CLOSE_IN * low_mm {
+                break;
+            }
+            let next_mm = way_mm * factor.clamp(0.5, 2.0);
+            let next_mm = if next_mm > low_mm && next_mm < high_mm {
+                next_mm
+            } else {
+                0.5 * (low_mm + high_mm.min(2.0 * way_mm))
+            };
+            touch = level.touch(&(foot + way * (next_mm / way_mm.max(1e-300))), 0.8 * next_mm)?;
         }
-        None
+        best.filter(|t| (t.centre - guess.centre).norm() < FAR * self.flat_mm)
     }
 
     /// The turn after one, which begins where that ends; `None` where the field has no closed line
@@ -221,17 +258,73 @@ impl Reader<'_> {
             .collect();
         let polished: Vec<Option<Touch>> = guessed.par_iter().map(|g| self.polish(before, g)).collect();
         let polished = if self.even_mm > 0.0 { self.evened(before, &guessed, &polished) } else { polished };
-        let at = |(g, touch): (&Guess, Option<Touch>)| touch.map_or(g.node, |touch| Node { touch, ..g.node });
-        let nodes: Vec<Node> = guessed.iter().zip(polished).map(at).collect();
-        let known: Vec<Node> = nodes
+        let at = |(g, touch): (&Guess, Option<Touch>)| Laid {
+            node: touch.map_or(g.node, |touch| Node { touch, ..g.node }),
+            near: g.near.filter(|_| touch.is_some()),
+            share: g.share,
+        };
+        let mut laid: Vec<Laid> = guessed.iter().zip(polished).map(at).collect();
+        let begin = Node { phi: if before.is_end { 0.0 } else { from.phi }, ..from };
+        laid.insert(0, Laid { node: begin, near: None, share: 0.0 });
+        let laid = if self.field.level.is_over_facets() { laid } else { self.refined(before, laid) };
+        let known: Vec<Node> = laid[1..]
             .par_iter()
-            .map(|n| {
-                let phi = self.field.at(&n.touch).map(|v| v.0).filter(|p| p.is_finite());
-                Node { phi: phi.unwrap_or(n.phi), ..*n }
+            .map(|l| {
+                let phi = self.field.at(&l.node.touch).map(|v| v.0).filter(|p| p.is_finite());
+                Node { phi: phi.unwrap_or(l.node.phi), ..l.node }
             })
             .collect();
-        let begin = Node { phi: if before.is_end { 0.0 } else { from.phi }, ..from };
         Some(Turn::new(std::iter::once(begin).chain(known).collect(), value))
+    }
+
+    /// With more nodes where the ridge midway between two is off: the turn bends there within a step.
+    fn refined(&self, before: &Turn, mut laid: Vec<Laid>) -> Vec<Laid> {
+        let level = self.field.level;
+        let mut ask = vec![true; laid.len() - 1];
+        for _ in 0..REFINEMENTS {
+            let curve = Curve::new(laid.iter().map(|l| l.node.touch).collect(), false);
+            let between = |i: usize| -> Option<Laid> {
+                let (a, b) = (&laid[i], &laid[i + 1]);
+                if !ask[i] || (b.node.touch.centre - a.node.touch.centre).norm() < SHORTEST * self.step_mm {
+                    return None;
+                }
+                let near = if i == 0 { b.near? } else { a.near.and(b.near)? };
+                let share = if i == 0 && a.share < b.share && !before.is_end { 1.0 } else { 0.5 * (a.share + b.share) };
+                if share < LEAST_REFINED {
+                    return None;
+                }
+                let touch = level.touch(&curve.point(Place { number: i, share: 0.5 }), self.field.net.cell_mm)?;
+                let near = before.curve.nearest_about(&touch.centre, near)?;
+                let foot = level.touch(&before.curve.point(near), 0.1 * level.radius_mm)?.centre;
+                let ridge = ridge_over_creases(level, &touch.centre, &foot)? / (self.field.scallop_mm * share * share);
+                if (ridge - 1.0).abs() < RIDGE_OFF {
+                    return None;
+                }
+                let touch = self.polished(&before.curve, &touch, near, share).filter(|t| (self.within)(t))?;
+                Some(Laid {
+                    node: Node { touch, phi: 0.5 * (a.node.phi + b.node.phi), waits: false },
+                    near: Some(near),
+                    share,
+                })
+            };
+            let new: Vec<Option<Laid>> = (0..laid.len() - 1).into_par_iter().map(between).collect();
+            if new.iter().all(Option::is_none) {
+                break;
+            }
+            let mut next = vec![laid[0]];
+            let mut next_ask = Vec::new();
+            for (i, l) in new.into_iter().enumerate() {
+                if let Some(l) = l {
+                    next.push(l);
+                    next_ask.extend([true, true]);
+                } else {
+                    next_ask.push(false);
+                }
+                next.push(laid[i + 1]);
+            }
+            (laid, ask) = (next, next_ask);
+        }
+        laid
     }
 
     /// The shares of a stepover by which a turn has left the height at which it begins: from 0 to 1
