@@ -8,6 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::Ordering;
 
+use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
 use bladewright::error::ErrorKind;
 use bladewright::job::JobFile;
@@ -59,6 +60,32 @@ fn a_plan_in_memory_is_the_commands_plan() {
     let folder = planned_by_the_command();
     let written = std::fs::read_to_string(folder.path().join("program.mpf")).expect("a program");
     assert_eq!(moves(&text), moves(&written));
+}
+
+/// A smooth curve is programmed: the plan passes, also along the curve, the jerk of each linear axis
+/// falls, and the program of polynomials, read back, is that curve with joints that fit.
+#[test]
+fn a_smooth_curve_is_what_is_programmed() {
+    let mut job = JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));
+    let keys = ["path.scallop_mm=0.05", "feed.smooth=true", "post.control=[\"siemens-poly\"]"];
+    keys.iter().for_each(|key| job.set(key).expect("a key"));
+    let draft = inputs::draft(job, Path::new("")).expect("a draft");
+    let outcome = run::in_memory(&draft, false, &Silent).expect("a plan");
+    let smooth = outcome.summary.as_ref().and_then(|s| s.smooth.clone()).expect("figures of the curve");
+    assert!(2 * smooth.pieces < smooth.locations_before, "{smooth:?}");
+    assert!(smooth.inwards_mm <= 3e-4 && smooth.time_s < 1.002 * smooth.time_before_s, "{smooth:?}");
+    for jerk in smooth.jerk.iter().filter(|j| ["X", "Y", "Z"].contains(&j.axis.as_str())) {
+        assert!(jerk.now < 0.5 * jerk.before, "{jerk:?}");
+    }
+    let Some(Verdict::Passed(verified)) = &outcome.verdict else { panic!("it passes") };
+    for id in [CheckId::CurveGouge, CheckId::CurveScallop, CheckId::CurveClearance, CheckId::CurveJoints] {
+        assert!(verified.report().checks.iter().any(|c| c.id == id), "{id:?}");
+    }
+    let (_, dialect) = outcome.setup.dialects().expect("dialects").remove(0);
+    let (program, checks) = outcome.setup.program(&dialect, verified).expect("a program");
+    assert!(program.text.contains("PO["), "polynomials");
+    let joints = checks.iter().find(|c| c.id == CheckId::ProgramJoints).expect("joints are judged");
+    assert!(checks.iter().all(|c| c.passed), "{joints:?}");
 }
 
 #[test]

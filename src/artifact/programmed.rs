@@ -122,14 +122,7 @@ impl Polynomial {
         let at = |k: usize| {
             let ([p, d, dd], [q, e, ee]) = (from.map(|v| v[k]), to.map(|v| v[k]));
             let (first, second) = (h / 5.0, h * h / 20.0);
-            [
-                p,
-                p + first * d,
-                p + 2.0 * first * d + second * dd,
-                q - 2.0 * first * e + second * ee,
-                q - first * e,
-                q,
-            ]
+            [p, p + first * d, p + 2.0 * first * d + second * dd, q - 2.0 * first * e + second * ee, q - first * e, q]
         };
         let of: [[f64; ORDER]; 4] = std::array::from_fn(at);
         Polynomial { ordinates: std::array::from_fn(|j| of.map(|o| o[j])), length_mm }
@@ -238,7 +231,8 @@ mod tests {
 
     #[test]
     fn rows_come_back_from_files() {
-        let row = CurveRow { s_mm: 0.1, centre: [[1.0, 2.0, 3.0], [4.0, 5.0, 6.5]], theta: [0.3, -0.7], way: Way::Piece };
+        let row =
+            CurveRow { s_mm: 0.1, centre: [[1.0, 2.0, 3.0], [4.0, 5.0, 6.5]], theta: [0.3, -0.7], way: Way::Piece };
         let rows = vec![row, CurveRow { way: Way::Within, ..row }, CurveRow::default()];
         let curve = ProgrammedCurve { rows, ..ProgrammedCurve::default() };
         let text = serde_json::to_string(&curve).unwrap();

@@ -4,8 +4,7 @@
 //! On a programmed curve: in every interval the power series of the axes about its middle, which
 //! the machine's kinematics give from those of ball centre and θ ([`Machine::along_series`]), up to
 //! the fifth power. What is cut off is `(h/2)⁶ q⁽⁶⁾/720` of a position and `(h/2)³ q⁽⁶⁾/6` of a third
-//! derivative, `h` being the interval: it is measured at the ends, where the positions are known
-//! ([`AxisCurve::cut_off`]). A straight move beside the curve takes up its first and second
+//! derivative, `h` being the interval. A straight move beside the curve takes up its first and second
 //! derivatives where they meet, so that acceleration is continuous there too.
 
 use rayon::prelude::*;
@@ -128,20 +127,6 @@ impl AxisCurve {
     /// the end).
     pub fn position(&self, row: usize, axis: usize, by_interval: f64) -> f64 {
         self.rows.get(row).map_or(by_interval, |r| r[axis])
-    }
-
-    /// How far the series miss the positions at the locations, mm or rad: what they cut off.
-    #[cfg(test)]
-    pub fn cut_off(&self) -> f64 {
-        let s = self.abscissae();
-        let mut worst = 0.0f64;
-        for i in 0..self.spline.intervals() {
-            for k in (0..self.functions()).filter(|k| self.quintic(i, *k).is_some()) {
-                worst = worst.max((self.at(i, k, 0.0)[0] - self.rows[i][k]).abs());
-                worst = worst.max((self.at(i, k, s[i + 1] - s[i])[0] - self.rows[i + 1][k]).abs());
-            }
-        }
-        worst
     }
 }
 

@@ -7,8 +7,8 @@
 
 use rayon::prelude::*;
 
-use crate::error::{Error, Result, Stage};
 use super::curve::{AxisCurve, bernstein};
+use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 
 /// Below this a coefficient of `u` is taken as 0: with limits scaled to 1 it moves the limit by
@@ -87,7 +87,8 @@ impl<'a> Strips<'a> {
         let own = most.get(i).copied().unwrap_or(f64::INFINITY);
         let mut caps = [own; 2];
         let of_axis = rows.len() / limits.len().max(1);
-        for (k, ([velocity, acceleration], rows)) in limits.iter().zip(rows.chunks_exact_mut(of_axis.max(1))).enumerate()
+        for (k, ([velocity, acceleration], rows)) in
+            limits.iter().zip(rows.chunks_exact_mut(of_axis.max(1))).enumerate()
         {
             rows.fill(Strip::WITHOUT_END);
             if let Some(quintic) = curve.quintic(i, k) {
@@ -99,7 +100,8 @@ impl<'a> Strips<'a> {
                     let share = j as f64 / 4.0;
                     let (before, after) = (if j > 0 { q2[j - 1] } else { 0.0 }, if j < 4 { q2[j] } else { 0.0 });
                     let second = share * before + (1.0 - share) * after;
-                    *row = Strip::of((q1[j] + 2.0 * h * share * before) / acceleration, second / acceleration, &mut caps);
+                    *row =
+                        Strip::of((q1[j] + 2.0 * h * share * before) / acceleration, second / acceleration, &mut caps);
                 }
                 continue;
             }

@@ -72,9 +72,7 @@ impl Machine {
         let (sb, cb) = cone.lean_rad.sin_cos();
         let (c, e) = (cone.axis, cone.reference);
         let f = c.cross(&e);
-        let axis = std::array::from_fn(|k| {
-            Series::constant(c[k] * sb) + cos.scaled(e[k] * cb) + sin.scaled(f[k] * cb)
-        });
+        let axis = std::array::from_fn(|k| Series::constant(c[k] * sb) + cos.scaled(e[k] * cb) + sin.scaled(f[k] * cb));
         let rotary: Vec<usize> = head.rotary().collect();
         let stands = [rotary.first(), rotary.get(1)].map(|k| k.and_then(|k| at.get(*k)).copied().unwrap_or(0.0));
         let [x, y, z, q1, q2] = head.series(centre, &axis, stands, gauge_length_mm)?;
@@ -115,9 +113,8 @@ mod tests {
                     Series([-4.0, 0.5, 0.1, 0.02, -0.03, 0.02]),
                 ];
                 let theta = Series([0.7, 0.2, 0.1, -0.05, 0.03, 0.02]);
-                let stand = |t: f64| {
-                    Stand::about_blade(Point::from(centre.map(|s| value(&s, t))), value(&theta, t), lean_rad)
-                };
+                let stand =
+                    |t: f64| Stand::about_blade(Point::from(centre.map(|s| value(&s, t))), value(&theta, t), lean_rad);
                 let at = machine.place(&stand(0.0), None, 150.0);
                 let series = machine.along_series(&centre, theta, &cone, &at, 150.0).unwrap();
                 for t in [-0.02, 0.01, 0.02f64] {

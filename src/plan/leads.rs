@@ -142,7 +142,6 @@ pub(crate) fn motion_on(
         c.extended(&ahead, &behind)
     });
     let options = setup.feed_options();
-    let whole =
-        feed::plan_on(&long_path, &long_schedule, long_curve.as_ref(), &setup.machine, &options, observer)?;
+    let whole = feed::plan_on(&long_path, &long_schedule, long_curve.as_ref(), &setup.machine, &options, observer)?;
     Ok(lead::split(&whole, leads))
 }

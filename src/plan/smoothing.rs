@@ -208,8 +208,7 @@ fn not_clear(
     };
     let last = curve.rows.len() - 1;
     let s = |k: usize| curve.rows[k.min(last)].s_mm;
-    let mut out: Vec<[f64; 2]> =
-        (0..theta.len()).filter(outside).map(|k| [s(k.saturating_sub(1)), s(k + 1)]).collect();
+    let mut out: Vec<[f64; 2]> = (0..theta.len()).filter(outside).map(|k| [s(k.saturating_sub(1)), s(k + 1)]).collect();
     let short = verify::short_on_curve(path, theta, curve, &apart, &options);
     out.extend(short.into_iter().filter(|k| curve.is_on(*k) || curve.is_on(k + 1)).map(|k| [s(k), s(k + 1)]));
     out

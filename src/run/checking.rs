@@ -154,7 +154,19 @@ pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result
     };
     let axes = setup.machine.axes();
     Ok(vec![
-        summary::schedule_figures(plan, &plan.schedule, &plan.motion, constant(&plan.schedule, plan.curve.as_ref())?, axes),
-        summary::schedule_figures(plan, &baseline.schedule, &baseline.motion, constant(&baseline.schedule, None)?, axes),
+        summary::schedule_figures(
+            plan,
+            &plan.schedule,
+            &plan.motion,
+            constant(&plan.schedule, plan.curve.as_ref())?,
+            axes,
+        ),
+        summary::schedule_figures(
+            plan,
+            &baseline.schedule,
+            &baseline.motion,
+            constant(&baseline.schedule, None)?,
+            axes,
+        ),
     ])
 }

@@ -197,14 +197,13 @@ fn stretch<'a>(
     options: &'a SmoothOptions,
 ) -> Stretch<'a> {
     let locations = &path.locations[range.clone()];
-    let turning =
-        Turning {
-            locations,
-            walls: &channel.rows[range.clone()],
-            theta: &schedule.theta[range.clone()],
-            shares: &shares[range.clone()],
-            joined,
-        };
+    let turning = Turning {
+        locations,
+        walls: &channel.rows[range.clone()],
+        theta: &schedule.theta[range.clone()],
+        shares: &shares[range.clone()],
+        joined,
+    };
     Stretch { part, radius_mm: path.radius_mm, locations, room: &room[range], turning, options, objective }
 }
 

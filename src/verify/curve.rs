@@ -241,7 +241,8 @@ fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
         (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE))
     };
     let (worst, before) = greatest(thirds.windows(2).map(jump));
-    let note = format!("greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³", most[0], most[1]);
+    let note =
+        format!("greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³", most[0], most[1]);
     let quantity = "jump of a third derivative at a location along the programmed curve, as a share of the greatest";
     Check::at_most(CheckId::CurveJoints, quantity, worst, JUMP, "", note).at_location(before + 1, plan, blade)
 }

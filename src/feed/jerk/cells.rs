@@ -333,9 +333,7 @@ impl Cell<'_> {
                     [_, _, _] if k % 2 == 1 => continue,
                     [p, q, r] => a * dot(&p, v) + b * dot(&q, v) + c * dot(&r, v),
                     _ => {
-                        let share = |i: usize| {
-                            choose(4, i) * f.powi(i as i32) * (1.0 - f).powi(4 - i as i32)
-                        };
+                        let share = |i: usize| choose(4, i) * f.powi(i as i32) * (1.0 - f).powi(4 - i as i32);
                         forms.iter().enumerate().map(|(i, g)| share(i) * dot(g, v)).sum()
                     }
                 };

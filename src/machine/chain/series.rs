@@ -82,9 +82,8 @@ impl Head {
             let reached = first.turn(&leant);
             let missing = term(axis, n) - term(&reached, n);
             let by_first = u.cross(&term(&reached, 0));
-            let by_second = second.map_or(Vector::zeros(), |s| {
-                self.first.rotation(at[0]) * s.direction.cross(&term(&leant, 0))
-            });
+            let by_second =
+                second.map_or(Vector::zeros(), |s| self.first.rotation(at[0]) * s.direction.cross(&term(&leant, 0)));
             let (aa, ab, bb) = (by_first.norm_squared(), by_first.dot(&by_second), by_second.norm_squared());
             let (ra, rb) = (by_first.dot(&missing), by_second.dot(&missing));
             let whole = aa * bb - ab * ab;

@@ -25,8 +25,8 @@
 //! * The helix begins with the lowest turn that is nowhere under the start height, or along the
 //!   faces at which the region begins. Places more than [`HIGHEST`] of the region's height above
 //!   the start are waited at.
-//! * **Meshes**: the field sees how contacts go on the average over some facets, and the ways by
-//!   which turns are polished are evened out along them: facets do not shape turns. Ridges over
+//! * **Meshes**: the field sees how contacts go on the average over some facets, so that facets do not
+//!   shape it; each turn is polished by the ridge over the facets as they are. Ridges over
 //!   facets scatter about those of the part they stand for; where their 99th percentile is too
 //!   high, the turns are laid closer.
 //!
@@ -73,8 +73,6 @@ const COARSER: f64 = 2.0;
 const STEP: [f64; 2] = [0.8, 0.2];
 /// Reach of the fits to the field, in cells, on exact faces and over facets.
 const REACH: [f64; 2] = [2.0, 3.0];
-/// Length over which ways are evened out over facets, in stepovers.
-const EVEN: f64 = 3.0;
 /// Reach over which the ways of contacts are averaged over facets, in edges of facets and in cells,
 /// at least and at most.
 const AVERAGE: [f64; 3] = [2.0, 2.0, 4.0];
@@ -426,14 +424,7 @@ impl<'a> Laying<'a> {
         let field = Field::new(self.level, net, scaled, end, REACH[facets], aim_mm);
         let step_mm = (STEP[0] * flat_mm).min(STEP[1] * self.options.radius_mm).min(self.options.settings.max_step_mm);
         let border = |e: Edge| net.border(self.level, e, within)[0];
-        let reader = Reader {
-            field: &field,
-            flat_mm,
-            step_mm,
-            even_mm: if facets == 1 { EVEN * flat_mm } else { 0.0 },
-            border: &border,
-            within,
-        };
+        let reader = Reader { field: &field, flat_mm, step_mm, border: &border, within };
         let none = |at: Option<Point>| self.not_one_turn((Stopped::NoNearer, at));
         let to_faces = !self.options.extent.start_faces().is_empty();
         let mut last = Turn::of_end(self.first_turn(&field, step_mm)).ok_or_else(|| none(None))?;

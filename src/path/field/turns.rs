@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::super::curve::arc_lengths;
 use super::super::level::Touch;
 use super::super::stepover::ridge_over_creases;
 use super::feet::{Curve, Place};
@@ -23,8 +22,9 @@ const LEAST_SHARE: f64 = 1e-3;
 /// Length of the ramp from a turn to the next, in stepovers.
 const RAMP_STEPOVERS: f64 = 20.0;
 
-/// A node is put midway between two where the ridge there is off by this share, ...
-const RIDGE_OFF: f64 = 0.03;
+/// A node is put midway between two where the ridge there is lower or higher by these shares, on exact
+/// faces and over facets, which low ridges do not tell of, ...
+const RIDGE_OFF: [[f64; 2]; 2] = [[0.03, 0.03], [1.0, 0.05]];
 /// ... so many times one after the other, ...
 const REFINEMENTS: usize = 3;
 /// ... but not between nodes nearer than this, in steps, ...
@@ -35,8 +35,6 @@ const LEAST_REFINED: f64 = 0.05;
 /// Feet on the turn before are sought about the same share of it, by so much to either side.
 const BESIDE: f64 = 0.3;
 
-/// Ways that scatter about their means by less than this share, in the median, are not evened.
-const LEAST_SCATTER: f64 = 0.01;
 /// A turn of fewer nodes is none.
 const LEAST_NODES: usize = 8;
 /// Nodes nearer to the beginning of a turn, in steps, are left out.
@@ -127,8 +125,6 @@ pub struct Reader<'a> {
     pub field: &'a Field<'a>,
     pub flat_mm: f64,
     pub step_mm: f64,
-    /// Length over which ways are evened out along a turn, mm; 0: not.
-    pub even_mm: f64,
     /// The ball at an edge that leaves the bounds.
     pub border: &'a (dyn Fn(Edge) -> Touch + Sync),
     pub within: &'a (dyn Fn(&Touch) -> bool + Sync),
@@ -257,7 +253,6 @@ impl Reader<'_> {
             })
             .collect();
         let polished: Vec<Option<Touch>> = guessed.par_iter().map(|g| self.polish(before, g)).collect();
-        let polished = if self.even_mm > 0.0 { self.evened(before, &guessed, &polished) } else { polished };
         let at = |(g, touch): (&Guess, Option<Touch>)| Laid {
             node: touch.map_or(g.node, |touch| Node { touch, ..g.node }),
             near: g.near.filter(|_| touch.is_some()),
@@ -266,7 +261,7 @@ impl Reader<'_> {
         let mut laid: Vec<Laid> = guessed.iter().zip(polished).map(at).collect();
         let begin = Node { phi: if before.is_end { 0.0 } else { from.phi }, ..from };
         laid.insert(0, Laid { node: begin, near: None, share: 0.0 });
-        let laid = if self.field.level.is_over_facets() { laid } else { self.refined(before, laid) };
+        let laid = self.refined(before, laid);
         let known: Vec<Node> = laid[1..]
             .par_iter()
             .map(|l| {
@@ -280,6 +275,7 @@ impl Reader<'_> {
     /// With more nodes where the ridge midway between two is off: the turn bends there within a step.
     fn refined(&self, before: &Turn, mut laid: Vec<Laid>) -> Vec<Laid> {
         let level = self.field.level;
+        let [lower, higher] = RIDGE_OFF[usize::from(level.is_over_facets())];
         let mut ask = vec![true; laid.len() - 1];
         for _ in 0..REFINEMENTS {
             let curve = Curve::new(laid.iter().map(|l| l.node.touch).collect(), false);
@@ -297,7 +293,7 @@ impl Reader<'_> {
                 let near = before.curve.nearest_about(&touch.centre, near)?;
                 let foot = level.touch(&before.curve.point(near), 0.1 * level.radius_mm)?.centre;
                 let ridge = ridge_over_creases(level, &touch.centre, &foot)? / (self.field.scallop_mm * share * share);
-                if (ridge - 1.0).abs() < RIDGE_OFF {
+                if (1.0 - lower..1.0 + higher).contains(&ridge) {
                     return None;
                 }
                 let touch = self.polished(&before.curve, &touch, near, share).filter(|t| (self.within)(t))?;
@@ -377,40 +373,5 @@ impl Reader<'_> {
             return level.touch(&before.curve.point(near), 0.1 * level.radius_mm);
         }
         self.polished(&before.curve, &guess.node.touch, near, guess.share).filter(|t| (self.within)(t))
-    }
-
-    /// Nodes whose ways from the turn before, over those guessed, are evened out along the turn.
-    fn evened(&self, before: &Turn, guessed: &[Guess], polished: &[Option<Touch>]) -> Vec<Option<Touch>> {
-        let (level, curve) = (self.field.level, &before.curve);
-        let s_mm = arc_lengths(guessed.iter().map(|g| &g.node.touch.centre));
-        let foot = |g: &Guess, t: &Touch| Some(curve.point(curve.nearest_about(&t.centre, g.near?)?));
-        let over = |g: &Guess, polished: &Option<Touch>| {
-            let to = (*polished)?;
-            let was_mm = (g.node.touch.centre - foot(g, &g.node.touch)?).norm();
-            let factor = (to.centre - foot(g, &to)?).norm() / was_mm.max(1e-9);
-            (0.5..2.0).contains(&factor).then(|| factor.ln())
-        };
-        let overs: Vec<Option<f64>> = guessed.iter().zip(polished).map(|(g, n)| over(g, n)).collect();
-        let mean_about = |i: usize| {
-            let from = s_mm.partition_point(|s| *s < s_mm[i] - self.even_mm);
-            let to = s_mm.partition_point(|s| *s <= s_mm[i] + self.even_mm);
-            let near = (from..to).filter_map(|j| Some((overs[j]?, 1.0 - (s_mm[j] - s_mm[i]).abs() / self.even_mm)));
-            let (sum, weights) = near.fold((0.0, 0.0), |(s, n), (over, weight)| (s + over * weight, n + weight));
-            (weights > 0.0).then(|| sum / weights)
-        };
-        let means: Vec<Option<f64>> = (0..guessed.len()).into_par_iter().map(mean_about).collect();
-        // Over fine facets the guesses scatter more than the ridges.
-        let mut scatter: Vec<f64> = overs.iter().zip(&means).filter_map(|(o, m)| Some(((*o)? - (*m)?).abs())).collect();
-        scatter.sort_by(f64::total_cmp);
-        if scatter.get(scatter.len() / 2).is_none_or(|s| *s < LEAST_SCATTER) {
-            return polished.to_vec();
-        }
-        let evened = |i: usize| {
-            let g = &guessed[i];
-            let foot = foot(g, &g.node.touch)?;
-            let way = g.node.touch.centre - foot;
-            level.touch(&(foot + way * means[i]?.exp()), self.field.net.cell_mm)
-        };
-        (0..guessed.len()).into_par_iter().map(evened).collect()
     }
 }

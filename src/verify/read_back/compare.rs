@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector4;
 
+use super::joints::{self, WorstJoint};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
-use super::joints::{self, WorstJoint};
 use crate::artifact::{Blade, CheckId, Cone, Motion, Plan, ProgrammedCurve, Stand};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
@@ -397,7 +397,8 @@ fn joints(
         let at_row = on.share < 1e-3 || on.share > 1.0 - 1e-3;
         let k = row.checked_sub(before)?;
         let curved = |k: Option<usize>| k.and_then(|k| curve.rows.get(k)).is_some_and(|r| r.way.is_curved());
-        let joined = if at_row { curved(k.checked_sub(1)) && curved(Some(k)) } else { curved(on.row.checked_sub(before)) };
+        let joined =
+            if at_row { curved(k.checked_sub(1)) && curved(Some(k)) } else { curved(on.row.checked_sub(before)) };
         joined.then_some(row)
     };
     // Two lines, between which none moves.

@@ -58,9 +58,10 @@ pub(super) fn worst<'a>(
 ) -> WorstJoint {
     let ends = joints.map(|(a, b)| (a, b, end(a, 1.0, tool, machine), end(b, 0.0, tool, machine)));
     let all: Vec<_> = ends.filter_map(|(a, b, p, q)| Some((a, b, p?, q?))).collect();
-    let most = all.iter().flat_map(|(_, _, p, q)| [p, q]).fold([0.0f64; 2], |[c, t], e| {
-        [c.max(e.centre[2].norm()), t.max(e.turning[2].abs())]
-    });
+    let most = all
+        .iter()
+        .flat_map(|(_, _, p, q)| [p, q])
+        .fold([0.0f64; 2], |[c, t], e| [c.max(e.centre[2].norm()), t.max(e.turning[2].abs())]);
     let mut out = WorstJoint { count: all.len(), ..WorstJoint::default() };
     for (a, b, p, q) in &all {
         let lengths = [a, b].map(|m| (m.pose(1.0, tool, machine).centre - m.pose(0.0, tool, machine).centre).norm());

@@ -27,8 +27,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::OperationRun;
-use super::spline;
 use super::moves::{Move, WordBends};
+use super::spline;
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::numerics::quintic::DEGREE;

@@ -270,12 +270,12 @@ mod tests {
 
     #[test]
     fn breaks_are_added_from_the_curve_s_own_first() {
-        let own = Breaks::new(vec![0.0, 1.0, 1.4, 2.0, 3.0]).unwrap();
+        let own = Breaks::new(vec![0.0, 1.0, 1.4, 2.0, 3.0]).expect("breaks");
         let thin = own.thinned(1.9);
         assert_eq!(thin.all(), [0.0, 3.0]);
-        let once = finer(&thin, &own, &[true]).unwrap();
+        let once = finer(&thin, &own, &[true]).expect("breaks");
         assert_eq!(once.all(), [0.0, 1.4, 3.0]);
-        let twice = finer(&once, &own, &[true, false]).unwrap();
-        assert_eq!(finer(&twice, &own, &[true, false, false]).unwrap().all(), [0.0, 0.5, 1.0, 1.4, 3.0]);
+        let twice = finer(&once, &own, &[true, false]).expect("breaks");
+        assert_eq!(finer(&twice, &own, &[true, false, false]).expect("breaks").all(), [0.0, 0.5, 1.0, 1.4, 3.0]);
     }
 }
