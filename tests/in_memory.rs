@@ -67,7 +67,7 @@ fn a_plan_in_memory_is_the_commands_plan() {
 #[test]
 fn a_smooth_curve_is_what_is_programmed() {
     let mut job = JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));
-    let keys = ["path.scallop_mm=0.05", "feed.smooth=true", "post.control=[\"siemens-poly\"]"];
+    let keys = ["feed.smooth=true", "post.control=[\"siemens-poly\"]"];
     keys.iter().for_each(|key| job.set(key).expect("a key"));
     let draft = inputs::draft(job, Path::new("")).expect("a draft");
     let outcome = run::in_memory(&draft, false, &Silent).expect("a plan");

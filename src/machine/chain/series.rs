@@ -2,8 +2,8 @@
 //! centre and tool axis.
 //!
 //! The zeroth terms are positions. The `n`th term of the rotary axes enters that of the tool axis
-//! `R₁(q₁) R₂(q₂) a₀` linearly, by the derivatives at the zeroth terms, and lower terms are known: so
-//! they follow one after another. The linear axes solve `S x = c − f` with the matrix of their shifts,
+//! `R₁(q₁) R₂(q₂) a₀` linearly, by the derivatives at the zeroth terms, and lower terms are known:
+//! so they follow one after another. The linear axes solve `S x = c − f`, `S` of their shifts,
 //! term by term likewise. Nothing is differenced, so derivatives have the digits of positions.
 
 use nalgebra::{Matrix3, Unit};

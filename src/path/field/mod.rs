@@ -25,8 +25,8 @@
 //! * The helix begins with the lowest turn that is nowhere under the start height, or along the
 //!   faces at which the region begins. Places more than [`HIGHEST`] of the region's height above
 //!   the start are waited at.
-//! * **Meshes**: the field sees how contacts go on the average over some facets, so that facets do not
-//!   shape it; each turn is polished by the ridge over the facets as they are. Ridges over
+//! * **Meshes**: the field sees how contacts go on the average over some facets, so that facets do
+//!   not shape it; each turn is polished by the ridge over the facets as they are. Ridges over
 //!   facets scatter about those of the part they stand for; where their 99th percentile is too
 //!   high, the turns are laid closer.
 //!

@@ -22,8 +22,8 @@ const LEAST_SHARE: f64 = 1e-3;
 /// Length of the ramp from a turn to the next, in stepovers.
 const RAMP_STEPOVERS: f64 = 20.0;
 
-/// A node is put midway between two where the ridge there is lower or higher by these shares, on exact
-/// faces and over facets, which low ridges do not tell of, ...
+/// A node is put midway between two where the ridge there is lower or higher by these shares, on
+/// exact faces and over facets, which low ridges do not tell of, ...
 const RIDGE_OFF: [[f64; 2]; 2] = [[0.03, 0.03], [1.0, 0.05]];
 /// ... so many times one after the other, ...
 const REFINEMENTS: usize = 3;
@@ -272,7 +272,7 @@ impl Reader<'_> {
         Some(Turn::new(std::iter::once(begin).chain(known).collect(), value))
     }
 
-    /// With more nodes where the ridge midway between two is off: the turn bends there within a step.
+    /// With more nodes where the ridge midway between two is off: the turn bends within a step.
     fn refined(&self, before: &Turn, mut laid: Vec<Laid>) -> Vec<Laid> {
         let level = self.field.level;
         let [lower, higher] = RIDGE_OFF[usize::from(level.is_over_facets())];
