@@ -62,8 +62,8 @@ fn a_plan_in_memory_is_the_commands_plan() {
     assert_eq!(moves(&text), moves(&written));
 }
 
-/// A smooth curve is programmed: the plan passes, also along the curve, the jerk of each linear axis
-/// falls, and the program of polynomials, read back, is that curve with joints that fit.
+/// A smooth curve is programmed: the plan passes, also along the curve, the jerk of each linear
+/// axis falls, and the program of polynomials, read back, is that curve with joints that fit.
 #[test]
 fn a_smooth_curve_is_what_is_programmed() {
     let mut job = JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));

@@ -4,8 +4,8 @@
 //! On a programmed curve: in every interval the power series of the axes about its middle, which
 //! the machine's kinematics give from those of ball centre and θ ([`Machine::along_series`]), up to
 //! the fifth power. What is cut off is `(h/2)⁶ q⁽⁶⁾/720` of a position and `(h/2)³ q⁽⁶⁾/6` of a
-//! third derivative, `h` being the interval. A straight move beside the curve takes up its first and
-//! second derivatives where they meet, so that acceleration is continuous there too.
+//! third derivative, `h` being the interval. A straight move beside the curve takes up its first
+//! and second derivatives where they meet, so that acceleration is continuous there too.
 
 use rayon::prelude::*;
 

@@ -20,8 +20,8 @@
 //! locations. Unlike the published scheme, which imposes the limits at the locations only, they are
 //! imposed on the Bernstein coefficients of every interval, which bound it as a whole.
 //!
-//! On a programmed curve ([`ProgrammedCurve`]) `q(s)` is what the kinematics make of ball centre and
-//! θ on it, as polynomials of degree 5 (`curve` module), and `s` is its parameter.
+//! On a programmed curve ([`ProgrammedCurve`]) `q(s)` is what the kinematics make of ball centre
+//! and θ on it, as polynomials of degree 5 (`curve` module), and `s` is its parameter.
 //!
 //! With limits of jerk (the default) `w = u'` is constant between points of a grid instead, `u` and
 //! so every axis' acceleration is continuous, and the least time is found by an interior-point
@@ -148,7 +148,8 @@ pub fn plan(
 /// As [`plan`]; on the curve that a path was given, one row of which belongs to each location.
 ///
 /// # Errors
-/// As [`plan`], and where the curve has not as many rows as the path, or its parameters do not rise.
+/// As [`plan`], and where the curve has not as many rows as the path, or its parameters do not
+/// rise.
 pub fn plan_on(
     path: &Toolpath,
     schedule: &Schedule,

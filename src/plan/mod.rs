@@ -125,7 +125,7 @@ impl Setup {
         ScheduleOptions { settings: self.job.schedule, pace, ..ScheduleOptions::default() }
     }
 
-    /// Options of the smooth curve as the job has them: no more than a third of the limit of gouges.
+    /// Options of the smooth curve as the job has them: at most a third of the limit of gouges.
     pub fn smooth_options(&self) -> SmoothOptions {
         let usual = SmoothOptions::default();
         let usual = match self.blade.part.brep {

@@ -31,8 +31,8 @@
 //! value in its note.
 //!
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre
-//! with θ even, or as the plan's curve; the clearance is measured to the part's triangles and lessened by their deflection;
-//! jerk is not checked.
+//! with θ even, or as the plan's curve; the clearance is measured to the part's
+//! triangles and lessened by their deflection; jerk is not checked.
 
 mod apart;
 mod asked;

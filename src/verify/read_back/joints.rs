@@ -2,7 +2,8 @@
 //! derivatives from one line to the next, computed from the text.
 //!
 //! Two lines may run through their polynomials at different speeds, so derivatives are those by arc
-//! length of the ball centre `c`. With `v = |c'|`, `a = c'·c''/v` and `b = (|c''|² + c'·c''')/v − a²/v`
+//! length of the ball centre `c`. With `v = |c'|`, `a = c'·c''/v` and
+//! `b = (|c''|² + c'·c''')/v − a²/v`
 //!
 //! ```text
 //! c_s = c'/v,     c_ss = (c'' − a c_s)/v²,     c_sss = (c''' − 3 a v c_ss − b c_s)/v³
