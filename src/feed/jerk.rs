@@ -9,7 +9,8 @@
 //! ```
 //!
 //! are cubic and quadratic where the curve is, of degree 5 and 4 where that is of degree 5; their
-//! Bernstein coefficients, linear in `(x, u, w)` at the cell's start, bound them over the whole of it.
+//! Bernstein coefficients, linear in `(x, u, w)` at the cell's start, bound them over the whole
+//! of it.
 //! Limits of jerk, `|bracket| ≤ J / √x`, are not convex:
 //! `1/√x` is convex in `x`, so its tangent lies below it, and with the tangent in its place the
 //! limit is convex and a little too strict. The tangent is taken anew at every iterate of the

@@ -21,8 +21,8 @@
 //! takes the fifth degree; with a lesser one every way between two locations follows the curve.
 //!
 //! **Not carried**: without a programmed curve, corners of the path of ball centres at the
-//! locations stay, since the straight moves between them are what was checked; θ on leads goes evenly from row to row as it was
-//! planned.
+//! locations stay, since the straight moves between them are what was checked;
+//! θ on leads goes evenly from row to row as it was planned.
 
 use nalgebra::{DMatrix, DVector};
 
