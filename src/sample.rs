@@ -9,12 +9,13 @@ use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
 use crate::artifact::plan::Plan;
+use crate::artifact::programmed::{CurveRow, Way};
 use crate::artifact::region::Regions;
 use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
-use crate::artifact::{Axes, AxisRows, CheckId, Cones, ToolPart};
+use crate::artifact::{Axes, AxisRows, CheckId, Cones, ProgrammedCurve, ToolPart};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -161,6 +162,43 @@ pub fn with_curve(mut plan: Plan, swing_rad: f64, per_piece: f64) -> Plan {
     plan.schedule.pieces = knots.windows(2).enumerate().map(piece).collect();
     plan.schedule.theta = s.iter().map(|x| plan.schedule.curve_at(*x).unwrap()).collect();
     plan.motion = motion(&plan.toolpath, &plan.schedule.theta);
+    plan
+}
+
+/// The plan on a programmed curve: the helix itself, θ swinging to and fro about its angle with the
+/// waves given. Pieces are so many ways between locations long.
+pub fn on_curve(mut plan: Plan, swing_rad: f64, waves: f64, per_piece: usize) -> Plan {
+    let l = &plan.toolpath.locations;
+    let (length, n) = (l[l.len() - 1].s_mm, l.len());
+    let (from, to) = (plan.schedule.theta[0], plan.schedule.theta[n - 1]);
+    let (slope, wave) = ((to - from) / length, waves / length);
+    // The angle of the normal grows evenly with the arc length, as that of θ does on average.
+    let rho = PART_RADIUS + plan.toolpath.radius_mm;
+    let climb = (l[n - 1].centre.x - l[0].centre.x) / length;
+    let row = |k: usize| {
+        let (s_mm, phi) = (l[k].s_mm, slope * l[k].s_mm);
+        let around = |order: i32| {
+            let size = rho * slope.powi(order);
+            let (sin, cos) = phi.sin_cos();
+            match order {
+                1 => [climb, -sin * size, cos * size],
+                2 => [0.0, -cos * size, -sin * size],
+                _ => [0.0, sin * size, -cos * size],
+            }
+        };
+        let (sin, cos) = (wave * s_mm).sin_cos();
+        let theta = [slope + swing_rad * wave * cos, -swing_rad * wave * wave * sin, -swing_rad * wave.powi(3) * cos];
+        let way = match (k + 1 == n, k % per_piece) {
+            (true, _) => Way::Straight,
+            (false, 0) => Way::Piece,
+            _ => Way::Within,
+        };
+        CurveRow { s_mm, centre: [1, 2, 3].map(around), theta, way }
+    };
+    let rows = (0..n).map(row).collect();
+    plan.schedule.theta = l.iter().map(|l| from + slope * l.s_mm + swing_rad * (wave * l.s_mm).sin()).collect();
+    plan.motion = motion(&plan.toolpath, &plan.schedule.theta);
+    plan.curve = Some(ProgrammedCurve { rows, ..ProgrammedCurve::default() });
     plan
 }
 

@@ -135,6 +135,20 @@ impl CurveStretch {
         CurvePlace { centre: all.map(|[x, y, z, _]| [x, y, z]), theta: all.map(|d| d[3]) }
     }
 
+    /// The place at a share of piece `i`. Derivatives of θ are taken over its own breaks: where
+    /// those of the ball centre are micrometres apart, differences over a piece would be lost in
+    /// rounding.
+    pub fn on_piece(&self, i: usize, share: f64) -> CurvePlace {
+        let [a, b] = self.breaks.span(i);
+        let own = quintic::apply(&self.breaks.ordinates(i, [a, b]), &self.centre[i..]);
+        let k = self.theta_breaks.span_of(0.5 * (a + b));
+        let [from, to] = self.theta_breaks.span(k);
+        let controls: [[f64; 1]; ORDER] = std::array::from_fn(|c| [self.theta[k + c]]);
+        let theta = quintic::apply(&self.theta_breaks.ordinates(k, [from, to]), &controls);
+        let at = ((a + (b - a) * share - from) / (to - from)).clamp(0.0, 1.0);
+        CurvePlace { centre: quintic::at(&own, b - a, share), theta: quintic::at(&theta, to - from, at).map(|[v]| v) }
+    }
+
     /// Number of pieces.
     pub fn pieces(&self) -> usize {
         self.centre.len() - DEGREE

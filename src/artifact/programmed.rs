@@ -29,11 +29,11 @@ impl Way {
 pub struct CurveRow {
     /// Parameter of the curve, mm: arc length of the path that it was made from, from its start.
     pub s_mm: f64,
-    /// First and second derivative of the ball centre by the parameter, blade frame, 1 and 1/mm.
-    /// Those of the curve where it comes here or goes on from here.
-    pub centre: [[f64; 3]; 2],
-    /// First and second derivative of θ, rad/mm and rad/mm².
-    pub theta: [f64; 2],
+    /// First, second and third derivative of the ball centre by the parameter, blade frame, 1, 1/mm
+    /// and 1/mm². Those of the curve where it comes here or goes on from here.
+    pub centre: [[f64; 3]; 3],
+    /// The same of θ, rad/mm, rad/mm² and rad/mm³.
+    pub theta: [f64; 3],
     /// What begins here.
     pub way: Way,
 }
@@ -51,10 +51,11 @@ pub struct BeforeCurve {
     pub jerk_now: Axes,
 }
 
-/// The curve. Between two locations it is the one polynomial of degree 5 that has the places and
-/// derivatives of both, where the first says so; else ball centre and θ go straight and evenly.
-/// A spline of degree 5 whose joints are among the locations is met exactly: its pieces are fixed
-/// by value, first and second derivative at both ends.
+/// The curve. Between two locations it is, where the first says so, the polynomial of degree 5 with
+/// the first's place and three derivatives, and the next one's first and second derivative; else
+/// ball centre and θ go straight and evenly. A spline of degree 5 whose joints are among the
+/// locations is met exactly: the place of the next location follows. Places are not differenced,
+/// so third derivatives keep their digits where locations are micrometres apart.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct ProgrammedCurve {
     /// One for each cutter location.
@@ -76,31 +77,35 @@ mod rows {
     use super::packed::Table;
     use super::{CurveRow, Way};
 
-    const COLUMNS: [&str; 10] = ["s_mm", "c1_x", "c1_y", "c1_z", "c2_x", "c2_y", "c2_z", "theta1", "theta2", "way"];
+    const COLUMNS: [&str; 14] = [
+        "s_mm", "c1_x", "c1_y", "c1_z", "c2_x", "c2_y", "c2_z", "c3_x", "c3_y", "c3_z", "theta1", "theta2", "theta3",
+        "way",
+    ];
 
     pub(super) fn serialize<S: Serializer>(rows: &[CurveRow], to: S) -> Result<S::Ok, S::Error> {
         let row = |r: &CurveRow| {
-            let ([a, b], [t1, t2]) = (r.centre, r.theta);
+            let ([a, b, c], [t1, t2, t3]) = (r.centre, r.theta);
             let way = match r.way {
                 Way::Straight => 0.0,
                 Way::Within => 1.0,
                 Way::Piece => 2.0,
             };
-            [r.s_mm, a[0], a[1], a[2], b[0], b[1], b[2], t1, t2, way]
+            [r.s_mm, a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], t1, t2, t3, way]
         };
         Table::of(COLUMNS, rows.iter().map(row)).serialize(to)
     }
 
     pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<CurveRow>, D::Error> {
         let rows = Table::deserialize(from)?.rows(COLUMNS).map_err(D::Error::custom)?;
-        let row = |[s_mm, a0, a1, a2, b0, b1, b2, t1, t2, way]: [f64; 10]| {
+        let row = |[s_mm, a0, a1, a2, b0, b1, b2, c0, c1, c2, t1, t2, t3, way]: [f64; 14]| {
             let way = match way {
                 0.0 => Way::Straight,
                 1.0 => Way::Within,
                 2.0 => Way::Piece,
                 _ => return Err(format!("{way} is no way of the curve: it is 0, 1 or 2")),
             };
-            Ok(CurveRow { s_mm, centre: [[a0, a1, a2], [b0, b1, b2]], theta: [t1, t2], way })
+            let centre = [[a0, a1, a2], [b0, b1, b2], [c0, c1, c2]];
+            Ok(CurveRow { s_mm, centre, theta: [t1, t2, t3], way })
         };
         rows.into_iter().map(row).collect::<Result<_, String>>().map_err(D::Error::custom)
     }
@@ -109,34 +114,43 @@ mod rows {
 /// A polynomial of ball centre and θ between two locations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polynomial {
-    /// Coefficients of the Bernstein basis; the fourth component is θ.
+    /// Where it begins; the fourth component is θ.
+    pub from: [f64; 4],
+    /// Coefficients of the Bernstein basis less the beginning.
     pub ordinates: [[f64; 4]; ORDER],
     /// Length of its parameter, mm.
     pub length_mm: f64,
 }
 
 impl Polynomial {
-    /// Through places, first and second derivatives at both ends; of each `[x, y, z, θ]`.
-    pub fn between(from: [[f64; 4]; 3], to: [[f64; 4]; 3], length_mm: f64) -> Self {
+    /// With a place and its first three derivatives where it begins, and the first two where it
+    /// ends; of each `[x, y, z, θ]`.
+    pub fn between(from: [[f64; 4]; 4], to: [[f64; 4]; 2], length_mm: f64) -> Self {
         let h = length_mm;
         let at = |k: usize| {
-            let ([p, d, dd], [q, e, ee]) = (from.map(|v| v[k]), to.map(|v| v[k]));
+            let ([_, d, dd, ddd], [e, ee]) = (from.map(|v| v[k]), to.map(|v| v[k]));
             let (first, second) = (h / 5.0, h * h / 20.0);
-            [p, p + first * d, p + 2.0 * first * d + second * dd, q - 2.0 * first * e + second * ee, q - first * e, q]
+            let third = 3.0 * (first * d + second * dd) + h * h * h / 60.0 * ddd;
+            let fourth = third + first * e - second * ee;
+            [0.0, first * d, 2.0 * first * d + second * dd, third, fourth, fourth + first * e]
         };
         let of: [[f64; ORDER]; 4] = std::array::from_fn(at);
-        Polynomial { ordinates: std::array::from_fn(|j| of.map(|o| o[j])), length_mm }
+        Polynomial { from: from[0], ordinates: std::array::from_fn(|j| of.map(|o| o[j])), length_mm }
     }
 
     /// Place and derivatives by the parameter at a share of the way.
     pub fn at(&self, share: f64) -> CurvePlace {
-        let all = quintic::at(&self.ordinates, self.length_mm, share);
+        let mut all = quintic::at(&self.ordinates, self.length_mm, share);
+        all[0] = std::array::from_fn(|c| self.from[c] + all[0][c]);
         CurvePlace { centre: all.map(|[x, y, z, _]| [x, y, z]), theta: all.map(|d| d[3]) }
     }
 
     /// Coefficients of the Bernstein basis of a derivative by the parameter: the first so many.
     pub fn derivative(&self, order: usize) -> ([[f64; 4]; ORDER], usize) {
         let mut o = self.ordinates;
+        if order == 0 {
+            o = o.map(|o| std::array::from_fn(|c| self.from[c] + o[c]));
+        }
         for k in 0..order.min(DEGREE) {
             let factor = (DEGREE - k) as f64 / self.length_mm;
             for j in 0..DEGREE - k {
@@ -158,16 +172,16 @@ impl ProgrammedCurve {
     /// next one. `theta`: angles at the locations, rad.
     pub fn polynomial(&self, path: &Toolpath, theta: &[f64], row: usize) -> Option<Polynomial> {
         let (a, b) = (self.rows.get(row)?, self.rows.get(row + 1)?);
-        let (p, q) = (path.locations.get(row)?, path.locations.get(row + 1)?);
-        let (t, u) = (*theta.get(row)?, *theta.get(row + 1)?);
+        let (p, theta) = (path.locations.get(row)?.centre, *theta.get(row)?);
         if !a.way.is_curved() {
             return None;
         }
-        let place = |row: &CurveRow, c: &crate::geometry::Point, theta: f64| {
-            let [d, dd] = row.centre;
-            [[c.x, c.y, c.z, theta], [d[0], d[1], d[2], row.theta[0]], [dd[0], dd[1], dd[2], row.theta[1]]]
+        let derivative = |row: &CurveRow, k: usize| {
+            let [x, y, z] = row.centre[k];
+            [x, y, z, row.theta[k]]
         };
-        Some(Polynomial::between(place(a, &p.centre, t), place(b, &q.centre, u), b.s_mm - a.s_mm))
+        let from = [[p.x, p.y, p.z, theta], derivative(a, 0), derivative(a, 1), derivative(a, 2)];
+        Some(Polynomial::between(from, [derivative(b, 0), derivative(b, 1)], b.s_mm - a.s_mm))
     }
 
     /// Its rows with as many straight ones before and after, for leads. Parameters go on by
@@ -204,18 +218,16 @@ mod tests {
     proptest! {
         #[test]
         fn a_polynomial_has_what_it_is_made_of(v in prop::collection::vec(-2.0..2.0f64, 24), h in 0.05..3.0f64) {
-            let of = |k: usize| std::array::from_fn(|r| std::array::from_fn(|c| v[12 * k + 4 * r + c]));
-            let (from, to): ([[f64; 4]; 3], [[f64; 4]; 3]) = (of(0), of(1));
-            let p = Polynomial::between(from, to, h);
-            for (share, want) in [(0.0, from), (1.0, to)] {
-                let got = p.at(share);
-                for r in 0..3 {
-                    let size = 1e-12 * 400.0 / h.powi(r as i32);
-                    for c in 0..3 {
-                        prop_assert!((got.centre[r][c] - want[r][c]).abs() < size.max(1e-12));
-                    }
-                    prop_assert!((got.theta[r] - want[r][3]).abs() < size.max(1e-12));
+            let of = |r: usize| std::array::from_fn(|c| v[4 * r + c]);
+            let p = Polynomial::between([of(0), of(1), of(2), of(3)], [of(4), of(5)], h);
+            let (from, to) = (p.at(0.0), p.at(1.0));
+            for (got, order, row) in [(&from, 0, 0), (&from, 1, 1), (&from, 2, 2), (&from, 3, 3), (&to, 1, 4), (&to, 2, 5)] {
+                let want: [f64; 4] = of(row);
+                let size = 1e-12 * (1.0 + 400.0 / h.powi(order as i32));
+                for c in 0..3 {
+                    prop_assert!((got.centre[order][c] - want[c]).abs() < size, "{order}");
                 }
+                prop_assert!((got.theta[order] - want[3]).abs() < size, "{order}");
             }
             // Hulls hold.
             for order in 0..5 {
@@ -229,10 +241,30 @@ mod tests {
         }
     }
 
+    /// Third derivatives of a curve far from the origin, at locations two micrometres apart.
+    #[test]
+    fn short_steps_keep_third_derivatives() {
+        let h = 2e-3;
+        let wave = |s: f64, k: i32| if k % 2 == 0 { -(0.3 * s).sin() } else { (0.3 * s).cos() };
+        let d = |s: f64, k: i32| wave(s, k) * 0.3f64.powi(k);
+        let at = |s: f64| [d(s, 1), d(s, 2), -d(s, 3)];
+        let row = |s: f64| at(s).map(|v| [v; 4]);
+        let [a1, a2, a3] = row(0.4);
+        let [b1, b2, _] = row(0.4 + h);
+        let p = Polynomial::between([[300.0 + (0.3f64 * 0.4).sin(); 4], a1, a2, a3], [b1, b2], h);
+        let (end, want) = (p.at(1.0), at(0.4 + h)[2]);
+        assert!((end.theta[3] - want).abs() < 1e-8, "{} {want}", end.theta[3]);
+        assert!((end.theta[0] - 300.0 - (0.3f64 * (0.4 + h)).sin()).abs() < 1e-13);
+    }
+
     #[test]
     fn rows_come_back_from_files() {
-        let row =
-            CurveRow { s_mm: 0.1, centre: [[1.0, 2.0, 3.0], [4.0, 5.0, 6.5]], theta: [0.3, -0.7], way: Way::Piece };
+        let row = CurveRow {
+            s_mm: 0.1,
+            centre: [[1.0, 2.0, 3.0], [4.0, 5.0, 6.5], [7.0, 8.0, 9.5]],
+            theta: [0.3, -0.7, 0.1],
+            way: Way::Piece,
+        };
         let rows = vec![row, CurveRow { way: Way::Within, ..row }, CurveRow::default()];
         let curve = ProgrammedCurve { rows, ..ProgrammedCurve::default() };
         let text = serde_json::to_string(&curve).unwrap();

@@ -128,6 +128,20 @@ impl AxisCurve {
     pub fn position(&self, row: usize, axis: usize, by_interval: f64) -> f64 {
         self.rows.get(row).map_or(by_interval, |r| r[axis])
     }
+
+    /// How far the series miss the positions at the locations, mm or rad: what they cut off.
+    #[cfg(test)]
+    pub fn cut_off(&self) -> f64 {
+        let s = self.abscissae();
+        let mut worst = 0.0f64;
+        for i in 0..self.spline.intervals() {
+            for k in (0..self.functions()).filter(|k| self.quintic(i, *k).is_some()) {
+                worst = worst.max((self.at(i, k, 0.0)[0] - self.rows[i][k]).abs());
+                worst = worst.max((self.at(i, k, s[i + 1] - s[i])[0] - self.rows[i + 1][k]).abs());
+            }
+        }
+        worst
+    }
 }
 
 impl Programmed<'_> {

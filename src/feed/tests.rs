@@ -437,3 +437,91 @@ proptest! {
         assert_differences_within_limits(&plan(&p, &s, &machine, &o, &Silent).unwrap(), &machine);
     }
 }
+
+/// A plan on a curve, closely enough that its polynomials are the curve to some nanometres.
+fn curved() -> (Toolpath, Schedule, ProgrammedCurve) {
+    let plan = crate::sample::on_curve(crate::sample::plan(2, 360), 0.03, 40.0, 3);
+    (plan.toolpath, plan.schedule, plan.curve.unwrap())
+}
+
+#[test]
+fn the_axes_on_a_curve_are_those_of_the_machine() {
+    let machine = Machine::demo().unwrap();
+    let (path, schedule, on) = curved();
+    let o = FeedOptions { limit_jerk: true, ..options(2000.0) };
+    let (curve, rates) = axis_curve(&path, &schedule, Some(&on), &machine, &o).unwrap();
+    assert!(curve.is_bent() && rates.iter().all(|r| (r - 1.0).abs() < 1e-4), "{rates:?}");
+    // What the series cut off, as its bound says: (h/2)⁶ q⁽⁶⁾/720 with waves of θ at 40/L.
+    let s = curve.abscissae();
+    let (h, wave) = (s[1], 40.0 / s[s.len() - 1]);
+    let reach = 300.0;
+    let bound = (0.5 * h).powi(6) * reach * (0.03 * wave.powi(6) + 0.05f64.powi(6)) / 720.0;
+    let off = curve.cut_off();
+    assert!(off < bound + 1e-9 && off < 1e-7, "{off} {bound}");
+    // Third derivatives against differences of positions along the polynomials.
+    for i in [5, 200, 500] {
+        let p = on.polynomial(&path, &schedule.theta, i).unwrap();
+        let place = |t: f64| {
+            let at = p.at(t / p.length_mm);
+            machine.inverse(&at.point(), at.theta[0], path.cone(i).lean_rad, o.gauge_length_mm)
+        };
+        let (t, d) = (0.5 * p.length_mm, 0.05);
+        let rows = [-2.0, -1.0, 1.0, 2.0].map(|k| place(t + k * d));
+        for k in 0..curve.functions() {
+            let third = (rows[3][k] - 2.0 * rows[2][k] + 2.0 * rows[1][k] - rows[0][k]) / (2.0 * d.powi(3));
+            let is = curve.third(i, k, t);
+            assert!((is - third).abs() < 1e-3 * third.abs() + 2e-7, "axis {k} at {i}: {is} {third}");
+        }
+    }
+}
+
+#[test]
+fn every_limit_is_kept_between_locations_of_a_curve() {
+    let (path, schedule, on) = curved();
+    for (feed, scale) in [(2000.0, 1.0), (12000.0, 0.3)] {
+        let machine = Machine::demo().unwrap().with_limits_scaled(scale);
+        let o = FeedOptions { limit_jerk: true, ..options(feed) };
+        let (curve, rates) = axis_curve(&path, &schedule, Some(&on), &machine, &o).unwrap();
+        let axes = machine.axes();
+        let limits = jerk::Limits::from_fn(axes.len(), |k| {
+            let l = axes[k].limits;
+            [l.velocity, l.acceleration, l.jerk]
+        });
+        let speed = feed / 60.0;
+        let caps: Vec<f64> = rates.iter().map(|r| (speed / r).powi(2)).collect();
+        let p = jerk::fastest(&curve, &limits, speed, &caps, &Silent).unwrap();
+        assert!((0.0..0.06).contains(&p.gap), "{}", p.gap);
+        let s = curve.abscissae();
+        let mut reached = [0.0f64; 3];
+        // Without the end cells, where jerk along the path is constant instead.
+        for g in 1..p.s.len() - 2 {
+            let i = s.partition_point(|v| *v <= p.s[g] + 1e-12).clamp(1, s.len() - 1) - 1;
+            for f in [0.0, 0.2, 0.5, 0.9] {
+                let d = f * (p.s[g + 1] - p.s[g]);
+                let (u, x) = (p.u[g] + p.w[g] * d, p.x[g] + 2.0 * p.u[g] * d + p.w[g] * d * d);
+                let (v, t) = (x.max(0.0).sqrt(), p.s[g] + d - s[i]);
+                for (k, most) in limits.iter().enumerate() {
+                    let [_, q1, q2] = curve.at(i, k, t);
+                    let third = curve.third(i, k, t);
+                    let is = [q1 * v, q1 * u + q2 * x, v * (q1 * p.w[g] + 3.0 * q2 * u + third * x)];
+                    for order in 0..3 {
+                        let share = is[order].abs() / most[order];
+                        assert!(share <= 1.0 + 1e-5, "axis {k}, derivative {order} at {g} + {f}: {share}");
+                        reached[order] = reached[order].max(share);
+                    }
+                }
+            }
+        }
+        assert!(reached[2] > 0.95, "{reached:?}");
+        let motion = plan_on(&path, &schedule, Some(&on), &machine, &o, &Silent).unwrap();
+        assert_differences_within_limits(&motion, &machine);
+    }
+}
+
+#[test]
+fn a_curve_that_is_another_path_s_is_refused() {
+    let (path, schedule, mut on) = curved();
+    on.rows.pop();
+    let e = plan_on(&path, &schedule, Some(&on), &Machine::demo().unwrap(), &options(100.0), &Silent).unwrap_err();
+    assert!(e.kind == ErrorKind::Usage && e.message.contains("the curve"), "{}", e.message);
+}

@@ -4,7 +4,8 @@
 //! A row is where a piece of the curve begins, and as many more within a piece, evenly, as keep
 //! straight moves from row to row within the chord tolerance: the same rows serve programs of
 //! polynomials, which take the pieces whole, and programs of straight moves. The channel is looked
-//! at anew at these rows. Where θ leaves it there, or the tool comes too near to something between
+//! at anew at these rows. Where the ridges of the whole path would fail their check, the room across
+//! the path is halved until they do not. Where θ leaves it there, or the tool comes too near to something between
 //! them, those pieces are given up and the path's own locations come back.
 
 use rayon::prelude::*;
@@ -21,11 +22,13 @@ use crate::feed;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
-use crate::smooth::{self, Objective};
+use crate::smooth::{self, Objective, SmoothOptions};
 use crate::verify;
 
+/// How often the room across the path is halved where ridges would fail their check.
+const NARROWER: usize = 4;
 /// How often the curve is made anew, nearer to the path at places where it does not keep clear, …
-const NEARER: usize = 3;
+const NEARER: usize = 2;
 /// … each time with this share of the room there, and so far around them, mm.
 const SHARE: f64 = 0.2;
 const AROUND_MM: f64 = 1.0;
@@ -77,17 +80,22 @@ pub(super) fn smoothed(
     if before.path.cones.same().is_none() {
         return given_up("tool axes are on another cone at each location".into());
     }
-    let (options, objective) = (setup.smooth_options(), Objective::Part);
+    let (mut options, objective) = (setup.smooth_options(), Objective::Part);
     let Before { path: old, channel: walls, schedule } = before;
     let mut shares = vec![1.0; old.locations.len()];
-    let make = |shares: &[f64]| {
+    let make = |options: &SmoothOptions, shares: &[f64]| {
         timed(observer, Stage::Smooth, || {
-            smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, &options, shares, observer)
+            smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, options, shares, observer)
         })
     };
-    let mut found = make(&shares)?;
+    let mut found = make(&options, &shares)?;
+    let verify_options = setup.verify_options();
+    let ridges_mm = |path: &Toolpath| verify::ridges_p99(path, &setup.blade.part, &verify_options);
+    // What the check lets pass, or what the path has anyway.
+    let most_mm = (verify_options.settings.scallop_ratio * verify_options.scallop_mm).max(ridges_mm(old));
     let mut kept: Vec<[f64; 2]> = Vec::new();
-    for round in 0..NEARER + ROUNDS {
+    let (mut nearer, mut narrower) = (0, 0);
+    for _ in 0..NEARER + ROUNDS + NARROWER {
         if found.stretches.is_empty() {
             return given_up(longest(&found.left).map_or("it is too short".into(), |l| l.why.to_string()));
         }
@@ -95,6 +103,15 @@ pub(super) fn smoothed(
         let Some((path, schedule, curve)) = timed(observer, Stage::Smooth, || laid.out()) else {
             return given_up("the part is nowhere near".into());
         };
+        if timed(observer, Stage::Smooth, || ridges_mm(&path)) > most_mm {
+            if narrower == NARROWER {
+                return given_up("with hardly any room across the path its ridges are still too high".into());
+            }
+            narrower += 1;
+            options.across *= 0.5;
+            found = make(&options, &shares)?;
+            continue;
+        }
         let channel = match channel_on(setup, before, &path, &curve, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => return given_up(format!("on the curve {}", e.message)),
             channel => channel?,
@@ -106,12 +123,13 @@ pub(super) fn smoothed(
             return Ok(Some(Made { path, channel, schedule, curve }));
         }
         observer.check(Stage::Smooth)?;
-        if round + 1 < NEARER {
+        if nearer < NEARER {
+            nearer += 1;
             for (l, share) in old.locations.iter().zip(&mut shares) {
                 let is_near = |[a, b]: &[f64; 2]| l.s_mm > a - AROUND_MM && l.s_mm < b + AROUND_MM;
                 *share *= if bad.iter().any(is_near) { SHARE } else { 1.0 };
             }
-            found = make(&shares)?;
+            found = make(&options, &shares)?;
         } else {
             kept.extend(bad);
         }
@@ -281,7 +299,7 @@ impl Laid<'_> {
             }
             Source::Curve { stretch, span, share } => (stretch, span, share),
         };
-        let at = piece(&self.found.stretches[stretch], span).at(share);
+        let at = self.found.stretches[stretch].on_piece(span, share);
         let centre = at.point();
         let foot = part.closest(&centre, f64::INFINITY)?;
         let normal = (centre - foot.point).try_normalize(1e-12)?;
@@ -289,8 +307,8 @@ impl Laid<'_> {
         let location = CutterLocation { centre, contact: foot.point, normal, ..old[near] };
         let row = CurveRow {
             s_mm: place.s_mm,
-            centre: [at.centre[1], at.centre[2]],
-            theta: [at.theta[1], at.theta[2]],
+            centre: [at.centre[1], at.centre[2], at.centre[3]],
+            theta: [at.theta[1], at.theta[2], at.theta[3]],
             way: place.way,
         };
         Some((location, at.theta[0], row))
@@ -425,7 +443,7 @@ impl Laid<'_> {
 
 fn piece(stretch: &CurveStretch, span: usize) -> Polynomial {
     let [a, b] = stretch.breaks.span(span);
-    Polynomial { ordinates: stretch.ordinates(span), length_mm: b - a }
+    Polynomial { from: [0.0; 4], ordinates: stretch.ordinates(span), length_mm: b - a }
 }
 
 fn and(a: CurveProof, b: CurveProof) -> CurveProof {

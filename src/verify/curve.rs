@@ -13,7 +13,7 @@
 //! | `curve-scallop` | 99th percentile of the heights over the part under the ball along the curve |
 //! | `curve-clearance` | how much less than asked for the tool without its ball keeps from part, fixtures and stock |
 //! | `curve-theta` | how far θ turns back, or lies outside the channel with walls straight between locations |
-//! | `curve-joints` | greatest jump of a third derivative at a location within the curve, as a share of the greatest there is |
+//! | `curve-joints` | greatest jump of a third derivative at a location within the curve, as a share of the greatest there is; also that places join |
 
 use rayon::prelude::*;
 
@@ -36,6 +36,8 @@ const OFF_MM: f64 = 1e-4;
 const OFF_RAD: f64 = 1e-5;
 /// Chords of one polynomial at most.
 const MOST_CHORDS: usize = 64;
+/// Polynomials lead to the next location within this, mm or rad: what rounding makes.
+const GAP: f64 = 1e-9;
 /// Third derivatives at a joint may differ by this share of the greatest.
 const JUMP: f64 = 0.01;
 
@@ -186,8 +188,9 @@ fn keeps_clear(plan: &Plan, blade: &Blade, apart: &[Apart], chords: &Chords, opt
     let mut worst = (f64::NEG_INFINITY, 0, String::new());
     for a in apart {
         let limit = options.least_clearance(a.asked_mm);
-        let kept = clearance::kept(track, a.part, &a.segments, limit, options);
-        let least = kept.least_mm - chords.off_at(a);
+        let off_mm = chords.off_at(a);
+        let kept = clearance::kept(track, a.part, &a.segments, limit + off_mm, options);
+        let least = kept.least_mm - off_mm;
         if limit - least > worst.0 {
             let who = if a.is_holder { "holder" } else { "taper and shank" };
             let note = format!("{who} to {}: nowhere less than {least:.6} mm, {limit:.6} needed", a.named(kept.face));
@@ -204,7 +207,7 @@ fn turning(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve, options: &Verify
     let forward = if theta[theta.len() - 1] >= theta[0] { 1.0 } else { -1.0 };
     let off = |k: usize| {
         let Some(p) = curve.polynomial(path, theta, k) else { return 0.0 };
-        let o = p.ordinates.map(|o| o[3]);
+        let o = p.derivative(0).0.map(|o| o[3]);
         let back = o.windows(2).map(|w| (w[0] - w[1]) * forward).fold(0.0, f64::max);
         let (a, b) = (&rows[k], &rows[k + 1]);
         let outside = |(j, theta): (usize, &f64)| {
@@ -235,12 +238,21 @@ fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
         .collect();
     let size = |v: &[f64; 4]| [(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt(), v[3].abs()];
     let most = thirds.iter().flatten().flatten().map(size).fold([0.0f64; 2], |m, v| [m[0].max(v[0]), m[1].max(v[1])]);
-    let jump = |w: &[Option<[[f64; 4]; 2]>]| {
+    // The place that a polynomial leads to is the next location's.
+    let gap = |k: usize| {
+        let (p, to) = (curve.polynomial(path, theta, k)?, path.locations.get(k + 1)?);
+        let end = p.at(1.0);
+        Some((end.point() - to.centre).norm().max((end.theta[0] - theta[k + 1]).abs()))
+    };
+    let jump = |(k, w): (usize, &[Option<[[f64; 4]; 2]>])| {
+        if gap(k).is_some_and(|g| !(g <= GAP)) {
+            return f64::MAX;
+        }
         let (Some([_, a]), Some([b, _])) = (&w[0], &w[1]) else { return 0.0 };
         let [c, t] = size(&std::array::from_fn(|k| a[k] - b[k]));
         (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE))
     };
-    let (worst, before) = greatest(thirds.windows(2).map(jump));
+    let (worst, before) = greatest(thirds.windows(2).enumerate().map(jump));
     let note =
         format!("greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³", most[0], most[1]);
     let quantity = "jump of a third derivative at a location along the programmed curve, as a share of the greatest";

@@ -13,9 +13,12 @@
 
 use rayon::prelude::*;
 
-use super::height::{Height, REACH_SLACK, flat_stepover, lift, sort};
+use super::height::{Height, REACH_SLACK, flat_stepover, lift, percentile, sort};
+use super::options::VerifyOptions;
 use super::sweep::Sweep;
+use crate::artifact::Toolpath;
 use crate::geometry::allowance::Allowed;
+use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 
 /// Ridges are measured at most at so many places.
@@ -35,6 +38,16 @@ const APART: f64 = 0.05;
 /// First and last turn, which have a neighbour on one side only.
 pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
     (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0))
+}
+
+/// The 99th percentile of the ridges that a path leaves, mm, as its check measures it; 0 where there
+/// are none, and on meshes, whose facets bend each ridge by more than the scallop.
+pub fn ridges_p99(path: &Toolpath, part: &Part, options: &VerifyOptions) -> f64 {
+    if part.brep.is_none() || path.locations.len() < 2 {
+        return 0.0;
+    }
+    let on = Allowed::new(part, path.stock_mm);
+    percentile(&all(&on, &Sweep::new(path), options.scallop_mm, false), 0.99)
 }
 
 /// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are

@@ -82,7 +82,7 @@ fn planted(text: &str, line: usize, word: &str, k: usize, by: f64) -> String {
         let mut list: Vec<f64> = l[start..end].split(',').map(|v| v.parse().unwrap()).collect();
         list.resize(list.len().max(k + 1), 0.0);
         list[k] += by;
-        let list: Vec<String> = list.iter().map(|v| format!("{v:.5}")).collect();
+        let list: Vec<String> = list.iter().map(|v| format!("{v:.8}")).collect();
         format!("{}{}{}", &l[..start], list.join(","), &l[end..])
     };
     let out = text.lines().enumerate().map(|(i, l)| if i + 1 == line { change(l) } else { l.to_owned() });
@@ -170,5 +170,41 @@ fn post_files_that_mix_up_polynomials_are_refused() {
         assert_ne!(text, good, "{from}");
         let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
         assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{}", e.message);
+    }
+}
+
+/// A plan on a programmed curve goes as one spline: fewer blocks than ways between locations, ball
+/// and tool axis on the curve, and derivatives that meet at the joints.
+#[test]
+fn a_programmed_curve_is_carried_piece_by_piece() {
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let plan = sample::with_leads(sample::on_curve(sample::plan(2, 180), 0.05, 23.0, 3));
+    let good = program(Control::SiemensPoly, plan.clone(), false, &options()).unwrap();
+    let checks = read_back(&good, &plan, &blade, &tool, &machine).unwrap();
+    for c in &checks {
+        assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
+    }
+    assert!(checks.iter().any(|c| c.id == CheckId::ProgramJoints && c.note.contains("joints")));
+    let moves = polynomials(&good, &tool, &machine);
+    let leads: usize = plan.leads.iter().map(|l| l.centres.len()).sum();
+    assert!(moves.len() < 360 / 2 + leads, "{} {leads}", moves.len());
+    // A fifth coefficient moves the ball by less than any other check sees, and breaks the joint.
+    let line = moves[leads / 2 + 40].line;
+    let bad = Program { text: planted(&good.text, line, "Y", 4, 2e-5), ..good.clone() };
+    let checks = read_back(&bad, &plan, &blade, &tool, &machine).unwrap();
+    let failed: Vec<_> = checks.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect();
+    assert_eq!(failed, [CheckId::ProgramJoints]);
+    // From a turn on, and in lesser degrees, too.
+    let from = PostOptions { from_turn: Some(2), ..options() };
+    let half = program(Control::SiemensPoly, plan.clone(), false, &from).unwrap();
+    let rest = planned(&plan, &from).unwrap().into_owned();
+    assert!(polynomials(&half, &tool, &machine).len() < moves.len());
+    for c in read_back(&half, &rest, &blade, &tool, &machine).unwrap() {
+        assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
+    }
+    let cubic = Control::SiemensPoly.post_file().replace("poly_degree = 5", "poly_degree = 3");
+    let cubic = written(&Dialect::from_toml(&cubic, "own").unwrap(), plan.clone(), false, &options()).unwrap();
+    for c in read_back(&cubic, &plan, &blade, &tool, &machine).unwrap() {
+        assert!(c.passed || c.id == CheckId::ProgramJoints, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
     }
 }
