@@ -10,6 +10,7 @@ use std::sync::atomic::Ordering;
 
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
+use bladewright::artifact::programmed::CurveRow;
 use bladewright::error::ErrorKind;
 use bladewright::job::JobFile;
 use bladewright::observe::Silent;
@@ -86,6 +87,50 @@ fn a_smooth_curve_is_what_is_programmed() {
     assert!(program.text.contains("PO["), "polynomials");
     let joints = checks.iter().find(|c| c.id == CheckId::ProgramJoints).expect("joints are judged");
     assert!(checks.iter().all(|c| c.passed), "{joints:?}");
+    // Curves that are spoilt at one row: into the part, off the next location, against θ.
+    let middle = verified.value().toolpath.locations.len() / 2;
+    let spoilt = |change: &dyn Fn(&mut CurveRow)| {
+        let mut plan = verified.value().clone();
+        change(&mut plan.curve.as_mut().expect("a curve").rows[middle]);
+        let verdict = outcome.setup.verdict(plan, &Silent).expect("a verdict");
+        let failed = verdict.report().checks.iter().filter(|c| !c.passed);
+        failed.map(|c| c.id.clone()).collect::<Vec<_>>()
+    };
+    let normal = verified.value().toolpath.locations[middle].normal;
+    let dives = |row: &mut CurveRow| (0..3).for_each(|d| row.centre[0][d] -= 0.2 * normal[d]);
+    assert!(spoilt(&dives).contains(&CheckId::CurveGouge));
+    assert_eq!(spoilt(&|row| row.centre[2][0] += 0.1), [CheckId::CurveJoints]);
+    assert!(spoilt(&|row| row.theta[0] = -1.0).contains(&CheckId::CurveTheta));
+}
+
+/// A finished run on a smooth curve stands for another one whole, or not at all: the path that the
+/// curve was made from is not kept.
+#[test]
+fn a_smooth_run_is_taken_over_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let plan = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_bladewright"));
+        let model = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step");
+        command.args(["--quiet", "plan", model, "-o"]).arg(folder.path());
+        let keys = ["path.scallop_mm=0.05", "region.start_mm=12", "region.end_mm=8", "post.control=[\"siemens-poly\"]"];
+        keys.iter().chain(more).for_each(|key| {
+            command.args(["--set", key]);
+        });
+        let out = command.output().expect("it runs");
+        assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+        ["plan.json", "program.poly.mpf"].map(|f| std::fs::read_to_string(folder.path().join(f)).expect("a file"))
+    };
+    let [straight, _] = plan(&[]);
+    assert!(!straight.contains("\"curve\""), "plans without the setting know nothing of it");
+    let kinds = ["schedule.kind=optimal", "feed.smooth=true"];
+    let [optimal, program] = plan(&kinds);
+    assert!(optimal.contains("\"curve\"") && program.contains("PO["));
+    let again = plan(&[kinds[0], kinds[1], "verify.surface_samples=60000"]);
+    assert!(again[0] == optimal);
+    // Another schedule is made on the path, not on the curve: as if there had been no run before.
+    let fixed = plan(&["feed.smooth=true", "schedule.kind=piecewise"]);
+    std::fs::remove_file(folder.path().join("manifest.json")).expect("it is there");
+    assert!(plan(&["feed.smooth=true", "schedule.kind=piecewise"])[0] == fixed[0]);
 }
 
 #[test]

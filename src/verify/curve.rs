@@ -13,7 +13,7 @@
 //! | `curve-scallop` | 99th percentile of the heights over the part under the ball along the curve |
 //! | `curve-clearance` | how much less than asked for the tool without its ball keeps from part, fixtures and stock |
 //! | `curve-theta` | how far θ turns back, or lies outside the channel with walls straight between locations |
-//! | `curve-joints` | greatest jump of a third derivative at a location within the curve, as a share of the greatest there is; also that places join |
+//! | `curve-joints` | greatest jump of a third derivative at a location within the curve beyond rounding, as a share of the greatest there is; also that places join |
 
 use rayon::prelude::*;
 
@@ -38,6 +38,9 @@ const OFF_RAD: f64 = 1e-5;
 const MOST_CHORDS: usize = 64;
 /// Polynomials lead to the next location within this, mm or rad: what rounding makes.
 const GAP: f64 = 1e-9;
+/// Rounding of third derivatives, over the cube of a length and of a value of size 1: two ends, each
+/// of some roundings.
+const ROUNDING: f64 = 4.0 * 60.0 * f64::EPSILON;
 /// Third derivatives at a joint may differ by this share of the greatest.
 const JUMP: f64 = 0.01;
 
@@ -238,6 +241,7 @@ fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
         .collect();
     let size = |v: &[f64; 4]| [(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt(), v[3].abs()];
     let most = thirds.iter().flatten().flatten().map(size).fold([0.0f64; 2], |m, v| [m[0].max(v[0]), m[1].max(v[1])]);
+    let reach = path.locations.iter().map(|l| l.centre.coords.norm()).fold(0.0, f64::max);
     // The place that a polynomial leads to is the next location's.
     let gap = |k: usize| {
         let (p, to) = (curve.polynomial(path, theta, k)?, path.locations.get(k + 1)?);
@@ -249,8 +253,13 @@ fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
             return f64::MAX;
         }
         let (Some([_, a]), Some([b, _])) = (&w[0], &w[1]) else { return 0.0 };
-        let [c, t] = size(&std::array::from_fn(|k| a[k] - b[k]));
-        (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE))
+        let [c, t] = size(&std::array::from_fn(|j| a[j] - b[j]));
+        // Control values are rounded as places and angles are: a third derivative over a length has
+        // that by 60 over its cube.
+        let h = (curve.rows[k + 1].s_mm - curve.rows[k].s_mm).min(curve.rows[k + 2].s_mm - curve.rows[k + 1].s_mm);
+        let rounding = ROUNDING / h.powi(3);
+        let [c, t] = [c - rounding * reach, t - rounding * theta[k].abs()];
+        (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE)).max(0.0)
     };
     let (worst, before) = greatest(thirds.windows(2).enumerate().map(jump));
     let note =
