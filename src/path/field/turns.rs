@@ -102,21 +102,13 @@ impl Turn {
     }
 }
 
-/// A node before it is polished.
-struct Guess {
-    node: Node,
-    /// Its foot on the turn before; none where it waits.
-    near: Option<Place>,
-    /// The share of a stepover by which it is to be apart from the turn before.
-    share: f64,
-}
-
-/// A node that is laid: its foot on the turn before, where the ridge tells, and the share of a
-/// stepover between.
+/// A node that is being laid.
 #[derive(Clone, Copy)]
 struct Laid {
     node: Node,
+    /// Its foot on the turn before; none where it waits, or ridges do not tell.
     near: Option<Place>,
+    /// The share of a stepover by which it is to be apart from the turn before.
     share: f64,
 }
 
@@ -186,6 +178,15 @@ impl Reader<'_> {
         places.par_iter().filter_map(on_level).collect()
     }
 
+    /// The foot of a ball on a curve, sought about a place of it, and the ridge between the two, mm;
+    /// no ridge where ridges do not tell.
+    fn ridge_to(&self, curve: &Curve, touch: &Touch, near: Place) -> Option<(Place, Point, Option<f64>)> {
+        let level = self.field.level;
+        let near = curve.nearest_about(&touch.centre, near)?;
+        let foot = level.touch(&curve.point(near), 0.1 * level.radius_mm)?.centre;
+        Some((near, foot, ridge_over_creases(level, &touch.centre, &foot)))
+    }
+
     /// The ball at which the ridge to a curve is the scallop times the square of `share`, from a
     /// guess: the farthest found that leaves no more, where ridges jump. `None` where ridges do not
     /// tell.
@@ -195,11 +196,11 @@ impl Reader<'_> {
         let (mut touch, mut near) = (*guess, near);
         let (mut low_mm, mut high_mm, mut best) = (0.0, f64::INFINITY, None);
         for _ in 0..MOST_TRIES {
-            near = before.nearest_about(&touch.centre, near)?;
-            let foot = level.touch(&before.point(near), 0.1 * level.radius_mm)?.centre;
+            let (at, foot, ridge) = self.ridge_to(before, &touch, near)?;
+            near = at;
             let way = touch.centre - foot;
             let way_mm = way.norm();
-            let ridge = ridge_over_creases(level, &touch.centre, &foot).unwrap_or(f64::INFINITY);
+            let ridge = ridge.unwrap_or(f64::INFINITY);
             let factor = (goal_mm / ridge.max(1e-3 * goal_mm)).sqrt();
             if factor >= 1.0 && way_mm > low_mm {
                 (low_mm, best) = (way_mm, Some(touch));
@@ -245,7 +246,7 @@ impl Reader<'_> {
         line.push(over);
         let shares = self.shares(&line);
         let count = line.len();
-        let guessed: Vec<Guess> = (0..count)
+        let guessed: Vec<Laid> = (0..count)
             .into_par_iter()
             .map(|i| {
                 let is_last = i + 1 == count;
@@ -253,14 +254,14 @@ impl Reader<'_> {
             })
             .collect();
         let polished: Vec<Option<Touch>> = guessed.par_iter().map(|g| self.polish(before, g)).collect();
-        let at = |(g, touch): (&Guess, Option<Touch>)| Laid {
+        let at = |(g, touch): (&Laid, Option<Touch>)| Laid {
             node: touch.map_or(g.node, |touch| Node { touch, ..g.node }),
             near: g.near.filter(|_| touch.is_some()),
             share: g.share,
         };
-        let mut laid: Vec<Laid> = guessed.iter().zip(polished).map(at).collect();
         let begin = Node { phi: if before.is_end { 0.0 } else { from.phi }, ..from };
-        laid.insert(0, Laid { node: begin, near: None, share: 0.0 });
+        let laid = std::iter::once(Laid { node: begin, near: None, share: 0.0 });
+        let laid = laid.chain(guessed.iter().zip(polished).map(at)).collect();
         let laid = self.refined(before, laid);
         let known: Vec<Node> = laid[1..]
             .par_iter()
@@ -290,9 +291,8 @@ impl Reader<'_> {
                     return None;
                 }
                 let touch = level.touch(&curve.point(Place { number: i, share: 0.5 }), self.field.net.cell_mm)?;
-                let near = before.curve.nearest_about(&touch.centre, near)?;
-                let foot = level.touch(&before.curve.point(near), 0.1 * level.radius_mm)?.centre;
-                let ridge = ridge_over_creases(level, &touch.centre, &foot)? / (self.field.scallop_mm * share * share);
+                let (near, _, ridge) = self.ridge_to(&before.curve, &touch, near)?;
+                let ridge = ridge? / (self.field.scallop_mm * share * share);
                 if (1.0 - lower..1.0 + higher).contains(&ridge) {
                     return None;
                 }
@@ -342,10 +342,10 @@ impl Reader<'_> {
 
     /// About where a node of a line goes, and its foot on the turn before; `along` is the share of
     /// the turn.
-    fn guess(&self, before: &Turn, node: Node, share: f64, along: f64, is_last: bool) -> Guess {
+    fn guess(&self, before: &Turn, node: Node, share: f64, along: f64, is_last: bool) -> Laid {
         let (field, curve) = (self.field, &before.curve);
         if node.waits {
-            return Guess { node, near: None, share };
+            return Laid { node, near: None, share };
         }
         // In the ramp first down to about its height: the turn before is to be the nearest.
         let lower =
@@ -358,16 +358,16 @@ impl Reader<'_> {
             // Where a turn begins the turn before ends, near by.
             curve.nearest_within(&lower.centre, [along - BESIDE, along + BESIDE])
         };
-        let Some(near) = near else { return Guess { node: Node { touch: lower, ..node }, near, share } };
+        let Some(near) = near else { return Laid { node: Node { touch: lower, ..node }, near, share } };
         let share = if before.is_end { share } else { 1.0 };
         let phi = curve.value(&before.phi, near) + share;
         let touch = field.onto(lower, phi).filter(|t| (self.within)(t)).unwrap_or(lower);
-        Guess { node: Node { touch, phi, waits: false }, near: Some(near), share }
+        Laid { node: Node { touch, phi, waits: false }, near: Some(near), share }
     }
 
     /// The ball where the ridge to the turn before is the scallop; `None` where ridges do not tell
     /// or the node waits.
-    fn polish(&self, before: &Turn, guess: &Guess) -> Option<Touch> {
+    fn polish(&self, before: &Turn, guess: &Laid) -> Option<Touch> {
         let (near, level) = (guess.near?, self.field.level);
         if guess.share < LEAST_SHARE {
             return level.touch(&before.curve.point(near), 0.1 * level.radius_mm);
