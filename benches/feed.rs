@@ -146,7 +146,8 @@ fn rough(out: &mut String, n: usize) -> Result<(), String> {
         let (path, schedule) = rough_helix(n, &noise);
         let start = Instant::now();
         let options = FeedOptions::new(2000.0, 60.0);
-        let (m, gap) = feed::plan_with_bound(&path, &schedule, &machine, &options, &Silent).map_err(|e| e.message)?;
+        let (m, gap) =
+            feed::plan_with_bound(&path, &schedule, None, &machine, &options, &Silent).map_err(|e| e.message)?;
         let _ = writeln!(
             out,
             "{n} locations, {centre_um} um and {theta_mrad} mrad, facets of {}, uneven {}: {:.2} s, {:.0} MB so far, motion of {:.2} s, \

@@ -145,6 +145,12 @@ impl Polynomial {
         CurvePlace { centre: all.map(|[x, y, z, _]| [x, y, z]), theta: all.map(|d| d[3]) }
     }
 
+    /// How far the straight way from begin to end, ball centre and θ even, is off at the same share
+    /// of it, at most: mm and rad, `h² max |c''|/8`.
+    pub fn sagitta(&self) -> [f64; 2] {
+        self.greatest(2).map(|d| d * self.length_mm * self.length_mm / 8.0)
+    }
+
     /// Coefficients of the Bernstein basis of a derivative by the parameter: the first so many.
     pub fn derivative(&self, order: usize) -> ([[f64; 4]; ORDER], usize) {
         let mut o = self.ordinates;

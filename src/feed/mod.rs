@@ -158,7 +158,7 @@ pub fn plan_on(
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<AxisMotion> {
-    let (motion, gap) = plan_on_with_bound(path, schedule, on, machine, options, observer)?;
+    let (motion, gap) = plan_with_bound(path, schedule, on, machine, options, observer)?;
     if let Some(gap) = gap.filter(|g| *g > LARGE_GAP) {
         observer.warn(Warning { stage: Stage::Feed, doubt: Doubt::RoughBound { gap } });
     }
@@ -171,16 +171,6 @@ pub fn plan_on(
 /// # Errors
 /// As [`plan`].
 pub fn plan_with_bound(
-    path: &Toolpath,
-    schedule: &Schedule,
-    machine: &Machine,
-    options: &FeedOptions,
-    observer: &dyn Observer,
-) -> Result<(AxisMotion, Option<f64>)> {
-    plan_on_with_bound(path, schedule, None, machine, options, observer)
-}
-
-fn plan_on_with_bound(
     path: &Toolpath,
     schedule: &Schedule,
     on: Option<&ProgrammedCurve>,

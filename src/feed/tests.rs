@@ -349,7 +349,7 @@ fn what_is_said_of_a_rough_path_is_known() {
     let told = crate::observe::Recorder::new(&Silent);
     let m = plan(&p, &s, &machine, &o, &told).unwrap();
     assert_differences_within_limits(&m, &machine);
-    let (same, gap) = plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap();
+    let (same, gap) = plan_with_bound(&p, &s, None, &machine, &o, &Silent).unwrap();
     assert_eq!(same, m);
     let gap = gap.unwrap();
     assert!(gap > LARGE_GAP && gap < 0.6, "{gap}");
@@ -365,7 +365,7 @@ fn on_a_smooth_path_little_is_left_between_the_motion_and_its_bound() {
     let machine = Machine::demo().unwrap();
     let (p, s) = path(&wavy(4000, 0.1, 2.0));
     let o = FeedOptions { limit_jerk: true, ..options(3000.0) };
-    let (m, gap) = plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap();
+    let (m, gap) = plan_with_bound(&p, &s, None, &machine, &o, &Silent).unwrap();
     let gap = gap.unwrap();
     assert!((0.0..0.01).contains(&gap), "{gap}");
     // Whatever keeps the limits of jerk keeps the others, too.
@@ -382,7 +382,7 @@ fn one_thread_and_eight_find_the_same_motion() {
     let o = FeedOptions { limit_jerk: true, ..options(2000.0) };
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| plan_with_bound(&p, &s, &machine, &o, &Silent).unwrap())
+        pool.install(|| plan_with_bound(&p, &s, None, &machine, &o, &Silent).unwrap())
     };
     assert_eq!(with(1), with(8));
 }

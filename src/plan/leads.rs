@@ -66,8 +66,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
     for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
         let mut left = left.clone();
         let leads = [lead, left.leads[1].clone()];
-        (left.motion, left.leads) =
-            motion_on(setup, &left.toolpath, &left.schedule, left.curve.as_ref(), leads, &Silent)?;
+        (left.motion, left.leads) = motion(setup, &left.toolpath, &left.schedule, left.curve.as_ref(), leads, &Silent)?;
         match verify::restart(whole, left, &room)? {
             Verdict::Passed(passed) if !whole.forced() => return Ok(passed),
             Verdict::Passed(passed) => return Ok(passed.as_forced()),
@@ -112,19 +111,8 @@ fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Ro
     ))
 }
 
-/// The fastest motion over path and leads, taken apart.
+/// The fastest motion over path and leads, on the programmed curve where there is one, taken apart.
 pub(crate) fn motion(
-    setup: &Setup,
-    path: &Toolpath,
-    schedule: &Schedule,
-    leads: [Lead; 2],
-    observer: &dyn Observer,
-) -> Result<(AxisMotion, [Lead; 2])> {
-    motion_on(setup, path, schedule, None, leads, observer)
-}
-
-/// As [`motion`], on a programmed curve.
-pub(crate) fn motion_on(
     setup: &Setup,
     path: &Toolpath,
     schedule: &Schedule,

@@ -68,9 +68,10 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
     let (options, known_curve) = (setup.schedule_options(), known.curve);
     // What a baseline that nobody asked for does wrong is no warning: its figures stand in the
     // summary. Where it is the job's own schedule it is planned again below, and warns.
-    let mut fixed = timed(observer, Stage::Schedule, || {
-        schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
-    })?;
+    let baseline = |path: &Toolpath, channel: &Channel| {
+        timed(observer, Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, path, channel, &options, &Silent))
+    };
+    let mut fixed = baseline(&toolpath, &channel)?;
     let (mut schedule, mut motion) = match known.schedule {
         Some(s) => (s, known.motion),
         None => timed(observer, Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
@@ -87,9 +88,7 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         if let Some(made) = smoothing::smoothed(setup, before, motion.as_ref(), observer)? {
             (toolpath, channel, schedule) = (made.path, made.channel, made.schedule);
             (motion, curve) = (None, Some(made.curve));
-            fixed = timed(observer, Stage::Schedule, || {
-                schedule::plan(ScheduleKind::Fixed, &toolpath, &channel, &options, &Silent)
-            })?;
+            fixed = baseline(&toolpath, &channel)?;
         }
     }
     let (motion, leads, fixed_motion) = timed(observer, Stage::Feed, || {
@@ -101,8 +100,8 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         // time, since each takes one thread.
         let others = lead::for_schedule(&chosen, &toolpath, &fixed);
         let on = curve.as_ref();
-        let own = || motion.map_or_else(|| leads::motion_on(setup, &toolpath, &schedule, on, chosen, observer), Ok);
-        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, others, &Silent));
+        let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, on, chosen, observer), Ok);
+        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, None, others, &Silent));
         let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
         Ok((motion, leads, fixed_motion))
     })?;
@@ -143,12 +142,7 @@ fn keep_clear(
         rows.extend(short);
         rows.sort_unstable();
         rows.dedup();
-        let narrower = |exact_ends: bool| {
-            let options = channel::ChannelOptions { prove_at: rows.clone(), ..setup.channel_options() }
-                .with(|s| s.exact_ends = exact_ends);
-            let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
-            channel::plan_among(&around, tool, path, &options, &Silent)
-        };
+        let narrower = |exact_ends: bool| channel_proven(setup, path, &rows, exact_ends, &Silent);
         let found =
             timed(observer, Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
         let made = found.and_then(|c| {
@@ -163,6 +157,20 @@ fn keep_clear(
         observer.check(Stage::Schedule)?;
     }
     Ok(())
+}
+
+/// The channel along a path, with the moves after these locations proven.
+pub(super) fn channel_proven(
+    setup: &Setup,
+    path: &Toolpath,
+    prove_at: &[usize],
+    exact_ends: bool,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    let options = channel::ChannelOptions { prove_at: prove_at.to_vec(), ..setup.channel_options() }
+        .with(|s| s.exact_ends = exact_ends);
+    let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
+    channel::plan_among(&around, &setup.job.tool, path, &options, observer)
 }
 
 /// The path of the job; says so where it ends before the height that the job asks for.
@@ -235,21 +243,17 @@ pub(crate) fn channel_as_far_as_it_goes(
 /// kept as room. `None` where there are none, where they have been asked already, or where the
 /// channel closes by them too.
 fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -> Option<Result<Channel>> {
-    let options = setup.channel_options().with(|s| s.exact_ends = true);
     if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
         return None;
     }
-    let planned = timed(observer, Stage::Channel, || {
-        let around = setup.finer_surroundings()?;
-        channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
-    });
+    let planned = timed(observer, Stage::Channel, || channel_proven(setup, toolpath, &[], true, observer));
     if planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible) {
         return None;
     }
     if planned.is_err() {
         return Some(planned);
     }
-    let doubt = Doubt::ChannelByExactFaces { proven: options.settings.prove_moves };
+    let doubt = Doubt::ChannelByExactFaces { proven: setup.job.channel.prove_moves };
     observer.warn(Warning { stage: Stage::Channel, doubt });
     Some(planned)
 }

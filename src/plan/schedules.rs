@@ -35,7 +35,7 @@ pub(crate) fn least_time(
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
-        let (motion, leads) = leads::motion(setup, path, &schedule, leads, &told)?;
+        let (motion, leads) = leads::motion(setup, path, &schedule, None, leads, &told)?;
         Ok(MovedSchedule { schedule, motion, leads, warnings: told.warnings() })
     };
     let candidates: Vec<Schedule> = own.into_iter().chain(rivals).collect();

@@ -16,7 +16,6 @@ use crate::artifact::programmed::{BeforeCurve, CurveRow, Polynomial, Way};
 use crate::artifact::schedule::Quality;
 use crate::artifact::toolpath::{CutterLocation, Turn};
 use crate::artifact::{Channel, ProgrammedCurve, Schedule, Toolpath};
-use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::feed;
 use crate::geometry::Point;
@@ -167,7 +166,7 @@ fn compared(
         Some((motion, _)) => motion.time_s,
         None => {
             let chosen = leads::choose(setup, before.path, before.schedule, &Silent)?;
-            leads::motion(setup, before.path, before.schedule, chosen, &Silent)?.0.time_s
+            leads::motion(setup, before.path, before.schedule, None, chosen, &Silent)?.0.time_s
         }
     };
     let jerk = feed::peaks(before.path, before.schedule, &setup.machine, &options)?.jerk;
@@ -194,12 +193,7 @@ fn channel_on(
     }
     prove_at.sort_unstable();
     prove_at.dedup();
-    let plan = |exact_ends: bool| {
-        let options = channel::ChannelOptions { prove_at: prove_at.clone(), ..setup.channel_options() }
-            .with(|s| s.exact_ends = exact_ends);
-        let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
-        channel::plan_among(&around, &setup.job.tool, path, &options, observer)
-    };
+    let plan = |exact_ends: bool| planning::channel_proven(setup, path, &prove_at, exact_ends, observer);
     let is_exact = setup.job.channel.exact_ends;
     timed(observer, Stage::Channel, || match plan(is_exact) {
         Err(e) if e.kind == ErrorKind::Infeasible && !is_exact && setup.blade.part.brep.is_some() => plan(true),
@@ -391,8 +385,7 @@ impl Laid<'_> {
             || (b.contact - a.contact).norm() > EDGE * (b.centre - a.centre).norm();
         let is_hollow = piece.at(0.5).derivative(2).dot(&a.normal) > 0.0;
         let share = if is_hollow && !is_edge { IN_HOLLOWS } else { CHORD };
-        let bend = piece.greatest(2)[0];
-        let by_chord = piece.length_mm * (bend / (8.0 * share * path.chord_mm)).sqrt();
+        let by_chord = (piece.sagitta()[0] / (share * path.chord_mm)).sqrt();
         let by_length = piece.length_mm * piece.greatest(1)[0] / self.setup.job.path.max_step_mm;
         by_chord.max(by_length).ceil().clamp(1.0, 1e6) as usize
     }

@@ -7,7 +7,7 @@ use super::reuse::{self, Checks};
 use super::summary::{self, ProgramFigures, ScheduleFigures, Summary};
 use super::{Course, RunFolder, json_compact, tables};
 use crate::artifact::report::Check;
-use crate::artifact::{CheckReport, Plan, Program, ProgrammedCurve, Schedule, Section};
+use crate::artifact::{AxisMotion, CheckReport, Plan, Program, ProgrammedCurve, Schedule, Section};
 use crate::error::{Result, Stage};
 use crate::feed;
 use crate::observe::{Observer, Recorder, timed};
@@ -108,8 +108,7 @@ pub(super) fn figures(
     observer: &dyn Observer,
 ) -> Result<Summary> {
     let schedules = compare(setup, plan, baseline)?;
-    let mut summary = summary::summary(&setup.blade.name, plan, report, schedules);
-    summary.smooth = summary::smooth_figures(plan, setup.machine.axes());
+    let mut summary = summary::summary(&setup.blade.name, plan, report, schedules, setup.machine.axes());
     if setup.job.path.compare {
         let others = timed(observer, Stage::Path, || paths::others(setup, &plan.toolpath, report, observer))?;
         let figures = |(other, limit)| summary::path_figures(&other, limit, &report.limit);
@@ -148,25 +147,13 @@ pub(super) fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut Ru
 /// Figures of the schedule in use and of the fixed-lead baseline.
 pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
     let a = setup.machine.turning_axis();
-    let constant = |s: &Schedule, on: Option<&ProgrammedCurve>| {
-        let peaks = feed::peaks_on(&plan.toolpath, s, on, &setup.machine, &setup.feed_options())?;
-        Result::Ok([peaks.velocity[a], peaks.acceleration[a]])
+    let figures = |schedule: &Schedule, motion: &AxisMotion, on: Option<&ProgrammedCurve>| {
+        let peaks = feed::peaks_on(&plan.toolpath, schedule, on, &setup.machine, &setup.feed_options())?;
+        let constant = [peaks.velocity[a], peaks.acceleration[a]];
+        Ok(summary::schedule_figures(plan, schedule, motion, constant, setup.machine.axes()))
     };
-    let axes = setup.machine.axes();
     Ok(vec![
-        summary::schedule_figures(
-            plan,
-            &plan.schedule,
-            &plan.motion,
-            constant(&plan.schedule, plan.curve.as_ref())?,
-            axes,
-        ),
-        summary::schedule_figures(
-            plan,
-            &baseline.schedule,
-            &baseline.motion,
-            constant(&baseline.schedule, None)?,
-            axes,
-        ),
+        figures(&plan.schedule, &plan.motion, plan.curve.as_ref())?,
+        figures(&baseline.schedule, &baseline.motion, None)?,
     ])
 }

@@ -201,8 +201,7 @@ pub fn preview_again(
         program = again.first;
     }
     let figures = compare(setup, plan, &baseline)?;
-    let mut figures = summary::summary(&setup.blade.name, plan, &report, figures);
-    figures.smooth = summary::smooth_figures(plan, setup.machine.axes());
+    let figures = summary::summary(&setup.blade.name, plan, &report, figures, setup.machine.axes());
     let mut summary = json_of(&figures)?;
     let before = folder.existing("summary.json").and_then(|t| serde_json::from_str::<Value>(&t).ok());
     for key in ["other_paths", "programs"] {
@@ -230,7 +229,7 @@ fn fixed_lead(setup: &Setup, plan: &Plan, observer: &dyn Observer) -> Result<Bas
     let options = setup.schedule_options();
     let schedule = schedule::plan(ScheduleKind::Fixed, &plan.toolpath, &plan.channel, &options, &Silent)?;
     let others = lead::for_schedule(&plan.leads, &plan.toolpath, &schedule);
-    let (motion, _) = leads::motion(setup, &plan.toolpath, &schedule, others, observer)?;
+    let (motion, _) = leads::motion(setup, &plan.toolpath, &schedule, None, others, observer)?;
     Ok(Baseline { schedule, motion })
 }
 

@@ -121,7 +121,7 @@ pub struct SmoothFigures {
 }
 
 /// What the curve of a plan gains; `None` without one.
-pub fn smooth_figures(plan: &Plan, axes: &[Axis]) -> Option<SmoothFigures> {
+fn smooth_figures(plan: &Plan, axes: &[Axis]) -> Option<SmoothFigures> {
     let curve = plan.curve.as_ref()?;
     let jerk = axes.iter().enumerate().filter_map(|(k, axis)| {
         let [before, now] = [curve.before.jerk.get(k), curve.before.jerk_now.get(k)];
@@ -316,7 +316,13 @@ fn channel_figures(channel: &Channel) -> ChannelFigures {
 }
 
 /// The summary of a checked plan.
-pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<ScheduleFigures>) -> Summary {
+pub fn summary(
+    name: &str,
+    plan: &Plan,
+    report: &CheckReport,
+    schedules: Vec<ScheduleFigures>,
+    axes: &[Axis],
+) -> Summary {
     let path = &plan.toolpath;
     let width = channel_figures(&plan.channel);
     Summary {
@@ -345,7 +351,7 @@ pub fn summary(name: &str, plan: &Plan, report: &CheckReport, schedules: Vec<Sch
         channel_narrowest_row: width.narrowest_row,
         channel_monotone_min_deg: width.monotone_deg,
         schedules,
-        smooth: None,
+        smooth: smooth_figures(plan, axes),
         limits_assumed: Vec::new(),
         programs: Vec::new(),
         passed: report.passed(),

@@ -55,11 +55,9 @@ struct Chords {
 }
 
 impl Chords {
-    fn of(path: &Toolpath, theta: &[f64], curve: &ProgrammedCurve) -> Chords {
+    fn of(path: &Toolpath, theta: &[f64], polynomials: &[Option<Polynomial>]) -> Chords {
         let l = &path.locations;
         let all: Vec<Stand> = path.stands(theta).collect();
-        let polynomials: Vec<Option<Polynomial>> =
-            (0..l.len()).into_par_iter().with_min_len(256).map(|k| curve.polynomial(path, theta, k)).collect();
         let mut out = Chords { stands: Vec::new(), contacts: Vec::new(), rows: Vec::new(), off: [0.0; 2] };
         for (k, polynomial) in polynomials.iter().enumerate() {
             let mut put = |stand: Stand, contact: Point| {
@@ -69,7 +67,7 @@ impl Chords {
             };
             put(all[k], l[k].contact);
             let Some(p) = polynomial else { continue };
-            let [bend, turn] = p.greatest(2).map(|d| d * p.length_mm * p.length_mm / 8.0);
+            let [bend, turn] = p.sagitta();
             let parts = (bend / OFF_MM).max(turn / OFF_RAD).sqrt().ceil().clamp(1.0, MOST_CHORDS as f64);
             out.off = [out.off[0].max(bend / (parts * parts)), out.off[1].max(turn / (parts * parts))];
             for j in 1..parts as usize {
@@ -95,6 +93,12 @@ impl Chords {
     }
 }
 
+/// The ways from each location to the next.
+fn polynomials(path: &Toolpath, theta: &[f64], curve: &ProgrammedCurve) -> Vec<Option<Polynomial>> {
+    let one = |k: usize| curve.polynomial(path, theta, k);
+    (0..path.locations.len()).into_par_iter().with_min_len(256).map(one).collect()
+}
+
 /// Moves between two locations, by their first, on which the tool may come nearer to something than
 /// passes its check, on the curve or on a straight move from location to location.
 pub fn short_on_curve(
@@ -105,7 +109,7 @@ pub fn short_on_curve(
     options: &VerifyOptions,
 ) -> Vec<usize> {
     let mut out = clearance::short_moves(path, theta, apart, options);
-    let chords = Chords::of(path, theta, curve);
+    let chords = Chords::of(path, theta, &polynomials(path, theta, curve));
     for a in apart {
         let short = clearance::short_stands(&chords.stands, a, chords.off_at(a), options);
         out.extend(short.into_iter().map(|k| chords.rows[k]));
@@ -125,43 +129,11 @@ pub(super) fn check(
 ) -> Vec<Check> {
     let Some(curve) = &plan.curve else { return Vec::new() };
     let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
-    let chords = Chords::of(path, theta, curve);
+    let polynomials = polynomials(path, theta, curve);
+    let chords = Chords::of(path, theta, &polynomials);
     let sweep = chords.sweep(path);
-    let of_ball = [gouges(plan, blade, part, (&chords, &sweep), options), chord(plan, blade, curve)];
-    let of_rest = [
-        heights(plan, blade, part, (&chords, &sweep), options),
-        keeps_clear(plan, blade, apart, &chords, options),
-        turning(plan, blade, curve, options),
-        joints(plan, blade, curve),
-    ];
-    of_ball.into_iter().chain(of_rest).collect()
-}
-
-fn gouges(
-    plan: &Plan,
-    blade: &Blade,
-    part: &Allowed,
-    (chords, sweep): (&Chords, &Sweep),
-    options: &VerifyOptions,
-) -> Check {
-    let g = gouge::measure(part, sweep, options.settings.resolution_mm);
-    let bound = g.bound_mm.max(g.found_mm).max(0.0) + chords.off[0];
-    let note = format!("measured {:.6}, nowhere deeper than {bound:.6}", g.found_mm.max(0.0));
-    let quantity = "depth of the ball in the part along the programmed curve";
-    let check = Check::at_most(CheckId::CurveGouge, quantity, bound, options.settings.gouge_mm, "mm", note);
-    check.at_location(chords.rows[g.segment], plan, blade)
-}
-
-fn chord(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
-    let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
-    let off = |k: usize| {
-        let p = curve.polynomial(path, theta, k);
-        p.map_or(0.0, |p| p.greatest(2)[0] * p.length_mm * p.length_mm / 8.0)
-    };
-    let (worst, row) = greatest((0..theta.len()).map(off));
-    let quantity = "distance of straight moves between locations from the programmed curve, at most";
-    let check = Check::at_most(CheckId::CurveChord, quantity, worst, path.chord_mm, "mm", String::new());
-    check.at_location(row, plan, blade)
+    let of = OnCurve { plan, blade, part, apart, options, polynomials, chords, sweep };
+    vec![of.gouges(), of.chord(), of.heights(), of.keeps_clear(), of.turning(), of.joints()]
 }
 
 /// Greatest value and its place, the first of equals.
@@ -169,101 +141,144 @@ fn greatest(values: impl Iterator<Item = f64>) -> (f64, usize) {
     values.enumerate().fold((0.0, 0), |best, (k, v)| if v > best.0 || v.is_nan() { (v, k) } else { best })
 }
 
-fn heights(
-    plan: &Plan,
-    blade: &Blade,
-    part: &Allowed,
-    (chords, sweep): (&Chords, &Sweep),
-    options: &VerifyOptions,
-) -> Check {
-    let band = scallop::heights(part, sweep, options.scallop_mm, options.settings.surface_samples as usize);
-    let most = percentile(&band.heights, 0.99) + chords.off[0];
-    let limit = options.settings.scallop_ratio * options.scallop_mm;
-    let at = band.heights.get(((band.heights.len() as f64 * 0.99) as usize).min(band.heights.len().max(1) - 1));
-    let note = format!("at {} samples", band.heights.len());
-    let quantity = "99th percentile of the height left over the part along the programmed curve";
-    let check = Check::at_most(CheckId::CurveScallop, quantity, most, limit, "mm", note);
-    check.at_location(at.map_or(0, |h| chords.rows[h.row.min(chords.rows.len() - 1)]), plan, blade)
+/// A plan's curve, and what it is judged by.
+struct OnCurve<'a> {
+    plan: &'a Plan,
+    blade: &'a Blade,
+    part: &'a Allowed<'a>,
+    apart: &'a [Apart<'a>],
+    options: &'a VerifyOptions,
+    polynomials: Vec<Option<Polynomial>>,
+    chords: Chords,
+    sweep: Sweep,
 }
 
-fn keeps_clear(plan: &Plan, blade: &Blade, apart: &[Apart], chords: &Chords, options: &VerifyOptions) -> Check {
-    let track = Track { stands: &chords.stands, wanted: None };
-    let mut worst = (f64::NEG_INFINITY, 0, String::new());
-    for a in apart {
-        let limit = options.least_clearance(a.asked_mm);
-        let off_mm = chords.off_at(a);
-        let kept = clearance::kept(track, a.part, &a.segments, limit + off_mm, options);
-        let least = kept.least_mm - off_mm;
-        if limit - least > worst.0 {
-            let who = if a.is_holder { "holder" } else { "taper and shank" };
-            let note = format!("{who} to {}: nowhere less than {least:.6} mm, {limit:.6} needed", a.named(kept.face));
-            worst = (limit - least, chords.rows[kept.near.row.min(chords.rows.len() - 1)], note);
-        }
+impl OnCurve<'_> {
+    fn gouges(&self) -> Check {
+        let g = gouge::measure(self.part, &self.sweep, self.options.settings.resolution_mm);
+        let bound = g.bound_mm.max(g.found_mm).max(0.0) + self.chords.off[0];
+        let note = format!("measured {:.6}, nowhere deeper than {bound:.6}", g.found_mm.max(0.0));
+        let quantity = "depth of the ball in the part along the programmed curve";
+        let check = Check::at_most(CheckId::CurveGouge, quantity, bound, self.options.settings.gouge_mm, "mm", note);
+        check.at_location(self.chords.rows[g.segment], self.plan, self.blade)
     }
-    let quantity = "how much less than needed the tool without its ball keeps along the programmed curve";
-    let check = Check::at_most(CheckId::CurveClearance, quantity, worst.0.max(0.0), 0.0, "mm", worst.2);
-    check.at_location(worst.1, plan, blade)
-}
 
-fn turning(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve, options: &VerifyOptions) -> Check {
-    let (path, theta, rows) = (&plan.toolpath, &plan.schedule.theta, &plan.channel.rows);
-    let forward = if theta[theta.len() - 1] >= theta[0] { 1.0 } else { -1.0 };
-    let off = |k: usize| {
-        let Some(p) = curve.polynomial(path, theta, k) else { return 0.0 };
-        let o = p.derivative(0).0.map(|o| o[3]);
-        let back = o.windows(2).map(|w| (w[0] - w[1]) * forward).fold(0.0, f64::max);
-        let (a, b) = (&rows[k], &rows[k + 1]);
-        let outside = |(j, theta): (usize, &f64)| {
-            let share = j as f64 / 5.0;
-            let wall = |a: f64, b: f64| a + (b - a) * share;
-            (wall(a.theta_min, b.theta_min) - theta).max(theta - wall(a.theta_max, b.theta_max))
-        };
-        // At locations `theta-channel` judges; between them the walls are only known to this.
-        let outside = o.iter().enumerate().map(outside).fold(0.0, f64::max) - plan.channel.tolerance_rad;
-        back.max(outside).to_degrees()
-    };
-    let (worst, row) = greatest((0..theta.len()).map(off));
-    let quantity = "how far θ turns back, or lies outside the channel, along the programmed curve, degrees";
-    let limit = options.angle_tolerance_deg;
-    Check::at_most(CheckId::CurveTheta, quantity, worst, limit, "deg", String::new()).at_location(row, plan, blade)
-}
+    fn chord(&self) -> Check {
+        let off = |p: &Option<Polynomial>| p.map_or(0.0, |p| p.sagitta()[0]);
+        let (worst, row) = greatest(self.polynomials.iter().map(off));
+        let quantity = "distance of straight moves between locations from the programmed curve, at most";
+        let check =
+            Check::at_most(CheckId::CurveChord, quantity, worst, self.plan.toolpath.chord_mm, "mm", String::new());
+        check.at_location(row, self.plan, self.blade)
+    }
 
-fn joints(plan: &Plan, blade: &Blade, curve: &ProgrammedCurve) -> Check {
-    let (path, theta) = (&plan.toolpath, &plan.schedule.theta);
-    let thirds: Vec<Option<[[f64; 4]; 2]>> = (0..theta.len())
-        .map(|k| {
-            let p = curve.polynomial(path, theta, k)?;
-            Some([0.0, 1.0].map(|share| {
-                let at = p.at(share);
-                [at.centre[3][0], at.centre[3][1], at.centre[3][2], at.theta[3]]
-            }))
-        })
-        .collect();
-    let size = |v: &[f64; 4]| [(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt(), v[3].abs()];
-    let most = thirds.iter().flatten().flatten().map(size).fold([0.0f64; 2], |m, v| [m[0].max(v[0]), m[1].max(v[1])]);
-    let reach = path.locations.iter().map(|l| l.centre.coords.norm()).fold(0.0, f64::max);
-    // The place that a polynomial leads to is the next location's.
-    let gap = |k: usize| {
-        let (p, to) = (curve.polynomial(path, theta, k)?, path.locations.get(k + 1)?);
-        let end = p.at(1.0);
-        Some((end.point() - to.centre).norm().max((end.theta[0] - theta[k + 1]).abs()))
-    };
-    let jump = |(k, w): (usize, &[Option<[[f64; 4]; 2]>])| {
-        if gap(k).is_some_and(|g| !(g <= GAP)) {
-            return f64::MAX;
+    fn heights(&self) -> Check {
+        let band = scallop::heights(
+            self.part,
+            &self.sweep,
+            self.options.scallop_mm,
+            self.options.settings.surface_samples as usize,
+        );
+        let most = percentile(&band.heights, 0.99) + self.chords.off[0];
+        let limit = self.options.settings.scallop_ratio * self.options.scallop_mm;
+        let at = band.heights.get(((band.heights.len() as f64 * 0.99) as usize).min(band.heights.len().max(1) - 1));
+        let note = format!("at {} samples", band.heights.len());
+        let quantity = "99th percentile of the height left over the part along the programmed curve";
+        let check = Check::at_most(CheckId::CurveScallop, quantity, most, limit, "mm", note);
+        check.at_location(
+            at.map_or(0, |h| self.chords.rows[h.row.min(self.chords.rows.len() - 1)]),
+            self.plan,
+            self.blade,
+        )
+    }
+
+    fn keeps_clear(&self) -> Check {
+        let track = Track { stands: &self.chords.stands, wanted: None };
+        let mut worst = (f64::NEG_INFINITY, 0, String::new());
+        for a in self.apart {
+            let limit = self.options.least_clearance(a.asked_mm);
+            let off_mm = self.chords.off_at(a);
+            let kept = clearance::kept(track, a.part, &a.segments, limit + off_mm, self.options);
+            let least = kept.least_mm - off_mm;
+            if limit - least > worst.0 {
+                let who = if a.is_holder { "holder" } else { "taper and shank" };
+                let note =
+                    format!("{who} to {}: nowhere less than {least:.6} mm, {limit:.6} needed", a.named(kept.face));
+                worst = (limit - least, self.chords.rows[kept.near.row.min(self.chords.rows.len() - 1)], note);
+            }
         }
-        let (Some([_, a]), Some([b, _])) = (&w[0], &w[1]) else { return 0.0 };
-        let [c, t] = size(&std::array::from_fn(|j| a[j] - b[j]));
-        // Control values are rounded as places and angles are: a third derivative over a length has
-        // that by 60 over its cube.
-        let h = (curve.rows[k + 1].s_mm - curve.rows[k].s_mm).min(curve.rows[k + 2].s_mm - curve.rows[k + 1].s_mm);
-        let rounding = ROUNDING / h.powi(3);
-        let [c, t] = [c - rounding * reach, t - rounding * theta[k].abs()];
-        (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE)).max(0.0)
-    };
-    let (worst, before) = greatest(thirds.windows(2).enumerate().map(jump));
-    let note =
-        format!("greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³", most[0], most[1]);
-    let quantity = "jump of a third derivative at a location along the programmed curve, as a share of the greatest";
-    Check::at_most(CheckId::CurveJoints, quantity, worst, JUMP, "", note).at_location(before + 1, plan, blade)
+        let quantity = "how much less than needed the tool without its ball keeps along the programmed curve";
+        let check = Check::at_most(CheckId::CurveClearance, quantity, worst.0.max(0.0), 0.0, "mm", worst.2);
+        check.at_location(worst.1, self.plan, self.blade)
+    }
+
+    fn turning(&self) -> Check {
+        let (theta, rows) = (&self.plan.schedule.theta, &self.plan.channel.rows);
+        let forward = if theta[theta.len() - 1] >= theta[0] { 1.0 } else { -1.0 };
+        let off = |k: usize| {
+            let Some(p) = self.polynomials[k] else { return 0.0 };
+            let o = p.derivative(0).0.map(|o| o[3]);
+            let back = o.windows(2).map(|w| (w[0] - w[1]) * forward).fold(0.0, f64::max);
+            let (a, b) = (&rows[k], &rows[k + 1]);
+            let outside = |(j, theta): (usize, &f64)| {
+                let share = j as f64 / 5.0;
+                let wall = |a: f64, b: f64| a + (b - a) * share;
+                (wall(a.theta_min, b.theta_min) - theta).max(theta - wall(a.theta_max, b.theta_max))
+            };
+            // At locations `theta-channel` judges; between them the walls are only known to this.
+            let outside = o.iter().enumerate().map(outside).fold(0.0, f64::max) - self.plan.channel.tolerance_rad;
+            back.max(outside).to_degrees()
+        };
+        let (worst, row) = greatest((0..theta.len()).map(off));
+        let quantity = "how far θ turns back, or lies outside the channel, along the programmed curve, degrees";
+        let limit = self.options.angle_tolerance_deg;
+        Check::at_most(CheckId::CurveTheta, quantity, worst, limit, "deg", String::new())
+            .at_location(row, self.plan, self.blade)
+    }
+
+    fn joints(&self) -> Check {
+        let (path, theta) = (&self.plan.toolpath, &self.plan.schedule.theta);
+        let third = |p: &Polynomial, share: f64| {
+            let at = p.at(share);
+            [at.centre[3][0], at.centre[3][1], at.centre[3][2], at.theta[3]]
+        };
+        let ends = |p: &Option<Polynomial>| p.map(|p| [0.0, 1.0].map(|share| third(&p, share)));
+        let thirds: Vec<Option<[[f64; 4]; 2]>> = self.polynomials.iter().map(ends).collect();
+        let size = |v: &[f64; 4]| [(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt(), v[3].abs()];
+        let most =
+            thirds.iter().flatten().flatten().map(size).fold([0.0f64; 2], |m, v| [m[0].max(v[0]), m[1].max(v[1])]);
+        let reach = path.locations.iter().map(|l| l.centre.coords.norm()).fold(0.0, f64::max);
+        // The place that a polynomial leads to is the next location's.
+        let gap = |k: usize| {
+            let (p, to) = (self.polynomials[k]?, path.locations.get(k + 1)?);
+            let end = p.at(1.0);
+            Some((end.point() - to.centre).norm().max((end.theta[0] - theta[k + 1]).abs()))
+        };
+        let jump = |(k, w): (usize, &[Option<[[f64; 4]; 2]>])| {
+            if gap(k).is_some_and(|g| !(g <= GAP)) {
+                return f64::MAX;
+            }
+            let (Some([_, a]), Some([b, _])) = (&w[0], &w[1]) else { return 0.0 };
+            let [c, t] = size(&std::array::from_fn(|j| a[j] - b[j]));
+            // Control values are rounded as places and angles are: a third derivative over a length
+            // has that by 60 over its cube.
+            let length = |p: &Option<Polynomial>| p.map_or(f64::INFINITY, |p| p.length_mm);
+            let h = length(&self.polynomials[k]).min(length(&self.polynomials[k + 1]));
+            let rounding = ROUNDING / h.powi(3);
+            let [c, t] = [c - rounding * reach, t - rounding * theta[k].abs()];
+            (c / most[0].max(f64::MIN_POSITIVE)).max(t / most[1].max(f64::MIN_POSITIVE)).max(0.0)
+        };
+        let (worst, before) = greatest(thirds.windows(2).enumerate().map(jump));
+        let note = format!(
+            "greatest third derivatives: {:.4e} of the ball centre, 1/mm², {:.4e} of θ, rad/mm³",
+            most[0], most[1]
+        );
+        let quantity =
+            "jump of a third derivative at a location along the programmed curve, as a share of the greatest";
+        Check::at_most(CheckId::CurveJoints, quantity, worst, JUMP, "", note).at_location(
+            before + 1,
+            self.plan,
+            self.blade,
+        )
+    }
 }
