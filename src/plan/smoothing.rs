@@ -4,9 +4,10 @@
 //! A row is where a piece of the curve begins, and as many more within a piece, evenly, as keep
 //! straight moves from row to row within the chord tolerance: the same rows serve programs of
 //! polynomials, which take the pieces whole, and programs of straight moves. The channel is looked
-//! at anew at these rows. Where the ridges of the whole path would fail their check, the room across
-//! the path is halved until they do not. Where θ leaves it there, or the tool comes too near to something between
-//! them, those pieces are given up and the path's own locations come back.
+//! at anew at these rows. Where the ridges of the whole path would fail their check, the room
+//! across the path is halved until they do not. Where θ leaves the channel, or the tool comes too
+//! near to something between rows, the curve is made again nearer to the path there; in the end
+//! those pieces are given up and the path's own locations come back.
 
 use rayon::prelude::*;
 

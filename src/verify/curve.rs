@@ -38,8 +38,8 @@ const OFF_RAD: f64 = 1e-5;
 const MOST_CHORDS: usize = 64;
 /// Polynomials lead to the next location within this, mm or rad: what rounding makes.
 const GAP: f64 = 1e-9;
-/// Rounding of third derivatives, over the cube of a length and of a value of size 1: two ends, each
-/// of some roundings.
+/// Rounding of third derivatives, over the cube of a length and of a value of size 1: two ends,
+/// each of some roundings.
 const ROUNDING: f64 = 4.0 * 60.0 * f64::EPSILON;
 /// Third derivatives at a joint may differ by this share of the greatest.
 const JUMP: f64 = 0.01;

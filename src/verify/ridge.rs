@@ -40,8 +40,8 @@ pub(super) fn outer_turns(sweep: &Sweep) -> (u32, u32) {
     (sweep.turns.first().copied().unwrap_or(0), sweep.turns.last().copied().unwrap_or(0))
 }
 
-/// The 99th percentile of the ridges that a path leaves, mm, as its check measures it; 0 where there
-/// are none, and on meshes, whose facets bend each ridge by more than the scallop.
+/// The 99th percentile of the ridges that a path leaves, mm, as its check measures it; 0 where
+/// there are none, and on meshes, whose facets bend each ridge by more than the scallop.
 pub fn ridges_p99(path: &Toolpath, part: &Part, options: &VerifyOptions) -> f64 {
     if part.brep.is_none() || path.locations.len() < 2 {
         return 0.0;

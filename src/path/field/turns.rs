@@ -178,8 +178,8 @@ impl Reader<'_> {
         places.par_iter().filter_map(on_level).collect()
     }
 
-    /// The foot of a ball on a curve, sought about a place of it, and the ridge between the two, mm;
-    /// no ridge where ridges do not tell.
+    /// The foot of a ball on a curve, sought about a place of it, and the ridge between the two,
+    /// mm; no ridge where ridges do not tell.
     fn ridge_to(&self, curve: &Curve, touch: &Touch, near: Place) -> Option<(Place, Point, Option<f64>)> {
         let level = self.field.level;
         let near = curve.nearest_about(&touch.centre, near)?;
