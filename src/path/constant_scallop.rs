@@ -2,8 +2,8 @@
 //!
 //! The helix is its own neighbour: with `φ` the number of the turn plus the fraction of the way
 //! round, `|∇φ| = 1/d` on the level set, where `d` is the distance that leaves the scallop `h`. So
-//! each turn is laid from the turn beside it, touch by touch ([`super::march`]): straight across,
-//! as far as leaves the ridge `h` ([`super::neighbour`], measured on the part). What one turn is
+//! each turn is laid from the turn beside it, touch by touch ([`super::front`]): straight across,
+//! as far as leaves the ridge `h` measured on the part. What one turn is
 //! off by does not add up: the next is measured against where the last one is.
 //!
 //! * **End**: a height, a face that is named as the end, a wall that leans over too much, a sharp
@@ -43,13 +43,11 @@ use rayon::prelude::*;
 
 use super::bounds::{Bounds, Stop};
 use super::curve::{self, LevelCurve};
+use super::front::{Across, Fineness, Front, Laid, Node, PATIENCE, Rest};
 use super::level::{LevelSet, Touch};
-use super::march::{Laid, PATIENCE, Rest};
-use super::neighbour::Across;
 use super::options::PathOptions;
 use super::ring::{Ring, Tracing};
 use super::stepover::flat_stepover_mm;
-use super::turn::{March, TurnNode};
 use super::{chords, heights_mm, helix, place, rings, spot};
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
@@ -64,18 +62,6 @@ const COARSEST: f64 = 0.1;
 /// The decisive ridge over the scallop asked for from which on ways over facets are evened out:
 /// what is left over the surface, ridges and the ground between them, is lower then.
 const MOST_SCALLOP: f64 = 1.1;
-/// Distance of touches along a turn of the path, on exact faces and over facets: a share of the
-/// stepover on flat ground, since turns that go round something as small as a stepover are shaped
-/// by it, ...
-const TOUCHES: [f64; 2] = [0.8, 0.25];
-/// ... the same of the turns that look for the end over facets, ...
-const TOUCHES_SEARCH: f64 = 0.5;
-/// ... and so much turn of the normal where the ball rolls round an edge, rad.
-const TOUCHES_RAD: [f64; 2] = [0.2, 0.125];
-/// The share by which turns of the path are evened before the next is laid. Neighbours of a place
-/// that runs ahead do so, too: all of it at once leaves ridges that are too low, and the next turn
-/// swings back.
-const BACK: [f64; 2] = [0.4, 0.3];
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the
@@ -148,8 +134,7 @@ struct Laying<'a> {
     tracing: Tracing,
     /// Stepover on flat ground, mm.
     flat_mm: f64,
-    /// Index into what differs over facets.
-    facets: usize,
+    fineness: &'static Fineness,
     evens_ways: bool,
 }
 
@@ -167,7 +152,6 @@ impl<'a> Laying<'a> {
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds =
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
-        let facets = usize::from(level.is_over_facets());
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
         Ok(Laying {
             blade,
@@ -180,7 +164,7 @@ impl<'a> Laying<'a> {
             lowest_mm,
             tracing,
             flat_mm,
-            facets,
+            fineness: Fineness::of(level),
             evens_ways,
         })
     }
@@ -208,14 +192,12 @@ impl<'a> Laying<'a> {
     }
 
     /// The turns that only look for the end.
-    fn search(&self, scallop_mm: f64) -> March<'a> {
-        March {
+    fn search(&self, scallop_mm: f64) -> Front<'a> {
+        Front {
             across: Across { level: self.level, bounds: self.bounds, min_step_mm: self.tracing.min_step_mm },
             scallop_mm,
             flat_mm: flat_stepover_mm(self.options.radius_mm, scallop_mm),
-            // Round thin edges of exact faces coarse turns run up the part in folds where they
-            // follow each bend: to find the end they need not.
-            step_mm: if self.facets == 0 { self.tracing.max_step_mm } else { self.touches_mm(TOUCHES_SEARCH) },
+            step_mm: self.fineness.touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share)),
             round_mm: self.ring.length_mm,
             back: 1.0,
             evens_ways: self.evens_ways,
@@ -225,7 +207,7 @@ impl<'a> Laying<'a> {
 
     /// Distance of touches along a turn, mm, for a share of the stepover.
     fn touches_mm(&self, share: f64) -> f64 {
-        let round_edges = TOUCHES_RAD[self.facets] * self.options.radius_mm;
+        let round_edges = self.fineness.touches_rad * self.options.radius_mm;
         round_edges.min(share * self.flat_mm).min(self.tracing.max_step_mm)
     }
 
@@ -240,13 +222,14 @@ impl<'a> Laying<'a> {
     }
 
     /// The helix of turns laid up from the end that was found.
-    fn laid_up(&self, search: &March, down: &Laid, is_finest: bool) -> Result<Up> {
+    fn laid_up(&self, search: &Front, down: &Laid, is_finest: bool) -> Result<Up> {
         let mut reason = end_reason(self.blade, stopped(down), self.options);
         let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
         let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
         // A finer search, or ways that are evened out, may find an end from which turns can be laid
         // up. An end that was asked for stays.
-        let may_end_higher = is_finest && self.evens_ways == (self.facets == 1) && self.options.extent.ends.is_empty();
+        let may_end_higher =
+            is_finest && self.evens_ways == self.level.is_over_facets() && self.options.extent.ends.is_empty();
         let (mut deepest_mm, mut lost) = (0.0, None);
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
         for left_out in ends {
@@ -293,14 +276,14 @@ impl<'a> Laying<'a> {
                 rim: None,
             };
             let plain = self.search(options.settings.scallop_mm);
-            let up = March {
+            let up = Front {
                 across: Across { bounds: room, ..plain.across },
-                step_mm: self.touches_mm(TOUCHES[self.facets]),
-                back: BACK[self.facets],
+                step_mm: self.touches_mm(self.fineness.touches),
+                back: self.fineness.back,
                 is_path: true,
                 ..plain
             };
-            let is_over = |n: &TurnNode| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x;
+            let is_over = |n: &Node| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x;
             let mut laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
                 if to_faces { rest.stays(turn) } else { turn.iter().all(is_over) }
             })?;
@@ -357,7 +340,7 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
 }
 
 /// What ended a path, and where, as data.
-pub(super) fn named(stop: Stop) -> (Stopped, Option<Point>) {
+fn named(stop: Stop) -> (Stopped, Option<Point>) {
     match stop {
         Stop::Height => (Stopped::Region, None),
         Stop::Lean(p) => (Stopped::WallLeans, Some(p)),
@@ -369,7 +352,7 @@ pub(super) fn named(stop: Stop) -> (Stopped, Option<Point>) {
 }
 
 /// Why the helix ends, in words.
-pub(super) fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptions) -> EndReason {
+fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptions) -> EndReason {
     let most_deg = options.settings.max_lean_deg;
     let (by, Some(p)) = stop else { return EndReason::Region };
     let at = |why: String| format!("{why} at {}", place(blade, &p));
@@ -392,7 +375,7 @@ fn is_closed(turn: &[Touch]) -> bool {
 }
 
 /// From turns to locations.
-pub(super) fn finish(
+fn finish(
     level: &LevelSet,
     options: &PathOptions,
     turns: &[Vec<Touch>],

@@ -4,11 +4,10 @@
 #![allow(clippy::unwrap_used)]
 
 use super::bounds::Bounds;
+use super::front::{Across, Front};
 use super::level::{LevelSet, Touch};
-use super::neighbour::Across;
 use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
-use super::turn::March;
 use super::*;
 use crate::artifact::region::{Boundary, Extent, Patch};
 use crate::artifact::toolpath::{CutterLocation, EndReason};
@@ -18,31 +17,6 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Silent;
-
-/// How turns are laid: by a front, or read off a field.
-type Lay = fn(&Blade, &PathOptions, &dyn Observer) -> Result<Toolpath>;
-
-/// Each of these for both. The others are those of the front: over coarse facets and at faces that
-/// slant the field is not as exact yet.
-macro_rules! both {
-    ($($name:ident),+ $(,)?) => {
-        mod by_front {
-            $(#[test] fn $name() { super::$name(super::plan); })+
-        }
-        mod by_field {
-            $(#[test] fn $name() { super::$name(super::field::plan); })+
-        }
-    };
-}
-
-both!(
-    cylinder_has_the_flat_stepover_and_closes_onto_its_end,
-    cone_has_the_flat_stepover_along_its_wall,
-    wall_into_fillet_keeps_the_scallop,
-    sharp_corner_is_closed_onto,
-    sharp_edge_is_run_along,
-    same_turns_on_one_and_two_threads,
-);
 
 const R: f64 = 4.0;
 const H: f64 = 0.01;
@@ -121,7 +95,8 @@ fn assert_constant(path: &Toolpath, r: f64, within: [f64; 2]) {
     assert!(seen > 500, "{seen} places");
 }
 
-fn cylinder_has_the_flat_stepover_and_closes_onto_its_end(plan: Lay) {
+#[test]
+fn cylinder_has_the_flat_stepover_and_closes_onto_its_end() {
     let blade = turned(1500, &rows(60.0, 2.0), |_, s, c| [10.0 * c, 10.0 * s]);
     let path = plan(&blade, &options(20.0, Some(8.0)), &Silent).unwrap();
     let d = flat_stepover_mm(R, H);
@@ -139,7 +114,8 @@ fn cylinder_has_the_flat_stepover_and_closes_onto_its_end(plan: Lay) {
     assert!((length / around - 1.0).abs() < 0.01, "{length}, closed form {around}");
 }
 
-fn cone_has_the_flat_stepover_along_its_wall(plan: Lay) {
+#[test]
+fn cone_has_the_flat_stepover_along_its_wall() {
     let slope = 15f64.to_radians().tan();
     let blade = turned(1500, &rows(60.0, 2.0), |x, s, c| [(20.0 - x * slope) * c, (20.0 - x * slope) * s]);
     let path = plan(&blade, &options(20.0, Some(10.0)), &Silent).unwrap();
@@ -158,7 +134,8 @@ fn filleted(n: usize, fillet: f64) -> Blade {
     turned(n, &heights, move |x, s, c| [radius(x) * c, radius(x) * s])
 }
 
-fn wall_into_fillet_keeps_the_scallop(plan: Lay) {
+#[test]
+fn wall_into_fillet_keeps_the_scallop() {
     let blade = filleted(200, 6.0);
     let path = plan(&blade, &options(14.0, None), &Silent).unwrap();
     assert!(path.end_reason.to_string().contains("leans"), "{}", path.end_reason);
@@ -167,7 +144,8 @@ fn wall_into_fillet_keeps_the_scallop(plan: Lay) {
     assert!((end.normal.x.asin().to_degrees() - 60.0).abs() < 1.0, "{}", end.normal.x);
 }
 
-fn sharp_corner_is_closed_onto(plan: Lay) {
+#[test]
+fn sharp_corner_is_closed_onto() {
     let blade = turned(1000, &rows(60.0, 2.0), |_, s, c| [10.0 * c, 10.0 * s]);
     let path = plan(&blade, &options(10.0, None), &Silent).unwrap();
     assert!(path.end_reason.to_string().contains("corner"), "{}", path.end_reason);
@@ -280,7 +258,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
     let bounds = Bounds { along: Along::BLADE, x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
-    let march = March {
+    let march = Front {
         across,
         scallop_mm: H,
         flat_mm,
@@ -329,7 +307,8 @@ fn where_a_side_alone_comes_to_the_end_it_is_drawn_along_the_turn_that_is_there(
     assert!(path.planned_scallop_mm < 1.05 * H, "{}", path.planned_scallop_mm);
 }
 
-fn sharp_edge_is_run_along(plan: Lay) {
+#[test]
+fn sharp_edge_is_run_along() {
     // A round bar that ends in a sharp edge, hardly askew.
     let foot = |c: f64| 6.0 + 0.002 * 10.0 * c;
     let n = 600;
@@ -383,7 +362,8 @@ fn leaning_oval_is_the_same_turned_and_mirrored() {
     assert!((plain.planned_scallop_mm / H - 1.0).abs() < 0.01, "{}", plain.planned_scallop_mm);
 }
 
-fn same_turns_on_one_and_two_threads(plan: Lay) {
+#[test]
+fn same_turns_on_one_and_two_threads() {
     let blade = filleted(120, 6.0);
     let run = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

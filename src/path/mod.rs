@@ -18,7 +18,7 @@
 //!   each place round the blade.
 //! * [`PathKind::ConstantScallop`] (`constant_scallop`): no stack; every turn of the helix is laid
 //!   from the turn beside it, touch by touch, straight across, as far as leaves the scallop
-//!   (`neighbour`). The last turn runs along the end of the region, the others alongside it, and
+//!   (`front`). The last turn runs along the end of the region, the others alongside it, and
 //!   the first is the lowest that is nowhere under the start height.
 //!
 //! Heights and lean are those along the region's own axis ([`crate::artifact::along`]). Planar
@@ -53,14 +53,10 @@ mod constant_scallop;
 mod constant_scallop_tests;
 mod curve;
 mod direction;
-pub mod field;
 mod front;
 mod helix;
 mod iso_parametric;
 mod level;
-mod march;
-mod neighbour;
-mod nodes;
 mod options;
 mod rim;
 mod ring;
@@ -70,7 +66,6 @@ mod settings;
 mod stepover;
 #[cfg(test)]
 mod tests;
-mod turn;
 
 pub use options::PathOptions;
 pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};

@@ -7,35 +7,21 @@
 //! the curve turns fast (a fillet hardly larger than the ball) or has a corner (one smaller than
 //! the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
-use super::bounds::{Bounds, STEP_RAD, Stop};
-use super::level::{LevelSet, Touch};
-use super::stepover::ridge_over_creases;
+use super::fineness::{Fineness, STILL};
 use crate::geometry::{Point, Vector};
+use crate::path::bounds::{Bounds, STEP_RAD, Stop};
+use crate::path::level::{LevelSet, Touch};
+use crate::path::stepover::ridge_over_creases;
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
 const STRAIGHT_RAD: f64 = 0.5;
-/// Ways this near to the one that leaves the ridge asked for, as a share, are right, on exact faces
-/// and over facets, where touches lie nearer to one another and what a way is off by turns the
-/// next.
-const GOOD: [f64; 2] = [5e-4, 1e-4];
-/// Ways this near are right after one more step by the law of squares.
-const NEARLY: [f64; 2] = [0.02, 0.004];
 /// Tries of the law of squares: three do where the curvature is steady, more on facets.
 const MOST_TRIES: usize = 14;
 /// Steps of a walk before it is given up.
 const MOST_STEPS: usize = 400;
-/// Round an edge the contact moves, across the edge, by less than this share of what the centre
-/// does: its radius is under a hundredth of the ball's.
-const STILL: f64 = 0.01;
-/// Turn of the normal about one contact from which on an edge ends a path, rad, on exact faces and
-/// on a mesh: less are the edges between faces, and facets over curved ones.
-const SHARP_RAD: [f64; 2] = [0.6, 1.0];
 /// Turns by which the ball is rolled on to see whether it rolls, rad, and how often.
 const ON_RAD: f64 = 0.1;
 const MOST_ROLL: usize = 12;
-/// Round the end of an edge, where it curves itself, by less than this share in all, on exact faces
-/// and on a mesh, where it does not curve.
-const ROUND: [f64; 2] = [0.15, STILL];
 /// The least share of the way to a neighbour on which a ball is found to roll over an edge.
 const LEAST_ROLL: f64 = 0.02;
 /// A turn so many times as far from a place beyond an edge as the place that it is sought from lies
@@ -140,15 +126,15 @@ impl Across<'_> {
         let free = Across { bounds: Bounds::NONE, ..*self };
         let farther = |turn: f64| free.at_way(from, next.way_mm + turn * radius);
         let Some(on) = farther(ON_RAD) else { return next };
-        let facets = usize::from(self.level.is_over_facets());
+        let fineness = Fineness::of(self.level);
         let along_edge = rolls_over(&next, &on);
-        if !along_edge && !rolls_round(&next, &on, ROUND[facets]) {
+        if !along_edge && !rolls_round(&next, &on, fineness.round) {
             return next;
         }
-        let rolls = |a: &Next, b: &Next| if along_edge { rolls_over(a, b) } else { rolls_round(a, b, ROUND[facets]) };
+        let rolls = |a: &Next, b: &Next| if along_edge { rolls_over(a, b) } else { rolls_round(a, b, fineness.round) };
         let start = Next { touch: from.touch, way_mm: 0.0, stop: None };
         let mut before = free.onset(from, start, next.way_mm, |n| rolls(n, &on));
-        let sharp_rad = SHARP_RAD[facets];
+        let sharp_rad = fineness.sharp_rad;
         let turned = |n: &Next| before.touch.normal.angle(&n.touch.normal);
         let rolled = (2..).map_while(|k| farther(f64::from(k) * ON_RAD).filter(|n| rolls(n, &on)));
         let mut over = std::iter::once(on).chain(rolled.take(MOST_ROLL));
@@ -222,7 +208,7 @@ impl Across<'_> {
     }
 
     fn straight(&self, from: &Heading, h_mm: f64, guess_mm: f64) -> Option<Next> {
-        let facets = usize::from(self.level.is_over_facets());
+        let fineness = Fineness::of(self.level);
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut best: Option<Next> = None;
         let mut asked = guess_mm;
@@ -235,9 +221,9 @@ impl Across<'_> {
                 return self.stopped(from, &touch, asked);
             }
             let next = asked * factor.clamp(0.4, 2.5);
-            if (factor - 1.0).abs() <= NEARLY[facets] {
+            if (factor - 1.0).abs() <= fineness.nearly {
                 let (touch, way_mm) =
-                    if (factor - 1.0).abs() <= GOOD[facets] { (touch, way_mm) } else { self.beside(from, next)? };
+                    if (factor - 1.0).abs() <= fineness.good { (touch, way_mm) } else { self.beside(from, next)? };
                 if !self.bounds.hold(&touch) {
                     return self.stopped(from, &touch, next);
                 }

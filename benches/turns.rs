@@ -1,6 +1,6 @@
-//! Turns of constant scallop laid by a front and read off a field, side by side in one run.
+//! Turns of constant scallop and at constant height, side by side in one run.
 //!
-//! `cargo bench --bench field [-- model.step ... --radius=3 --scallop=0.01 --axis=0,0,1 --unit-m
+//! `cargo bench --bench turns [-- model.step ... --radius=3 --scallop=0.01 --axis=0,0,1 --unit-m
 //! --end=12]`; without models the project's. For each path are printed: turns, locations, length,
 //! turn of the path within the surface over its length (roughness), seconds, and the ridges and
 //! the length that [`verify::limit`] measures on the part, over scallop and limit.
@@ -76,16 +76,14 @@ fn main() {
             Ok(blade) => {
                 let scallops = number("--scallop=").map_or_else(|| vec![0.01, 0.02, 0.05], |h| vec![h]);
                 for scallop_mm in scallops {
-                    let mut options =
-                        PathOptions::new(radius_mm, scallop_mm).with(|s| s.kind = PathKind::ConstantScallop);
-                    options.extent = Extent::heights(number("--start="), number("--end="));
                     out += &format!(" scallop {scallop_mm} mm\n");
-                    let start = Instant::now();
-                    let front = path::plan(&blade, &options, &Silent);
-                    out += &row("front", &blade, &front, start.elapsed().as_secs_f64());
-                    let start = Instant::now();
-                    let field = path::field::plan(&blade, &options, &Silent);
-                    out += &row("field", &blade, &field, start.elapsed().as_secs_f64());
+                    for (name, kind) in [("scallop", PathKind::ConstantScallop), ("height", PathKind::ConstantHeight)] {
+                        let mut options = PathOptions::new(radius_mm, scallop_mm).with(|s| s.kind = kind);
+                        options.extent = Extent::heights(number("--start="), number("--end="));
+                        let start = Instant::now();
+                        let path = path::plan(&blade, &options, &Silent);
+                        out += &row(name, &blade, &path, start.elapsed().as_secs_f64());
+                    }
                 }
             }
             Err(e) => out += &format!("  {}\n", e.message),

@@ -9,11 +9,11 @@
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
-use super::curve;
-use super::level::Touch;
+use super::Front;
 use super::neighbour::Heading;
-use super::nodes::arc_lengths;
-use super::turn::{March, TurnNode};
+use super::node::{Node, arc_lengths};
+use crate::path::curve;
+use crate::path::level::Touch;
 
 /// Widths of the bell that a fit reaches.
 const REACH: f64 = 2.5;
@@ -24,7 +24,7 @@ const MOST: f64 = 0.4;
 /// So far ahead of its neighbours a touch may stay, as a share of the stepover on flat ground.
 const AHEAD: f64 = 1e-3;
 
-impl March<'_> {
+impl Front<'_> {
     /// Width of the bell over which a turn is evened: the stepover on flat ground or the step
     /// between touches, whichever is longer, mm.
     fn even_mm(&self) -> f64 {
@@ -32,16 +32,16 @@ impl March<'_> {
     }
 
     /// How far along the turns before and after the evening of one looks, mm.
-    pub(super) fn look_mm(&self) -> f64 {
+    pub fn look_mm(&self) -> f64 {
         REACH * self.even_mm()
     }
 
     /// The turn with its touches that run ahead brought back; `before` ends with the touch that the
     /// turn begins with, which stays, and `after` goes on from its last.
-    pub(super) fn even_front(&self, before: &[TurnNode], turn: &mut [TurnNode], after: &[TurnNode]) {
+    pub fn even_turn(&self, before: &[Node], turn: &mut [Node], after: &[Node]) {
         let width_mm = self.even_mm();
         let lead = before.len().saturating_sub(1);
-        let chain: Vec<TurnNode> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
+        let chain: Vec<Node> = before[..lead].iter().chain(turn.iter()).chain(after).copied().collect();
         let s_mm = arc_lengths(&chain);
         let touches: Vec<Touch> = chain.iter().map(|n| n.touch).collect();
         let along = curve::tangents(None, &touches, None);

@@ -1,0 +1,190 @@
+//! The corners of a turn, where two sides run towards one another, and the ways across them.
+
+use super::folds::Unfolded;
+use super::node::Node;
+use super::overrun::Overrun;
+use super::{FAR, Front};
+use crate::geometry::{Point, Vector};
+use crate::path::level::Touch;
+use crate::path::stepover::ridge_height;
+
+/// A place between two sides of a turn that run towards one another is nearer to both of them than
+/// this share of its distance from the corner where they meet.
+const CORNER: f64 = 0.98;
+/// A way shorter than this share of the stepover on flat ground comes to no corner: it is that of a
+/// ramp's beginning.
+const LEAST_CORNER: f64 = 0.3;
+/// Halvings towards the last place in a corner that two sides cut.
+const CORNER_HALVINGS: usize = 8;
+/// Distance of touches in a corner between two sides, as a share of the usual step.
+const BRIDGE: f64 = 0.4;
+/// Tries to bring one of them back.
+const BRIDGE_TRIES: usize = 3;
+
+impl Front<'_> {
+    /// Whether the corners of a turn are covered and no more: two sides that run towards one
+    /// another meet in a corner and cut more there than the place where they meet, and the next
+    /// turn need only come to within half a stepover of what they leave. Over facets there are such
+    /// corners in every turn.
+    pub fn follows_corners(&self) -> bool {
+        self.is_path && self.across.level.is_over_facets()
+    }
+
+    /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the
+    /// last place that the sides cut.
+    pub fn beyond_corner(&self, chain: &Overrun, i: usize, next: Node) -> Node {
+        let from = chain.centre(i);
+        let way = next.touch.centre - from;
+        if !self.follows_corners() || next.stop.is_some() || way.norm() < LEAST_CORNER * self.flat_mm {
+            return next;
+        }
+        let sides = |q: &Point| chain.sides([i; 3], self.look_mm(), q).map(|side| side - q);
+        if !are_round_a_corner(&sides(&next.touch.centre), way.norm()) {
+            return next;
+        }
+        let (mut low, mut high) = (0.5, 1.0);
+        for _ in 0..CORNER_HALVINGS {
+            let middle = 0.5 * (low + high);
+            let is_cut = sides(&(from + way * middle)).iter().any(|side| side.norm() <= 0.5 * way.norm());
+            if is_cut { low = middle } else { high = middle }
+        }
+        let touch = self.across.level.touch(&(from + way * (low + 0.5)), 0.5 * way.norm());
+        touch.filter(|t| self.across.bounds.hold(t)).map_or(next, |touch| Node { touch, ..next })
+    }
+
+    /// The nodes that go on from `first`, with more of them where others were left out: sides that
+    /// run towards one another meet in a corner, and a straight way between the last nodes of the
+    /// two would pass it by at more than a stepover.
+    pub fn bridged(&self, first: Node, unfolded: &Unfolded) -> Vec<Node> {
+        let chain = &unfolded.chain;
+        let mut nodes = vec![first];
+        let mut from = 0;
+        for (to, node) in &unfolded.kept {
+            let last = nodes[nodes.len() - 1];
+            let mut node = *node;
+            let way = node.touch.centre - last.touch.centre;
+            let count = (way.norm() / (BRIDGE * self.step_mm)).ceil() as usize;
+            // The place where one turn becomes the next may lie in such a corner, too.
+            let is_gap = *to > from + 1 || way.norm() > FAR * self.step_mm;
+            if is_gap && last.stop.is_none() && node.stop.is_none() {
+                let back = |touch: Touch| self.not_too_far(chain, [from, *to], touch);
+                let is_corner = *to > from + 1 && self.follows_corners();
+                if is_corner {
+                    node.touch = back(node.touch).unwrap_or(node.touch);
+                    // The first node is the last of the turn before.
+                    if let Some(end) = nodes[1..].last_mut() {
+                        end.touch = back(end.touch).unwrap_or(end.touch);
+                    }
+                }
+                nodes.extend((1..count).filter_map(|k| {
+                    let guess = last.touch.centre + way * (k as f64 / count as f64);
+                    let touch = back(self.across.level.touch(&guess, way.norm())?)?;
+                    Some(Node { touch, ..node })
+                }));
+            }
+            nodes.push(node);
+            from = *to;
+        }
+        nodes
+    }
+
+    /// A touch brought back to where it leaves no higher ridge than asked for beside nodes of the
+    /// turn around two. Between two sides with the angle 2β between the ways to them, that is to
+    /// `(1 + cos β)/2` of the stepover from each: half of it from what both leave.
+    fn not_too_far(&self, chain: &Overrun, [from, to]: [usize; 2], touch: Touch) -> Option<Touch> {
+        let level = self.across.level;
+        let mut touch = touch;
+        for _ in 0..BRIDGE_TRIES {
+            let q = touch.centre;
+            let of = chain.farthest([from, to], &q);
+            let sides = chain.sides([from, of, to], self.look_mm(), &q);
+            let ways = sides.map(|side| side - q);
+            let corner_mm = (chain.centre(of) - q).norm();
+            let is_corner = self.follows_corners() && are_round_a_corner(&ways, corner_mm);
+            let share = if is_corner { 0.5 + 0.5 * (0.5 * ways[0].angle(&ways[1])).cos() } else { 1.0 };
+            let near = sides[usize::from(ways[1].norm_squared() < ways[0].norm_squared())];
+            let near = level.touch(&near, self.flat_mm)?.centre;
+            let ridge = ridge_height(level, &near, &q)?;
+            let most = self.scallop_mm * share * share;
+            if ridge <= most {
+                break;
+            }
+            let guess = near + (q - near) * (most / ridge).sqrt();
+            touch = level.touch(&guess, self.flat_mm)?;
+        }
+        Some(touch)
+    }
+}
+
+/// Whether the ways from a place to the two sides of a turn are both shorter than that to the node
+/// between, `corner_mm`: the sides run towards one another.
+fn are_round_a_corner(ways: &[Vector; 2], corner_mm: f64) -> bool {
+    ways.iter().all(|way| way.norm() <= CORNER * corner_mm)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::neighbour::Across;
+    use super::*;
+    use crate::artifact::along::Along;
+    use crate::geometry::allowance::Allowed;
+    use crate::path::bounds::Bounds;
+    use crate::path::level::LevelSet;
+    use crate::path::stepover::flat_stepover_mm;
+    use crate::path::tests::turned;
+
+    #[test]
+    fn corners_are_covered_and_no_more() {
+        // A turn on the flat side of a bar, whose sides run towards one another at `half_rad` from
+        // the line between them, down at 0.
+        let blade = turned(4, &[1.0, 200.0], |_, s, c| [100.0 * c, 100.0 * s]);
+        let (radius_mm, scallop_mm) = (4.0, 0.01);
+        let level = LevelSet {
+            part: Allowed::new(&blade.part, 0.0),
+            along: Along::BLADE,
+            radius_mm,
+            rim: None,
+            lowest_mm: f64::NEG_INFINITY,
+        };
+        let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
+        let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
+        let march = Front {
+            across,
+            scallop_mm,
+            flat_mm,
+            step_mm: 0.25 * flat_mm,
+            round_mm: 100.0,
+            back: 0.3,
+            evens_ways: false,
+            is_path: true,
+        };
+        let (out, along) = (Vector::new(0.0, 1.0, 1.0).normalize(), Vector::new(0.0, -1.0, 1.0).normalize());
+        let on_side = |u: f64, v: f64| {
+            let guess = Point::new(100.0 + v, 0.0, 0.0) + out * (50f64.hypot(50.0) + radius_mm) + along * u;
+            Node { touch: level.touch(&guess, 1.0).unwrap(), way_mm: flat_mm, stop: None }
+        };
+        for half_rad in [0.6f64, 1.0, 1.3] {
+            let (sine, cosine) = half_rad.sin_cos();
+            let place = |k: i32| (0.25 * flat_mm * f64::from(k), 0.25 * flat_mm * f64::from(k.abs()));
+            let turn: Vec<Node> = (-12..=12).map(place).map(|(u, v)| on_side(u * sine, v * cosine)).collect();
+            let chain = Overrun::of(&[], &turn, std::iter::empty());
+            let up = |node: &Node| (node.touch.centre.x - 100.0) / flat_mm;
+            // Sides cut as far as half a stepover from them, 1 / sin of that over the corner.
+            let next = march.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
+            assert!((up(&next) - 0.5 * (1.0 / sine + 1.0)).abs() < 0.01, "{half_rad}: {}", up(&next));
+            // Where the sides' own neighbours meet, those of the places `gap` from the corner, is
+            // too far.
+            let gap = (4.0 * cosine / sine).ceil() as usize;
+            let met = on_side(0.0, flat_mm / sine).touch;
+            let back = march.not_too_far(&chain, [12 - gap, 12 + gap], met).unwrap().centre;
+            let near_mm = chain.sides([12; 3], march.look_mm(), &back).map(|side| (side - back).norm());
+            let near = near_mm[0].min(near_mm[1]) / flat_mm;
+            assert!((near - 0.5 * (1.0 + sine)).abs() < 0.01, "{half_rad}: {near}");
+            // Far from the corner a neighbour stays where it is.
+            let (u, v) = place(10);
+            let aside = on_side(u * sine - flat_mm * cosine, v * cosine + flat_mm * sine);
+            assert_eq!(march.beyond_corner(&chain, 22, aside).touch.centre, aside.touch.centre);
+        }
+    }
+}
