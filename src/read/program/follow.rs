@@ -4,8 +4,9 @@
 //! block under tool-centre-point control moves the programmed point straight over the part and the
 //! rotary axes evenly, in the blade frame or, where the control fixes its frame to the table when
 //! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed; under
-//! polynomial interpolation every word goes as its polynomial says. What the program has not said
-//! yet is not known (`NaN`), save for the rotary axes, which begin at 0.
+//! polynomial interpolation every word goes as its polynomial says, from where its line says that
+//! it begins, which may be off the end of the line before by what controls allow. What the program
+//! has not said yet is not known (`NaN`), save for the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
 
@@ -39,6 +40,9 @@ impl Default for Zero {
 const ALONG_RAD: f64 = 1e-6;
 /// Letters of rotary axes, in the order of a block's words.
 const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
+/// A spline line may begin so far from where the line before ended, mm or degrees: the iTNC 530
+/// refuses more.
+const APART: f64 = 1e-3;
 /// Chords that the length of a bent move is taken from.
 const CHORDS: usize = 64;
 
@@ -235,8 +239,33 @@ impl Follower<'_> {
         } else {
             self.over_the_part(block, point, to)
         };
+        if let Some(begins) = block.bend.and_then(|b| b.begins) {
+            self.begin(block, begins, &mut moved)?;
+        }
         moved.seconds = seconds(block.feed, &moved, self.bench.machine);
         Ok(moved)
+    }
+
+    /// Lets a move begin where its line says.
+    fn begin(&self, block: &Block, [point, rotary]: [[f64; 3]; 2], moved: &mut Moved) -> Result<()> {
+        let machine = self.bench.machine;
+        let turned = match moved.words {
+            Programmed::Machine => Vector::from(point),
+            _ => self.blade_from_program().rotation * Vector::from(point),
+        };
+        let linear = machine.linear().into_iter().zip(turned.iter().map(|v| (*v, 1.0)));
+        let of = |k: usize| ROTARY.iter().position(|letter| *letter == machine.axes()[k].letter).map(|w| rotary[w]);
+        let rotary = machine.rotary().map(|k| (k, (of(k).unwrap_or(0.0).to_radians(), 1f64.to_degrees())));
+        for (k, (back, unit)) in linear.chain(rotary) {
+            let apart = unit * (moved.to[k] + back - moved.from[k]).abs();
+            if !(apart <= APART) {
+                let name = &machine.axes()[k].name;
+                let what = format!("the spline begins {apart:.6} off where {name} stands, at most {APART} may be");
+                return Err(unreachable(block.line, &what));
+            }
+            moved.from[k] = moved.to[k] + back;
+        }
+        Ok(())
     }
 
     /// X, Y, Z are positions of the axes; `to` has where the rotary axes go.
