@@ -134,7 +134,6 @@ struct Laying<'a> {
     tracing: Tracing,
     /// Stepover on flat ground, mm.
     flat_mm: f64,
-    fineness: &'static Fineness,
     evens_ways: bool,
 }
 
@@ -153,20 +152,7 @@ impl<'a> Laying<'a> {
         let bounds =
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
-        Ok(Laying {
-            blade,
-            level,
-            options,
-            observer,
-            start_x,
-            ring,
-            bounds,
-            lowest_mm,
-            tracing,
-            flat_mm,
-            fineness: Fineness::of(level),
-            evens_ways,
-        })
+        Ok(Laying { blade, level, options, observer, start_x, ring, bounds, lowest_mm, tracing, flat_mm, evens_ways })
     }
 
     /// The helix, with its ways evened out or not: laid up from the first end that was found from
@@ -197,7 +183,7 @@ impl<'a> Laying<'a> {
             across: Across { level: self.level, bounds: self.bounds, min_step_mm: self.tracing.min_step_mm },
             scallop_mm,
             flat_mm: flat_stepover_mm(self.options.radius_mm, scallop_mm),
-            step_mm: self.fineness.touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share)),
+            step_mm: self.fineness().touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share)),
             round_mm: self.ring.length_mm,
             back: 1.0,
             evens_ways: self.evens_ways,
@@ -205,9 +191,14 @@ impl<'a> Laying<'a> {
         }
     }
 
+    /// What is not the same over facets and on exact faces.
+    fn fineness(&self) -> &'static Fineness {
+        Fineness::of(self.level)
+    }
+
     /// Distance of touches along a turn, mm, for a share of the stepover.
     fn touches_mm(&self, share: f64) -> f64 {
-        let round_edges = self.fineness.touches_rad * self.options.radius_mm;
+        let round_edges = self.fineness().touches_rad * self.options.radius_mm;
         round_edges.min(share * self.flat_mm).min(self.tracing.max_step_mm)
     }
 
@@ -278,8 +269,8 @@ impl<'a> Laying<'a> {
             let plain = self.search(options.settings.scallop_mm);
             let up = Front {
                 across: Across { bounds: room, ..plain.across },
-                step_mm: self.touches_mm(self.fineness.touches),
-                back: self.fineness.back,
+                step_mm: self.touches_mm(self.fineness().touches),
+                back: self.fineness().back,
                 is_path: true,
                 ..plain
             };
@@ -330,24 +321,16 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
         return (Stopped::BallTooLarge, laid.lost);
     }
     match laid.last().iter().filter_map(|n| n.stop).find(|s| *s != Stop::Height) {
-        Some(stop) => named(stop),
+        Some(Stop::Lean(p)) => (Stopped::WallLeans, Some(p)),
+        Some(Stop::Edge(p)) => (Stopped::Edge, Some(p)),
+        Some(Stop::Face(p, face)) => (Stopped::Face(face), Some(p)),
+        Some(Stop::Rim(p)) => (Stopped::Rim, Some(p)),
+        Some(Stop::Corner(p)) => (Stopped::Corner, Some(p)),
         // Places that wait at the height, and others that never come to it.
-        None => match laid.last().iter().find(|n| n.stop.is_none()) {
+        Some(Stop::Height) | None => match laid.last().iter().find(|n| n.stop.is_none()) {
             Some(free) if !laid.is_at_the_end() => (Stopped::NoNearer, Some(free.touch.centre)),
             _ => (Stopped::Region, None),
         },
-    }
-}
-
-/// What ended a path, and where, as data.
-fn named(stop: Stop) -> (Stopped, Option<Point>) {
-    match stop {
-        Stop::Height => (Stopped::Region, None),
-        Stop::Lean(p) => (Stopped::WallLeans, Some(p)),
-        Stop::Edge(p) => (Stopped::Edge, Some(p)),
-        Stop::Face(p, face) => (Stopped::Face(face), Some(p)),
-        Stop::Rim(p) => (Stopped::Rim, Some(p)),
-        Stop::Corner(p) => (Stopped::Corner, Some(p)),
     }
 }
 

@@ -258,7 +258,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
     let bounds = Bounds { along: Along::BLADE, x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
-    let march = Front {
+    let front = Front {
         across,
         scallop_mm: H,
         flat_mm,
@@ -273,7 +273,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
         x.clone().fold(f64::NEG_INFINITY, f64::max) - x.fold(f64::INFINITY, f64::min)
     };
     assert!(extent(&ring) > 2.0, "{}", extent(&ring));
-    let moved = march.at_one_contact_height(&ring).unwrap();
+    let moved = front.at_one_contact_height(&ring).unwrap();
     assert_eq!(moved.len(), ring.len());
     assert!(extent(&moved) < 0.01 * flat_mm, "{}", extent(&moved));
     assert!(moved.iter().all(|t| ((t.centre - t.contact).norm() - R).abs() < 1e-5));

@@ -149,7 +149,7 @@ mod tests {
         };
         let flat_mm = flat_stepover_mm(radius_mm, scallop_mm);
         let across = Across { level: &level, bounds: Bounds::NONE, min_step_mm: 0.01 };
-        let march = Front {
+        let front = Front {
             across,
             scallop_mm,
             flat_mm,
@@ -171,20 +171,20 @@ mod tests {
             let chain = Overrun::of(&[], &turn, std::iter::empty());
             let up = |node: &Node| (node.touch.centre.x - 100.0) / flat_mm;
             // Sides cut as far as half a stepover from them, 1 / sin of that over the corner.
-            let next = march.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
+            let next = front.beyond_corner(&chain, 12, on_side(0.0, flat_mm));
             assert!((up(&next) - 0.5 * (1.0 / sine + 1.0)).abs() < 0.01, "{half_rad}: {}", up(&next));
             // Where the sides' own neighbours meet, those of the places `gap` from the corner, is
             // too far.
             let gap = (4.0 * cosine / sine).ceil() as usize;
             let met = on_side(0.0, flat_mm / sine).touch;
-            let back = march.not_too_far(&chain, [12 - gap, 12 + gap], met).unwrap().centre;
-            let near_mm = chain.sides([12; 3], march.look_mm(), &back).map(|side| (side - back).norm());
+            let back = front.not_too_far(&chain, [12 - gap, 12 + gap], met).unwrap().centre;
+            let near_mm = chain.sides([12; 3], front.look_mm(), &back).map(|side| (side - back).norm());
             let near = near_mm[0].min(near_mm[1]) / flat_mm;
             assert!((near - 0.5 * (1.0 + sine)).abs() < 0.01, "{half_rad}: {near}");
             // Far from the corner a neighbour stays where it is.
             let (u, v) = place(10);
             let aside = on_side(u * sine - flat_mm * cosine, v * cosine + flat_mm * sine);
-            assert_eq!(march.beyond_corner(&chain, 22, aside).touch.centre, aside.touch.centre);
+            assert_eq!(front.beyond_corner(&chain, 22, aside).touch.centre, aside.touch.centre);
         }
     }
 }

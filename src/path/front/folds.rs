@@ -1,5 +1,6 @@
 //! Folds: stretches of neighbours that run backwards or beyond where others of the turn have cut.
 
+use super::fineness::Fineness;
 use super::node::Node;
 use super::overrun::Overrun;
 use super::{Front, Neighbours};
@@ -76,6 +77,11 @@ impl Front<'_> {
             Some(at) => Err(at),
             None => Ok(Unfolded { kept, end, chain }),
         }
+    }
+
+    /// So wide a stretch without a neighbour is passed over, mm.
+    fn widest_mm(&self) -> f64 {
+        Fineness::of(self.across.level).widest * (2.0 * self.flat_mm + 3.0 * self.step_mm)
     }
 
     /// Where a stretch of a turn up to the node `end` has no neighbours and is too wide to be

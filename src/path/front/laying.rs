@@ -93,6 +93,7 @@ impl Front<'_> {
     pub fn height_mm(&self, node: &Node) -> f64 {
         self.across.level.along.height_mm(&node.touch.centre)
     }
+
     /// A first turn, closed, along a ring.
     pub fn along(&self, ring: &[Touch]) -> Vec<Vec<Node>> {
         let node = |t: &Touch| Node { touch: *t, way_mm: self.flat_mm, stop: None };

@@ -75,15 +75,3 @@ pub struct Front<'a> {
     /// close to both sides of it.
     pub is_path: bool,
 }
-
-impl Front<'_> {
-    /// What is not the same over facets and on exact faces.
-    fn fineness(&self) -> &'static Fineness {
-        Fineness::of(self.across.level)
-    }
-
-    /// So wide a stretch without a neighbour is passed over, mm.
-    fn widest_mm(&self) -> f64 {
-        self.fineness().widest * (2.0 * self.flat_mm + 3.0 * self.step_mm)
-    }
-}
