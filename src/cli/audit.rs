@@ -90,8 +90,14 @@ fn text(path: &Path) -> Result<String> {
         Error::io(Stage::Verify, format!("cannot read the program {}: {e}", path.display())).caused_by(e)
     };
     let bytes = files::read(path, MAX_BYTES).map_err(io)?;
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || bytes.iter().take(64).any(|b| *b == 0) {
+        let what = format!("{} is not a text of single bytes (UTF-16?)", path.display());
+        return Err(Error::usage(Stage::Verify, what).advise("save it as ASCII or UTF-8"));
+    }
     // Comments may be in any code page; the blocks themselves are ASCII.
-    Ok(String::from_utf8_lossy(model::format::without_mark(&bytes)).into_owned())
+    let text = String::from_utf8_lossy(model::format::without_mark(&bytes)).into_owned();
+    // Lines may end in CR alone.
+    Ok(if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n") } else { text })
 }
 
 /// How the program is to be read, and why.

@@ -1,6 +1,8 @@
 //! What a line of a program asks for, and a program as it was read.
 
+use super::moved::Moved;
 use crate::artifact::program::Setting;
+use crate::geometry::Rigid;
 
 /// Where a line goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +49,41 @@ pub struct Bend {
     pub rotary: [[f64; 4]; 3],
 }
 
+/// Where the centre of an arc is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Centre {
+    /// From where the arc begins, mm.
+    FromStart([f64; 3]),
+    /// A point, mm.
+    At([f64; 3]),
+    /// As far from both ends, mm; less than 0: the way is more than half a turn.
+    Radius(f64),
+}
+
+/// A circle, or a helix where the ends are not in one plane across its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Its centre, in the coordinates of the line.
+    pub centre: Centre,
+    /// Its axis, of any length, in the coordinates of the line: the way is counter-clockwise seen
+    /// against it.
+    pub axis: [f64; 3],
+    /// Whole turns beside the way from one end to the other.
+    pub turns: u32,
+}
+
+/// How X, Y and Z go to their ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Course {
+    /// Straight, every word evenly.
+    #[default]
+    Straight,
+    /// On polynomials.
+    Bent(Bend),
+    /// On an arc, evenly along it.
+    Arc(Arc),
+}
+
 /// The feed of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feed {
@@ -69,8 +106,15 @@ pub struct Block {
     pub steps: [bool; 3],
     /// How the rotary words are meant.
     pub ways: [RotaryWay; 3],
-    /// Polynomials; `None`: every word goes evenly.
-    pub bend: Option<Bend>,
+    /// How the words go to their ends.
+    pub course: Course,
+    /// The tool axis turns in the plane of its ends, evenly; the rotary axes follow it.
+    pub great_circle: bool,
+    /// Coordinates of the line to those of the program's zero.
+    pub frame: Rigid,
+    /// X, Y, Z are over the part without tool-centre-point control, in a plane to which the tool is
+    /// square: Z of `frame`.
+    pub in_plane: bool,
     /// How fast.
     pub feed: Feed,
     /// Linear words are positions of the machine's axes, whatever the program's coordinates are
@@ -117,6 +161,12 @@ pub struct Script {
 }
 
 impl Script {
+    /// The blocks that some moves were made from, which follow one another.
+    pub fn blocks_of(&self, moves: &[Moved]) -> &[Block] {
+        let (first, last) = (moves.first().map_or(0, |m| m.block), moves.last().map_or(0, |m| m.block + 1));
+        self.blocks.get(first..last).unwrap_or_default()
+    }
+
     /// The program ends with a line, where it has not ended before.
     pub(super) fn ends(&mut self, line: usize) {
         self.end.get_or_insert(line);
@@ -132,7 +182,10 @@ impl Block {
             place,
             steps: [false; 3],
             ways: [RotaryWay::To; 3],
-            bend: None,
+            course: Course::Straight,
+            great_circle: false,
+            frame: Rigid::identity(),
+            in_plane: false,
             feed,
             machine: false,
             tool_length: false,

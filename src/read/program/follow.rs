@@ -1,21 +1,26 @@
 //! The machine moved through a program's blocks.
 //!
 //! The state is where the machine's axes stand. A block in machine axes moves them straight; a
-//! block under tool-centre-point control moves the programmed point straight over the part and the
-//! rotary axes evenly, in the blade frame or, where the control fixes its frame to the table when
-//! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed; under
-//! polynomial interpolation every word goes as its polynomial says. What the program has not said
-//! yet is not known (`NaN`), save for the rotary axes, which begin at 0.
+//! block under tool-centre-point control moves the programmed point over the part and the rotary
+//! axes evenly, in the blade frame or, where the control fixes its frame to the table when
+//! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed. Under
+//! polynomial interpolation every word goes as its polynomial says, on an arc the programmed point
+//! goes evenly along it. A block in a tilted plane moves the programmed point as well, while the
+//! tool is square to the plane. What the program has not said yet is not known (`NaN`), save for
+//! the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
 
-use super::block::{Block, Destination, Feed, RotaryWay};
+use super::arc::{self, Piece};
+use super::block::{Bend, Block, Course, Destination, Feed, RotaryWay};
+use super::moved::{self, Moved};
+use super::turn::great_circle;
 use super::unreachable;
 use crate::artifact::Axes;
 use crate::artifact::program::{Grammar, Language, Programmed};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
-use crate::machine::{AxisName, Machine, Pose};
+use crate::machine::{AxisName, Machine};
 use crate::numerics::angle::nearest_turn;
 use crate::tool::Tool;
 
@@ -37,10 +42,12 @@ impl Default for Zero {
 
 /// A vector is along the tool axis within this, rad: its components are rounded.
 const ALONG_RAD: f64 = 1e-6;
+/// The tool is square to a plane within this, rad: rotary words have three decimals.
+const SQUARE_RAD: f64 = 1e-4;
+/// Most moves beside one for each block, of arcs and of great circles.
+const MOST: usize = 2_000_000;
 /// Letters of rotary axes, in the order of a block's words.
 const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
-/// Chords that the length of a bent move is taken from.
-const CHORDS: usize = 64;
 
 /// What a program runs on.
 #[derive(Clone, Copy, Debug)]
@@ -55,92 +62,19 @@ pub struct Bench<'a> {
     pub machine: &'a Machine,
 }
 
-/// One move.
-#[derive(Clone, Copy, Debug)]
-pub struct Moved {
-    /// Line of the text.
-    pub line: usize,
-    /// What the columns of X, Y, Z in `from` and `to` are.
-    pub words: Programmed,
-    /// Before it, in the order of [`Machine::axes`]: rotary axes, rad, over all turns; in place of
-    /// X, Y, Z tip or ball centre in the blade frame where `words` say so, mm.
-    pub from: Axes,
-    /// After it.
-    pub to: Axes,
-    /// Coefficients of `p²` to `p⁵` of each, `p` being the share of the move; `None`: every one
-    /// moves evenly.
-    pub bend: Option<Axes<[f64; 4]>>,
-    /// Time it takes, s; `None`: rapid.
-    pub seconds: Option<f64>,
-}
-
-impl Moved {
-    /// Whether the whole move is known: false where the program has not said yet where an axis
-    /// stands.
-    pub fn known(&self) -> bool {
-        self.from.iter().chain(self.to.iter()).all(|v| v.is_finite())
-    }
-
-    /// Whether it is one in which every word moves evenly.
-    pub fn even(&self) -> bool {
-        self.bend.is_none_or(|b| b.iter().flatten().all(|a| *a == 0.0))
-    }
-
-    /// The words at the share `f` of the move.
-    pub fn at(&self, f: f64) -> Axes {
-        // The end is known where the beginning is not.
-        if f == 1.0 {
-            return self.to;
-        }
-        let mut out = self.from;
-        for (o, to) in out.iter_mut().zip(self.to.iter()) {
-            *o += (to - *o) * f;
-        }
-        for (o, a) in out.iter_mut().zip(self.bend.iter().flat_map(|b| b.iter())) {
-            *o += a.iter().zip(2..).map(|(a, k)| a * (f.powi(k) - f)).sum::<f64>();
-        }
-        out
-    }
-
-    /// The tool at the share `f` of the move.
-    pub fn pose(&self, f: f64, tool: &Tool, machine: &Machine) -> Pose {
-        pose(self.words, &self.at(f), tool, machine)
-    }
-
-    /// Positions of the machine's axes at the share `f` of the move, mm and rad.
-    pub fn axes(&self, f: f64, tool: &Tool, machine: &Machine) -> Axes {
-        axes(self.words, &self.at(f), tool, machine)
-    }
-}
-
-/// The tool where the words say.
-fn pose(words: Programmed, at: &[f64], tool: &Tool, machine: &Machine) -> Pose {
-    if words == Programmed::Machine {
-        return machine.forward(at, tool.length_mm());
-    }
-    let axis = machine.axis_at(at);
-    let point = machine.linear().map(|k| at[k]);
-    let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
-    Pose { centre: Point::from(point) + axis * lift, axis }
-}
-
-/// Positions of the axes where the words say; the rotary ones are kept to the bit.
-fn axes(words: Programmed, at: &[f64], tool: &Tool, machine: &Machine) -> Axes {
-    if words == Programmed::Machine {
-        return at.into();
-    }
-    let centre = pose(words, at, tool, machine).centre;
-    machine.linear_at(&centre, at, tool.length_mm())
-}
-
-/// Follows the moves. What a move comes from is `NaN` where the program has not said it.
+/// Follows the moves, in the order of the blocks; every block makes one at least. What a move comes
+/// from is `NaN` where the program has not said it.
 ///
 /// # Errors
-/// A line whose vector is none, or lies along the rotary axis, or that moves in the blade frame
-/// before tool-centre-point control is on.
+/// A line whose vector is none, or lies along the rotary axis, whose arc is none, or that moves in
+/// the blade frame before tool-centre-point control is on.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
-    let mut follower = Follower { bench, stands: at_first(bench.machine), said: None, fixed: None };
-    blocks.iter().map(|b| follower.step(b)).collect()
+    let mut follower = Follower::new(bench, at_first(bench.machine));
+    let mut out = Vec::with_capacity(blocks.len());
+    for (k, block) in blocks.iter().enumerate() {
+        follower.step(block, k, &mut out)?;
+    }
+    Ok(out)
 }
 
 /// As [`follow`], with a tool for each tool call, in their order: the moves with each. What comes
@@ -157,15 +91,16 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
         ));
     }
     let mut stood = None;
-    let mut rest = blocks;
+    let mut rest = blocks.iter().enumerate().peekable();
     let mut out = Vec::new();
     for (k, bench) in benches.iter().enumerate() {
-        let stands = stood.unwrap_or_else(|| at_first(bench.machine));
-        let own = rest.iter().take_while(|b| b.tool_calls <= k + 1).count();
-        let (mine, later) = rest.split_at(own);
-        let mut follower = Follower { bench, stands, said: None, fixed: None };
-        out.push(mine.iter().map(|b| follower.step(b)).collect::<Result<_>>()?);
-        (stood, rest) = (Some(follower.stands), later);
+        let mut follower = Follower::new(bench, stood.unwrap_or_else(|| at_first(bench.machine)));
+        let mut moves = Vec::new();
+        while let Some((at, block)) = rest.next_if(|(_, b)| b.tool_calls <= k + 1) {
+            follower.step(block, at, &mut moves)?;
+        }
+        stood = Some(follower.stands);
+        out.push(moves);
     }
     Ok(out)
 }
@@ -181,16 +116,55 @@ struct Follower<'a> {
     /// Positions of the machine's axes.
     stands: Axes,
     /// The programmed point, as long as it is the program's own: not taken back from the axes, so
-    /// that it keeps its digits.
-    said: Option<[f64; 3]>,
+    /// that it keeps its digits; with the frame that it is in.
+    said: Option<([f64; 3], Rigid)>,
     /// The line that fixed the frame to the table, and the frame: to the blade frame.
     fixed: Option<(usize, Rigid)>,
+    /// Moves beside one for each block.
+    more: usize,
 }
 
-impl Follower<'_> {
+/// Where a block goes, in its own coordinates, and what brings these to the columns of X, Y, Z.
+struct Way {
+    words: Programmed,
+    here: [f64; 3],
+    there: [f64; 3],
+    from: Axes,
+    to: Axes,
+    words_from_block: Rigid,
+}
+
+impl<'a> Follower<'a> {
+    fn new(bench: &'a Bench<'a>, stands: Axes) -> Self {
+        Follower { bench, stands, said: None, fixed: None, more: 0 }
+    }
+
     /// Coordinates of the program to the blade frame.
-    fn blade_from_program(&self) -> Rigid {
-        self.fixed.map_or_else(Rigid::identity, |f| f.1) * self.bench.zero.blade_from_program
+    fn blade_from_program(&self, block: &Block) -> Rigid {
+        let own = self.bench.language.programmed == Programmed::Machine;
+        let zero = if own && block.in_plane {
+            let [x, y, z] = self.bench.zero.axes_mm;
+            self.blade_from_tip_at_zero() * Rigid::translation(x, y, z)
+        } else {
+            self.fixed.map_or_else(Rigid::identity, |f| f.1) * self.bench.zero.blade_from_program
+        };
+        zero * block.frame
+    }
+
+    /// Positions of the linear axes that G43 would lead the tip to, the rotary axes at 0: to the
+    /// blade frame.
+    fn blade_from_tip_at_zero(&self) -> Rigid {
+        let Bench { tool, machine, .. } = *self.bench;
+        let tip = |x: f64, y: f64, z: f64| {
+            let mut axes = Axes::of_default(machine.axes().len());
+            let [i, j, k] = machine.linear();
+            (axes[i], axes[j], axes[k]) = (x, y, z + tool.length_mm() + tool.radius_mm);
+            machine.forward(&axes, tool.length_mm()).tip(tool.radius_mm)
+        };
+        let origin = tip(0.0, 0.0, 0.0);
+        let columns = [tip(1.0, 0.0, 0.0), tip(0.0, 1.0, 0.0), tip(0.0, 0.0, 1.0)].map(|p| p - origin);
+        let turned = nalgebra::Rotation3::from_matrix_unchecked(nalgebra::Matrix3::from_columns(&columns));
+        Rigid::from_parts(origin.into(), nalgebra::UnitQuaternion::from_rotation_matrix(&turned))
     }
 
     /// Fixes the frame to the table, where a line before has done so, as it stands.
@@ -203,7 +177,7 @@ impl Follower<'_> {
         }
     }
 
-    fn step(&mut self, block: &Block) -> Result<Moved> {
+    fn step(&mut self, block: &Block, at: usize, out: &mut Vec<Moved>) -> Result<()> {
         if block.fixed_by.is_none() {
             self.fixed = None;
         }
@@ -212,7 +186,7 @@ impl Follower<'_> {
         let (point, to) = match block.place {
             Destination::Words { point, rotary } => (point, self.rotary(block, rotary)?),
             Destination::Vector { point, axis } => {
-                let axis = self.blade_from_program().rotation * Vector::from(axis);
+                let axis = self.blade_from_program(block).rotation * Vector::from(axis);
                 let machine = self.bench.machine;
                 // Along the first rotary axis any position of that would do: it stays where the
                 // tool stands so already.
@@ -227,79 +201,169 @@ impl Follower<'_> {
         // Rotary words of the line that fixes it turn the table before.
         self.fix(block, &to, true);
         let own = self.bench.language.programmed == Programmed::Machine;
-        if !own && !block.machine && !block.centre_point && point.iter().any(Option::is_some) {
+        let moves_point = point.iter().any(Option::is_some);
+        let in_plane = block.in_plane && moves_point && !block.machine && !block.centre_point;
+        if !own && !block.machine && !block.centre_point && !in_plane && moves_point {
             return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
-        let mut moved = if own || block.machine || !block.centre_point {
+        let way = if in_plane {
+            self.in_plane(block, point, to)?
+        } else if own || block.machine || !block.centre_point {
             self.in_axes(block, point, to)
         } else {
-            self.over_the_part(block, point, to)
+            let words = self.bench.language.programmed;
+            self.over_the_part(block, words, point, to)
         };
-        moved.seconds = seconds(block.feed, &moved, self.bench.machine);
-        Ok(moved)
+        self.drive(block, at, &way, out)
     }
 
     /// X, Y, Z are positions of the axes; `to` has where the rotary axes go.
-    fn in_axes(&mut self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> Moved {
-        let linear = self.bench.machine.linear();
+    fn in_axes(&self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> Way {
+        let (Bench { tool, zero, .. }, linear) = (*self.bench, self.bench.machine.linear());
+        let frame = if block.machine { Rigid::identity() } else { block.frame };
+        let turned = frame.rotation != nalgebra::UnitQuaternion::identity();
+        // G43 adds the length to the tip along Z of the machine, however the head leans.
+        let length = if block.tool_length { tool.length_mm() + tool.radius_mm } else { 0.0 };
+        let added: [f64; 3] = std::array::from_fn(|i| {
+            let zero = if block.machine { 0.0 } else { zero.axes_mm[i] + frame.translation.vector[i] };
+            zero + if i == 2 { length } else { 0.0 }
+        });
+        let words_from_block = Rigid::from_parts(added.into(), frame.rotation);
+        let here: [f64; 3] = if turned {
+            (words_from_block.inverse() * Point::from(linear.map(|k| self.stands[k]))).into()
+        } else {
+            std::array::from_fn(|i| self.stands[linear[i]] - added[i])
+        };
+        let mut there = here;
         for (i, word) in point.into_iter().enumerate() {
+            let Some(word) = word else { continue };
+            there[i] = if block.steps[i] { here[i] + word } else { word };
+            // Without a turn each word is one axis' own, and keeps its digits.
             let to = &mut to[linear[i]];
-            if let (true, Some(step)) = (block.steps[i], word) {
-                *to += step;
-                continue;
-            }
-            // G43 adds the length to the tip along Z of the machine, however the head leans.
-            let tool = self.bench.tool;
-            let length = if block.tool_length && i == 2 { tool.length_mm() + tool.radius_mm } else { 0.0 };
-            let zero = if block.machine { 0.0 } else { self.bench.zero.axes_mm[i] };
-            *to = word.map_or(*to, |w| w + zero + length);
+            *to = if block.steps[i] { *to + word } else { word + added[i] };
         }
-        let bend = self.bend(block, |point| point);
-        let moved = Moved { line: block.line, words: Programmed::Machine, from: self.stands, to, bend, seconds: None };
-        (self.stands, self.said) = (to, None);
-        moved
+        if turned && point.iter().any(Option::is_some) {
+            let place = words_from_block * Point::from(there);
+            linear.into_iter().zip(place.iter()).for_each(|(k, v)| to[k] = *v);
+        }
+        let words = Programmed::Machine;
+        Way { words, here, there, from: self.stands, to, words_from_block }
+    }
+
+    /// In a plane to which the tool is square already.
+    fn in_plane(&self, block: &Block, point: [Option<f64>; 3], to: Axes) -> Result<Way> {
+        let machine = self.bench.machine;
+        if machine.rotary().any(|k| !to[k].is_finite()) {
+            return Err(unreachable(block.line, "a move in a tilted plane while the rotary axes are who knows where"));
+        }
+        if machine.rotary().any(|k| to[k] != self.stands[k]) {
+            return Err(unreachable(block.line, "rotary axes and X, Y, Z together in a tilted plane"));
+        }
+        let normal = self.blade_from_program(block).rotation * Vector::z();
+        let off = normal.angle(&machine.axis_at(&to));
+        if !(off <= SQUARE_RAD) {
+            let what = format!("the tool is {:.3}° off the direction square to the tilted plane", off.to_degrees());
+            return Err(unreachable(block.line, &what));
+        }
+        let words = match self.bench.language.programmed {
+            Programmed::Centre => Programmed::Centre,
+            Programmed::Tip | Programmed::Machine => Programmed::Tip,
+        };
+        Ok(self.over_the_part(block, words, point, to))
     }
 
     /// X, Y, Z are the programmed point over the part; `to` has where the rotary axes go.
-    fn over_the_part(&mut self, block: &Block, point: [Option<f64>; 3], to: Axes) -> Moved {
-        let Bench { language, tool, machine, .. } = *self.bench;
-        let blade_from_program = self.blade_from_program();
-        let words = language.programmed;
-        let here = self.said.unwrap_or_else(|| {
-            let pose = machine.forward(&self.stands, tool.length_mm());
-            let point = if words == Programmed::Tip { pose.tip(tool.radius_mm) } else { pose.centre };
-            (blade_from_program.inverse() * point).into()
-        });
+    fn over_the_part(&self, block: &Block, words: Programmed, point: [Option<f64>; 3], to: Axes) -> Way {
+        let Bench { tool, machine, .. } = *self.bench;
+        let blade_from_program = self.blade_from_program(block);
+        let here = match self.said {
+            Some((here, frame)) if frame == block.frame => here,
+            Some((here, frame)) => (block.frame.inverse() * frame * Point::from(here)).into(),
+            None => {
+                let pose = machine.forward(&self.stands, tool.length_mm());
+                let point = if words == Programmed::Tip { pose.tip(tool.radius_mm) } else { pose.centre };
+                (blade_from_program.inverse() * point).into()
+            }
+        };
         let mut there = here;
         for ((t, word), step) in there.iter_mut().zip(point).zip(block.steps) {
             *t = word.map_or(*t, |w| if step { *t + w } else { w });
         }
-        let at = |mut axes: Axes, point: [f64; 3]| {
-            let point = blade_from_program * Point::from(point);
-            machine.linear().into_iter().zip(point.iter()).for_each(|(k, v)| axes[k] = *v);
-            axes
-        };
+        let at = |axes: Axes, point: [f64; 3]| with_point(axes, machine, blade_from_program * Point::from(point));
         let (from, to) = (at(self.stands, here), at(to, there));
-        let bend = self.bend(block, |point| blade_from_program.rotation * point);
-        let moved = Moved { line: block.line, words, from, to, bend, seconds: None };
-        (self.stands, self.said) = (axes(words, &to, tool, machine), Some(there));
-        moved
+        Way { words, here, there, from, to, words_from_block: blade_from_program }
+    }
+
+    /// Makes the moves of a way.
+    fn drive(&mut self, block: &Block, at: usize, way: &Way, out: &mut Vec<Moved>) -> Result<()> {
+        let Bench { tool, machine, .. } = *self.bench;
+        let first = out.len();
+        let pieces = match &block.course {
+            Course::Arc(arc) => arc::pieces(arc, way.here, way.there).map_err(|e| unreachable(block.line, &e))?,
+            Course::Straight | Course::Bent(_) => Vec::new(),
+        };
+        let ends = if block.great_circle && way.words != Programmed::Machine {
+            if !matches!(block.course, Course::Straight) {
+                return Err(unreachable(block.line, "a great circle of the tool axis along a bent way"));
+            }
+            let vector = matches!(block.place, Destination::Vector { .. });
+            great_circle(machine, &way.from, &way.to, vector).map_err(|e| unreachable(block.line, &e))?
+        } else {
+            Vec::new()
+        };
+        let mut from = way.from;
+        let mut push = |to: Axes, bend: Option<Axes<[f64; 4]>>| {
+            out.push(Moved { line: block.line, block: at, words: way.words, from, to, bend, seconds: None });
+            from = to;
+        };
+        let count = pieces.len() as f64;
+        let mut to = way.to;
+        for (k, piece) in pieces.iter().enumerate() {
+            let end = if k + 1 == pieces.len() {
+                to
+            } else {
+                let there = way.words_from_block * Point::from(piece.to);
+                with_point(way.from.toward(&to, (k + 1) as f64 / count), machine, there)
+            };
+            push(end, Some(self.bent(way, piece)));
+        }
+        for end in &ends {
+            to = *end;
+            push(to, None);
+        }
+        if pieces.is_empty() && ends.is_empty() {
+            let bend = if let Course::Bent(bend) = &block.course { Some(bend) } else { None };
+            push(to, bend.map(|bend| self.polynomials(bend, way)));
+        }
+        self.more += out.len() - first - 1;
+        if self.more > MOST {
+            return Err(unreachable(block.line, "the arcs of the program are too long to be followed"));
+        }
+        time(block.feed, &mut out[first..], machine);
+        self.stands = if way.words == Programmed::Machine { to } else { moved::axes(way.words, &to, tool, machine) };
+        self.said = (way.words != Programmed::Machine).then_some((way.there, block.frame));
+        Ok(())
+    }
+
+    /// The polynomials of a piece of an arc.
+    fn bent(&self, way: &Way, piece: &Piece) -> Axes<[f64; 4]> {
+        self.polynomials(&Bend { point: piece.bend, rotary: [[0.0; 4]; 3] }, way)
     }
 
     /// Polynomials in the order of the axes; those of X, Y and Z brought to the frame of the move.
-    fn bend(&self, block: &Block, turned: impl Fn(Vector) -> Vector) -> Option<Axes<[f64; 4]>> {
-        let (said, machine) = (block.bend?, self.bench.machine);
+    fn polynomials(&self, said: &Bend, way: &Way) -> Axes<[f64; 4]> {
+        let machine = self.bench.machine;
         let (axes, linear) = (machine.axes(), machine.linear());
         let mut out: Axes<[f64; 4]> = Axes::of_default(axes.len());
         for k in 0..4 {
-            let point = turned(Vector::from(said.point.map(|a| a[k])));
+            let point = way.words_from_block.rotation * Vector::from(said.point.map(|a| a[k]));
             (0..3).for_each(|i| out[linear[i]][k] = point[i]);
         }
         for k in machine.rotary() {
             let word = ROTARY.iter().position(|letter| *letter == axes[k].letter);
             out[k] = word.map_or([0.0; 4], |w| said.rotary[w].map(f64::to_radians));
         }
-        Some(out)
+        out
     }
 
     /// Whether positions of the first rotary axis mean the shorter way to them; Klartext says so
@@ -315,6 +379,10 @@ impl Follower<'_> {
         for (letter, (word, way)) in ROTARY.into_iter().zip(words.into_iter().zip(block.ways)) {
             let Some(word) = word.map(f64::to_radians) else { continue };
             let Some(k) = rotary.clone().find(|k| axes[*k].letter == letter) else {
+                // All axes are sent where only the machine knows, also those that it does not have.
+                if word.is_nan() {
+                    continue;
+                }
                 return Err(unreachable(block.line, &format!("the machine has no axis {}", letter.letter())));
             };
             let at = &mut to[k];
@@ -332,23 +400,25 @@ impl Follower<'_> {
     }
 }
 
-/// How long a move takes, s; `None` for a rapid.
-fn seconds(feed: Feed, moved: &Moved, machine: &Machine) -> Option<f64> {
-    match feed {
-        Feed::Rapid => None,
-        Feed::PerMove(f) => Some(60.0 / f),
-        Feed::PerMinute(f) => {
-            let way = length(moved, machine.linear().into_iter());
-            let turn = length(moved, machine.rotary()).to_degrees();
-            Some(60.0 * if way > 0.0 { way } else { turn } / f)
-        }
-    }
+/// The same row with X, Y, Z those of a point.
+fn with_point(mut axes: Axes, machine: &Machine, point: Point) -> Axes {
+    machine.linear().into_iter().zip(point.iter()).for_each(|(k, v)| axes[k] = *v);
+    axes
 }
 
-/// The way of some words, by chords where they bend.
-fn length(moved: &Moved, words: impl Iterator<Item = usize> + Clone) -> f64 {
-    let parts = if moved.even() { 1 } else { CHORDS };
-    let places: Vec<Axes> = (0..=parts).map(|k| moved.at(k as f64 / parts as f64)).collect();
-    let chord = |w: &[Axes]| words.clone().map(|i| (w[1][i] - w[0][i]).powi(2)).sum::<f64>().sqrt();
-    places.windows(2).map(chord).sum()
+/// How long the moves of one block take, s.
+fn time(feed: Feed, moves: &mut [Moved], machine: &Machine) {
+    let count = moves.len() as f64;
+    let ways: Vec<f64> = moves.iter().map(|m| moved::length(m, machine.linear().into_iter())).collect();
+    let goes = ways.iter().any(|w| *w > 0.0);
+    for (m, way) in moves.iter_mut().zip(ways) {
+        m.seconds = match feed {
+            Feed::Rapid => None,
+            Feed::PerMove(f) => Some(60.0 / f / count),
+            Feed::PerMinute(f) => {
+                let way = if goes { way } else { moved::length(m, machine.rotary()).to_degrees() };
+                Some(60.0 * way / f)
+            }
+        };
+    }
 }

@@ -11,17 +11,25 @@ pub struct Guess {
     pub why: &'static str,
 }
 
+/// A program in tilted planes without tool-centre-point control.
+const TILTED: &str = "Heidenhain Klartext in tilted planes, by BEGIN PGM and PLANE SPATIAL; X Y Z are tool tips there, \
+                      elsewhere positions of the machine's axes, less the tool's length";
+
+/// Major words of APT, with a slash behind or alone.
+const APT: [&str; 8] = ["GOTO", "TOOL PATH", "TLDATA", "LOADTL", "FEDRAT", "UNITS", "CUTTER", "MSYS"];
+
 /// Tells how a text is to be read, by words that only one family of controls has. A G code program
 /// without a word for tool-centre-point control is taken to be in positions of the machine's axes.
 /// `None`: no line of it looks like a program.
 pub fn guess(text: &str) -> Option<Guess> {
     let mut axes = false;
-    let mut shortest_way = false;
+    let (mut shortest_way, mut centre_point, mut tilts) = (false, false, false);
     let mut found = None;
     for line in text.lines() {
         let line = line.trim();
         let code = line.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace());
-        if line.starts_with("PARTNO") || line.starts_with("GOTO/") || line.starts_with("MULTAX") {
+        let major = line.split(['/', ',']).next().unwrap_or("").trim_end();
+        if ["PARTNO", "MULTAX", "$$"].iter().any(|m| line.starts_with(m)) || APT.contains(&major) {
             found = found.or(Some((Grammar::Apt, Programmed::Tip, "an APT cutter-location file, by its major words")));
         } else if code.starts_with("BEGIN PGM") {
             let why = "Heidenhain Klartext, by BEGIN PGM; X Y Z are taken as ball centres";
@@ -30,6 +38,8 @@ pub fn guess(text: &str) -> Option<Guess> {
             let code = code.split([';', '(']).next().unwrap_or("");
             let mut words = code.split_whitespace();
             shortest_way |= words.clone().any(|w| w == "M126");
+            centre_point |= code.contains("TCPM") || words.clone().any(|w| w == "M128");
+            tilts |= code.contains("PLANE SPATIAL");
             if words.clone().any(|w| w.starts_with("TRAORI")) {
                 found = found.or(Some((Grammar::Gcode, Programmed::Tip, "Siemens 840D, by TRAORI")));
             } else if words.clone().any(|w| w.starts_with("G43.4") || w.starts_with("G43.5")) {
@@ -43,6 +53,10 @@ pub fn guess(text: &str) -> Option<Guess> {
         }
     }
     let plain = "ISO G code without tool-centre-point control: positions of the machine's axes";
+    let found = found.map(|(grammar, programmed, why)| match grammar {
+        Grammar::Heidenhain if tilts && !centre_point => (grammar, Programmed::Machine, TILTED),
+        _ => (grammar, programmed, why),
+    });
     let (grammar, programmed, why) = found.or(axes.then_some((Grammar::Gcode, Programmed::Machine, plain)))?;
     let shortest_way = shortest_way && grammar == Grammar::Heidenhain;
     Some(Guess { language: Language { grammar, programmed, shortest_way }, why })
@@ -60,6 +74,14 @@ mod tests {
             ("%\nO1\nN10 G43.4 H1 X0", Grammar::Gcode, Programmed::Tip, false),
             ("0 BEGIN PGM X MM\n1 M126\n2 L X+1", Grammar::Heidenhain, Programmed::Centre, true),
             ("PARTNO/X\nGOTO/1,2,3,0,0,1", Grammar::Apt, Programmed::Tip, false),
+            ("TOOL PATH/A,TOOL,B\nRAPID", Grammar::Apt, Programmed::Tip, false),
+            ("FEDRAT / 100, MMPM\nGOTO / 1, 2, 3", Grammar::Apt, Programmed::Tip, false),
+            (
+                "0 BEGIN PGM X MM\n1 PLANE SPATIAL SPA+1 SPB+0 SPC+0 STAY",
+                Grammar::Heidenhain,
+                Programmed::Machine,
+                false,
+            ),
             ("(TRAORI is only told of)\nG1 X1 M126", Grammar::Gcode, Programmed::Machine, false),
         ] {
             assert_eq!(guess(text).unwrap().language, Language { grammar, programmed, shortest_way }, "{text}");

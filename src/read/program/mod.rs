@@ -17,17 +17,22 @@
 //! **Fails** with kind `Usage` and the line.
 
 mod apt;
+mod arc;
 mod block;
 mod follow;
 mod gcode;
 mod guess;
 mod heidenhain;
+mod moved;
 #[cfg(test)]
 mod tests;
+mod turn;
+mod walk;
 
-pub use block::{Bend, Block, Call, Destination, Feed, RotaryWay, Script};
-pub use follow::{Bench, Moved, Zero, follow, follow_each};
+pub use block::{Arc, Bend, Block, Call, Centre, Course, Destination, Feed, RotaryWay, Script};
+pub use follow::{Bench, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
+pub use moved::Moved;
 
 use crate::artifact::program::{Grammar, Language};
 use crate::error::{Error, Result, Stage};

@@ -243,8 +243,10 @@ pub(super) fn velocity(scene: &AuditScene) -> Vec<LineCheck> {
 /// What the program sets beside its motion, in the feed moves at the part.
 pub(super) fn settings(scene: &AuditScene, source: &MovesSource, passes: &Sweep) -> Vec<LineCheck> {
     let mut cuts = vec![false; source.blocks.len()];
+    let first = source.moves.first().map_or(0, |m| m.block);
+    let block = |moved: usize| source.moves.get(moved).map(|m| m.block - first);
     for (leg, l) in scene.legs.legs.iter().enumerate() {
-        if let (true, Some(cut)) = (passes.counts(leg), cuts.get_mut(l.moved)) {
+        if let (true, Some(cut)) = (passes.counts(leg), block(l.moved).and_then(|k| cuts.get_mut(k))) {
             *cut = true;
         }
     }

@@ -110,7 +110,7 @@ struct AuditScene<'a> {
 struct MovesSource<'a> {
     text: &'a str,
     script: &'a Script,
-    /// The moves' blocks, one of each.
+    /// The moves' blocks.
     blocks: &'a [Block],
     moves: &'a [program::Moved],
     /// The last moves of the program are among them.
@@ -165,12 +165,11 @@ pub fn audit_each(
     };
     let script = program::read(text, first.language)?;
     let moves = program::follow_each(&script.blocks, benches)?;
-    let mut rest = &script.blocks[..];
     let (mut audits, mut cuts) = (Vec::new(), Vec::new());
+    let end = script.blocks.len();
     for (bench, moves) in benches.iter().zip(&moves) {
-        let (blocks, later) = rest.split_at(moves.len().min(rest.len()));
-        rest = later;
-        let source = MovesSource { text, script: &script, blocks, moves, last: later.is_empty() };
+        let last = moves.last().is_some_and(|m| m.block + 1 == end);
+        let source = MovesSource { text, script: &script, blocks: script.blocks_of(moves), moves, last };
         let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
         audits.push(audit);
         cuts.push(cut);

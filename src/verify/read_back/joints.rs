@@ -204,6 +204,7 @@ mod tests {
             };
             let all: Vec<[f64; 6]> = (0..axes).map(of).collect();
             Moved {
+                block: 0,
                 line,
                 words: Programmed::Tip,
                 from: Axes::from_fn(axes, |k| all[k][0]),

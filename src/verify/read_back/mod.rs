@@ -77,10 +77,8 @@ pub fn read_back_each(
     let benches: Vec<Bench> = operations.iter().map(|o| Bench { language, zero, tool: o.tool, machine }).collect();
     let moves = follow_each(&script.blocks, &benches)?;
     let mut out = vec![setting::end(CheckId::ProgramEnd, &script).of_own(program)];
-    let mut rest = &script.blocks[..];
     for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
-        let (blocks, later) = rest.split_at(moves.len().min(rest.len()));
-        rest = later;
+        let blocks = script.blocks_of(moves);
         let mut found = compare::checks(program, moves, o.plan, blade, o.tool, machine);
         found.extend(setting::own(&script, blocks, program.asked.get(k), o.tool).map(|f| f.of_own(program)));
         found.extend(audit::rapids(&program.text, moves, blade, bench)?);

@@ -18,7 +18,7 @@ pub(super) fn to_axis(
     modal: &Modal,
     said: &mut LineWords,
 ) -> Result<(), String> {
-    let Word { address, value, raw } = *word;
+    let Word { address, ref value, raw, .. } = *word;
     let inner =
         |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
     let scale = if modal.inch && !rotary { 25.4 } else { 1.0 };
@@ -34,7 +34,7 @@ pub(super) fn to_axis(
         ("ACN", RotaryWay::Down),
     ];
     let called = named.iter().find_map(|(name, way)| inner(name).map(|v| (v, Some(*way))));
-    let (plain, way) = called.unwrap_or((value, None));
+    let (plain, way) = called.unwrap_or((value.as_str(), None));
     if !rotary && way.is_some_and(|w| w != RotaryWay::By && w != RotaryWay::To) {
         return Err(format!("{raw} is for rotary axes"));
     }

@@ -1,8 +1,10 @@
 //! What the words other than axes do. Every word that a program may have is in one of these lists;
 //! all others are refused.
 
+use super::frames::{Setting, swivel};
+use super::subprograms::Jump;
 use super::words::Word;
-use super::{Bare, Centre, LineWords, Modal, Motion};
+use super::{Bare, Centre, LineWords, Modal, Motion, Plane};
 use crate::artifact::program::Turning;
 
 /// A word other than of an axis.
@@ -12,6 +14,10 @@ pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Resu
         "POLY" => modal.motion = Some(Motion::Polynomial),
         "PL" => said.interval = Some(word.number()?),
         "I" | "J" | "K" => component(word, &mut said.ijk, "IJK")?,
+        "R" | "CR" => said.radius = Some(if modal.inch { 25.4 * word.number()? } else { word.number()? }),
+        "RPL" => said.in_plane_deg = Some(word.number()?),
+        "TURN" => said.turns = Some(word.count()?),
+        "L" => said.repeats = Some(word.count()?),
         "A3" | "B3" | "C3" => component(word, &mut said.abc3, "ABC")?,
         "F" => said.feed = Some(word.number()?),
         "S" => said.rpm = Some(word.number()?),
@@ -21,6 +27,17 @@ pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Resu
         "P" => said.p = Some(word.number()?),
         "Q" => said.q = Some(word.number()?),
         "O" if modal.begun => return Err(format!("a second program begins with {}", word.raw)),
+        "TRANS" => said.frame = Some(Setting::Shift { added: false }),
+        "ATRANS" => said.frame = Some(Setting::Shift { added: true }),
+        "ROT" => said.frame = Some(Setting::Turn { added: false }),
+        "AROT" => said.frame = Some(Setting::Turn { added: true }),
+        "SCALE" | "ASCALE" | "MIRROR" | "AMIRROR" | "ROTS" | "AROTS" | "CROTS" => {
+            return Err(format!("{}: scales, mirrors and turns in space are not read", word.raw));
+        }
+        name if name.starts_with("CYCLE800(") => {
+            said.bare = Some(Bare::Call);
+            said.swivel = swivel(word, modal)?;
+        }
         "N" | "O" => {
             word.number()?;
         }
@@ -29,14 +46,18 @@ pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Resu
         "SUPA" => (said.machine, said.with_length) = (true, true),
         "UPATH" => modal.with_path = true,
         "SPATH" => modal.with_path = false,
-        "ORIAXES" => modal.setting.axes_evenly = true,
+        "ORIAXES" => (modal.setting.axes_evenly, modal.great_circle) = (true, false),
+        "ORIVECT" | "ORIPLANE" => (modal.setting.axes_evenly, modal.great_circle) = (false, true),
         "ORIWKS" => modal.machine_vectors = false,
         "ORIMKS" => modal.machine_vectors = true,
-        "RET" => said.ends = true,
+        "RET" => said.jump = Some(Jump::Done { ends_main: true }),
         name if harmless(name) => {}
         name if name.starts_with("CYCLE832(") => {
             said.bare = Some(Bare::Call);
             modal.setting.tolerance_mm = high_speed_setting(word, modal)?;
+        }
+        name if ["CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "MCALL"].iter().any(|c| name.starts_with(c)) => {
+            return Err(format!("{}: cycles that move are not read", word.raw));
         }
         _ => return Err(format!("the word {} is not known", word.raw)),
     }
@@ -66,13 +87,12 @@ fn harmless(name: &str) -> bool {
         "DYNROUGH",
         "DYNSEMIFIN",
         "DYNFINISH",
-        "CYCLE800()",
         "FGROUP()",
         "FGROUP(X,Y,Z)",
         "POLYPATH()",
         "POLYPATH(\"AXES\",\"VECT\")",
     ];
-    plain.contains(&name) || name.starts_with("MSG(")
+    plain.contains(&name) || ["MSG(", "WORKPIECE(", "GROUP_BEGIN(", "GROUP_END("].iter().any(|n| name.starts_with(n))
 }
 
 fn component(word: &Word, vector: &mut [Option<f64>; 3], letters: &str) -> Result<(), String> {
@@ -109,7 +129,12 @@ pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) 
         "" if word.value.is_empty() => return Err(format!("{} has no number", word.raw)),
         "" => modal.motion = Some(Motion::Rapid),
         "1" => modal.motion = Some(Motion::Straight),
-        "2" | "3" => return Err(format!("{}: arcs are not read", word.raw)),
+        "2" => modal.motion = Some(Motion::Arc { clockwise: true }),
+        "3" => modal.motion = Some(Motion::Arc { clockwise: false }),
+        "4" => said.bare = Some(Bare::Dwell),
+        "17" => modal.plane = Plane::Xy,
+        "18" => modal.plane = Plane::Zx,
+        "19" => modal.plane = Plane::Yz,
         "20" | "70" | "700" => {
             modal.inch = true;
             // G70 of Siemens is for positions only.
@@ -120,6 +145,21 @@ pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) 
         "43.4" => modal.centre = Centre::Axes,
         "43.5" => modal.centre = Centre::Vectors,
         "49" => (modal.centre, modal.length) = (Centre::Off, false),
+        "28" | "30" => said.home = true,
+        "52" => said.frame = Some(Setting::Local),
+        "68" => said.frame = Some(Setting::TurnAbout),
+        "68.2" => said.frame = Some(Setting::Plane),
+        "53.1" => said.bare = Some(Bare::Square),
+        "69" => modal.frames.straight(),
+        "90.1" => modal.centres = true,
+        "91.1" => modal.centres = false,
+        "10" | "92" | "92.1" | "51" | "51.1" | "16" | "7" | "7.1" | "12.1" | "68.3" | "68.4" => {
+            return Err(format!("{}: it changes what coordinates mean, and is not read", word.raw));
+        }
+        "41" | "42" => return Err(format!("{}: compensation of the cutter's radius is not read", word.raw)),
+        "73" | "74" | "76" | "81" | "82" | "83" | "84" | "85" | "86" | "87" | "88" | "89" => {
+            return Err(format!("{}: cycles that move are not read", word.raw));
+        }
         "53" => said.machine = true,
         "54" | "55" | "56" | "57" | "58" | "59" | "500" => frame(word, value, modal)?,
         "90" => modal.steps = false,
@@ -140,9 +180,8 @@ pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) 
         "8" => said.bare = Some(Bare::Ahead),
         // Scaling off; with words it would be another function.
         "50" => said.bare = Some(Bare::Unscaled),
-        // XY plane, no radius, no rotation, no cycle, ends of cycles, revolutions as they are,
-        // centres of arcs.
-        "17" | "40" | "69" | "80" | "98" | "99" | "97" | "90.1" | "91.1" => {}
+        // No radius, no polar coordinates, no cycle, ends of cycles, revolutions as they are.
+        "40" | "15" | "80" | "98" | "99" | "97" => {}
         // Stops at corners, and smoothing by the tolerances of the machine.
         "9" | "60" | "61" | "61.1" | "601" | "602" | "603" | "642" | "643" | "644" | "645" => {}
         _ => return Err(format!("{} is not known", word.raw)),
@@ -164,14 +203,17 @@ fn frame(word: &Word, value: &str, modal: &mut Modal) -> Result<(), String> {
 /// Miscellaneous functions.
 fn miscellaneous(word: &Word, said: &mut LineWords) -> Result<(), String> {
     match word.count()? {
-        2 | 17 | 30 => said.ends = true,
+        2 | 30 => said.ends = true,
+        17 => said.jump = Some(Jump::Done { ends_main: true }),
+        98 => said.calls = true,
+        99 => said.jump = Some(Jump::Done { ends_main: false }),
         3 | 13 => said.turning = Some(Turning::Right),
         4 | 14 => said.turning = Some(Turning::Left),
         5 | 19 => said.turning = Some(Turning::Off),
         6 => said.change = true,
         // Stops, coolant, clamps, gears, overrides.
         0 | 1 | 7 | 8 | 9 | 10 | 11 | 40..=45 | 48 | 49 => {}
-        97 | 98 | 99 | 198 => return Err(format!("{}: subprograms are not read", word.raw)),
+        97 | 198 => return Err(format!("{}: subprograms in other files are not read", word.raw)),
         _ => return Err(format!("{} is not known", word.raw)),
     }
     Ok(())

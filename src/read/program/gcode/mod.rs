@@ -4,34 +4,19 @@
 
 mod axes;
 mod codes;
+mod frames;
+mod modal;
+mod subprograms;
 mod words;
 
-use super::block::{Block, Call, Destination, Feed, RotaryWay, Script};
+use super::block::{Block, Call, RotaryWay, Script};
 use super::unreadable;
-use crate::artifact::program::{LengthOffset, Setting, Turning};
+use super::walk::Walk;
+use crate::artifact::program::Turning;
 use crate::error::Result;
-use words::Word;
-
-/// How a line goes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Motion {
-    Rapid,
-    Straight,
-    Polynomial,
-}
-
-/// Tool-centre-point control.
-#[derive(Clone, Copy, Default, PartialEq, Eq)]
-enum Centre {
-    #[default]
-    Off,
-    /// `G43.4`.
-    Axes,
-    /// `G43.5`.
-    Vectors,
-    /// `TRAORI`.
-    Transformation,
-}
+use modal::{Centre, Modal, Motion, Plane};
+use subprograms::{Jump, Subprograms};
+use words::{Constants, Word};
 
 /// A function that must have its line for itself, with the words that it may have.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,40 +31,10 @@ enum Bare {
     Ahead,
     /// `G50`.
     Unscaled,
-}
-
-/// State that stays from line to line.
-#[derive(Default)]
-struct Modal {
-    /// The text has words that only Siemens knows: `D` is the length of the tool then.
-    siemens: bool,
-    /// Something has been said: no program may begin any more.
-    begun: bool,
-    motion: Option<Motion>,
-    inverse: bool,
-    steps: bool,
-    inch: bool,
-    inch_feed: bool,
-    centre: Centre,
-    /// The line that switched on `G43.4` or `G43.5`.
-    fixed_by: Option<usize>,
-    /// `G43`.
-    length: bool,
-    /// `H`.
-    number: Option<u32>,
-    /// `D`.
-    edge: Option<u32>,
-    /// `ORIMKS`.
-    machine_vectors: bool,
-    /// `UPATH`.
-    with_path: bool,
-    feed: Option<f64>,
-    setting: Setting,
-    frame: Option<u32>,
-    /// X, Y or Z have been moved in the program's coordinates.
-    placed: bool,
-    /// The tool that the next change brings.
-    selected: Option<String>,
+    /// `G4`.
+    Dwell,
+    /// `G53.1`.
+    Square,
 }
 
 /// What a line says.
@@ -94,7 +49,25 @@ struct LineWords {
     /// Length of the interval of `p`.
     interval: Option<f64>,
     ijk: [Option<f64>; 3],
+    /// `R`, `CR`.
+    radius: Option<f64>,
+    /// `RPL`.
+    in_plane_deg: Option<f64>,
+    /// `TURN`.
+    turns: Option<u32>,
     abc3: [Option<f64>; 3],
+    /// A line that sets a frame.
+    frame: Option<frames::Setting>,
+    swivel: Option<frames::Swivel>,
+    /// `G28`, `G30`.
+    home: bool,
+    jump: Option<Jump>,
+    /// A subprogram, by its name.
+    call: Option<String>,
+    /// `M98`.
+    calls: bool,
+    /// `L`, as it is written.
+    repeats: Option<u32>,
     feed: Option<f64>,
     machine: bool,
     /// In positions of the axes all the same with the length of the tool: `SUPA`.
@@ -116,20 +89,43 @@ struct LineWords {
 /// # Errors
 /// A word that is not understood, with the line.
 pub(super) fn read(text: &str) -> Result<Script> {
-    let mut reader = GcodeReader::default();
-    reader.modal.siemens = siemens(text);
-    for (i, line) in text.lines().enumerate() {
-        reader.line(i + 1, line).map_err(|e| unreadable(i + 1, line, &e))?;
+    let lines: Vec<&str> = text.lines().collect();
+    let subprograms = Subprograms::of(&lines);
+    let mut reader = GcodeReader { modal: Modal { siemens: siemens(text), ..Modal::default() }, ..Default::default() };
+    let mut walk = Walk::default();
+    let last = lines.len().saturating_sub(1);
+    let at_end = |e: String| unreadable(last + 1, lines.get(last).unwrap_or(&""), &e);
+    while let Some(i) = walk.step(lines.len()).map_err(at_end)? {
+        let line = lines[i];
+        let mut run = |reader: &mut GcodeReader| {
+            let jump = match subprograms.at(i)? {
+                Some(jump) => Some(jump),
+                None => reader.line(i + 1, line, &subprograms)?,
+            };
+            reader.jump(i + 1, jump, &mut walk)
+        };
+        run(&mut reader).map_err(|e| unreadable(i + 1, line, &e))?;
+        if reader.script.end.is_some() {
+            break;
+        }
     }
+    let behind = (reader.script.end.unwrap_or(lines.len())..lines.len()).filter(|i| {
+        let says = || !words::code(lines[*i]).is_ok_and(|code| code.trim().is_empty());
+        !lines[*i].trim_start().starts_with('%') && !subprograms.has_called(*i, &reader.called) && says()
+    });
+    reader.script.behind = behind.map(|i| i + 1).collect();
     Ok(reader.finished())
 }
 
-/// Whether a line has a word that only Siemens knows.
+/// Whether a line has a word that only Siemens knows: a name of its own, or a letter with `=`.
 fn siemens(text: &str) -> bool {
-    let own = ["TRAORI", "TRAFOOF", "SUPA", "CYCLE832"];
+    let own = ["TRAORI", "TRAFOOF", "SUPA", "CYCLE", "TRANS", "ATRANS", "ROT", "AROT", "ORIWKS"];
     text.lines().any(|line| {
         let code = line.split([';', '(']).next().unwrap_or("");
-        code.split_whitespace().any(|w| own.iter().any(|o| w.get(..o.len()).is_some_and(|w| w.eq_ignore_ascii_case(o))))
+        code.split_whitespace().any(|w| {
+            let named = own.iter().any(|o| w.get(..o.len()).is_some_and(|w| w.eq_ignore_ascii_case(o)));
+            named || w.contains('=') && w.starts_with(|c: char| c.is_ascii_alphabetic())
+        }) || line.starts_with("%_N_")
     })
 }
 
@@ -139,30 +135,60 @@ struct GcodeReader {
     script: Script,
     /// Tools that were selected and not changed to.
     selected: Vec<Call>,
+    /// How many of them come before each block.
+    selected_before: Vec<usize>,
     changes: bool,
     /// A tape sign has been read.
     tape: bool,
+    constants: Constants,
+    /// First lines of the subprograms that have been called, from 0.
+    called: Vec<usize>,
 }
 
 impl GcodeReader {
-    fn line(&mut self, number: usize, line: &str) -> std::result::Result<(), String> {
+    /// Reads a line; a call or the end of a subprogram where it has one.
+    fn line(
+        &mut self,
+        number: usize,
+        line: &str,
+        subprograms: &Subprograms,
+    ) -> std::result::Result<Option<Jump>, String> {
         if line.trim_start().starts_with('%') {
             // The first one, before anything else, begins the program.
             if self.tape || self.modal.begun {
                 self.script.ends(number);
             }
             self.tape = true;
-            return Ok(());
-        }
-        if self.script.end.is_some() {
-            if !words::code(line).is_ok_and(|code| code.trim().is_empty()) {
-                self.script.behind.push(number);
-            }
-            return Ok(());
+            return Ok(None);
         }
         let code = words::code(line)?;
         let upper = code.to_ascii_uppercase();
-        let words = words::words(&code, &upper)?;
+        let constants = std::mem::take(&mut self.constants);
+        let read = self.words(number, words::words(&code, &upper, &constants, self.modal.siemens)?, subprograms);
+        self.constants = constants;
+        let (jump, set) = read?;
+        set.iter().for_each(|(name, value)| self.constants.set(name, *value));
+        Ok(jump)
+    }
+
+    /// What the words of a line do; constants that it sets.
+    fn words(
+        &mut self,
+        number: usize,
+        words: Vec<Word>,
+        subprograms: &Subprograms,
+    ) -> std::result::Result<(Option<Jump>, Vec<(String, f64)>), String> {
+        let sets = |w: &Word| Constants::name(w.address) && w.raw.contains('=');
+        if words.iter().any(sets) {
+            let alone = words.iter().all(|w| sets(w) || w.address == "N");
+            let uses =
+                words.iter().filter(|w| sets(w)).any(|w| words.iter().any(|o| w.value.contains(o.address) && sets(o)));
+            if !alone || uses {
+                return Err("a line that sets constants (R, #) may have nothing else".into());
+            }
+            let values = words.iter().filter(|w| sets(w)).map(|w| Ok((w.address.to_owned(), w.number()?)));
+            return Ok((None, values.collect::<std::result::Result<_, String>>()?));
+        }
         let mut said = LineWords::default();
         let centre = self.modal.centre;
         // Preparatory functions count for the whole line, wherever they stand.
@@ -171,6 +197,9 @@ impl GcodeReader {
         }
         for word in words.iter().filter(|w| w.address != "G") {
             match axes::axis(word.address) {
+                None if subprograms.has(word.address) && word.value.is_empty() => {
+                    said.call = Some(word.address.to_owned());
+                }
                 Some(axis) => axes::to_axis(word, axis, &self.modal, &mut said)?,
                 None => codes::take(word, &mut self.modal, &mut said)?,
             }
@@ -180,23 +209,95 @@ impl GcodeReader {
             self.modal.fixed_by = to_table.then_some(number);
         }
         self.modal.begun |= words.iter().any(|w: &Word| w.address != "N");
-        self.finish(number, said)
+        if let Some(call) = said.subprogram(self.modal.siemens)? {
+            said.jump = Some(match call {
+                Called::Name(name) => subprograms.by_name(&name, said.p.map_or(1, |p| p as u32))?,
+                Called::Number(number) => subprograms.by_number(number, said.repeats)?,
+            });
+            said.p = None;
+        }
+        let jump = self.finish(number, said)?;
+        Ok((jump, Vec::new()))
+    }
+
+    /// Goes to where a line calls.
+    fn jump(&mut self, line: usize, jump: Option<Jump>, walk: &mut Walk) -> std::result::Result<(), String> {
+        match jump {
+            None => {}
+            Some(Jump::Skip(line)) => walk.skip_to(line),
+            Some(Jump::Call { first, times }) => {
+                self.called.push(first);
+                walk.call(first, times)?;
+            }
+            Some(Jump::Done { ends_main }) => match (walk.done(), ends_main) {
+                (true, _) => {}
+                (false, true) => self.script.ends(line),
+                (false, false) => return Err("the end of a subprogram that nothing has called".into()),
+            },
+        }
+        Ok(())
     }
 
     /// What the words of a line do together.
-    fn finish(&mut self, number: usize, mut said: LineWords) -> std::result::Result<(), String> {
+    fn finish(&mut self, number: usize, mut said: LineWords) -> std::result::Result<Option<Jump>, String> {
+        if said.bare == Some(Bare::Dwell) {
+            return if said.moves() && said.point[0].is_none() {
+                Err("a dwell with words of a move".into())
+            } else {
+                Ok(None)
+            };
+        }
+        if let Some(setting) = said.frame {
+            frames::set(setting, &said, &mut self.modal)?;
+            return Ok(None);
+        }
         said.functions(&mut self.modal)?;
         self.tool(number, &mut said);
         let setting = &mut self.modal.setting;
         setting.turning = said.turning.unwrap_or(setting.turning);
         setting.rpm = said.rpm.or(setting.rpm);
-        let ends = said.ends;
-        let block = self.modal.block(number, said)?;
-        self.script.blocks.extend(block.map(|b| Block { tool_calls: self.script.calls.len(), ..b }));
-        if ends {
+        let (ends, jump, home) = (said.ends, said.jump, said.home);
+        if jump.is_some() && (said.moves() || said.change) {
+            return Err("a call of a subprogram with words of a move".into());
+        }
+        if let Some(swivel) = said.swivel.take() {
+            if said.moves() {
+                return Err("CYCLE800 with words of a move".into());
+            }
+            self.swivels(number, &swivel);
+        } else if said.bare == Some(Bare::Square) {
+            if !self.modal.frames.has_plane() {
+                return Err("G53.1 without a tilted plane (G68.2)".into());
+            }
+            self.push(self.modal.square(number));
+        } else {
+            let gone = home.then(|| self.modal.gone(number, &said));
+            let motion = if home { Some(Motion::Rapid) } else { self.modal.motion };
+            if !home || said.goes(self.modal.steps) {
+                let block = self.modal.block(number, motion, said)?;
+                block.into_iter().for_each(|b| self.push(b));
+            }
+            gone.into_iter().for_each(|b| self.push(b));
+        }
+        if ends && jump.is_none() {
             self.script.ends(number);
         }
-        Ok(())
+        Ok(jump)
+    }
+
+    /// `CYCLE800`: where the linear axes go is the machine's.
+    fn swivels(&mut self, number: usize, swivel: &frames::Swivel) {
+        if swivel.goes_away {
+            self.push(self.modal.unknown(number, [true; 3], [false; 3]));
+        }
+        if swivel.turns {
+            self.push(self.modal.square(number));
+        }
+    }
+
+    fn push(&mut self, block: Block) {
+        self.selected_before.push(self.selected.len());
+        self.script.blocks.push(Block { tool_calls: self.script.calls.len(), ..block });
     }
 
     /// Tools that are selected, and changes.
@@ -220,22 +321,50 @@ impl GcodeReader {
         self.script.frame = self.modal.frame;
         if !self.changes {
             self.script.calls = self.selected;
-            for block in &mut self.script.blocks {
-                block.tool_calls = self.script.calls.iter().take_while(|c| c.line <= block.line).count();
+            for (block, calls) in self.script.blocks.iter_mut().zip(self.selected_before) {
+                block.tool_calls = calls;
             }
         }
         self.script
     }
 }
 
+/// A subprogram that a line calls.
+enum Called {
+    Name(String),
+    Number(u32),
+}
+
 impl LineWords {
+    /// The subprogram that the line calls, if any.
+    fn subprogram(&mut self, siemens: bool) -> std::result::Result<Option<Called>, String> {
+        let whole = self.p.is_none_or(|p| p.fract() == 0.0 && (0.0..1e9).contains(&p));
+        match (self.calls, self.p, self.call.take(), self.repeats) {
+            (true, Some(p), None, _) if whole => Ok(Some(Called::Number(p as u32))),
+            (true, ..) => Err("M98 is read with the number of a subprogram, P".into()),
+            (false, _, Some(name), None) if whole => Ok(Some(Called::Name(name))),
+            (false, _, None, Some(number)) if siemens && whole => Ok(Some(Called::Name(format!("L{number}")))),
+            (false, _, None, None) => Ok(None),
+            _ => Err("words that are not known with a call".into()),
+        }
+    }
+
+    /// Whether a word leads away from where the tool is.
+    fn goes(&self, steps: bool) -> bool {
+        let words = [self.point, self.rotary].into_iter().flatten().zip(self.ways.into_iter().flatten());
+        let usual = if steps { RotaryWay::By } else { RotaryWay::To };
+        words
+            .filter_map(|(word, way)| Some((word?, way.unwrap_or(usual))))
+            .any(|(w, way)| way != RotaryWay::By || w != 0.0)
+    }
+
     /// Functions that have words of their own.
     fn functions(&self, modal: &mut Modal) -> std::result::Result<(), String> {
         let moves = self.moves();
         let (p, q) = (self.p, self.q);
         let good = match self.bare {
-            None => p.is_none() || self.blends,
-            Some(Bare::Call | Bare::Unscaled) => p.is_none(),
+            None => p.is_none() || self.blends || matches!(modal.motion, Some(Motion::Arc { .. })) && moves,
+            Some(Bare::Call | Bare::Unscaled | Bare::Dwell | Bare::Square) => p.is_none(),
             Some(Bare::Precision) => p == Some(10_000.0) || p == Some(0.0),
             Some(Bare::Ahead) => p == Some(1.0) || p == Some(0.0),
             Some(Bare::Contour) => p.is_none() && (q == Some(1.0) || q == Some(0.0)),
@@ -251,96 +380,6 @@ impl LineWords {
 
     fn moves(&self) -> bool {
         let words = [&self.point, &self.rotary, &self.ijk, &self.abc3];
-        words.into_iter().flatten().any(Option::is_some)
-    }
-}
-
-impl Modal {
-    /// The move that a line asks for, if any.
-    fn block(&mut self, line: usize, said: LineWords) -> std::result::Result<Option<Block>, String> {
-        if let Some(f) = said.feed {
-            self.feed = Some(if self.inch_feed && !self.inverse { 25.4 * f } else { f });
-        }
-        if !said.moves() {
-            return Ok(None);
-        }
-        let motion = self.motion.ok_or("a move before G0 or G1")?;
-        let feed = self.feed(motion, said.feed)?;
-        let place = self.place(motion, &said)?;
-        let bend = if motion == Motion::Polynomial { Some(axes::bend(&said, self.with_path)?) } else { None };
-        let usual = if self.steps { RotaryWay::By } else { RotaryWay::To };
-        let [point_ways, ways] = said.ways.map(|of| of.map(|way| way.unwrap_or(usual)));
-        let steps = point_ways.map(|way| way == RotaryWay::By);
-        if said.machine && said.point.iter().zip(steps).any(|(word, step)| word.is_some() && step) {
-            return Err("steps in positions of the axes are not read".into());
-        }
-        self.placed |= !said.machine && said.point.iter().any(Option::is_some);
-        let (centre_point, length) = (self.centre != Centre::Off, self.offset()?);
-        // Under tool-centre-point control the length is in the transformation.
-        let added = matches!(length, LengthOffset::Number(_) | LengthOffset::Edge(_)) && !centre_point;
-        Ok(Some(Block {
-            place,
-            steps,
-            ways,
-            bend,
-            machine: said.machine,
-            tool_length: added && (!said.machine || said.with_length),
-            centre_point,
-            fixed_by: self.fixed_by,
-            setting: Setting { length, ..self.setting },
-            ..Block::straight(line, place, feed)
-        }))
-    }
-
-    fn feed(&self, motion: Motion, said: Option<f64>) -> std::result::Result<Feed, String> {
-        let feed = match (motion, self.inverse, said, self.feed) {
-            (Motion::Rapid, ..) => Feed::Rapid,
-            (_, true, Some(f), _) => Feed::PerMove(f),
-            (_, true, None, _) => return Err("under G93 every line needs its own F".into()),
-            (_, false, _, Some(f)) => Feed::PerMinute(f),
-            (_, false, _, None) => return Err("a feed move before any F".into()),
-        };
-        match feed {
-            Feed::PerMove(f) | Feed::PerMinute(f) if f <= 0.0 => Err("F must be greater than 0".into()),
-            _ => Ok(feed),
-        }
-    }
-
-    fn place(&self, motion: Motion, said: &LineWords) -> std::result::Result<Destination, String> {
-        let [ijk, abc3] = [said.ijk, said.abc3].map(|v| v.iter().any(Option::is_some));
-        if !ijk && !abc3 {
-            return Ok(Destination::Words { point: said.point, rotary: said.rotary });
-        }
-        if motion == Motion::Polynomial {
-            return Err("vectors under POLY are not read".into());
-        }
-        if ijk && (abc3 || self.centre != Centre::Vectors) {
-            return Err("I, J and K are read as the tool axis under G43.5 only".into());
-        }
-        if abc3 && self.centre != Centre::Transformation {
-            return Err("A3, B3 and C3 are read under TRAORI only".into());
-        }
-        if abc3 && self.machine_vectors {
-            return Err("a tool axis in the machine's frame (ORIMKS) is not read".into());
-        }
-        if said.rotary.iter().any(Option::is_some) {
-            return Err("a vector and words of rotary axes in one line".into());
-        }
-        // A component that is left out is 0.
-        let axis = if ijk { said.ijk } else { said.abc3 }.map(|v| v.unwrap_or(0.0));
-        Ok(Destination::Vector { point: said.point, axis })
-    }
-
-    /// Where the length of the tool comes from.
-    fn offset(&self) -> std::result::Result<LengthOffset, String> {
-        let by_number = self.length || matches!(self.centre, Centre::Axes | Centre::Vectors);
-        Ok(match (by_number, self.number, self.edge) {
-            (true, Some(0), _) => LengthOffset::Off,
-            (true, Some(n), _) => LengthOffset::Number(n),
-            (true, None, _) => return Err("a length offset (G43) without its H".into()),
-            (false, _, Some(0)) if self.siemens => LengthOffset::Off,
-            (false, _, Some(n)) if self.siemens => LengthOffset::Edge(n),
-            (false, ..) => LengthOffset::Unsaid,
-        })
+        words.into_iter().flatten().any(Option::is_some) || self.radius.is_some()
     }
 }
