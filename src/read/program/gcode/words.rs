@@ -86,8 +86,7 @@ pub(super) fn code(line: &str) -> Result<String, String> {
 
 /// Whether a text ends in a name, not in a letter with its number.
 fn named(text: &str) -> bool {
-    let from = text.rfind(|c: char| !c.is_ascii_alphanumeric() && c != '_').map_or(0, |at| at + 1);
-    long(&text[from..])
+    text.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().is_some_and(long)
 }
 
 /// Where the bracket that a text begins with is closed.
