@@ -86,6 +86,11 @@ fn every_planted_fault_is_found_placed_and_named() {
         let (code, said) = shop.judged("clean.nc", &shop.text(program), &[]);
         assert_eq!(code, Some(0), "{program}: {said}");
     }
+    // Lines may end in CR alone; a text of two bytes a letter is told.
+    let (code, said) = shop.judged("cr.mpf", &siemens.replace('\n', "\r"), &[]);
+    assert_eq!(code, Some(0), "{said}");
+    let wide: String = siemens.chars().flat_map(|c| [c, '\0']).collect();
+    assert_eq!(shop.judged("wide.mpf", &wide, &[]).0, Some(2));
     let lines: Vec<&str> = siemens.lines().collect();
     let cutting: Vec<usize> =
         (0..lines.len()).filter(|k| lines[*k].contains("=DC(") && point(lines[*k]).is_some()).collect();

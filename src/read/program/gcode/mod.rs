@@ -1,4 +1,4 @@
-//! G code: ISO 6983 as LinuxCNC, Fanuc and Siemens 840D speak it.
+//! G code: ISO 6983 as LinuxCNC, Mach3, Fanuc and Siemens 840D speak it.
 //!
 //! A word either is acted on, is known to be harmless ([`codes`]), or is refused.
 
@@ -129,6 +129,18 @@ fn siemens(text: &str) -> bool {
     })
 }
 
+/// The constants that a line sets; such a line has nothing else.
+fn set(words: &[Word]) -> std::result::Result<Vec<(String, f64)>, String> {
+    let sets = |w: &&Word| Constants::name(w.address) && w.raw.contains('=');
+    let set: Vec<&Word> = words.iter().filter(sets).collect();
+    let alone = words.iter().all(|w| sets(&w) || w.address == "N");
+    let uses = set.iter().any(|w| set.iter().any(|other| w.value.contains(other.address)));
+    if !set.is_empty() && (!alone || uses) {
+        return Err("a line that sets constants (R, #) may have nothing else".into());
+    }
+    set.into_iter().map(|w| Ok((w.address.to_owned(), w.number()?))).collect()
+}
+
 #[derive(Default)]
 struct GcodeReader {
     modal: Modal,
@@ -164,31 +176,21 @@ impl GcodeReader {
         let code = words::code(line)?;
         let upper = code.to_ascii_uppercase();
         let constants = std::mem::take(&mut self.constants);
-        let read = self.words(number, words::words(&code, &upper, &constants, self.modal.siemens)?, subprograms);
+        let words = words::words(&code, &upper, &constants, self.modal.siemens)?;
+        let set = set(&words)?;
+        let jump = if set.is_empty() { self.words(number, &words, subprograms)? } else { None };
         self.constants = constants;
-        let (jump, set) = read?;
         set.iter().for_each(|(name, value)| self.constants.set(name, *value));
         Ok(jump)
     }
 
-    /// What the words of a line do; constants that it sets.
+    /// What the words of a line do.
     fn words(
         &mut self,
         number: usize,
-        words: Vec<Word>,
+        words: &[Word],
         subprograms: &Subprograms,
-    ) -> std::result::Result<(Option<Jump>, Vec<(String, f64)>), String> {
-        let sets = |w: &Word| Constants::name(w.address) && w.raw.contains('=');
-        if words.iter().any(sets) {
-            let alone = words.iter().all(|w| sets(w) || w.address == "N");
-            let uses =
-                words.iter().filter(|w| sets(w)).any(|w| words.iter().any(|o| w.value.contains(o.address) && sets(o)));
-            if !alone || uses {
-                return Err("a line that sets constants (R, #) may have nothing else".into());
-            }
-            let values = words.iter().filter(|w| sets(w)).map(|w| Ok((w.address.to_owned(), w.number()?)));
-            return Ok((None, values.collect::<std::result::Result<_, String>>()?));
-        }
+    ) -> std::result::Result<Option<Jump>, String> {
         let mut said = LineWords::default();
         let centre = self.modal.centre;
         // Preparatory functions count for the whole line, wherever they stand.
@@ -216,8 +218,7 @@ impl GcodeReader {
             });
             said.p = None;
         }
-        let jump = self.finish(number, said)?;
-        Ok((jump, Vec::new()))
+        self.finish(number, said)
     }
 
     /// Goes to where a line calls.
