@@ -222,6 +222,10 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "G52 A5",
         "G68.2 P1 X0 Y0 Z0 I0 J0 K0",
         "G53.1",
+        "G4 X1 Y5",
+        "G4 P1 F5",
+        "G52 X1 M3",
+        "G68 X0 Y0 R5 M30",
         "G2 X1",
         "G2 X1 I1 R1",
         "G2 X5 K3",
@@ -239,6 +243,7 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "CROTS X1 Y2",
         "ROT X1 Y2",
         "TRANS A5",
+        "TRANS X5 M30",
         "CYCLE800(0,\"TC\",1,57,0,0,0,1,2,3,0,0,0,1)",
         "CYCLE800(0,\"TC\",0,192,0,0,0,1,2,3,0,0,0,1)",
         "CYCLE81(5,0,1,-5)",
@@ -448,11 +453,18 @@ fn a_tilted_plane_is_where_the_kinematics_bring_it() {
 }
 
 #[test]
+fn a_dwell_keeps_what_its_line_says() {
+    let script = read("G4 P1 M3\nG4 X2\nG0 X1\nG4 P1 M30", language(Grammar::Gcode, Programmed::Machine)).unwrap();
+    assert_eq!((script.blocks.len(), script.end), (1, Some(4)));
+    assert_eq!(script.blocks[0].setting.turning, crate::artifact::program::Turning::Right);
+}
+
+#[test]
 fn calls_end() {
     for (text, names) in [
         ("M98 P5\nM30\nO5\nM98 P5\nM99", "more than 16 deep"),
         ("M98 P5\nM30\nO5\nG4 P1", "does not end"),
-        ("M98 P5 L999999999\nM30\nO5\nM98 P6 L999999999\nM99\nO6\nM99", "more than 1000000 lines"),
+        ("M98 P5 L999999999\nM30\nO5\nM98 P6 L999999999\nM99\nO6\nM99", "more than 500000 lines"),
     ] {
         let e = gcode(text).unwrap_err();
         assert!(e.message.contains(names), "{text}: {}", e.message);

@@ -3,7 +3,7 @@
 /// Most subprograms within one another.
 const DEEPEST: usize = 16;
 /// Most lines that are run beside those of the text: millions of repeats end here.
-const MOST: usize = 1_000_000;
+const MOST: usize = 500_000;
 
 /// A subprogram that runs.
 struct Running {

@@ -242,13 +242,16 @@ impl GcodeReader {
     /// What the words of a line do together.
     fn finish(&mut self, number: usize, mut said: LineWords) -> std::result::Result<Option<Jump>, String> {
         if said.bare == Some(Bare::Dwell) {
-            return if said.moves() && said.point[0].is_none() {
-                Err("a dwell with words of a move".into())
-            } else {
-                Ok(None)
-            };
+            // Its time, in the words that controls take for it.
+            (said.point[0], said.p, said.feed) = (None, None, said.feed.filter(|_| !self.modal.siemens));
+            if said.feed.is_some() || said.moves() {
+                return Err("a dwell with words that are not read with it".into());
+            }
         }
         if let Some(setting) = said.frame {
+            if said.acts() {
+                return Err("a line that sets a frame does nothing else".into());
+            }
             frames::set(setting, &said, &mut self.modal)?;
             return Ok(None);
         }
@@ -377,6 +380,15 @@ impl LineWords {
             modal.setting.tolerance_mm = p.map(|p| if modal.inch { 25.4 * p } else { p });
         }
         Ok(())
+    }
+
+    /// Whether it has functions beside its words of places.
+    fn acts(&self) -> bool {
+        let tool = self.tool.is_some() || self.change || self.edge.is_some();
+        let spindle = self.rpm.is_some() || self.turning.is_some();
+        let order = self.jump.is_some() || self.ends || self.repeats.is_some();
+        let place = self.machine || self.home || self.swivel.is_some() || self.turns.is_some();
+        tool || spindle || order || place || self.blends || self.bare.is_some()
     }
 
     fn moves(&self) -> bool {
