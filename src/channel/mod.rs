@@ -32,6 +32,8 @@
 //! (`tighten`), which stay as safe, and but for [`plan`] with `prove_moves`, where what the index
 //! of the part lies off it is kept as room.
 //!
+//! **All axes**: at one place the free axes all over the sphere, not only on a cone: `sphere`.
+//!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is:
 //! `ball`), machine parts other than the holder, linear axes' limits. The contact angle is held at
 //! the places, not between.
@@ -57,6 +59,7 @@ mod report;
 mod samples;
 mod settings;
 mod sight;
+mod sphere;
 mod stretches;
 mod tangent;
 mod tighten;
@@ -73,6 +76,7 @@ use crate::tool::Tool;
 pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
 pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
+pub use sphere::{CellState, FreeSphere, SphereCell, spheres};
 
 use arcs::Witness;
 use forbidden::{Free, ObstacleBody, ObstacleScene};

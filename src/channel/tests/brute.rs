@@ -25,14 +25,14 @@ const GRID: usize = 9;
 const ROOM: (f64, f64) = (0.2, 1.0);
 
 /// Cases of a test: so many times what the environment says.
-fn cases(some: u32) -> u32 {
+pub fn cases(some: u32) -> u32 {
     let times = std::env::var("BLADEWRIGHT_CASES").ok().and_then(|v| v.parse().ok());
     some.saturating_mul(times.unwrap_or(1))
 }
 
 /// A tool with a taper or none, a shank and up to three holder stages, narrower or wider than one
 /// another.
-fn any_tool() -> impl Strategy<Value = Tool> {
+pub fn any_tool() -> impl Strategy<Value = Tool> {
     let stages = prop::collection::vec((1.0..20.0f64, 3.0..25.0f64), 0..4);
     (0.8..5.0f64, 0.0..20.0f64, 1.0..2.5f64, 4.0..30.0f64, stages).prop_map(|(r, taper, shank, stickout, stages)| {
         Tool {
@@ -47,7 +47,7 @@ fn any_tool() -> impl Strategy<Value = Tool> {
 
 /// Triangles at random, in a body of its own each if `bodies`; the ball centre is at the origin
 /// before all is turned.
-fn any_mesh() -> impl Strategy<Value = Mesh> {
+pub fn any_mesh() -> impl Strategy<Value = Mesh> {
     let point = || prop::array::uniform3(-35.0..35.0f64);
     let triangle = (point(), prop::array::uniform6(-9.0..9.0f64));
     prop::collection::vec(triangle, 1..6).prop_map(|triangles| {
@@ -94,7 +94,7 @@ fn named(mesh: &Mesh, w: Witness, tree_side: f64) -> Option<Mesh> {
 }
 
 /// A cone about the blade axis, or about any other.
-fn any_cone() -> impl Strategy<Value = Cone> {
+pub fn any_cone() -> impl Strategy<Value = Cone> {
     let axis = prop_oneof![Just([0.0; 3]), prop::array::uniform3(-1.0..1.0f64)];
     (axis, prop::array::uniform3(-1.0..1.0f64), -0.5..0.6f64)
         .prop_map(|(c, e, lean)| Cone::new(Vector::from(c), Vector::from(e), lean).unwrap_or(Cone::about_blade(lean)))

@@ -4,5 +4,6 @@
 mod brute;
 mod exact;
 mod location;
+mod sphere;
 mod whole;
 pub mod world;

@@ -1,0 +1,167 @@
+//! How much of the sphere of tool axes is free along a blade, alone and among the other blades of
+//! its wheel, beside what a reference plane has of it.
+//!
+//! `cargo run --release --example free_axes -- MODEL [--radius=3] [--taper=3] [--shank=6]
+//! [--holder=20] [--stickout=100] [--blades=36] [--wheel=1,0,0] [--finest=1] [--end=MM]
+//! [--places=400] [--svg=FILE]`
+//!
+//! The wheel turns about the direction `--wheel` of the model through the model's origin. The
+//! reference plane at a location (Chen, Xu and Tang, Journal of Computational Design and
+//! Engineering 2, 2015) goes along the blade's axis and the surface normal. The picture shows the
+//! free axes of one location, halfway along the path, from above its normal (equal areas; the circle
+//! is the tangent plane).
+#![allow(clippy::print_stdout)]
+
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+use bladewright::artifact::region::Extent;
+use bladewright::artifact::toolpath::PathKind;
+use bladewright::artifact::{Blade, Cone, Cones, Obstacle, Toolpath};
+use bladewright::channel::{self, CellState, ChannelOptions, FreeSphere, Surroundings};
+use bladewright::error::Result;
+use bladewright::geometry::part::Part;
+use bladewright::geometry::{Point, Rigid, Vector};
+use bladewright::observe::Silent;
+use bladewright::path::{self, PathOptions};
+use bladewright::read::model::{self, ModelOptions};
+use bladewright::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM, HolderStage, Tool};
+use bladewright::{Error, Stage};
+use nalgebra::{Translation3, Unit, UnitQuaternion};
+
+/// Locations that the table shows.
+const ROWS: usize = 12;
+/// Locations that are looked at.
+const PLACES: f64 = 400.0;
+
+/// The other blades of the wheel about an axis of the model through its origin, in the blade frame.
+fn other_blades(blade: &Blade, count: usize, wheel: &Vector) -> Vec<Obstacle> {
+    let blade_from_model = blade.model_from_blade.inverse();
+    let axis = Unit::new_normalize(blade_from_model * wheel);
+    let origin = blade_from_model * Point::origin();
+    (1..count)
+        .map(|k| {
+            let turn = UnitQuaternion::from_axis_angle(&axis, std::f64::consts::TAU * k as f64 / count as f64);
+            let about = Translation3::from(origin.coords) * turn * Translation3::from(-origin.coords);
+            let moved = Rigid::from_parts(about.translation, about.rotation);
+            Obstacle {
+                name: format!("blade {}", k + 1),
+                part: Part::from_mesh(blade.part.mesh.clone().moved(&moved)),
+                clearance_mm: CLEARANCE_MM + blade.part.deflection_mm,
+                holder_clearance_mm: HOLDER_CLEARANCE_MM + blade.part.deflection_mm,
+                cut_by_the_tool: false,
+            }
+        })
+        .collect()
+}
+
+/// The path with the cones of its reference planes.
+fn on_reference_planes(path: &Toolpath) -> Toolpath {
+    let plane = |normal: &Vector| Cone::new(Vector::x().cross(normal), Vector::x(), 0.0);
+    let mut last = Cone::about_blade(0.0);
+    let cones = path.locations.iter().map(|l| {
+        last = plane(&l.normal).unwrap_or(last);
+        last
+    });
+    let cones = Cones::along(cones.collect());
+    path.clone().with_cones(cones)
+}
+
+/// The cells seen from above a direction, equal areas.
+fn svg(sphere: &FreeSphere, above: &Vector) -> String {
+    let turned = UnitQuaternion::rotation_between(above, &Vector::z()).unwrap_or_default();
+    let place = |a: &Vector| {
+        let v = turned * a;
+        let scale = 100.0 * (2.0 / (1.0 + v.z).max(1e-6)).sqrt();
+        (v.x * scale, -v.y * scale)
+    };
+    let mut out = String::from("<svg xmlns='http://www.w3.org/2000/svg' viewBox='-150 -150 300 300'>");
+    for cell in sphere.cells.iter().filter(|c| c.corners.iter().all(|a| a.dot(above) > -0.1)) {
+        let colour = match cell.state {
+            CellState::Free => "#7bc47f",
+            CellState::Taken(_) => "#d8d8d8",
+            CellState::Open => "#f2b134",
+        };
+        let points: Vec<String> = cell.corners.iter().map(place).map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+        let _ = write!(
+            out,
+            "<polygon points='{}' fill='{colour}' stroke='{colour}' stroke-width='0.4'/>",
+            points.join(" ")
+        );
+    }
+    let rim = 100.0 * 2f64.sqrt();
+    out += &format!("<circle r='{rim:.2}' fill='none' stroke='#333' stroke-width='0.5'/></svg>\n");
+    out
+}
+
+fn main() -> Result<()> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let value = |key: &str| args.iter().find_map(|a| a.strip_prefix(key));
+    let number = |key: &str| value(key).and_then(|v| v.parse::<f64>().ok());
+    let usage = |what: &str| Error::usage(Stage::Channel, what.to_owned());
+    let file = args.iter().find(|a| !a.starts_with("--")).ok_or_else(|| usage("a model is wanted"))?;
+    let blade = model::load(Path::new(file), &ModelOptions::default(), &Silent)?;
+    let radius_mm = number("--radius=").unwrap_or(3.0);
+    let tool = Tool {
+        radius_mm,
+        taper_deg: number("--taper=").unwrap_or(3.0),
+        shank_radius_mm: number("--shank=").unwrap_or(2.0 * radius_mm),
+        stickout_mm: number("--stickout=").unwrap_or(100.0),
+        holder: vec![HolderStage { radius_mm: number("--holder=").unwrap_or(20.0), length_mm: 50.0 }],
+    };
+    let count = number("--blades=").map_or(1, |n| n as usize);
+    let wheel: Vec<f64> = value("--wheel=").unwrap_or("1,0,0").split(',').filter_map(|x| x.parse().ok()).collect();
+    let [x, y, z] = wheel[..] else { return Err(usage("--wheel wants three numbers")) };
+    let finest_deg = number("--finest=").unwrap_or(1.0);
+
+    let mut options = PathOptions::new(radius_mm, 0.05).with(|s| s.kind = PathKind::ConstantScallop);
+    let [foot, tip] = blade.regions.airfoil_x_mm();
+    options.extent = Extent::heights(Some(tip - 0.1 * (tip - foot)), number("--end="));
+    let mut path = path::plan(&blade, &options, &Silent)?;
+    let places = number("--places=").unwrap_or(PLACES).max(1.0) as usize;
+    path.locations = path.locations.iter().step_by(path.locations.len().div_ceil(places)).copied().collect();
+
+    let (alone, others) = (Vec::new(), other_blades(&blade, count, &Vector::new(x, y, z)));
+    let channel_options = ChannelOptions::default();
+    let mut found = Vec::new();
+    for bodies in [&alone, &others] {
+        let surroundings = Surroundings::new(&blade, bodies, radius_mm)?;
+        let start = Instant::now();
+        let spheres = channel::spheres(&surroundings, &tool, &path, &channel_options, finest_deg, &Silent)?;
+        let seconds = start.elapsed().as_secs_f64();
+        let triangles = blade.part.mesh.triangles.len() * (bodies.len() + 1);
+        println!("{triangles} triangles: {:.0} spheres a second", spheres.len() as f64 / seconds);
+        let start = Instant::now();
+        let planes = on_reference_planes(&path);
+        let arcs = channel::intervals(&surroundings, &tool, &planes, &channel_options, &Silent)?;
+        println!("  reference planes: {:.0} a second", arcs.len() as f64 / start.elapsed().as_secs_f64());
+        let empty = arcs.iter().zip(&spheres).filter(|(a, s)| a.is_empty() && s.shares()[0] > 0.0).count();
+        println!("  {empty} of {} locations have free axes and none in the plane", arcs.len());
+        let open = spheres.iter().map(|s| s.shares()[2]).sum::<f64>() / spheres.len() as f64;
+        println!("  {:.2} % of the sphere is open in the mean", 100.0 * open);
+        found.push((spheres, arcs));
+    }
+    println!("height mm, normal's angle, free alone, free in the wheel, open, plane alone, plane in the wheel");
+    for row in (0..path.locations.len()).step_by(path.locations.len().div_ceil(ROWS)) {
+        let l = &path.locations[row];
+        let shares = |k: usize| found[k].0[row].shares();
+        let width = |k: usize| found[k].1[row].iter().map(|f| f.theta_max - f.theta_min).sum::<f64>().to_degrees();
+        println!(
+            "{:8.2} {:6.1}° {:5.1} % {:5.1} % {:5.2} % {:6.1}° {:6.1}°",
+            l.centre.x,
+            l.normal.z.atan2(l.normal.y).to_degrees(),
+            100.0 * shares(0)[0],
+            100.0 * shares(1)[0],
+            100.0 * shares(1)[2],
+            width(0),
+            width(1),
+        );
+    }
+    if let Some(file) = value("--svg=") {
+        let row = path.locations.len() / 2;
+        std::fs::write(file, svg(&found[1].0[row], &path.locations[row].normal))
+            .map_err(|e| usage(&format!("{file}: {e}")))?;
+    }
+    Ok(())
+}
