@@ -8,18 +8,16 @@
 //! The wheel turns about the direction `--wheel` of the model through the model's origin. The
 //! reference plane at a location (Chen, Xu and Tang, Journal of Computational Design and
 //! Engineering 2, 2015) goes along the blade's axis and the surface normal. The picture shows the
-//! free axes of one location, halfway along the path, from above its normal (equal areas; the circle
-//! is the tangent plane).
+//! free axes of one location, halfway along the path.
 #![allow(clippy::print_stdout)]
 
-use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
 use bladewright::artifact::region::Extent;
 use bladewright::artifact::toolpath::PathKind;
 use bladewright::artifact::{Blade, Cone, Cones, Obstacle, Toolpath};
-use bladewright::channel::{self, CellState, ChannelOptions, FreeSphere, Surroundings};
+use bladewright::channel::{self, ChannelOptions, Surroundings};
 use bladewright::error::Result;
 use bladewright::geometry::part::Part;
 use bladewright::geometry::{Point, Rigid, Vector};
@@ -27,6 +25,7 @@ use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM, HolderStage, Tool};
+use bladewright::write::draw::sphere_svg;
 use bladewright::{Error, Stage};
 use nalgebra::{Translation3, Unit, UnitQuaternion};
 
@@ -66,33 +65,6 @@ fn on_reference_planes(path: &Toolpath) -> Toolpath {
     });
     let cones = Cones::along(cones.collect());
     path.clone().with_cones(cones)
-}
-
-/// The cells seen from above a direction, equal areas.
-fn svg(sphere: &FreeSphere, above: &Vector) -> String {
-    let turned = UnitQuaternion::rotation_between(above, &Vector::z()).unwrap_or_default();
-    let place = |a: &Vector| {
-        let v = turned * a;
-        let scale = 100.0 * (2.0 / (1.0 + v.z).max(1e-6)).sqrt();
-        (v.x * scale, -v.y * scale)
-    };
-    let mut out = String::from("<svg xmlns='http://www.w3.org/2000/svg' viewBox='-150 -150 300 300'>");
-    for cell in sphere.cells.iter().filter(|c| c.corners.iter().all(|a| a.dot(above) > -0.1)) {
-        let colour = match cell.state {
-            CellState::Free => "#7bc47f",
-            CellState::Taken(_) => "#d8d8d8",
-            CellState::Open => "#f2b134",
-        };
-        let points: Vec<String> = cell.corners.iter().map(place).map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
-        let _ = write!(
-            out,
-            "<polygon points='{}' fill='{colour}' stroke='{colour}' stroke-width='0.4'/>",
-            points.join(" ")
-        );
-    }
-    let rim = 100.0 * 2f64.sqrt();
-    out += &format!("<circle r='{rim:.2}' fill='none' stroke='#333' stroke-width='0.5'/></svg>\n");
-    out
 }
 
 fn main() -> Result<()> {
@@ -160,7 +132,7 @@ fn main() -> Result<()> {
     }
     if let Some(file) = value("--svg=") {
         let row = path.locations.len() / 2;
-        std::fs::write(file, svg(&found[1].0[row], &path.locations[row].normal))
+        std::fs::write(file, sphere_svg(&found[1].0[row], &path.locations[row].normal, &[], &[]))
             .map_err(|e| usage(&format!("{file}: {e}")))?;
     }
     Ok(())

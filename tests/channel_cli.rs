@@ -88,6 +88,55 @@ fn the_channel_alone_is_written_with_its_width_against_b() {
 }
 
 #[test]
+fn the_free_axes_of_a_location_are_drawn_all_over_the_sphere() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let d = dir.path();
+    let model = prism();
+    let args = ["channel", &model, "-o", "out", "--set", "path.scallop_mm=0.2", "--sphere"];
+    let out = bladewright(&args, d);
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    assert!(said.contains("% of all tool axes are free"), "{said}");
+    let svg = std::fs::read_to_string(d.join("out/sphere.svg")).expect("written");
+    assert!(svg.starts_with("<svg") && svg.contains("polyline") && svg.trim_end().ends_with("</svg>"));
+    // The axes in the middle of a free interval lie in free cells.
+    let table = std::fs::read_to_string(d.join("out/sphere.csv")).expect("written");
+    let row: usize = said.split("location ").nth(1).and_then(|t| t.split(':').next()?.parse().ok()).expect("a number");
+    let intervals = std::fs::read_to_string(d.join("out/channel_intervals.csv")).expect("written");
+    let job = std::fs::read_to_string(d.join("out/job.resolved.toml")).expect("written");
+    let b_deg: f64 = job.lines().find_map(|l| l.strip_prefix("b_deg = ")).and_then(|v| v.parse().ok()).expect("a lean");
+    let mut looked = 0;
+    for line in intervals.lines().skip(1).filter(|l| l.split(',').next() == Some(&row.to_string())) {
+        let ends: Vec<f64> = line.split(',').skip(4).take(2).filter_map(|v| v.parse().ok()).collect();
+        let (theta, b) = ((0.5 * (ends[0] + ends[1])).to_radians(), b_deg.to_radians());
+        let axis = [b.sin(), b.cos() * theta.cos(), b.cos() * theta.sin()];
+        let holds = |c: &[f64]| {
+            let [p, q, r] = [0, 3, 6].map(|k| [c[k], c[k + 1], c[k + 2]]);
+            let side = |p: [f64; 3], q: [f64; 3]| {
+                let n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+                n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]
+            };
+            side(p, q) >= -1e-6 && side(q, r) >= -1e-6 && side(r, p) >= -1e-6
+        };
+        let cell = table.lines().skip(1).find(|l| {
+            let corners: Vec<f64> = l.split(',').take(9).filter_map(|v| v.parse().ok()).collect();
+            holds(&corners)
+        });
+        assert!(cell.is_some_and(|c| c.contains(",free,")), "{line}: {cell:?}");
+        looked += 1;
+    }
+    assert!(looked > 0, "{intervals}");
+    fails(
+        &["channel", &model, "-o", "b", "--set", "path.scallop_mm=0.2", "--sphere=99999999"],
+        d,
+        2,
+        &["location 99999999 is asked for, the path has"],
+    );
+    fails(&["channel", &model, "-o", "b", "--sphere=first"], d, 2, &["give the number of a location"]);
+    assert!(!d.join("b").exists());
+}
+
+#[test]
 fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();

@@ -20,6 +20,7 @@ pub mod region;
 pub mod report;
 pub mod schedule;
 pub mod section;
+pub mod sphere;
 pub mod tool_part;
 pub mod toolpath;
 

@@ -76,7 +76,7 @@ use crate::tool::Tool;
 pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
 pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
-pub use sphere::{CellState, FreeSphere, SphereCell, spheres};
+pub use sphere::{sphere, spheres};
 
 use arcs::Witness;
 use forbidden::{Free, ObstacleBody, ObstacleScene};

@@ -31,7 +31,7 @@ use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
 use crate::artifact::Toolpath;
-use crate::artifact::channel::Binding;
+use crate::artifact::sphere::{CellState, FreeSphere, SphereCell};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
@@ -60,72 +60,6 @@ const PROBES: usize = 24;
 /// Cells may be as small as this, and the first ones are no larger, degrees.
 const SIZES_DEG: [f64; 2] = [0.05, 20.0];
 
-/// What is known of a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CellState {
-    /// The tool is clear with every axis of it.
-    Free,
-    /// The tool is too near with every axis of it; by which of [`FreeSphere::bindings`].
-    Taken(u32),
-    /// It is of the least size, and neither is shown.
-    Open,
-}
-
-/// A spherical triangle of tool axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SphereCell {
-    /// Unit vectors, blade frame, counter-clockwise seen from outside.
-    pub corners: [Vector; 3],
-    /// What is known of it.
-    pub state: CellState,
-}
-
-impl SphereCell {
-    /// Its solid angle, sr (A. Van Oosterom and J. Strackee, The solid angle of a plane triangle,
-    /// IEEE Transactions on Biomedical Engineering 30, 1983).
-    pub fn area_sr(&self) -> f64 {
-        let [a, b, c] = &self.corners;
-        2.0 * a.dot(&b.cross(c)).atan2(1.0 + a.dot(b) + b.dot(c) + c.dot(a))
-    }
-
-    /// Whether an axis lies in it; on its border within rounding.
-    pub fn holds(&self, axis: &Vector) -> bool {
-        let [a, b, c] = &self.corners;
-        [(a, b), (b, c), (c, a)].iter().all(|(p, q)| p.cross(q).dot(axis) >= -1e-12)
-    }
-}
-
-/// The free tool axes at a place.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FreeSphere {
-    /// They cover the sphere.
-    pub cells: Vec<SphereCell>,
-    /// What takes cells.
-    pub bindings: Vec<Binding>,
-}
-
-impl FreeSphere {
-    /// Shares of the sphere that are free, taken and open.
-    pub fn shares(&self) -> [f64; 3] {
-        let mut shares = [0.0; 3];
-        for c in &self.cells {
-            let k = match c.state {
-                CellState::Free => 0,
-                CellState::Taken(_) => 1,
-                CellState::Open => 2,
-            };
-            shares[k] += c.area_sr() / (4.0 * PI);
-        }
-        shares
-    }
-
-    /// The cell in which an axis lies; `None` for what is no direction.
-    pub fn cell_at(&self, axis: &Vector) -> Option<&SphereCell> {
-        let axis = axis.try_normalize(1e-12)?;
-        self.cells.iter().find(|c| c.holds(&axis))
-    }
-}
-
 /// The free tool axes at every location of a path; the cones of the path are not looked at. Cells
 /// lie within `finest_deg` of their middle where it is not known whether all of them is free.
 ///
@@ -140,11 +74,7 @@ pub fn spheres(
     observer: &dyn Observer,
 ) -> Result<Vec<FreeSphere>> {
     check_input(tool, path, options)?;
-    if !(SIZES_DEG[0]..=SIZES_DEG[1]).contains(&finest_deg) {
-        let [least, most] = SIZES_DEG;
-        let message = format!("cells of {finest_deg}° are asked for, they must be of {least}° to {most}°");
-        return Err(Error::usage(Stage::Channel, message));
-    }
+    check_size(finest_deg)?;
     let scene = surroundings.scene(tool, options);
     let done = std::sync::atomic::AtomicUsize::new(0);
     let all: Vec<Vec<FreeSphere>> = path
@@ -160,6 +90,36 @@ pub fn spheres(
         })
         .collect::<Result<_>>()?;
     Ok(all.into_iter().flatten().collect())
+}
+
+/// The free tool axes at one location.
+///
+/// # Errors
+/// As [`spheres`], and where the path has no such location.
+pub fn sphere(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    (path, row): (&Toolpath, usize),
+    options: &ChannelOptions,
+    finest_deg: f64,
+) -> Result<FreeSphere> {
+    check_input(tool, path, options)?;
+    check_size(finest_deg)?;
+    let Some(at) = path.locations.get(row) else {
+        let message = format!("location {row} is asked for, the path has {}, from 0 up", path.locations.len());
+        return Err(Error::usage(Stage::Channel, message));
+    };
+    let scene = surroundings.scene(tool, options);
+    Ok(SphereSearch::new(&scene, finest_deg.to_radians()).at(&at.centre, &at.normal))
+}
+
+fn check_size(finest_deg: f64) -> Result<()> {
+    let [least, most] = SIZES_DEG;
+    if (least..=most).contains(&finest_deg) {
+        return Ok(());
+    }
+    let message = format!("cells of {finest_deg}° are asked for, they must be of {least}° to {most}°");
+    Err(Error::usage(Stage::Channel, message))
 }
 
 /// What a point forbids: the axes between two angles from a direction.
@@ -308,7 +268,7 @@ impl<'a> SphereSearch<'a> {
         self.takers.clear();
         // Those that took most come first.
         self.points.retain(|p| p.uses > 0);
-        self.points.sort_by(|a, b| b.uses.cmp(&a.uses));
+        self.points.sort_by_key(|p| std::cmp::Reverse(p.uses));
         self.points.truncate(CARRIED);
         for k in 0..self.points.len() {
             self.points[k].uses = 0;

@@ -286,6 +286,28 @@ pub struct Channel {
         value_parser = parse_sweep
     )]
     pub sweep_b: Option<SweepRange>,
+    /// Tool axes that are free all over the sphere, at a location by its number from 0; without a
+    /// value where the channel is narrowest.
+    #[arg(
+        long,
+        value_name = "LOCATION",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "narrowest",
+        value_parser = parse_location
+    )]
+    pub sphere: Option<SphereAt>,
+}
+
+/// A location; `None`: where the channel is narrowest.
+#[derive(Debug, Clone, Copy)]
+pub struct SphereAt(pub Option<usize>);
+
+fn parse_location(text: &str) -> Result<SphereAt, String> {
+    match text {
+        "narrowest" => Ok(SphereAt(None)),
+        _ => text.parse().map(|k| SphereAt(Some(k))).map_err(|_| "give the number of a location, as in 120".into()),
+    }
 }
 
 /// From, to, step.

@@ -1,5 +1,6 @@
 //! `channel` and `advise`: the S–θ channel by itself.
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use super::args::{Advise, Channel};
@@ -10,6 +11,7 @@ use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
 use crate::channel::{self, FreeInterval, Leans};
 use crate::error::{Result, turn_number};
+use crate::geometry::Vector;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::run::{self, Loaded, RunFolder};
@@ -17,6 +19,11 @@ use crate::write::draw;
 
 /// Angles B that advice looks at: from, to, step, degrees.
 const ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 2.5];
+
+/// Cells of the sphere lie within this of their middle where they are not decided, degrees.
+const FINEST_DEG: f64 = 0.5;
+/// Steps of the lines that are drawn on it, rad.
+const STEP_RAD: f64 = 0.02;
 
 /// Runs `channel`; the exit code.
 pub fn run(args: &Channel, quiet: bool) -> Result<u8> {
@@ -47,6 +54,22 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
         folder.add("sweep_b.svg", draw::widths_svg(&widths))?;
         print_widths(&widths);
     }
+    if let Some(at) = args.sphere {
+        let narrowest = || planned.as_ref().map_or_else(|_| least_free(&intervals), |c| c.narrowest_row);
+        let row = at.0.unwrap_or_else(narrowest);
+        let found = channel::sphere(&around, tool, (&toolpath, row), &options, FINEST_DEG)?;
+        let cone = toolpath.cone(row);
+        let axes = |from: f64, to: f64| -> Vec<Vector> {
+            let steps = ((to - from) / STEP_RAD).ceil().max(1.0);
+            (0..=steps as usize).map(|k| cone.tool_axis(from + (to - from) * k as f64 / steps)).collect()
+        };
+        let free: Vec<Vec<Vector>> = intervals[row].iter().map(|f| axes(f.theta_min, f.theta_max)).collect();
+        let normal = &toolpath.locations[row].normal;
+        folder.add("sphere.csv", draw::sphere_csv(&found, |b| name(b, &setup.blade.part)))?;
+        folder.add("sphere.svg", draw::sphere_svg(&found, normal, &axes(0.0, TAU), &free))?;
+        let [is_free, _, open] = found.shares().map(|s| 100.0 * s);
+        sayln!("location {row}: {is_free:.1} % of all tool axes are free, {open:.1} % are not decided");
+    }
     let closed = intervals.iter().filter(|l| l.is_empty()).count();
     sayln!("{} cutter locations, {closed} of them without a free angle", intervals.len());
     for file in folder.finish()? {
@@ -56,6 +79,13 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     let width = channel.rows.get(channel.narrowest_row).map_or(0.0, |r| r.hull_max - r.hull_min);
     sayln!("narrowest between the monotone hulls: {:.3}°; separate channels: {}", width.to_degrees(), channel.chains);
     Ok(0)
+}
+
+/// The first location with least free angles.
+fn least_free(intervals: &[Vec<FreeInterval>]) -> usize {
+    let width = |free: &Vec<FreeInterval>| free.iter().map(|f| f.theta_max - f.theta_min).sum::<f64>();
+    let widths = intervals.iter().map(width).enumerate();
+    widths.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(row, _)| row)
 }
 
 /// `channel_intervals.csv`: one row per free interval of a location; angles in degrees.

@@ -33,7 +33,7 @@ const RUN: [&str; 14] = [
 ];
 
 /// Files of `compare` and `channel`, which look at a job without planning it to the end.
-const STUDIES: [&str; 7] = [
+const STUDIES: [&str; 9] = [
     "compare.json",
     "compare.csv",
     "compare.svg",
@@ -41,6 +41,8 @@ const STUDIES: [&str; 7] = [
     "sweep_b.csv",
     "sweep_b.json",
     "sweep_b.svg",
+    "sphere.csv",
+    "sphere.svg",
 ];
 
 /// Our programs name us in one of their first lines.

@@ -10,6 +10,7 @@ pub(crate) mod chart;
 pub mod colour;
 pub(in crate::write) mod histogram;
 mod scale;
+mod sphere;
 mod widths;
 
 use std::sync::Arc;
@@ -23,6 +24,7 @@ use crate::error::{Error, Result, Stage};
 use crate::machine::{Axis, Machine};
 
 pub use chart::small;
+pub use sphere::{sphere_csv, sphere_svg};
 pub use widths::{widths_csv, widths_inline, widths_svg};
 
 /// Most dots of the scallop map.
