@@ -94,7 +94,7 @@ fn what_cannot_be_audited_is_one_sentence() {
     for (text, names) in [
         ("G1 X1 Y2 Z3", "before any F"),
         ("G0 X1 Y2\nM30", "no feed move"),
-        ("G94 F1 G1 X1 Y2 Z500\nG2 X2 I1", "the arc begins 1.0000 mm from its centre and ends 0.0000 mm"),
+        ("G94 F1 G1 X1 Y2 Z500\nG2 X4 I1", "the arc begins 1.0000 mm from its centre and ends 2.0000 mm"),
         ("G94 F1 G0 X1 Y2 Z500 A0\nG1 A1000000000", "turns too far"),
     ] {
         let e = run(text, ISO, Zero::default()).unwrap_err();
