@@ -66,8 +66,8 @@ pub struct Bench<'a> {
 /// from is `NaN` where the program has not said it.
 ///
 /// # Errors
-/// A line whose vector is none, or lies along the rotary axis, whose arc is none, or that moves in
-/// the blade frame before tool-centre-point control is on.
+/// A line whose vector is none, or lies along the rotary axis, whose arc is none, that moves in the
+/// blade frame before tool-centre-point control is on, or at a feed from a reference position.
 pub fn follow(blocks: &[Block], bench: &Bench) -> Result<Vec<Moved>> {
     let mut follower = Follower::new(bench, at_first(bench.machine));
     let mut out = Vec::with_capacity(blocks.len());
@@ -120,6 +120,8 @@ struct Follower<'a> {
     said: Option<([f64; 3], Rigid)>,
     /// The line that fixed the frame to the table, and the frame: to the blade frame.
     fixed: Option<(usize, Rigid)>,
+    /// The program has sent axes to where only the machine knows.
+    away: bool,
     /// Moves beside one for each block.
     more: usize,
 }
@@ -136,7 +138,7 @@ struct Way {
 
 impl<'a> Follower<'a> {
     fn new(bench: &'a Bench<'a>, stands: Axes) -> Self {
-        Follower { bench, stands, said: None, fixed: None, more: 0 }
+        Follower { bench, stands, said: None, fixed: None, away: false, more: 0 }
     }
 
     /// Coordinates of the program to the blade frame.
@@ -297,6 +299,13 @@ impl<'a> Follower<'a> {
     /// Makes the moves of a way.
     fn drive(&mut self, block: &Block, at: usize, way: &Way, out: &mut Vec<Moved>) -> Result<()> {
         let Bench { tool, machine, .. } = *self.bench;
+        if let Destination::Words { point, rotary } = block.place {
+            self.away |= point.iter().chain(&rotary).flatten().any(|word| word.is_nan());
+        }
+        if self.away && block.feed != Feed::Rapid && way.from.iter().any(|v| v.is_nan()) {
+            let what = "a move at a feed from where only the machine knows; a rapid must lead to its beginning";
+            return Err(unreachable(block.line, what));
+        }
         let first = out.len();
         let pieces = match &block.course {
             Course::Arc(arc) => arc::pieces(arc, way.here, way.there).map_err(|e| unreachable(block.line, &e))?,

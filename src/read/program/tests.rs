@@ -453,6 +453,14 @@ fn a_tilted_plane_is_where_the_kinematics_bring_it() {
 }
 
 #[test]
+fn nothing_is_cut_from_a_reference_position() {
+    let text = |next: &str| format!("G0 X1 Y2 Z3\nG28 G91 Z0\nG90\n{next}\nG1 Z1 F100\nM30");
+    assert!(followed(&text("G0 Z3"), Grammar::Gcode, Programmed::Machine).is_ok());
+    let e = followed(&text("G0 X3"), Grammar::Gcode, Programmed::Machine).unwrap_err();
+    assert!(e.message.contains("line 5 of the program: a move at a feed from where only"), "{}", e.message);
+}
+
+#[test]
 fn a_dwell_keeps_what_its_line_says() {
     let script = read("G4 P1 M3\nG4 X2\nG0 X1\nG4 P1 M30", language(Grammar::Gcode, Programmed::Machine)).unwrap();
     assert_eq!((script.blocks.len(), script.end), (1, Some(4)));
