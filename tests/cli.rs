@@ -325,11 +325,16 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
         "{said}"
     );
     runs_are_joined(d, model);
-    write(d, "arc.nc", b"G94 G1 X1 Y1 Z1 F5\nG2 X2 I1\n");
+    write(d, "arc.nc", b"G94 G1 X1 Y1 Z1 F5\nG2 X4 I1\n");
     write(d, "letter.txt", b"Dear sir,\nplease mill this.\n");
     write(d, "tool.toml", b"radius_mm = 3\n");
     let tool = "1/job.resolved.toml";
-    fails(&["verify", "arc.nc", "--part", model, "--tool", tool], d, 2, &["line 2", "G2: arcs are not read"]);
+    fails(
+        &["verify", "arc.nc", "--part", model, "--tool", tool],
+        d,
+        2,
+        &["line 2", "the arc begins 1.0000 mm from its centre"],
+    );
     fails(&["verify", "letter.txt", "--part", model, "--tool", tool], d, 2, &["letter.txt", "does not look like"]);
     fails(&["verify", "none.nc", "--part", model, "--tool", tool], d, 4, &["none.nc"]);
     fails(&["verify", "arc.nc", "--part", model, "--tool", "tool.toml"], d, 2, &["tool.toml", "is missing"]);

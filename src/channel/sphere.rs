@@ -12,9 +12,9 @@
 //! - **taken** where one point's annulus holds all of it;
 //! - **free** where every node of the bodies' trees is clear: its margin at the cell's middle,
 //!   bounded from below by tangent planes, is more than what it may fall by as the tool turns by
-//!   `ρ`. Points within `r` of `v` move by no more than `2 sin(ρ/2) (|v| + r)`; and along the slope
-//!   `g` of a tangent plane by no more than `ρ |v × g| + ρ² |v| / 2`, which is little where the tool
-//!   passes beside the contact;
+//!   `ρ`. Points within `r` of `v` move by no more than `2 sin(ρ/2) (|v| + r)`; and along the
+//!   slope `g` of a tangent plane by no more than `ρ |v × g| + ρ² |v| / 2`, which is little where
+//!   the tool passes beside the contact;
 //! - else it is quartered, down to a size that is asked for; cells of that size stay **open**.
 //!
 //! Nodes that are clear for a cell are clear for its quarters, and annuli that do not meet it do
@@ -22,8 +22,8 @@
 //! are looked at first at the next.
 //!
 //! **Guaranteed**: with an axis of a free cell no point of a body's mesh is nearer to taper, shank
-//! or holder than its clearance plus the mesh's deflection; with one of a taken cell some point is,
-//! or the contact angle is out of its range. **Not looked at**: whether the machine reaches an axis,
+//! or holder than its clearance plus the mesh's deflection; with one of a taken cell some point
+//! is, or the contact angle is out of its range. **Not looked at**: whether the machine reaches an axis,
 //! and moves between places.
 
 use rayon::prelude::*;
@@ -181,8 +181,8 @@ impl Cell {
         Cell { corners, axis, rho, turn: 2.0 * (0.5 * rho).sin() }
     }
 
-    /// By how much a point at `v` may come nearer to the tool, whose margin has this slope there with
-    /// the axis in the middle, as the tool turns to any axis of the cell, mm. The margin is convex,
+    /// By how much a point at `v` may come nearer to the tool, whose margin has this slope there
+    /// with the axis in the middle, as the tool turns to any axis of the cell, mm. The margin is convex,
     /// so that it stays over its tangent plane; a turn by `ω` moves the point by `ω × v` but for
     /// `|ω|² |v| / 2`.
     fn nearer(&self, v: &Vector, slope: &Vector) -> f64 {

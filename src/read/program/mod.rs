@@ -11,9 +11,9 @@
 //!
 //! **Limits**: axes move evenly from line to line, on the polynomials of the line or on its arc (no
 //! smoothing of the control's own), programmed vectors as the rotary axes that reach them, or on a
-//! great circle where the program says so. Which forms of others are read: `docs/others.md`. `G43.4` and
-//! `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals say; all
-//! other controls to the table as it stands at 0.
+//! great circle where the program says so. Which forms of others are read: `docs/others.md`.
+//! `G43.4` and `G43.5` fix X, Y, Z to the table as it stands where they come on, as their manuals
+//! say; all other controls to the table as it stands at 0.
 //!
 //! **Fails** with kind `Usage` and the line.
 

@@ -1,4 +1,5 @@
-//! The tool axis turned in the plane of its ends, as rotary axes that go evenly from piece to piece.
+//! The tool axis turned in the plane of its ends, as rotary axes that go evenly from piece to
+//! piece.
 
 use crate::artifact::Axes;
 use crate::geometry::Vector;

@@ -35,8 +35,8 @@ pub fn sphere_csv(sphere: &FreeSphere, name: impl Fn(&Binding) -> String) -> Str
 }
 
 /// The sphere as an SVG file, seen from over the surface normal, areas as they are; the circle is
-/// the tangent plane. `circle` are the axes of the cone that the path has there, and `free` those of
-/// its free intervals.
+/// the tangent plane. `circle` are the axes of the cone that the path has there, and `free` those
+/// of its free intervals.
 pub fn sphere_svg(sphere: &FreeSphere, normal: &Vector, circle: &[Vector], free: &[Vec<Vector>]) -> String {
     let turned = UnitQuaternion::rotation_between(normal, &Vector::z()).unwrap_or_default();
     let place = |axis: &Vector| {

@@ -3,7 +3,8 @@
 use super::{HeidenhainReader, Read};
 use crate::read::program::block::{Arc, Block, Centre, Course, Destination, Feed, RotaryWay};
 
-/// Words of a block: components of the tool axis and of the surface's normal, the point, rotary axes.
+/// Words of a block: components of the tool axis and of the surface's normal, the point, rotary
+/// axes.
 const WORDS: [&str; 12] = ["TX", "TY", "TZ", "NX", "NY", "NZ", "X", "Y", "Z", "A", "B", "C"];
 
 /// What a block says.
