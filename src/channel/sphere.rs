@@ -23,8 +23,8 @@
 //!
 //! **Guaranteed**: with an axis of a free cell no point of a body's mesh is nearer to taper, shank
 //! or holder than its clearance plus the mesh's deflection; with one of a taken cell some point
-//! is, or the contact angle is out of its range. **Not looked at**: whether the machine reaches an axis,
-//! and moves between places.
+//! is, or the contact angle is out of its range. **Not looked at**: whether the machine reaches an
+//! axis, and moves between places.
 
 use rayon::prelude::*;
 use std::collections::BinaryHeap;
@@ -182,9 +182,9 @@ impl Cell {
     }
 
     /// By how much a point at `v` may come nearer to the tool, whose margin has this slope there
-    /// with the axis in the middle, as the tool turns to any axis of the cell, mm. The margin is convex,
-    /// so that it stays over its tangent plane; a turn by `ω` moves the point by `ω × v` but for
-    /// `|ω|² |v| / 2`.
+    /// with the axis in the middle, as the tool turns to any axis of the cell, mm. The margin is
+    /// convex, so that it stays over its tangent plane; a turn by `ω` moves the point by `ω × v` but
+    /// for `|ω|² |v| / 2`.
     fn nearer(&self, v: &Vector, slope: &Vector) -> f64 {
         self.rho * (v.cross(slope).norm() + 0.5 * self.rho * v.norm())
     }
