@@ -183,8 +183,8 @@ impl Cell {
 
     /// By how much a point at `v` may come nearer to the tool, whose margin has this slope there
     /// with the axis in the middle, as the tool turns to any axis of the cell, mm. The margin is
-    /// convex, so that it stays over its tangent plane; a turn by `ω` moves the point by `ω × v` but
-    /// for `|ω|² |v| / 2`.
+    /// convex, so that it stays over its tangent plane; a turn by `ω` moves the point by `ω × v`
+    /// but for `|ω|² |v| / 2`.
     fn nearer(&self, v: &Vector, slope: &Vector) -> f64 {
         self.rho * (v.cross(slope).norm() + 0.5 * self.rho * v.norm())
     }
