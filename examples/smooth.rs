@@ -15,7 +15,6 @@ use bladewright::artifact::{Curve, Plan, Toolpath, motion};
 use bladewright::error::Result;
 use bladewright::feed::{self, FeedOptions};
 use bladewright::geometry::allowance::Allowed;
-use bladewright::geometry::{Point, Vector};
 use bladewright::machine::Machine;
 use bladewright::observe::Silent;
 use bladewright::plan::{self, Setup};
@@ -26,8 +25,6 @@ use bladewright::{Error, Stage, job};
 
 /// Feed at which jerks are told, mm/min.
 const FEED: f64 = 2000.0;
-/// Weights of the mean that evens touches.
-const MEAN: [f64; 5] = [1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0];
 /// Locations at either end that are left out: there the natural spline is not that of the path.
 const ENDS: usize = 10;
 
@@ -82,34 +79,6 @@ fn jerk_of_curve(setup: &Setup, curve: &Curve, lean_rad: f64) -> Vec<f64> {
     out.into_iter().map(|v| v * (FEED / 60.0).powi(3)).collect()
 }
 
-/// Each location moved to a mean over five, its own place along the path kept, and set onto the
-/// part again.
-fn evened(part: &Allowed, path: &Toolpath) -> Toolpath {
-    let mut out = path.clone();
-    let all = &path.locations;
-    let mut s_mm = 0.0;
-    for k in 0..all.len() {
-        if k >= 2 && k + 2 < all.len() {
-            let near = &all[k - 2..=k + 2];
-            let mean: Vector = near.iter().zip(MEAN).map(|(l, w)| l.centre.coords * w).sum();
-            let mean_s: f64 = near.iter().zip(MEAN).map(|(l, w)| l.s_mm * w).sum();
-            let tangent = (all[k + 1].centre - all[k - 1].centre) / (all[k + 1].s_mm - all[k - 1].s_mm);
-            let mut c = Point::from(mean + tangent * (all[k].s_mm - mean_s));
-            for _ in 0..3 {
-                if let Some(foot) = part.closest(&c, f64::INFINITY) {
-                    c = foot.point + (c - foot.point).normalize() * path.radius_mm;
-                }
-            }
-            out.locations[k].centre = c;
-        }
-        if k > 0 {
-            s_mm += (out.locations[k].centre - out.locations[k - 1].centre).norm();
-        }
-        out.locations[k].s_mm = s_mm;
-    }
-    out
-}
-
 /// The path with its locations on the curve, three to a piece, and θ there.
 fn on_curve(part: &Allowed, plan: &Plan, curve: &Curve) -> (Toolpath, Vec<f64>) {
     let mut out = plan.toolpath.clone();
@@ -158,7 +127,7 @@ fn measure(file: &Path) -> Result<()> {
         println!("  {from:.1} to {to:.1} mm: over the bound {own:.4}, of any curve {any:.4}, of θ {theta:.4}");
     }
     let lean_rad = path.cone(0).lean_rad;
-    let even = evened(&part, path);
+    let even = smooth::evened(&setup.blade.part, path)?;
     let jerks = [
         ("as it is", jerk_of_spline(&setup, path, theta)),
         ("evened", jerk_of_spline(&setup, &even, theta)),

@@ -68,7 +68,7 @@ fn a_plan_in_memory_is_the_commands_plan() {
 #[test]
 fn a_smooth_curve_is_what_is_programmed() {
     let mut job = JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));
-    let keys = ["feed.smooth=true", "post.control=[\"siemens-poly\"]"];
+    let keys = ["feed.smooth=true", "post.control=[\"siemens-poly\",\"heidenhain-spl\"]"];
     keys.iter().for_each(|key| job.set(key).expect("a key"));
     let draft = inputs::draft(job, Path::new("")).expect("a draft");
     let outcome = run::in_memory(&draft, false, &Silent).expect("a plan");
@@ -82,11 +82,13 @@ fn a_smooth_curve_is_what_is_programmed() {
     for id in [CheckId::CurveGouge, CheckId::CurveScallop, CheckId::CurveClearance, CheckId::CurveJoints] {
         assert!(verified.report().checks.iter().any(|c| c.id == id), "{id:?}");
     }
-    let (_, dialect) = outcome.setup.dialects().expect("dialects").remove(0);
-    let (program, checks) = outcome.setup.program(&dialect, verified).expect("a program");
-    assert!(program.text.contains("PO["), "polynomials");
-    let joints = checks.iter().find(|c| c.id == CheckId::ProgramJoints).expect("joints are judged");
-    assert!(checks.iter().all(|c| c.passed), "{joints:?}");
+    for ((_, dialect), word) in outcome.setup.dialects().expect("dialects").into_iter().zip(["PO[", "SPL X"]) {
+        let (program, checks) = outcome.setup.program(&dialect, verified).expect("a program");
+        assert!(program.text.contains(word), "{word}");
+        let joints = checks.iter().find(|c| c.id == CheckId::ProgramJoints).expect("joints are judged");
+        let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+        assert!(failed.is_empty(), "{failed:?} {joints:?}");
+    }
     // Curves that are spoilt at one row: into the part, off the next location, against θ.
     let middle = verified.value().toolpath.locations.len() / 2;
     let spoilt = |change: &dyn Fn(&mut CurveRow)| {

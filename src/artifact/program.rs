@@ -14,6 +14,9 @@ pub enum Control {
     SiemensPoly,
     /// Heidenhain TNC: `TCPM`, rotary axes as positions, `program.h`.
     Heidenhain,
+    /// Heidenhain TNC: `TCPM`, ball centre and rotary axes as splines of degree 3 (`SPL`, an option of
+    /// the iTNC 530), `program.spl.h`.
+    HeidenhainSpl,
     /// Heidenhain TNC: `TCPM`, `LN` blocks with the tool axis as a vector, `program.vector.h`.
     HeidenhainVector,
     /// Fanuc: `G43.4`, rotary axes as positions, `program.nc`.
@@ -32,11 +35,12 @@ pub enum Control {
 
 impl Control {
     /// All of them.
-    pub const ALL: [Control; 11] = [
+    pub const ALL: [Control; 12] = [
         Control::Siemens,
         Control::SiemensVector,
         Control::SiemensPoly,
         Control::Heidenhain,
+        Control::HeidenhainSpl,
         Control::HeidenhainVector,
         Control::Fanuc,
         Control::FanucVector,

@@ -5,7 +5,7 @@ use super::out::sayln;
 use super::plan::draft_of;
 use super::progress::Terminal;
 use crate::error::Result;
-use crate::run::compare::{Comparison, ScheduleRun, compare};
+use crate::run::compare::{Comparison, PathRun, ScheduleRun, compare};
 
 /// Runs the verb; the exit code.
 pub fn run(args: &Compare, quiet: bool) -> Result<u8> {
@@ -67,6 +67,20 @@ fn print(c: &Comparison) {
     sayln!("  {:<22}{bounds}", "lower bound");
     if c.sweep.iter().flat_map(|l| &l.runs).any(|r| r.within_jerk == Some(false)) {
         sayln!("  * no motion within the limits of jerk was found: the time keeps velocity and acceleration only");
+    }
+    print_paths(&c.paths);
+}
+
+/// The path beside its smooth curve; nothing where the job does not ask for it.
+fn print_paths(paths: &[PathRun]) {
+    let Some(first) = paths.first() else { return };
+    sayln!();
+    sayln!("path, with the optimal schedule: jerk at the same constant feed, mm or degrees per s³, and time in s");
+    let heads: String = first.jerk.iter().map(|j| format!("{:>13}", j.axis)).collect();
+    sayln!("  {:<22} {:>9}{heads} {:>9}", "", "blocks", "time");
+    for p in paths {
+        let jerks: String = p.jerk.iter().map(|j| format!("{:>13.0}", j.jerk)).collect();
+        sayln!("  {:<22} {:>9}{jerks} {:>9.2}", p.name, p.blocks, p.time_s);
     }
 }
 

@@ -21,9 +21,11 @@
 //! The caller says how far apart `x'` and `x` can be.
 //!
 //! ## Failure
-//! [`Missed`] names the spans whose limits are missed, where no control values keep all of them or
-//! numbers are not finite. The same bytes on any number of threads: sums are taken in a fixed
-//! order.
+//! [`Missed`] names spans where no control values keep all limits, or numbers are not finite. A
+//! step is as long for all rows as the worst allows, so where some contradict one another many
+//! others are still missed in the end. Multipliers tell which: those of contradicting rows grow
+//! without bound (Farkas' lemma), the others do not. The same bytes on any number of threads: sums
+//! are taken in a fixed order.
 
 use rayon::prelude::*;
 
@@ -41,6 +43,9 @@ const START: f64 = 100.0;
 const SLACK: f64 = 0.1;
 /// A row is kept when it is missed by less than this share of half its width.
 const KEPT: f64 = 1e-6;
+/// Rows that contradict one another pull with multipliers so many times as great as those of half
+/// the spans are.
+const CONTRADICTS: f64 = 100.0;
 /// A pivot that falls below this share of its diagonal entry is rounding: the column depends on
 /// those before it.
 const PIVOT: f64 = 1e-14;
@@ -96,8 +101,8 @@ pub struct Solution<const D: usize> {
     pub iterations: usize,
 }
 
-/// Why nothing was found: spans whose limits are missed, with the share of half the width of a row
-/// by which they are.
+/// Why nothing was found: spans whose limits contradict one another, or where that cannot be told
+/// all whose limits are missed, with the share of half the width of a row by which they are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Missed(pub Vec<(usize, f64)>);
 
@@ -312,13 +317,23 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             let mut limits = chunk.limits.iter();
             let worst = |s: &Span<D, W>| {
                 let own = limits.by_ref().take(s.rows.len() + ORDER * s.strips.len());
-                own.map(Limit::missed).fold(0.0, |a, b| if b <= a { a } else { b })
+                own.fold([0.0; 2], |[missed, pull], l| {
+                    let (by, of) = (l.missed(), l.sides().map(|(_, s)| s.multiplier).fold(0.0, f64::max));
+                    [if by <= missed { missed } else { by }, f64::max(pull, of)]
+                })
             };
-            let each: Vec<f64> = chunk.spans.iter().map(worst).collect();
-            each.into_iter().enumerate().map(|(i, m)| (chunk.first + i, m)).collect::<Vec<_>>()
+            chunk.spans.iter().map(worst).collect::<Vec<[f64; 2]>>()
         };
-        let all = self.chunks.iter().flat_map(of);
-        Missed(all.filter(|(_, m)| !(*m <= 10.0 * KEPT)).collect())
+        let all: Vec<[f64; 2]> = self.chunks.iter().flat_map(of).collect();
+        let mut pulls: Vec<f64> = all.iter().map(|[_, pull]| *pull).collect();
+        pulls.sort_by(f64::total_cmp);
+        let usual = pulls.get(pulls.len() / 2).copied().unwrap_or(0.0);
+        let named = |least: f64| {
+            let is_missed = |(_, [by, pull]): &(usize, [f64; 2])| !(*by <= 10.0 * KEPT) && *pull >= least;
+            all.iter().copied().enumerate().filter(is_missed).map(|(i, [by, _])| (i, by)).collect::<Vec<_>>()
+        };
+        let contradicting = named(CONTRADICTS * usual);
+        Missed(if contradicting.is_empty() { named(0.0) } else { contradicting })
     }
 
     /// `Hx`.
@@ -656,6 +671,24 @@ mod tests {
         assert!(missed.iter().any(|(i, by)| *i == 1 && *by > 1.0), "{missed:?}");
         spans[1].rows[0].lo = f64::NAN;
         assert!(solve(&spans, at_zero, ENOUGH, 1e3).is_err());
+    }
+
+    /// Among hundreds of spans that all begin outside their limits, those that contradict one
+    /// another are told from those that a short step left where they were.
+    #[test]
+    fn only_limits_against_one_another_are_named() {
+        const SPANS: usize = 300;
+        let breaks = Breaks::new((0..=SPANS).map(|k| k as f64).collect()).unwrap();
+        let limits: Vec<[f64; 2]> = (0..SPANS).map(|i| [2.0 + 0.1 * (i % 7) as f64, 4.0]).collect();
+        let (mut spans, at_zero) = nearest(&breaks, &vec![0.5; SPANS + 5], &limits);
+        assert!(solve(&spans, at_zero, ENOUGH, 1e3).is_ok());
+        for at in [40, 220] {
+            spans[at].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
+            spans[at].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: 1.0 });
+        }
+        let Missed(missed) = solve(&spans, at_zero, ENOUGH, 1e3).unwrap_err();
+        let is_near = |i: usize| i.abs_diff(40) <= 5 || i.abs_diff(220) <= 5;
+        assert!(!missed.is_empty() && missed.iter().all(|(i, _)| is_near(*i)), "{missed:?}");
     }
 
     #[test]

@@ -40,7 +40,7 @@ pub(crate) mod paths;
 pub(crate) mod planning;
 pub(crate) mod schedules;
 pub(crate) mod sketch;
-mod smoothing;
+pub(crate) mod smoothing;
 
 use planning::{Known, Reached};
 

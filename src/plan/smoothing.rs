@@ -5,9 +5,10 @@
 //! straight moves from row to row within the chord tolerance: the same rows serve programs of
 //! polynomials, which take the pieces whole, and programs of straight moves. The channel is looked
 //! at anew at these rows. Where the ridges of the whole path would fail their check, the room
-//! across the path is halved until they do not. Where θ leaves the channel, or the tool comes too
-//! near to something between rows, the curve is made again nearer to the path there; in the end
-//! those pieces are given up and the path's own locations come back.
+//! across the path is narrowed about those that grew too much, in the end all along the path. Where
+//! θ leaves the channel, or the tool comes too near to something between rows, the curve is made
+//! again nearer to the path there; in the end those pieces are given up and the path's own
+//! locations come back.
 
 use rayon::prelude::*;
 
@@ -22,11 +23,19 @@ use crate::feed;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
-use crate::smooth::{self, Objective, SmoothOptions};
+use crate::smooth::{self, Objective, Share, SmoothOptions};
 use crate::verify;
 
-/// How often the room across the path is halved where ridges would fail their check.
-const NARROWER: usize = 4;
+/// How often the room across the path is narrowed where ridges would fail their check: about ridges
+/// that grew, but the last times all along the path.
+const NARROWER: usize = 6;
+const NARROWER_ALL: usize = 3;
+/// Ridges are looked at in so many places then, …
+const RIDGES: usize = 60_000;
+/// … and the room about one that grew is narrowed to between these shares of what it was, …
+const NARROWED: [f64; 2] = [0.2, 0.7];
+/// … so far around both passes, mm.
+const ABOUT_RIDGE_MM: f64 = 1.0;
 /// How often the curve is made anew, nearer to the path at places where it does not keep clear, …
 const NEARER: usize = 2;
 /// … each time with this share of the room there, and so far around them, mm.
@@ -45,14 +54,14 @@ const APART: f64 = 0.2;
 
 /// What is smoothed.
 #[derive(Clone, Copy)]
-pub(super) struct Before<'a> {
+pub(crate) struct Before<'a> {
     pub path: &'a Toolpath,
     pub channel: &'a Channel,
     pub schedule: &'a Schedule,
 }
 
 /// The same along the curve.
-pub(super) struct Made {
+pub(crate) struct Made {
     pub path: Toolpath,
     pub channel: Channel,
     pub schedule: Schedule,
@@ -64,7 +73,7 @@ pub(super) struct Made {
 ///
 /// # Errors
 /// Those of the stages, but that a channel which closes along the curve is none.
-pub(super) fn smoothed(
+pub(crate) fn smoothed(
     setup: &Setup,
     before: Before,
     motion: Option<&planning::MotionAndLeads>,
@@ -82,8 +91,8 @@ pub(super) fn smoothed(
     }
     let (mut options, objective) = (setup.smooth_options(), Objective::Part);
     let Before { path: old, channel: walls, schedule } = before;
-    let mut shares = vec![1.0; old.locations.len()];
-    let make = |options: &SmoothOptions, shares: &[f64]| {
+    let mut shares = vec![Share::WHOLE; old.locations.len()];
+    let make = |options: &SmoothOptions, shares: &[Share]| {
         timed(observer, Stage::Smooth, || {
             smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, options, shares, observer)
         })
@@ -108,7 +117,12 @@ pub(super) fn smoothed(
                 return given_up("with hardly any room across the path its ridges are still too high".into());
             }
             narrower += 1;
-            options.across *= 0.5;
+            if narrower > NARROWER - NARROWER_ALL {
+                options.across *= 0.5;
+            } else {
+                let on = OnRidges { setup, options: &verify_options, most_mm };
+                timed(observer, Stage::Smooth, || on.narrow(old, &path, &curve, &mut shares));
+            }
             found = make(&options, &shares)?;
             continue;
         }
@@ -127,7 +141,9 @@ pub(super) fn smoothed(
             nearer += 1;
             for (l, share) in old.locations.iter().zip(&mut shares) {
                 let is_near = |[a, b]: &[f64; 2]| l.s_mm > a - AROUND_MM && l.s_mm < b + AROUND_MM;
-                *share *= if bad.iter().any(is_near) { SHARE } else { 1.0 };
+                if bad.iter().any(is_near) {
+                    *share = Share { across: SHARE * share.across, turn: SHARE * share.turn };
+                }
             }
             found = make(&options, &shares)?;
         } else {
@@ -135,6 +151,41 @@ pub(super) fn smoothed(
         }
     }
     given_up("θ leaves the channel, or the tool comes too near to something, at ever more places".into())
+}
+
+/// Ridges beside those of the path as it is.
+struct OnRidges<'a> {
+    setup: &'a Setup,
+    options: &'a verify::VerifyOptions,
+    /// What a ridge may come up to, mm.
+    most_mm: f64,
+}
+
+impl OnRidges<'_> {
+    /// Less room where ridges grew beyond what they may: the share of it that would have kept them,
+    /// since a ridge grows about as its passes move apart.
+    fn narrow(&self, old: &Toolpath, path: &Toolpath, curve: &ProgrammedCurve, shares: &mut [Share]) {
+        let part = &self.setup.blade.part;
+        let [before, now] = [old, path].map(|p| verify::ridges(p, part, self.options, RIDGES));
+        let old = &old.locations;
+        let begins: Vec<f64> = before.iter().map(|r| old[r.rows[0]].s_mm).collect();
+        let mut least = vec![1.0_f64; shares.len()];
+        for r in now.iter().filter(|r| r.height_mm > self.most_mm) {
+            let s_mm = r.rows.map(|row| curve.rows[row].s_mm);
+            let k = begins.partition_point(|s| *s <= s_mm[0]);
+            let was = before[k.saturating_sub(1)..(k + 1).min(before.len())].iter().map(|r| r.height_mm);
+            let was = was.fold(0.0, f64::max);
+            if was < r.height_mm {
+                let share = ((self.most_mm - was) / (r.height_mm - was)).clamp(NARROWED[0], NARROWED[1]);
+                for s in s_mm {
+                    let from = old.partition_point(|l| l.s_mm < s - ABOUT_RIDGE_MM);
+                    let to = old.partition_point(|l| l.s_mm <= s + ABOUT_RIDGE_MM);
+                    least[from..to].iter_mut().for_each(|l| *l = l.min(share));
+                }
+            }
+        }
+        shares.iter_mut().zip(least).for_each(|(share, l)| share.across *= l);
+    }
 }
 
 fn longest(left: &[LeftAsIs]) -> Option<&LeftAsIs> {

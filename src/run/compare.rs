@@ -1,5 +1,6 @@
 //! All schedules side by side: at the same constant feed, and each at its own best feed under
-//! limits of the machine from a quarter to four times its own.
+//! limits of the machine from a quarter to four times its own. With `feed.smooth` also the path
+//! beside its smooth curve.
 
 use std::path::{Path, PathBuf};
 
@@ -19,10 +20,16 @@ use crate::plan::planning::{channel_as_far_as_it_goes, path_as_asked};
 use crate::plan::schedules::{machinable, paced};
 use crate::schedule;
 
+mod paths;
 mod plot;
+
+pub use paths::PathRun;
 
 /// Limits of the machine that are tried, as multiples of its own.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
+
+/// Name of the schedule that is optimal by the job's own measure.
+const OPTIMAL: &str = "optimal";
 
 /// A motion that was found within the limits of jerk exceeds them by less than this factor.
 const JERK_ROUNDING: f64 = 1.001;
@@ -112,6 +119,10 @@ pub struct Comparison {
     pub schedules: Vec<Compared>,
     /// Under limits.
     pub sweep: Vec<Limits>,
+    /// With `feed.smooth` the path as it is, evened and as its smooth curve, with the schedule that
+    /// is optimal for the job.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub paths: Vec<PathRun>,
 }
 
 /// Plans path and channel, then all schedules, and writes `compare.json`, `compare.csv` and
@@ -140,6 +151,11 @@ pub fn compare(
         .map(|(name, (s, seconds))| ground.figures(name, s, *seconds))
         .collect::<Result<Vec<_>>>()?;
     let sweep = SCALES.par_iter().map(|scale| ground.under(*scale, &names, &made)).collect::<Result<Vec<_>>>()?;
+    let optimal = names.iter().zip(&made).find(|(name, _)| *name == OPTIMAL).filter(|_| setup.job.feed.smooth);
+    let paths = match optimal {
+        Some((_, (schedule, _))) => paths::all(&ground, schedule, &recorder)?,
+        None => Vec::new(),
+    };
     let bound = made.iter().find_map(|(s, _)| s.quality.bound_second);
     let found = Comparison {
         name: setup.blade.name.clone(),
@@ -150,6 +166,7 @@ pub fn compare(
         bound_second_deg_mm2: bound.map(f64::to_degrees),
         schedules,
         sweep,
+        paths,
     };
     folder.add_json("compare.json", &found)?;
     folder.add("compare.csv", table(&found, setup.machine.axes()))?;
@@ -168,7 +185,7 @@ fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<Made> {
         ("fixed", ScheduleKind::Fixed, own),
         ("quaternion", ScheduleKind::Quaternion, own),
         ("piecewise", ScheduleKind::Piecewise, own),
-        ("optimal", ScheduleKind::Optimal, own),
+        (OPTIMAL, ScheduleKind::Optimal, own),
     ];
     if own != Measure::SquareSecond {
         kinds.push(("optimal square-second", ScheduleKind::Optimal, Measure::SquareSecond));

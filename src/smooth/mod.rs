@@ -48,6 +48,7 @@
 //! curve is found the path stays as it is, which [`Curve::left`] says with place and reason.
 
 pub mod corner;
+mod evened;
 mod form;
 mod options;
 mod prove;
@@ -65,6 +66,7 @@ use room::Room;
 use stretch::Stretch;
 use turn::Turning;
 
+pub use evened::evened;
 pub use options::SmoothOptions;
 
 use crate::artifact::curve::{Curve, LeftAsIs, WhyLeft};
@@ -115,11 +117,25 @@ pub fn plan(
     options: &SmoothOptions,
     observer: &dyn Observer,
 ) -> Result<Curve> {
-    plan_near(part, path, channel, schedule, objective, options, &vec![1.0; path.locations.len()], observer)
+    plan_near(part, path, channel, schedule, objective, options, &vec![Share::WHOLE; path.locations.len()], observer)
 }
 
-/// As [`plan`], nearer to the path at some locations: `shares` of the room across the path and of
-/// the angle from the schedule, one for each location, greater than 0 and at most 1.
+/// How near to the path the curve is to be at a location: shares of what the options allow, greater
+/// than 0 and at most 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// Of the room across the path.
+    pub across: f64,
+    /// Of the angle from the schedule.
+    pub turn: f64,
+}
+
+impl Share {
+    /// All that the options allow.
+    pub const WHOLE: Share = Share { across: 1.0, turn: 1.0 };
+}
+
+/// As [`plan`], nearer to the path at some locations: a share for each.
 ///
 /// # Errors
 /// As [`plan`], and where shares are not as many as locations, or out of their limits.
@@ -131,18 +147,20 @@ pub fn plan_near(
     schedule: &Schedule,
     objective: &Objective,
     options: &SmoothOptions,
-    shares: &[f64],
+    shares: &[Share],
     observer: &dyn Observer,
 ) -> Result<Curve> {
     options.validate()?;
     validate(path, channel, schedule)?;
-    if shares.len() != path.locations.len() || !shares.iter().all(|s| *s > 0.0 && *s <= 1.0) {
+    if shares.len() != path.locations.len()
+        || !shares.iter().flat_map(|s| [s.across, s.turn]).all(|s| s > 0.0 && s <= 1.0)
+    {
         let message = "shares of the room must be greater than 0, at most 1, and one for each location";
         return Err(Error::usage(Stage::Smooth, message));
     }
     let part = Allowed::new(part, path.stock_mm);
     let mut room = room::of(path, options, KEPT);
-    room.iter_mut().zip(shares).for_each(|(r, share)| r.across_mm *= share);
+    room.iter_mut().zip(shares).for_each(|(r, share)| r.across_mm *= share.across);
     let whole = path.locations.len();
     let mut curve = Curve::default();
     let mut open: Vec<(Range<usize>, usize)> = Vec::new();
@@ -190,7 +208,7 @@ pub fn plan_near(
 fn stretch<'a>(
     part: &'a Allowed<'a>,
     (path, channel, schedule): (&'a Toolpath, &'a Channel, &'a Schedule),
-    (room, shares): (&'a [Room], &'a [f64]),
+    (room, shares): (&'a [Room], &'a [Share]),
     range: Range<usize>,
     joined: [bool; 2],
     objective: &'a Objective<'a>,
@@ -253,6 +271,16 @@ fn validate(path: &Toolpath, channel: &Channel, schedule: &Schedule) -> Result<(
             "the path has {n} locations, but the channel {rows} rows and the schedule {angles} angles"
         ));
     }
+    validate_path(path)?;
+    match schedule.theta.iter().position(|theta| !theta.is_finite()) {
+        Some(k) => bad(format!("location {k} has a centre, a normal or an angle that is not one")),
+        None => Ok(()),
+    }
+}
+
+fn validate_path(path: &Toolpath) -> Result<()> {
+    let n = path.locations.len();
+    let bad = |m: String| Err(Error::usage(Stage::Smooth, m));
     if n < 2 {
         return bad(format!("the path has {n} locations, at least 2 are needed"));
     }
@@ -260,7 +288,7 @@ fn validate(path: &Toolpath, channel: &Channel, schedule: &Schedule) -> Result<(
         return bad(format!("the ball's radius is {} mm, it must be greater than 0", path.radius_mm));
     }
     for (k, l) in path.locations.iter().enumerate() {
-        let finite = l.centre.iter().chain(l.normal.iter()).all(|v| v.is_finite()) && schedule.theta[k].is_finite();
+        let finite = l.centre.iter().chain(l.normal.iter()).all(|v| v.is_finite());
         if !finite || (l.normal.norm() - 1.0).abs() > 1e-3 {
             return bad(format!("location {k} has a centre, a normal or an angle that is not one"));
         }

@@ -14,7 +14,7 @@ use crate::numerics::bounded::{self, Enough, Missed, Solution};
 use crate::numerics::quintic::{Breaks, CONDITION};
 
 /// The first fit may miss the locations along the normal by this share of the room.
-const FIT: f64 = 0.2;
+const FIT: f64 = 0.5;
 /// Weight of evenness in the fit that decides on the breaks, and in that which the search begins
 /// with; against distances over the room.
 const EVEN: [f64; 2] = [10.0, 1e3];
@@ -47,18 +47,26 @@ impl Stretch<'_> {
     /// finite.
     pub fn smooth(&self) -> Option<Result<CurveStretch, Broken>> {
         let mut breaks = self.first_breaks()?;
-        let mut broken = Vec::new();
+        let mut broken = Broken::new();
         for _ in 0..ROUNDS {
-            let marks = match self.attempt(&breaks)? {
-                Ok(found) => return Some(Ok(found)),
-                Err(marks) => marks,
+            let marks = match self.attempt(&breaks) {
+                Some(Ok(found)) => return Some(Ok(found)),
+                Some(Err(marks)) => marks,
+                // What was marked before was halved beyond what numbers tell.
+                None if !broken.is_empty() => break,
+                None => return None,
             };
             let marked = |i: usize| marks[i.saturating_sub(1)..(i + 2).min(marks.len())].contains(&true);
-            broken = (0..marks.len()).filter(|i| marks[*i]).map(|i| breaks.span(i)).collect();
+            let named: Broken = (0..marks.len()).filter(|i| marks[*i]).map(|i| breaks.span(i)).collect();
+            // What is named again and again stays; on very short spans others are named with it.
+            let is_still = |[a, b]: &[f64; 2]| broken.iter().any(|[p, q]: &[f64; 2]| a < q && p < b);
+            let still: Broken = named.iter().copied().filter(is_still).collect();
+            broken = if still.is_empty() { named } else { still };
             if breaks.spans() > MOST_BREAKS * self.locations.len() {
                 break;
             }
-            breaks = start::halved(&breaks, marked)?;
+            let Some(finer) = start::halved(&breaks, marked) else { break };
+            breaks = finer;
         }
         Some(Err(broken))
     }

@@ -148,6 +148,26 @@ fn noise_across_a_helix_goes_and_the_curve_stays_where_the_part_wants_it() {
     assert!(any <= p.square && p.square < 1.1 * any, "{p:?}");
 }
 
+/// Evening takes noise across the path down to a share, about a half of independent numbers, and
+/// leaves the ball on the part.
+#[test]
+fn evened_touches_lie_on_the_part() {
+    let (path, angles) = helix(2e-3);
+    let even = evened(&part(), &path).unwrap();
+    let off = |p: &Toolpath| {
+        let z = |k: usize| p.locations[k].centre.z - 20.0 + PITCH * angles[k] / TAU;
+        (2..angles.len() - 2).map(|k| z(k).powi(2)).sum::<f64>().sqrt()
+    };
+    assert!(off(&even) < 0.6 * off(&path) && off(&even) > 0.1 * off(&path), "{} {}", off(&even), off(&path));
+    for l in &even.locations {
+        assert!((l.centre.x.hypot(l.centre.y) - CAN - BALL).abs() < 1e-9);
+    }
+    assert!(even.locations.windows(2).all(|w| w[1].s_mm > w[0].s_mm));
+    let mut bad = path.clone();
+    bad.locations[7].centre.x = f64::NAN;
+    assert_eq!(evened(&part(), &bad).unwrap_err().kind, crate::error::ErrorKind::Usage);
+}
+
 #[test]
 fn the_same_on_any_number_of_threads() {
     let (path, angles) = helix(1e-3);

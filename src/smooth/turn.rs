@@ -4,8 +4,8 @@
 
 use rayon::prelude::*;
 
-use super::SmoothOptions;
 use super::form::{self, Form};
+use super::{Share, SmoothOptions};
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::toolpath::CutterLocation;
 use crate::numerics::bounded::{self, Enough, Missed, Row, Solution, Span, Strip};
@@ -25,7 +25,7 @@ pub(super) struct Turning<'a> {
     /// The schedule's angles, rad.
     pub theta: &'a [f64],
     /// Shares of the angle that θ may be from the schedule.
-    pub shares: &'a [f64],
+    pub shares: &'a [Share],
     /// Whether the path goes on before and after with the schedule's own angles.
     pub joined: [bool; 2],
 }
@@ -43,7 +43,7 @@ impl Turning<'_> {
     /// the schedule itself where that is nearer.
     fn walls(&self, k: usize, options: &SmoothOptions) -> [f64; 2] {
         let (wall, theta) = (&self.walls[k], self.theta[k]);
-        let (keep, margin) = (options.turn_rad * self.shares[k], options.margin_rad);
+        let (keep, margin) = (options.turn_rad * self.shares[k].turn, options.margin_rad);
         let mut lo = (theta - keep).max(theta.min(wall.hull_min + margin));
         let mut hi = (theta + keep).min(theta.max(wall.hull_max - margin));
         // The path goes on there, and θ is not to fall.

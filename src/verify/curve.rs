@@ -8,7 +8,7 @@
 //!
 //! | check | measured |
 //! | --- | --- |
-//! | `curve-gouge` | depth of the ball in the part along the curve, as `gouge` |
+//! | `curve-gouge` | depth of the ball in the part along the curve, as `gouge`: also in surface that the part's file has otherwise |
 //! | `curve-chord` | greatest distance of straight moves from location to location from the curve |
 //! | `curve-scallop` | 99th percentile of the heights over the part under the ball along the curve |
 //! | `curve-clearance` | how much less than asked for the tool without its ball keeps from part, fixtures and stock |
@@ -157,7 +157,8 @@ impl OnCurve<'_> {
     fn gouges(&self) -> Check {
         let g = gouge::measure(self.part, &self.sweep, self.options.settings.resolution_mm);
         let bound = g.bound_mm.max(g.found_mm).max(0.0) + self.chords.off[0];
-        let note = format!("measured {:.6}, nowhere deeper than {bound:.6}", g.found_mm.max(0.0));
+        let face = gouge::where_it_is(self.part, &g.centre, bound > self.options.settings.gouge_mm);
+        let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0));
         let quantity = "depth of the ball in the part along the programmed curve";
         let check = Check::at_most(CheckId::CurveGouge, quantity, bound, self.options.settings.gouge_mm, "mm", note);
         check.at_location(self.chords.rows[g.segment], self.plan, self.blade)
@@ -280,5 +281,41 @@ impl OnCurve<'_> {
             self.plan,
             self.blade,
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+    use crate::sample;
+
+    /// A flat rib 0.03 mm over the part that only its file has, under a place within the curve:
+    /// where the ball is beside its middle it is some micrometres deeper.
+    #[test]
+    fn surface_that_only_the_file_has_is_gouged_along_the_curve() {
+        let plan = sample::on_curve(sample::plan(2, 180), 0.05, 23.0, 3);
+        let options = VerifyOptions::default();
+        let gouge = |blade: &Blade| {
+            let part = Allowed::new(&blade.part, 0.0);
+            check(&plan, blade, &part, &[], &options).into_iter().find(|c| c.id == CheckId::CurveGouge).unwrap()
+        };
+        let sound = sample::blade();
+        assert!(gouge(&sound).passed, "{:?}", gouge(&sound));
+        let l = &plan.toolpath.locations[100];
+        let across = l.normal.cross(&crate::geometry::Vector::x());
+        let corner = |along: f64, beside: f64| {
+            l.contact + l.normal * 0.03 + crate::geometry::Vector::x() * along + across * beside
+        };
+        let points = vec![corner(-2.0, -0.2), corner(2.0, -0.2), corner(0.0, 0.4)];
+        let rib = Mesh { points, triangles: vec![[0, 1, 2]], face_of: vec![0], ..Mesh::default() };
+        let mut torn = sample::blade();
+        torn.part = torn.part.with_published(Part::from_mesh(rib), vec![None]);
+        let found = gouge(&torn);
+        assert!(!found.passed && (0.03..0.036).contains(&found.worst), "{found:?}");
+        assert!(found.note.contains("as its file has it"), "{}", found.note);
+        assert!(found.row.is_some_and(|row| row.abs_diff(100) <= 2), "{found:?}");
     }
 }

@@ -142,6 +142,19 @@ pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64) -> Vec<u
     moves.into_par_iter().filter(|i| sweep.counts(*i)).filter(cuts).collect()
 }
 
+/// The face that is nearest to a ball centre, whether only the part's file has it so, and what to
+/// do about that where it is cut too deep.
+pub(super) fn where_it_is(part: &Allowed, centre: &Point, is_deep: bool) -> String {
+    let face = part.closest(centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
+    match (part.nearest_is_published(centre), is_deep) {
+        (false, _) => face,
+        (true, false) => format!("{face}{AS_PUBLISHED}"),
+        (true, true) => {
+            format!("{face}{AS_PUBLISHED}: sew or repair the part in CAD, or allow as much with verify.gouge_mm")
+        }
+    }
+}
+
 /// The check `gouge`.
 pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
     let mut g = measure(part, sweep, options.settings.resolution_mm);
@@ -156,17 +169,11 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     }
     let at = part.closest(&g.centre, f64::INFINITY);
     let point = at.map(|c| blade.model_from_blade * c.point);
-    let as_published = if part.nearest_is_published(&g.centre) { AS_PUBLISHED } else { "" };
-    let face = at.map(|c| format!("{}{as_published}", part.face_name(c.face))).unwrap_or_default();
     let bound = g.bound_mm.max(g.found_mm).max(0.0);
+    let face = where_it_is(part, &g.centre, bound > options.settings.gouge_mm);
     let inside = if inside { "the path lies inside the part; " } else { "" };
-    let advice = match !as_published.is_empty() && bound > options.settings.gouge_mm {
-        true => ": sew or repair the part in CAD, or allow as much with verify.gouge_mm",
-        false => "",
-    };
     let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
-    let note =
-        format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}{advice}", g.found_mm.max(0.0));
+    let note = format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0));
     let quantity = "depth of the swept ball in the part, between locations too";
     let check = Check {
         row: Some(g.segment),

@@ -70,7 +70,7 @@ pub use deviation::deviation;
 pub use limit::limit;
 pub use options::{Asked, VerifyOptions};
 pub use restart::restart;
-pub use ridge::ridges_p99;
+pub use ridge::{RidgeAt, ridges, ridges_p99};
 pub use settings::{VerifyKeys, VerifySettings};
 pub use verdict::{Rejected, Verdict, Verified};
 

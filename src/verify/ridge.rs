@@ -50,17 +50,45 @@ pub fn ridges_p99(path: &Toolpath, part: &Part, options: &VerifyOptions) -> f64 
     percentile(&all(&on, &Sweep::new(path), options.scallop_mm, false), 0.99)
 }
 
+/// A ridge between a turn and the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RidgeAt {
+    /// Locations of the two passes: each pass is at this one or behind it, before the next.
+    pub rows: [usize; 2],
+    /// Height over the part, mm.
+    pub height_mm: f64,
+}
+
+/// Ridges that a path leaves between each turn and the next, at most so many, in order of the first
+/// pass; none on meshes, whose facets bend each ridge by more than the scallop.
+pub fn ridges(path: &Toolpath, part: &Part, options: &VerifyOptions, most: usize) -> Vec<RidgeAt> {
+    if part.brep.is_none() || path.locations.len() < 2 {
+        return Vec::new();
+    }
+    let (on, sweep) = (Allowed::new(part, path.stock_mm), Sweep::new(path));
+    let of = looked_for(&on, &sweep, options.scallop_mm, most);
+    let one = |row: usize| {
+        let (ridge, other) = of.with_other(row, sweep.turns[row] + 1)?;
+        Some(RidgeAt { rows: [row, other], height_mm: ridge.height_mm })
+    };
+    let rows: Vec<usize> = (0..sweep.centres.len()).step_by(of.every).collect();
+    rows.into_par_iter().filter_map(one).collect()
+}
+
+fn looked_for<'a>(part: &'a Allowed<'a>, sweep: &'a Sweep, scallop_mm: f64, most: usize) -> Ridges<'a> {
+    let every = sweep.centres.len().div_ceil(most);
+    Ridges { part, sweep, every, apart_mm: apart_mm(sweep.radius_mm, scallop_mm), slack_mm: REACH_SLACK * scallop_mm }
+}
+
 /// Ridges between each turn and the next, sorted; `inner`: only those between two turns that are
 /// neither the first nor the last, where there are any.
 pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -> Vec<Height> {
     let n = sweep.centres.len();
-    let every = n.div_ceil(MOST_RIDGES);
+    let ridges = looked_for(part, sweep, scallop_mm, MOST_RIDGES);
     let (first, last) = outer_turns(sweep);
     let inner = inner && last >= first + 3;
     let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
-    let rows: Vec<usize> = (0..n).step_by(every).filter(|row| counts(*row)).collect();
-    let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
-    let ridges = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
+    let rows: Vec<usize> = (0..n).step_by(ridges.every).filter(|row| counts(*row)).collect();
     sort(rows.into_par_iter().filter_map(|row| ridges.at(row, sweep.turns[row] + 1)).collect())
 }
 
@@ -86,6 +114,11 @@ impl Ridges<'_> {
     /// turn has no pass beside this one, or no ball reaches the part under the ridge; a height of 0
     /// where the two are not apart.
     pub fn at(&self, row: usize, other: u32) -> Option<Height> {
+        self.with_other(row, other).map(|(ridge, _)| ridge)
+    }
+
+    /// The same with the row that the other pass is at or behind.
+    fn with_other(&self, row: usize, other: u32) -> Option<(Height, usize)> {
         let Ridges { part, sweep, every, apart_mm, slack_mm } = *self;
         let radius = sweep.radius_mm;
         let c1 = midway(sweep, row);
@@ -102,7 +135,7 @@ impl Ridges<'_> {
         let foot = part.closest(&middle, 2.0 * radius)?.point;
         let weight = d * stretch_mm(sweep, row, every);
         if d < apart_mm {
-            return Some(Height { height_mm: 0.0, point: foot, row, weight });
+            return Some((Height { height_mm: 0.0, point: foot, row, weight }, i));
         }
         let g = (middle - foot) - e * (middle - foot).dot(&e);
         let g = g.try_normalize(1e-9)?;
@@ -119,7 +152,7 @@ impl Ridges<'_> {
         let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
         // A ridge over a corner that no ball can reach is not one of the stepover's.
         let up = lift(part, &under.point, &under.normal, radius, slack_mm);
-        (up == 0.0).then_some(Height { height_mm: left, point, row, weight })
+        (up == 0.0).then_some((Height { height_mm: left, point, row, weight }, i))
     }
 }
 

@@ -47,6 +47,9 @@ pub struct Bend {
     pub point: [[f64; 4]; 3],
     /// A, B, C, degrees.
     pub rotary: [[f64; 4]; 3],
+    /// Where the line itself says that it begins, as steps from its end: X, Y, Z, mm, and A, B, C,
+    /// degrees; `None`: where the line before ended.
+    pub begins: Option<[[f64; 3]; 2]>,
 }
 
 /// Where the centre of an arc is.

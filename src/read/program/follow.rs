@@ -4,10 +4,11 @@
 //! block under tool-centre-point control moves the programmed point over the part and the rotary
 //! axes evenly, in the blade frame or, where the control fixes its frame to the table when
 //! tool-centre-point control comes on (`G43.4`, `G43.5`), in that which it has fixed. Under
-//! polynomial interpolation every word goes as its polynomial says, on an arc the programmed point
-//! goes evenly along it. A block in a tilted plane moves the programmed point as well, while the
-//! tool is square to the plane. What the program has not said yet is not known (`NaN`), save for
-//! the rotary axes, which begin at 0.
+//! polynomial interpolation every word goes as its polynomial says, from where its line says that
+//! it begins, which may be off the end of the line before by what controls allow; on an arc the
+//! programmed point goes evenly along it. A block in a tilted plane moves the programmed point as
+//! well, while the tool is square to the plane. What the program has not said yet is not known
+//! (`NaN`), save for the rotary axes, which begin at 0.
 
 use std::f64::consts::TAU;
 
@@ -48,6 +49,9 @@ const SQUARE_RAD: f64 = 1e-4;
 const MOST: usize = 2_000_000;
 /// Letters of rotary axes, in the order of a block's words.
 const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
+/// A spline line may begin so far from where the line before ended, mm or degrees: the iTNC 530
+/// refuses more.
+const APART: f64 = 1e-3;
 
 /// What a program runs on.
 #[derive(Clone, Copy, Debug)]
@@ -208,7 +212,7 @@ impl<'a> Follower<'a> {
         if !own && !block.machine && !block.centre_point && !in_plane && moves_point {
             return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
-        let way = if in_plane {
+        let mut way = if in_plane {
             self.in_plane(block, point, to)?
         } else if own || block.machine || !block.centre_point {
             self.in_axes(block, point, to)
@@ -216,7 +220,29 @@ impl<'a> Follower<'a> {
             let words = self.bench.language.programmed;
             self.over_the_part(block, words, point, to)
         };
+        if let Course::Bent(Bend { begins: Some(begins), .. }) = block.course {
+            self.begin(block, begins, &mut way)?;
+        }
         self.drive(block, at, &way, out)
+    }
+
+    /// Lets a way begin where its line says.
+    fn begin(&self, block: &Block, [point, rotary]: [[f64; 3]; 2], way: &mut Way) -> Result<()> {
+        let machine = self.bench.machine;
+        let turned = way.words_from_block.rotation * Vector::from(point);
+        let linear = machine.linear().into_iter().zip(turned.iter().map(|v| (*v, 1.0)));
+        let of = |k: usize| ROTARY.iter().position(|letter| *letter == machine.axes()[k].letter).map(|w| rotary[w]);
+        let rotary = machine.rotary().map(|k| (k, (of(k).unwrap_or(0.0).to_radians(), 1f64.to_degrees())));
+        for (k, (back, unit)) in linear.chain(rotary) {
+            let apart = unit * (way.to[k] + back - way.from[k]).abs();
+            if !(apart <= APART) {
+                let name = &machine.axes()[k].name;
+                let what = format!("the spline begins {apart:.6} off where {name} stands, at most {APART} may be");
+                return Err(unreachable(block.line, &what));
+            }
+            way.from[k] = way.to[k] + back;
+        }
+        Ok(())
     }
 
     /// X, Y, Z are positions of the axes; `to` has where the rotary axes go.
@@ -356,7 +382,7 @@ impl<'a> Follower<'a> {
 
     /// The polynomials of a piece of an arc.
     fn bent(&self, way: &Way, piece: &Piece) -> Axes<[f64; 4]> {
-        self.polynomials(&Bend { point: piece.bend, rotary: [[0.0; 4]; 3] }, way)
+        self.polynomials(&Bend { point: piece.bend, ..Bend::default() }, way)
     }
 
     /// Polynomials in the order of the axes; those of X, Y and Z brought to the frame of the move.

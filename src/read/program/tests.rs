@@ -482,3 +482,41 @@ fn calls_end() {
     // What is not called is not machined.
     assert_eq!((script.end, script.behind), (Some(3), vec![7, 8, 9]));
 }
+
+#[test]
+fn splines_of_klartext() {
+    let language = Language { grammar: Grammar::Heidenhain, programmed: Programmed::Centre, shortest_way: false };
+    let read = |text: &str| {
+        let lines = ["BEGIN PGM S MM", "M128", "L X+1 Y+2 Z+3 A+10 F600", text];
+        let numbered: Vec<String> = lines.iter().enumerate().map(|(i, l)| format!("{i} {l}")).collect();
+        super::read(&numbered.join("\n"), language)
+    };
+    // x(t) = 0.5 t^3 - 0.2 t^2 - 1.3 t + 2, t from 1 to 0; A turns by 20 degrees, its factors with
+    // exponents.
+    let text = "SPL X+2 K3X+0.5 K2X-0.2 K1X-1.3 A+30 K3A+0.5 E+1 K2A-5.0E+0 K1A-2E1 F300";
+    let b = read(text).unwrap().blocks;
+    let (tool, machine) = (crate::sample::tool(), Machine::demo().unwrap());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    let m = follow(&b, &bench).unwrap();
+    for p in [0.0, 0.3, 0.5, 1.0f64] {
+        let t = 1.0 - p;
+        let (x, a) = (0.5 * t.powi(3) - 0.2 * t * t - 1.3 * t + 2.0, 5.0 * t.powi(3) - 5.0 * t * t - 20.0 * t + 30.0);
+        let at = m[1].at(p);
+        assert!((at[0] - x).abs() < 1e-12 && (at[3].to_degrees() - a).abs() < 1e-9, "{p}: {at:?}");
+        assert_eq!(at[1], 2.0);
+    }
+    for (bad, says) in [
+        ("SPL X+2 K3X+0.5 K2X-0.2 F300", "K3, K2, K1 of every axis"),
+        ("SPL X+2 K3X+0 K2X+0 K1X-1 K3Y+0 K2Y+0 K1Y+0 F300", "every axis that it names"),
+        ("SPL X+2 K3X+0 K3X+0 K2X+0 K1X-1 F300", "a second word"),
+        ("SPL X+2 K4X+0 K2X+0 K1X-1 F300", "is not known"),
+        ("SPL K3X+0 F300", "goes nowhere"),
+        ("SPL X+2 K3X+z K2X+0 K1X-1 F300", "not a number"),
+    ] {
+        let e = read(bad).unwrap_err();
+        assert!(e.message.contains(says), "{bad}: {}", e.message);
+    }
+    // A spline that begins 2 micrometres off.
+    let e = follow(&read("SPL X+2 K3X+0.5 K2X-0.2 K1X-1.302 F300").unwrap().blocks, &bench).unwrap_err();
+    assert!(e.message.contains("0.002"), "{}", e.message);
+}

@@ -17,8 +17,9 @@ const OFF_GAUGE_MM: f64 = 0.001;
 const OFF_RAPID_MM: f64 = 0.01;
 /// No leg turns further than this, rad, before the distance above is asked for.
 const COARSE_RAD: f64 = 5.0 * PI / 180.0;
-/// A place left out between two moves is a gap from this on, mm.
-const GAP_MM: f64 = 1e-6;
+/// A place left out between two moves is a gap from this on, mm. Each coordinate of a spline line
+/// may begin 1 µm off the end of the line before.
+const GAP_MM: f64 = 2e-3;
 /// Most legs of one move and of a program: what takes seconds, not hours.
 const MOST: [usize; 2] = [2_000_000, 10_000_000];
 /// The ball touches the part where it is this near, mm.

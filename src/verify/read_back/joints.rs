@@ -9,7 +9,8 @@
 //! c_s = c'/v,     c_ss = (c'' − a c_s)/v²,     c_sss = (c''' − 3 a v c_ss − b c_s)/v³
 //! ```
 //!
-//! and likewise of the rotary axes. What the rounding of words makes of them is allowed for: with
+//! and likewise of the rotary axes. Lines of degree 3 carry two derivatives: of these the third is
+//! told, not judged. What the rounding of words makes of them is allowed for: with
 //! words rounded to `ε` and lines of length `h`, at most `15 ε/h`, `40 ε/h²` and `90 ε/h³`.
 
 use crate::artifact::Axes;
@@ -64,6 +65,9 @@ pub(super) fn worst<'a>(
         .flat_map(|(_, _, p, q)| [p, q])
         .fold([0.0f64; 2], |[c, t], e| [c.max(e.centre[2].norm()), t.max(e.turning[2].abs())]);
     let mut out = WorstJoint { count: all.len(), ..WorstJoint::default() };
+    let is_cubic =
+        |m: &Moved| m.bend.is_none_or(|b| b.iter().all(|[_, _, fourth, fifth]| *fourth == 0.0 && *fifth == 0.0));
+    let judged = if all.iter().all(|(a, b, ..)| is_cubic(a) && is_cubic(b)) { 2 } else { 3 };
     for (a, b, p, q) in &all {
         let lengths = [a, b].map(|m| (m.pose(1.0, tool, machine).centre - m.pose(0.0, tool, machine).centre).norm());
         let h = lengths[0].min(lengths[1]).max(1e-9);
@@ -77,7 +81,7 @@ pub(super) fn worst<'a>(
             let over = jump / (SHARE * most[0] * lower[k] + rounding);
             let turned = turn / (SHARE * most[1] * lower[k] + rounding.to_radians());
             let value = if over.is_nan() || turned.is_nan() { f64::MAX } else { over.max(turned) };
-            if value > out.value {
+            if value > out.value && k < judged {
                 (out.value, out.line) = (value, a.line);
             }
         }

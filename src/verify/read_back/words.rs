@@ -50,7 +50,16 @@ fn words(line: &str, grammar: Grammar) -> Vec<(String, &str)> {
     if code.trim_start().starts_with('(') {
         return Vec::new();
     }
-    code.split_whitespace().flat_map(of_token).collect()
+    let of = |token| spline_factor(token, grammar).map_or_else(|| of_token(token), |word| vec![word]);
+    code.split_whitespace().flat_map(of).collect()
+}
+
+/// A factor of a spline line, `K3X+1.25E-2`, as K and what stands before the exponent; `None`: it
+/// is none.
+fn spline_factor(token: &str, grammar: Grammar) -> Option<(String, &str)> {
+    let (name, value) = token.split_at_checked(3).filter(|_| grammar == Grammar::Heidenhain)?;
+    let [b'K', b'1'..=b'3', b'A'..=b'Z'] = name.as_bytes() else { return None };
+    Some(("K".to_owned(), value.split('E').next()?.trim_start_matches('+')))
 }
 
 /// `G1X2.5`, `TX+0.5`, `A=DC(3)`.
@@ -89,6 +98,7 @@ mod tests {
             ("N", range(1.0, 99999.0, 0)),
             ("A", range(-1e5, 1e5, 4)),
             ("TX", range(-10.0, 10.0, 8)),
+            ("K", range(-9.999, 9.999, 3)),
             ("FEDRAT", range(1.0, 1e5, 3)),
         ]
         .map(|(address, range)| (address.to_owned(), range))
@@ -116,6 +126,8 @@ mod tests {
             (Grammar::Gcode, "G1 A=DC(190.12345) F1", "A190.12345 has 5 digits after the point, the control reads 4"),
             (Grammar::Heidenhain, "7 L X+1 F332.00770", "F332.00770 has 5 digits"),
             (Grammar::Heidenhain, "7 LN TX+0.123456789 F3", "TX0.123456789 has 9 digits"),
+            (Grammar::Heidenhain, "7 SPL X+1 K3X+10.5E-2 K2X+9.5E+4 F3", "K10.5 is outside"),
+            (Grammar::Heidenhain, "7 SPL X+1 K3X-1.1234 F3", "K-1.1234 has 4 digits"),
             (Grammar::Apt, "FEDRAT/0.5,MMPM", "FEDRAT0.5 is outside"),
         ] {
             let c = check(&program(grammar, text));

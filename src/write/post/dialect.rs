@@ -22,7 +22,8 @@
 //! `[ranges]` is what the control reads in its words: the writer keeps within it, or says where it
 //! cannot, and the program's text is held against it once more when it is read back.
 //!
-//! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`: see [`super::polynomial`].
+//! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`, or spline lines of degree 3, `{kx}`
+//! to `{ka}`: see [`super::polynomial`].
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -236,6 +237,10 @@ pub struct PostFile {
 }
 
 impl PostFile {
+    /// Cuts are spline lines, `{kx}` to `{ka}`.
+    pub(super) fn has_spline_lines(&self) -> bool {
+        self.text.cut.concat().contains("{kx}")
+    }
     fn shortest_way(&self) -> bool {
         self.shortest_way.unwrap_or(self.rotary == Rotary::Modulo && !self.text.cut.concat().contains("{a_way}"))
     }
@@ -287,6 +292,7 @@ impl Control {
             Control::SiemensVector => include_str!("../../../models/posts/siemens_vector.toml"),
             Control::SiemensPoly => include_str!("../../../models/posts/siemens_poly.toml"),
             Control::Heidenhain => include_str!("../../../models/posts/heidenhain.toml"),
+            Control::HeidenhainSpl => include_str!("../../../models/posts/heidenhain_spl.toml"),
             Control::HeidenhainVector => include_str!("../../../models/posts/heidenhain_vector.toml"),
             Control::Fanuc => include_str!("../../../models/posts/fanuc.toml"),
             Control::FanucVector => include_str!("../../../models/posts/fanuc_vector.toml"),
@@ -485,9 +491,22 @@ impl PostFile {
         }
         let cut = self.text.cut.concat();
         let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));
+        let spline = ["{kx}", "{ky}", "{kz}", "{ka}"].map(|key| cut.contains(key));
         let Some(degree) = self.poly_degree else {
-            return if polynomial.contains(&true) { no("{px}, {py} and {pz} need poly_degree") } else { Ok(()) };
+            return match (polynomial.contains(&true), spline.contains(&true)) {
+                (true, _) => no("{px}, {py} and {pz} need poly_degree"),
+                (_, true) => no("{kx}, {ky}, {kz} and {ka} need poly_degree"),
+                _ => Ok(()),
+            };
         };
+        if spline.contains(&true) {
+            return match (degree, self.rotary, spline.contains(&false)) {
+                (_, _, true) => no("spline lines need all of {kx}, {ky}, {kz} and {ka}"),
+                (3, Rotary::Accumulate, _) => Ok(()),
+                (3, ..) => no("spline lines need rotary = \"accumulate\""),
+                _ => no("spline lines need poly_degree = 3"),
+            };
+        }
         if !(3..=5).contains(&degree) {
             return no(&format!("poly_degree is {degree}, it must be 3 to 5"));
         }

@@ -18,7 +18,7 @@
 //! than that of the ends.
 //!
 //! A plan with a programmed curve is written piece by piece ([`super::spline`]) where the control
-//! takes the fifth degree; with a lesser one every way between two locations follows the curve.
+//! takes the fifth degree or spline lines; else every way between two locations follows the curve.
 //!
 //! **Not carried**: without a programmed curve, corners of the path of ball centres at the
 //! locations stay, since the straight moves between them are what was checked;
@@ -76,6 +76,16 @@ impl Fit {
 /// What a polynomial adds to the straight way.
 fn bent(a: &[f64; 4], p: f64) -> f64 {
     a.iter().zip(2..).map(|(a, k)| a * (p.powi(k) - p)).sum()
+}
+
+/// Chords that the length of a polynomial is taken from.
+const CHORDS: usize = 32;
+
+/// Length of the way of a point from one place to another, its coordinates bent, mm.
+pub(super) fn length(from: &[f64; 3], to: &[f64; 3], bend: [[f64; 4]; 3]) -> f64 {
+    let at = |p: f64| -> [f64; 3] { std::array::from_fn(|k| from[k] + (to[k] - from[k]) * p + bent(&bend[k], p)) };
+    let places = (0..=CHORDS).map(|k| at(k as f64 / CHORDS as f64)).collect::<Vec<_>>();
+    places.windows(2).map(|w| (0..3).map(|k| (w[1][k] - w[0][k]).powi(2)).sum::<f64>().sqrt()).sum()
 }
 
 /// The way between two rows.
@@ -144,11 +154,12 @@ impl RowWay<'_> {
     }
 }
 
-/// The first row and all moves after it.
+/// The first row and all moves after it. `is_spline`: two derivatives are to meet where lines do,
+/// whatever the degree.
 ///
 /// # Errors
 /// `Infeasible` where the motion turns so wildly that no polynomial of a short part follows it.
-pub(super) fn all(run: &OperationRun, degree: usize, words: &Words) -> Result<Vec<Move>> {
+pub(super) fn all(run: &OperationRun, degree: usize, is_spline: bool, words: &Words) -> Result<Vec<Move>> {
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
@@ -159,8 +170,8 @@ pub(super) fn all(run: &OperationRun, degree: usize, words: &Words) -> Result<Ve
         way.write(&fit, [0.0, 1.0], 0, &mut out)?;
         Ok(out)
     };
-    if let Some(curve) = plan.curve.as_ref().filter(|_| degree == DEGREE) {
-        return spline::all(run, curve, words, one);
+    if let Some(curve) = plan.curve.as_ref().filter(|_| degree == DEGREE || is_spline) {
+        return spline::all(run, curve, degree, words, one);
     }
     let motion = Motion::of(plan);
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());

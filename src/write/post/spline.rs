@@ -8,6 +8,10 @@
 //! [`OFF_MM`] and [`OFF_DEG`]; where they all are not enough, halves of its pieces. The projection
 //! is bounded on any breaks (Shadrin 2001, "The L∞-norm of the L2-spline projector is bounded
 //! independently of the knot sequence", Acta Math. 187).
+//!
+//! For controls that read polynomials of degree 3 as spline lines, words are cubic splines through
+//! themselves at the breaks, with their own slopes at the ends, so that value and two derivatives
+//! meet. Halves of the curve's pieces are added until they too are as near.
 
 use rayon::prelude::*;
 
@@ -19,6 +23,7 @@ use crate::artifact::{Axes, Motion, ProgrammedCurve};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::numerics::bounded::Factor;
 use crate::numerics::quintic::{Breaks, DEGREE, ORDER, apply};
+use crate::numerics::spline::{CubicSpline, SplineEnds};
 
 /// A spline is at most this far off its word at the places looked at, mm.
 const OFF_MM: f64 = 1e-4;
@@ -38,6 +43,9 @@ const GAUSS: [[f64; 2]; 6] = [
 const LOOKED_AT: [f64; 8] = [0.0, 0.1, 0.25, 0.42, 0.58, 0.75, 0.9, 1.0];
 /// Breaks begin no nearer to one another than this share of their mean distance.
 const THINNED: f64 = 0.25;
+/// Slopes at the ends of a cubic spline are those of polynomials through five places of this share
+/// of its first or last piece.
+const SLOPE: f64 = 0.1;
 /// Rounds of adding breaks.
 const ROUNDS: usize = 16;
 
@@ -117,23 +125,42 @@ impl CurveRun<'_> {
         sides.iter().flatten().all(|v| v.is_finite()).then_some(sides)
     }
 
-    /// Whether a piece is too far off one of the words.
-    fn is_off(&self, breaks: &Breaks, controls: &[Vec<f64>], i: usize) -> bool {
+    /// Whether a piece is too far off one of the words. `is`: what it has for a word at a share.
+    fn is_off(&self, breaks: &Breaks, i: usize, is: impl Fn(f64, usize) -> f64) -> bool {
         let [a, b] = breaks.span(i);
         let axes = self.run.machine.axes();
         LOOKED_AT.iter().any(|share| {
             let s = a + (b - a) * share;
-            let (w, want) = (breaks.weights(i, s), self.words_at(s));
-            controls.iter().enumerate().any(|(k, c)| {
-                let is: f64 = (0..ORDER).map(|j| w[j] * c[i + j]).sum();
+            let want = self.words_at(s);
+            (0..axes.len()).any(|k| {
                 let most = if axes[k].is_rotary() { OFF_DEG } else { OFF_MM };
-                !((is - want[k]).abs() <= most)
+                !((is(s, k) - want[k]).abs() <= most)
             })
         })
     }
 
+    /// The cubic spline through the words at breaks. `None` where these are too near to one another
+    /// for floating-point numbers.
+    fn cubic(&self, breaks: &Breaks) -> Option<CubicSpline> {
+        let all = breaks.all();
+        let columns = self.run.machine.axes().len();
+        let rows: Vec<Axes> = all.par_iter().with_min_len(64).map(|s| self.words_at(*s)).collect();
+        let slope = |from: f64, step: f64| {
+            let at: [Axes; 5] = std::array::from_fn(|j| self.words_at(from + step * j as f64));
+            let of = |k: usize| {
+                (-25.0 * at[0][k] + 48.0 * at[1][k] - 36.0 * at[2][k] + 16.0 * at[3][k] - 3.0 * at[4][k])
+                    / (12.0 * step)
+            };
+            (0..columns).map(of).collect::<Vec<f64>>()
+        };
+        let [[a, b], [c, d]] = [breaks.span(0), breaks.span(breaks.spans() - 1)];
+        let ends = SplineEnds::Clamped { start: slope(a, SLOPE * (b - a)), end: slope(d, -SLOPE * (d - c)) };
+        let values: Vec<f64> = rows.iter().flat_map(|r| r.iter().copied()).collect();
+        CubicSpline::new(all, &values, columns, &ends).ok()
+    }
+
     /// Blocks of the run, each ending where a piece does.
-    fn blocks(&self) -> Result<Vec<Move>> {
+    fn blocks(&self, degree: usize) -> Result<Vec<Move>> {
         let rows = &self.curve.rows;
         let [first, last] = self.ends;
         let inner = (first + 1..last).filter(|k| rows[*k].way == Way::Piece);
@@ -147,31 +174,56 @@ impl CurveRun<'_> {
         let own = Breaks::new(own).ok_or_else(none)?;
         let mean = (own.all()[own.spans()] - own.all()[0]) / own.spans() as f64;
         let mut breaks = own.thinned(THINNED * mean);
+        let marked = |breaks: &Breaks, is_off: &(dyn Fn(usize) -> bool + Sync)| -> Vec<bool> {
+            (0..breaks.spans()).into_par_iter().with_min_len(64).map(is_off).collect()
+        };
         for _ in 0..ROUNDS {
-            let controls = self.fit(&breaks).ok_or_else(none)?;
-            let off: Vec<bool> = (0..breaks.spans())
-                .into_par_iter()
-                .with_min_len(64)
-                .map(|i| self.is_off(&breaks, &controls, i))
-                .collect();
-            if !off.contains(&true) {
-                return Ok(self.written(&breaks, &controls));
-            }
+            let off = if degree == DEGREE {
+                let controls = self.fit(&breaks).ok_or_else(none)?;
+                let off = marked(&breaks, &|i| {
+                    self.is_off(&breaks, i, |s, k| {
+                        let w = breaks.weights(i, s);
+                        (0..ORDER).map(|j| w[j] * controls[k][i + j]).sum()
+                    })
+                });
+                if !off.contains(&true) {
+                    return Ok(self.written(&breaks, |i, k| {
+                        let map = breaks.ordinates(i, breaks.span(i));
+                        let own = std::array::from_fn::<[f64; 1], ORDER, _>(|j| [controls[k][i + j]]);
+                        let ordinates = apply(&map, &own).map(|[v]| v);
+                        (bends(&ordinates), ordinates[DEGREE])
+                    }));
+                }
+                off
+            } else {
+                let spline = self.cubic(&breaks).ok_or_else(none)?;
+                let piece = |i: usize, k: usize| spline.coefficients(i, k).unwrap_or([f64::NAN; 4]);
+                let off = marked(&breaks, &|i| {
+                    let from = breaks.span(i)[0];
+                    self.is_off(&breaks, i, |s, k| piece(i, k).iter().rev().fold(0.0, |v, c| v * (s - from) + c))
+                });
+                if !off.contains(&true) {
+                    return Ok(self.written(&breaks, |i, k| {
+                        let ([a, b], [p, m, c, d]) = (breaks.span(i), piece(i, k));
+                        let h = b - a;
+                        ([c * h * h, d * h * h * h, 0.0, 0.0], p + h * (m + h * (c + h * d)))
+                    }));
+                }
+                off
+            };
             breaks = finer(&breaks, &own, &off).ok_or_else(none)?;
         }
         Err(none())
     }
 
-    fn written(&self, breaks: &Breaks, controls: &[Vec<f64>]) -> Vec<Move> {
+    /// Blocks of the pieces; `word`: how a word bends on a piece, and where it ends.
+    fn written(&self, breaks: &Breaks, word: impl Fn(usize, usize) -> ([f64; 4], f64)) -> Vec<Move> {
+        let columns = self.run.machine.axes().len();
         let of = |i: usize| {
             let [a, b] = breaks.span(i);
-            let map = breaks.ordinates(i, [a, b]);
-            let ordinates: Vec<[f64; ORDER]> = controls
-                .iter()
-                .map(|c| apply(&map, &std::array::from_fn::<[f64; 1], ORDER, _>(|j| [c[i + j]])).map(|[v]| v))
-                .collect();
-            let bend = WordBends::from_fn(ordinates.len(), |k| bends(&ordinates[k]));
-            let words = Axes::from_fn(ordinates.len(), |k| ordinates[k][DEGREE]);
+            let all: Vec<([f64; 4], f64)> = (0..columns).map(|k| word(i, k)).collect();
+            let bend = WordBends::from_fn(columns, |k| all[k].0);
+            let words = Axes::from_fn(columns, |k| all[k].1);
             // The row itself where it is one: its time to the bit.
             let end = if i + 1 == breaks.spans() { self.moves[self.before + self.ends[1]] } else { self.at(b) };
             let start = self.at(a);
@@ -214,14 +266,15 @@ fn finer(breaks: &Breaks, own: &Breaks, marked: &[bool]) -> Option<Breaks> {
     Breaks::new(out)
 }
 
-/// The first row and all moves after it: blocks of the curve's pieces, and rows as `straight` has
-/// them elsewhere.
+/// The first row and all moves after it: blocks of the curve's pieces, as splines of degree 5 or 3,
+/// and rows as `straight` has them elsewhere.
 ///
 /// # Errors
 /// `Infeasible` where no spline follows the curve.
 pub(super) fn all(
     run: &OperationRun,
     curve: &ProgrammedCurve,
+    degree: usize,
     words: &(dyn Fn(&Move) -> Axes + Sync),
     straight: impl Fn(&Motion, usize, &Move, &Move, &Words) -> Result<Vec<Move>>,
 ) -> Result<Vec<Move>> {
@@ -247,7 +300,7 @@ pub(super) fn all(
         }
         let ends = [row - before, end - before];
         let of = CurveRun { run, motion: &motion, curve, words, moves: &moves, before, ends };
-        out.extend(of.blocks()?);
+        out.extend(of.blocks(degree)?);
         row = end;
     }
     Ok(out)

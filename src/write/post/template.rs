@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 50] = [
+pub const KEYS: [(&str, Class, &str); 55] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -62,6 +62,15 @@ pub const KEYS: [(&str, Class, &str); 50] = [
     ("pa", Class::Text, "the same of a"),
     ("pb", Class::Text, "the same of b; a word with it is left out on a machine that has no such axis"),
     ("pb_moving", Class::Text, "as pb; a word with it is left out where that axis stands still while the blade turns"),
+    (
+        "kx",
+        Class::Text,
+        "X of a spline line: K3X, K2X and K1X of K3 t^3 + K2 t^2 + K1 t + {x}, t from 1 to 0, with an exponent",
+    ),
+    ("ky", Class::Text, "the same of y"),
+    ("kz", Class::Text, "the same of z"),
+    ("ka", Class::Text, "the same of a"),
+    ("kb_moving", Class::Text, "the same of b; left out where that axis stands still while the blade turns"),
     ("i", Class::Direction, "tool axis along blade x"),
     ("j", Class::Direction, "tool axis along blade y"),
     ("k", Class::Direction, "tool axis along blade z"),

@@ -93,6 +93,8 @@ struct Writer<'a> {
     values: Vec<Value>,
     /// The programmed point in place of X, Y, Z, and the rotary axes, as last rounded.
     stands: Option<Axes<Fixed>>,
+    /// The same before it was rounded.
+    exact: Option<Axes>,
     /// What each modal word last was.
     modal: Vec<(Word, String)>,
 }
@@ -110,7 +112,7 @@ struct PlacedPose {
 impl<'a> Writer<'a> {
     fn new(run: &'a OperationRun, dialect: &'a Dialect, lines: Lines<'a>) -> Self {
         let values = vec![Value::Number(0.0); KEYS.len()];
-        let mut w = Writer { run, dialect, lines, values, stands: None, modal: Vec::new() };
+        let mut w = Writer { run, dialect, lines, values, stands: None, exact: None, modal: Vec::new() };
         w.fixed_values();
         w
     }
@@ -245,6 +247,13 @@ impl<'a> Writer<'a> {
         if let Some(k) = leaning {
             stands[k] = Fixed::new(b_deg, numbers.angle_decimals)?;
         }
+        let mut exact = p.axes.map(f64::to_degrees);
+        machine.linear().into_iter().zip(p.point).for_each(|(k, v)| exact[k] = v);
+        exact[turning] = p.a_deg;
+        let since = self.exact.replace(exact);
+        if self.dialect.file.has_spline_lines() {
+            self.take_splines(since, bend);
+        }
         let before = self.stands.replace(stands);
         if let Some(before) = before {
             self.set("da", Value::Rounded(a.since(before[turning])));
@@ -289,15 +298,39 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
+    /// Sets the splines that end at a pose, from where the words were before. Their factors are
+    /// those of the words before rounding: derivatives then meet where lines do, and only places
+    /// are off, by what the ends are rounded to.
+    fn take_splines(&mut self, from: Option<Axes>, bend: Option<&WordBends>) {
+        let Some((from, to)) = from.zip(self.exact) else { return };
+        for (name, letter) in [("kx", "X"), ("ky", "Y"), ("kz", "Z"), ("ka", ""), ("kb_moving", "")] {
+            let Some(w) = self.column(name) else { continue };
+            let letter = if letter.is_empty() { self.run.machine.axes()[w].name.clone() } else { letter.into() };
+            let [square, cube, ..] = bend.map_or([0.0; 4], |bend| bend[w]);
+            let even = to[w] - from[w] - square - cube;
+            // From p to t = 1 - p.
+            let factors = [-cube, square + 3.0 * cube, -even - 2.0 * square - 3.0 * cube];
+            let sign = if self.dialect.file.numbers.plus { "+" } else { "" };
+            let word = |(k, factor): (usize, f64)| {
+                // Adding 0 turns a rounded -0 into 0.
+                let factor = factor + 0.0;
+                let sign = if factor < 0.0 { "" } else { sign };
+                format!("K{}{letter}{sign}{factor:.8E}", 3 - k)
+            };
+            let text = factors.into_iter().enumerate().map(word).collect::<Vec<_>>().join(" ");
+            self.set(name, Value::Text(text));
+        }
+    }
+
     /// Column of the axis that a value of a polynomial is about.
     fn column(&self, value: &str) -> Option<usize> {
         let (machine, [x, y, z]) = (self.run.machine, self.run.machine.linear());
         match value {
-            "px" => Some(x),
-            "py" => Some(y),
-            "pz" => Some(z),
-            "pa" => Some(machine.turning_axis()),
-            "pb" | "pb_moving" => self.leaning(),
+            "px" | "kx" => Some(x),
+            "py" | "ky" => Some(y),
+            "pz" | "kz" => Some(z),
+            "pa" | "ka" => Some(machine.turning_axis()),
+            "pb" | "pb_moving" | "kb_moving" => self.leaning(),
             _ => None,
         }
     }
@@ -315,7 +348,7 @@ impl<'a> Writer<'a> {
             words
         };
         let moves = match (dialect.file.poly_degree, dialect.file.feed) {
-            (Some(degree), _) => polynomial::all(self.run, degree, &words)?,
+            (Some(degree), _) => polynomial::all(self.run, degree, dialect.file.has_spline_lines(), &words)?,
             (None, FeedWord::PerMinute) => moves::all(self.run, dialect.file.programmed)?,
             (None, FeedWord::InverseTime) => {
                 let least_s = 60.0 / dialect.file.feed_range().greatest;
@@ -347,7 +380,7 @@ impl<'a> Writer<'a> {
                 Some((same, ..)) if *same == position => {}
                 Some((_, since, from)) => {
                     let until = self.no_sooner(*since, *t_s);
-                    let f = self.feed_word(before, from, &placed, [*since, until])?;
+                    let f = self.feed_word(before, from, (&placed, bend.as_ref()), [*since, until])?;
                     self.set("f", Value::Text(f));
                     if begun != Some(stretch) {
                         begun = Some(stretch);
@@ -421,7 +454,7 @@ impl<'a> Writer<'a> {
         &self,
         before: Option<Axes<Fixed>>,
         from: &PlacedPose,
-        to: &PlacedPose,
+        (to, bend): (&PlacedPose, Option<&WordBends>),
         [since, t_s]: [f64; 2],
     ) -> Result<String> {
         let (file, dt_s) = (&self.dialect.file, t_s - since);
@@ -430,7 +463,9 @@ impl<'a> Writer<'a> {
             FeedWord::PerMinute => {
                 let linear = self.run.machine.linear();
                 let steps = before.zip(self.stands).map(|(a, b)| linear.map(|i| b[i].since(a[i]).value()));
-                let way = steps.map_or(0.0, |s| s.iter().map(|d| d * d).sum::<f64>().sqrt());
+                let straight = steps.map_or(0.0, |s| s.iter().map(|d| d * d).sum::<f64>().sqrt());
+                let way =
+                    bend.map_or(straight, |bend| polynomial::length(&from.point, &to.point, linear.map(|k| bend[k])));
                 let turned = self.run.machine.rotary().map(|k| to.axes[k] - from.axes[k]);
                 let turn = turned.fold(0.0, f64::hypot).to_degrees();
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
@@ -491,7 +526,8 @@ impl<'a> Writer<'a> {
             |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));
         let none = self.leaning().is_none();
         let still = none || self.run.turns_the_blade_alone();
-        none && (says("b") || says("pb")) || still && (says("b_moving") || says("pb_moving"))
+        none && (says("b") || says("pb"))
+            || still && ["b_moving", "pb_moving", "kb_moving"].iter().any(|name| says(name))
     }
 
     /// A modal word says what it said before; remembers what it says now.

@@ -71,5 +71,5 @@ pub(super) fn bend(said: &LineWords, with_path: bool) -> Result<Bend, String> {
     if !with_path && bent && said.rotary.iter().any(Option::is_some) {
         return Err("a rotary axis beside a bent way is read under UPATH only".into());
     }
-    Ok(Bend { point, rotary })
+    Ok(Bend { point, rotary, begins: None })
 }

@@ -1,11 +1,12 @@
-//! Heidenhain Klartext: `L`, `LN`, `C` and `CR` blocks, `TCPM`, machine coordinates by `M91`, datum
-//! shifts, `PLANE SPATIAL`, calls of labels.
+//! Heidenhain Klartext: `L`, `LN`, `C`, `CR` and `SPL` blocks, `TCPM`, machine coordinates by
+//! `M91`, datum shifts, `PLANE SPATIAL`, calls of labels.
 //!
 //! A word either is acted on, is known to be harmless, or is refused.
 
 mod labels;
 mod moves;
 mod plane;
+mod spline;
 
 use std::collections::HashMap;
 
@@ -102,6 +103,7 @@ impl HeidenhainReader {
             [] | ["BLK", "FORM", ..] | ["TOOL", "DEF", ..] | ["FUNCTION", "MODE", "MILL"] => {}
             [structure, ..] if structure.starts_with('*') => {}
             [kind @ ("L" | "LN" | "C" | "CR"), words @ ..] => self.moves(number, kind, words)?,
+            ["SPL", words @ ..] => self.spline(number, words)?,
             ["CC", words @ ..] => self.pole(words)?,
             ["PLANE", words @ ..] => self.plane(number, words)?,
             ["TRANS", "DATUM", words @ ..] => self.datum(words)?,

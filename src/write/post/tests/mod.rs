@@ -240,6 +240,7 @@ fn every_dialect_reads_back_as_the_plan() {
             l.starts_with("G1 ")
                 || l.contains(" G1 ")
                 || l.contains(" L")
+                || l.contains(" SPL ")
                 || l.starts_with("GOTO")
                 || l.contains(" PO[X]")
         };

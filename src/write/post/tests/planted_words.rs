@@ -309,7 +309,8 @@ impl Bench {
     }
 
     fn inserted(&self, new: &[&str]) -> String {
-        let numbered = matches!(self.shop.control, Control::Heidenhain | Control::HeidenhainVector);
+        let numbered =
+            matches!(self.shop.control, Control::Heidenhain | Control::HeidenhainSpl | Control::HeidenhainVector);
         let mut lines: Vec<String> = self.shop.program.text.lines().map(String::from).collect();
         let new = new.iter().map(|l| if numbered { format!("0 {l}") } else { (*l).to_owned() });
         lines.splice(self.middle..self.middle, new);

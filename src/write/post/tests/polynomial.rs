@@ -208,3 +208,42 @@ fn a_programmed_curve_is_carried_piece_by_piece() {
         assert!(c.passed || c.id == CheckId::ProgramJoints, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
     }
 }
+
+/// The same as spline lines of degree 3: places, slopes and curvatures meet, and a factor that is
+/// off is found at a joint or refused.
+#[test]
+fn spline_lines_carry_the_curve_and_two_derivatives() {
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let plan = sample::with_leads(sample::on_curve(sample::plan(2, 180), 0.05, 23.0, 3));
+    let good = program(Control::HeidenhainSpl, plan.clone(), false, &options()).unwrap();
+    let read = |p: &Program| read_back(p, &plan, &blade, &tool, &machine);
+    for c in read(&good).unwrap() {
+        assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
+        if c.id == CheckId::ProgramJoints {
+            assert!(c.worst < 0.5 && c.note.contains("joints"), "{} {}", c.worst, c.note);
+        }
+    }
+    let moves = polynomials(&good, &tool, &machine);
+    // A word is within a tenth of a micrometre, so lines begin as near to where others end.
+    let apart = |w: &[Moved]| machine.linear().map(|k| (w[1].from[k] - w[0].to[k]).abs());
+    assert!(moves.windows(2).flat_map(apart).all(|d| d <= 1.01e-4));
+    let line = moves[moves.len() / 2].line;
+    let with = |word: &str, by: f64| {
+        let changed = |(i, l): (usize, &str)| {
+            let one = |w: &str| match w.strip_prefix(word).filter(|_| i + 1 == line) {
+                Some(v) => format!("{word}{:+.8E}", v.parse::<f64>().unwrap() + by),
+                None => w.to_owned(),
+            };
+            l.split(' ').map(one).collect::<Vec<_>>().join(" ")
+        };
+        let text = good.text.lines().enumerate().map(changed).collect::<Vec<_>>().join("\n");
+        assert_ne!(text, good.text.trim_end(), "{word}");
+        Program { text, ..good.clone() }
+    };
+    let failed: Vec<_> = read(&with("K2Y", 4e-4)).unwrap().into_iter().filter(|c| !c.passed).map(|c| c.id).collect();
+    assert_eq!(failed, [CheckId::ProgramJoints]);
+    let refused = read(&with("K1Z", 2e-3)).unwrap_err();
+    assert!(refused.message.contains("spline begins 0.00"), "{}", refused.message);
+    let unfinished = Program { text: good.text.replacen(" K1X", " Q1X", 1), ..good.clone() };
+    assert!(read(&unfinished).is_err());
+}

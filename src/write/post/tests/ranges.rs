@@ -291,7 +291,12 @@ fn time_goes_where_the_header_and_the_figures_say() {
         match control {
             // All turns, at 180 degrees a second, the spindle at rest; on a control that rolls over
             // the vector's would be less.
-            Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso | Control::Fanuc | Control::FanucVector => {
+            Control::Linuxcnc
+            | Control::LinuxcncFeed
+            | Control::Iso
+            | Control::Fanuc
+            | Control::FanucVector
+            | Control::HeidenhainSpl => {
                 assert!(turned > 19.0 * std::f64::consts::TAU, "{control:?} {turned}");
                 assert!((c.unwinding_s - want).abs() < 1e-3, "{control:?} {c:?} {want}");
             }
@@ -320,7 +325,7 @@ fn headers_say_what_the_program_relies_on_and_how_large_it_is() {
         let names = match control {
             Control::Siemens | Control::SiemensVector | Control::SiemensPoly => "MD10210 INT_INCR_PER_DEG",
             Control::Fanuc | Control::FanucVector => "19696#5 WKP=0",
-            Control::Heidenhain | Control::HeidenhainVector => {
+            Control::Heidenhain | Control::HeidenhainSpl | Control::HeidenhainVector => {
                 "CAUTION  L of tool T1 is to the ball CENTRE: 135.0000 mm"
             }
             Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => "G54 must be zero",
