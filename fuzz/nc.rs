@@ -41,12 +41,8 @@ const FAMILIES: [Family; 5] = [
     ),
     (
         "heidenhain",
-        &[
-            include_str!("../tests/snapshots/program.h"),
-            include_str!("../tests/snapshots/program.vector.h"),
-            include_str!("../tests/snapshots/program.spl.h"),
-        ],
-        "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X-50 Y-50 Z-20\n2 * - Ball\n3 TOOL CALL \"BALL 6\" Z S8000 F500 DL+0\n4 M3 M8\n5 M126\n6 L Z+500 R0 FMAX M91\n7 L A+10 B-5 FMAX\n8 CYCL DEF 32.0 TOLERANCE\n9 CYCL DEF 32.1 T0,01\n10 M128 F2000\n11 L X+1,5 Y+2 Z+3 F500\n12 L A+350\n13 LN X+1 Y+2 TX+0 TY+0.1 TZ+1\n14 STOP\n15 Q1 = +3\n16 CYCL DEF 7.0 DATUM SHIFT\n17 CYCL DEF 7.1 X+Q1\n18 L X+4 IY-2\n19 L Y+0 IX+0\n20 CC X+0 Y+0\n21 C X-4 Y+0 DR+\n22 CR X+4 Y+0 R-5 DR-\n23 CALL LBL 1\n24 M129\n25 PLANE SPATIAL SPA+20 SPB+0 SPC+0 TURN FMAX\n26 L X+1 Y+2 Z+9\n27 PLANE RESET STAY\n28 L Z+500 FMAX M91 M5\n29 M30\n30 LBL 1\n31 L IZ+1\n32 LBL 0\n33 END PGM A MM\n",
+        &[include_str!("../tests/snapshots/program.h"), include_str!("../tests/snapshots/program.vector.h")],
+        "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X-50 Y-50 Z-20\n2 * - Ball\n3 TOOL CALL \"BALL 6\" Z S8000 F500 DL+0\n4 M3 M8\n5 M126\n6 L Z+500 R0 FMAX M91\n7 L A+10 B-5 FMAX\n8 CYCL DEF 32.0 TOLERANCE\n9 CYCL DEF 32.1 T0,01\n10 M128 F2000\n11 L X+1,5 Y+2 Z+3 F500\n12 SPL X+2 K3X+0.1 K2X-0.2 K1X-4 E-1\n13 L A+350\n14 LN X+1 Y+2 TX+0 TY+0.1 TZ+1\n15 STOP\n16 Q1 = +3\n17 CYCL DEF 7.0 DATUM SHIFT\n18 CYCL DEF 7.1 X+Q1\n19 L X+4 IY-2\n20 L Y+0 IX+0\n21 CC X+0 Y+0\n22 C X-4 Y+0 DR+\n23 CR X+4 Y+0 R-5 DR-\n24 CALL LBL 1\n25 M129\n26 PLANE SPATIAL SPA+20 SPB+0 SPC+0 TURN FMAX\n27 L X+1 Y+2 Z+9\n28 PLANE RESET STAY\n29 L Z+500 FMAX M91 M5\n30 M30\n31 LBL 1\n32 L IZ+1\n33 LBL 0\n34 END PGM A MM\n",
     ),
     (
         "apt",
