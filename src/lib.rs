@@ -44,6 +44,7 @@ pub mod observe;
 pub mod path;
 pub mod plan;
 pub mod read;
+pub mod register;
 pub mod run;
 #[cfg(test)]
 pub(crate) mod sample;

@@ -29,7 +29,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "tool" => &["numerics", "geometry", "artifact"],
         "machine" => &["numerics", "geometry", "artifact", "tool"],
         "section" | "path" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
-        "verify" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
+        "verify" | "register" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
         "read" => READER,
         "make" => STAGE,
         "write" => WRITER,

@@ -440,6 +440,35 @@ pub enum Infeasible {
         /// Where it is tightest.
         at: Option<Spot>,
     },
+    /// In no frame do the balls of a program touch the part.
+    NoFrame {
+        /// Share of its feed places that touch in the best that was found.
+        touching_share: f64,
+        /// How far nine tenths of the places are off there, root mean square, µm.
+        rms_um: f64,
+        /// What its lengths times this would do: 25.4 or 1/25.4.
+        scale: Option<f64>,
+        /// The radius of a ball that would do, mm.
+        radius_mm: Option<f64>,
+    },
+    /// A program may be moved over the part, and touches it as well.
+    FrameNotDetermined {
+        /// How, in words.
+        directions: Vec<String>,
+        /// Greatest over least eigenvalue of the fit.
+        condition: Option<f64>,
+        /// Standard deviation of the frame, µm.
+        uncertainty_um: Option<f64>,
+    },
+    /// A program touches the part in two frames.
+    FrameAmbiguous {
+        /// Angle between them, degrees.
+        turned_deg: f64,
+        /// How far the middle of the program is moved from one to the other, mm.
+        moved_mm: f64,
+        /// Residual of the second over that of the first.
+        ratio: f64,
+    },
     /// The model does not look like a blade.
     NotABlade,
     /// A design makes no blade.

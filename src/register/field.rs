@@ -1,0 +1,124 @@
+//! Signed distances to the part with their gradients: exact, to the mesh, and interpolated on a grid.
+
+use rayon::prelude::*;
+
+use crate::geometry::measured::Closest;
+use crate::geometry::part::Part;
+use crate::geometry::{Aabb, Point, Vector};
+
+/// Where the way to the closest point is off the normal by less than this (cosine), the normal says
+/// on which side a point is; else it is at an edge.
+const ALONG_NORMAL: f64 = 0.9;
+
+/// A signed distance, mm, positive outside the part, and its gradient.
+pub(super) type Distance = (f64, Vector);
+
+/// Something that distances are taken from.
+pub(super) trait Field: Sync {
+    /// The distance at a point; `None` where there is none.
+    fn at(&self, q: &Point) -> Option<Distance>;
+}
+
+/// The part's exact faces, where it has them.
+pub(super) struct Exact<'a>(pub &'a Part);
+
+/// The part's triangles.
+pub(super) struct Triangles<'a>(pub &'a Part);
+
+impl Field for Exact<'_> {
+    fn at(&self, q: &Point) -> Option<Distance> {
+        let near = self.0.closest(q, f64::INFINITY)?;
+        Some(signed(q, &near, || self.0.inside(q)))
+    }
+}
+
+impl Field for Triangles<'_> {
+    fn at(&self, q: &Point) -> Option<Distance> {
+        let near = self.0.closest_on_mesh(q, f64::INFINITY)?;
+        let inside = || match self.0.bvh.winding(&self.0.mesh, q) {
+            Some(turns) => turns > 0,
+            None => (q - near.point).dot(&near.normal) < 0.0,
+        };
+        Some(signed(q, &near, inside))
+    }
+}
+
+fn signed(q: &Point, near: &Closest, inside: impl FnOnce() -> bool) -> Distance {
+    let away = q - near.point;
+    let Some(direction) = away.try_normalize(1e-9) else { return (0.0, near.normal) };
+    let along = direction.dot(&near.normal);
+    let is_inside = if along.abs() > ALONG_NORMAL { along < 0.0 } else { inside() };
+    if is_inside { (-near.distance_mm, -direction) } else { (near.distance_mm, direction) }
+}
+
+/// Distances at the nodes of a grid, linear in each direction between them: coarse, and a hundred
+/// times as fast as asking the mesh.
+pub(super) struct Grid {
+    min: Point,
+    /// Side of a cell, mm.
+    pub step_mm: f64,
+    count: [usize; 3],
+    distance_mm: Vec<f32>,
+}
+
+/// About so many nodes.
+const NODES: f64 = 200_000.0;
+
+impl Grid {
+    /// A grid over the part and so much beside it; `None` where the part has no triangle.
+    pub fn new(part: &Part, beside_mm: f64) -> Option<Self> {
+        let Aabb { min, max } = part.mesh.aabb()?;
+        let (min, max) = (min - Vector::repeat(beside_mm), max + Vector::repeat(beside_mm));
+        let size = max - min;
+        let step_mm = (size.product() / NODES).cbrt();
+        if !(step_mm > 0.0 && step_mm.is_finite()) {
+            return None;
+        }
+        let count = [size.x, size.y, size.z].map(|s| (s / step_mm).ceil() as usize + 2);
+        let [nx, ny, _] = count;
+        let mesh = Triangles(part);
+        let node = |k: usize| {
+            let at = Vector::new((k % nx) as f64, (k / nx % ny) as f64, (k / nx / ny) as f64);
+            mesh.at(&(min + at * step_mm)).map_or(f32::NAN, |d| d.0 as f32)
+        };
+        let distance_mm = (0..count.iter().product::<usize>()).into_par_iter().map(node).collect();
+        Some(Grid { min, step_mm, count, distance_mm })
+    }
+
+    fn node(&self, [x, y, z]: [usize; 3]) -> Option<f64> {
+        let [nx, ny, _] = self.count;
+        self.distance_mm.get((z * ny + y) * nx + x).map(|d| f64::from(*d))
+    }
+}
+
+impl Field for Grid {
+    fn at(&self, q: &Point) -> Option<Distance> {
+        let mut cell = [0usize; 3];
+        let mut share = [0.0; 3];
+        let mut beyond = Vector::zeros();
+        for i in 0..3 {
+            let at = (q[i] - self.min[i]) / self.step_mm;
+            let held = at.clamp(0.0, (self.count[i] - 1) as f64 - 1e-6);
+            beyond[i] = (at - held) * self.step_mm;
+            cell[i] = held as usize;
+            share[i] = held - cell[i] as f64;
+        }
+        let mut value = 0.0;
+        let mut slope = Vector::zeros();
+        for corner in 0..8usize {
+            let up = [corner & 1, corner >> 1 & 1, corner >> 2];
+            let node = self.node([cell[0] + up[0], cell[1] + up[1], cell[2] + up[2]])?;
+            let weight = |i: usize| if up[i] == 1 { share[i] } else { 1.0 - share[i] };
+            let sign = |i: usize| if up[i] == 1 { 1.0 } else { -1.0 };
+            let [wx, wy, wz] = [weight(0), weight(1), weight(2)];
+            value += node * wx * wy * wz;
+            slope += Vector::new(sign(0) * wy * wz, sign(1) * wx * wz, sign(2) * wx * wy) * (node / self.step_mm);
+        }
+        let out = beyond.norm();
+        if !(value.is_finite() && out.is_finite()) {
+            return None;
+        }
+        // Beside the grid as far as its edge is, and on.
+        Some(if out > 1e-6 { (value + out, beyond / out) } else { (value, slope) })
+    }
+}

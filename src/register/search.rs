@@ -1,0 +1,272 @@
+//! First guesses all over, and the ones that hold: coarse on a grid of distances, then on the mesh,
+//! then on the exact faces.
+
+use rayon::prelude::*;
+
+use super::field::{Exact, Field, Grid, Triangles};
+use super::places::{Lay, Place, Places};
+use super::solve::{Task, UNKNOWNS, apart_mm};
+use crate::error::{Error, Result, Stage};
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Rigid, Vector};
+use crate::observe::Observer;
+
+type Matrix3 = nalgebra::Matrix3<f64>;
+type Turn = nalgebra::UnitQuaternion<f64>;
+
+/// Turns that are spread over all of them.
+const TURNS: usize = 720;
+/// Slabs across the blade axis whose middles the places are laid about.
+const SLABS: usize = 12;
+/// Shifts beside a middle to either side, where no turn is looked for.
+const BESIDE: [f64; 5] = [-0.3, -0.12, 0.0, 0.12, 0.3];
+/// Share of the places that a guess is measured by, the nearest: approach and retract are off.
+const MEASURED: f64 = 0.9;
+
+/// A lay that cannot be bettered nearby.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Candidate {
+    pub lay: Lay,
+    /// Root mean square of the residuals of the nearest nine tenths of the places, mm.
+    pub rms_mm: f64,
+}
+
+/// What is searched.
+pub(super) struct Search<'a> {
+    pub part: &'a Part,
+    pub places: &'a Places,
+    pub stock_mm: f64,
+    /// Tips, centres, or both.
+    pub words: Vec<bool>,
+    pub free_radius: bool,
+    pub observer: &'a dyn Observer,
+}
+
+/// How one stage of the search goes.
+struct Sieve<'a> {
+    field: &'a dyn Field,
+    places: &'a [Place],
+    /// See [`Task::huber_mm`].
+    huber_mm: f64,
+    steps: usize,
+    /// How many lays are kept.
+    keep: usize,
+    /// Lays nearer than this to a better one are the same, mm.
+    same_mm: f64,
+    /// The radius of the ball is free as well.
+    free_radius: bool,
+}
+
+impl Search<'_> {
+    /// Half the diagonal of the part's box, mm.
+    pub fn size_mm(&self) -> f64 {
+        self.part.mesh.aabb().map_or(1.0, |b| 0.5 * b.diagonal_mm())
+    }
+
+    /// Which unknowns are free.
+    pub fn free(&self, radius: bool) -> [bool; UNKNOWNS] {
+        let turns = self.places.turns;
+        [true, true, true, turns, turns, turns, radius]
+    }
+
+    /// Places at which lays are compared: evenly along the way.
+    pub fn probe(&self) -> Vec<Place> {
+        self.places.sampled(60)
+    }
+
+    /// All lays that cannot be bettered nearby, the best first.
+    ///
+    /// # Errors
+    /// `Usage`: the part has no surface; `Cancelled`.
+    pub fn run(&self) -> Result<Vec<Candidate>> {
+        let reach = self.places.all.iter().map(|p| p.radius_mm).fold(0.0, f64::max) + self.stock_mm;
+        let grid = Grid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
+            .ok_or_else(|| Error::usage(Stage::Verify, "the part has no surface to lay a program over"))?;
+        let (step, mesh, exact) = (grid.step_mm, Triangles(self.part), Exact(self.part));
+        let [few, some, more] = [80, 300, 400].map(|n| self.places.sampled(n));
+        let sieve = |field, places, huber_mm, steps, keep, same_mm| Sieve {
+            field,
+            places,
+            huber_mm,
+            steps,
+            keep,
+            same_mm,
+            free_radius: false,
+        };
+        let first = sieve(&grid as &dyn Field, &few[..], 0.5 * step, 8, 96, 0.4 * step);
+        let mut lays = Vec::new();
+        for tip in &self.words {
+            lays.extend(self.sieved(&first, self.guesses(&few, *tip))?);
+        }
+        let stages = [
+            sieve(&grid, &some, 0.15 * step, 20, 48, 0.2 * step),
+            sieve(&mesh, &some, 0.03 * step, 15, 20, 0.1 * step),
+            Sieve { free_radius: self.free_radius, ..sieve(&exact, &more, 0.01 * step, 20, 10, 0.05 * step) },
+        ];
+        for stage in &stages {
+            lays = self.sieved(stage, lays)?;
+        }
+        let task = self.task(&exact, &more, 0.01 * step, self.free_radius);
+        let measured = |lay: Lay| Candidate { lay, rms_mm: rms_mm(&task, &lay) };
+        let mut out: Vec<Candidate> = lays.into_iter().map(measured).collect();
+        out.sort_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm));
+        Ok(out)
+    }
+
+    /// A task on a field, nothing left out.
+    pub fn task<'b>(&self, field: &'b dyn Field, places: &'b [Place], huber_mm: f64, radius: bool) -> Task<'b> {
+        let (free, size_mm) = (self.free(radius), self.size_mm());
+        Task { field, places, stock_mm: self.stock_mm, free, size_mm, huber_mm, most_mm: f64::INFINITY }
+    }
+
+    /// Goes down from each of some lays; the best of those that differ.
+    fn sieved(&self, sieve: &Sieve, lays: Vec<Lay>) -> Result<Vec<Lay>> {
+        self.observer.check(Stage::Verify)?;
+        let task = self.task(sieve.field, sieve.places, sieve.huber_mm, sieve.free_radius);
+        let mut ended: Vec<(Lay, f64)> = lays.into_par_iter().map(|lay| task.descend(&lay, sieve.steps)).collect();
+        ended.retain(|e| e.1.is_finite());
+        ended.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let probe = self.probe();
+        let mut out: Vec<Lay> = Vec::new();
+        for (lay, _) in ended {
+            if out.len() >= sieve.keep {
+                break;
+            }
+            if out.iter().all(|kept| kept.tip != lay.tip || apart_mm(&probe, kept, &lay) > sieve.same_mm) {
+                out.push(lay);
+            }
+        }
+        Ok(out)
+    }
+
+    /// First guesses: the middle of the places on middles of the part, turned in all ways.
+    fn guesses(&self, places: &[Place], tip: bool) -> Vec<Lay> {
+        let at = |turn: Turn, to: &Point, beside: Vector| laid(places, tip, turn, to, beside);
+        let middles = middles(self.part);
+        if !self.places.turns {
+            let size = 2.0 * self.size_mm();
+            let around = || {
+                BESIDE.into_iter().flat_map(|x| {
+                    BESIDE.into_iter().flat_map(move |y| BESIDE.into_iter().map(move |z| Vector::new(x, y, z)))
+                })
+            };
+            let guess =
+                |m: &(Point, Matrix3)| around().map(|b| at(Turn::identity(), &m.0, b * size)).collect::<Vec<_>>();
+            return middles.iter().flat_map(guess).collect();
+        }
+        let spread: Vec<Turn> = turns(TURNS).chain(quarters()).collect();
+        let own = axes_of(&scatter_of(places, tip));
+        let guess = |(middle, scatter): &(Point, Matrix3)| {
+            let section = axes_of(scatter);
+            let aligned = quarters().map(move |q| section * q * own.inverse());
+            spread.iter().copied().chain(aligned).map(|turn| at(turn, middle, Vector::zeros())).collect::<Vec<_>>()
+        };
+        middles.iter().flat_map(guess).collect()
+    }
+}
+
+/// Root mean square of the residuals of the nearest places, mm.
+pub(super) fn rms_mm(task: &Task, lay: &Lay) -> f64 {
+    let mut squares: Vec<f64> =
+        task.residuals(lay).iter().map(|r| r.map_or(f64::INFINITY, |r| r.off_mm * r.off_mm)).collect();
+    squares.sort_by(f64::total_cmp);
+    squares.truncate(((squares.len() as f64 * MEASURED) as usize).max(1));
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}
+
+/// The frame with a turn in which the places are about a point, as near as least squares bring them
+/// there, and shifted.
+fn laid(places: &[Place], tip: bool, turn: Turn, to: &Point, beside: Vector) -> Lay {
+    let lay = Lay { frame: Rigid::from_parts(Vector::zeros().into(), turn), tip, grown_mm: 0.0 };
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector::zeros());
+    for place in places {
+        let at = place.reaction(&lay);
+        normal += at.map.transpose() * at.map;
+        right += at.map.transpose() * (to - at.centre);
+    }
+    // A turning table can leave a direction free: a little weight keeps the shift there small.
+    normal += Matrix3::identity() * (1e-6 * normal.trace() + 1e-9);
+    let shift = normal.try_inverse().map_or(Vector::zeros(), |inverse| inverse * right) + beside;
+    Lay { frame: Rigid::from_parts(shift.into(), turn), ..lay }
+}
+
+/// Middle and scatter of the part's surface: of all of it, and of slabs across the blade axis.
+fn middles(part: &Part) -> Vec<(Point, Matrix3)> {
+    let Some(aabb) = part.mesh.aabb() else { return Vec::new() };
+    let (low, height) = (aabb.min.x, (aabb.max.x - aabb.min.x).max(1e-9));
+    let mut slabs = vec![Vec::new(); SLABS + 1];
+    for t in 0..part.mesh.triangles.len() {
+        let [a, b, c] = part.mesh.corners(t);
+        let middle = Point::from((a.coords + b.coords + c.coords) / 3.0);
+        let area = part.mesh.triangle_area_mm2(t);
+        // A triangle counts in every slab that it reaches into: those of ruled walls are long.
+        let ends = [a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x)];
+        let [first, last] = ends.map(|x| ((((x - low) / height) * SLABS as f64) as usize).min(SLABS - 1));
+        let share = area / (last - first + 1) as f64;
+        for slab in slabs.iter_mut().take(last + 1).skip(first) {
+            slab.push((middle, share));
+        }
+        if let Some(whole) = slabs.last_mut() {
+            whole.push((middle, area));
+        }
+    }
+    let all = slabs.iter().enumerate().filter_map(|(k, slab)| {
+        let (mut middle, scatter) = moments(slab)?;
+        if k < SLABS {
+            middle.x = low + (k as f64 + 0.5) * height / SLABS as f64;
+        }
+        Some((middle, scatter))
+    });
+    all.collect()
+}
+
+/// Mean of weighted points, and their scatter about it.
+fn moments(points: &[(Point, f64)]) -> Option<(Point, Matrix3)> {
+    let weight: f64 = points.iter().map(|p| p.1).sum();
+    if !(weight > 0.0) {
+        return None;
+    }
+    let mean = points.iter().map(|(p, w)| p.coords * *w).sum::<Vector>() / weight;
+    let scatter = points.iter().map(|(p, w)| (p.coords - mean) * (p.coords - mean).transpose() * *w).sum::<Matrix3>();
+    Some((Point::from(mean), scatter / weight))
+}
+
+fn scatter_of(places: &[Place], tip: bool) -> Matrix3 {
+    let lay = Lay { frame: Rigid::identity(), tip, grown_mm: 0.0 };
+    let points: Vec<(Point, f64)> = places.iter().map(|p| (p.centre(&lay), 1.0)).collect();
+    moments(&points).map_or(Matrix3::identity(), |m| m.1)
+}
+
+/// The principal axes of a scatter as a turn: columns in the order of their extent.
+fn axes_of(scatter: &Matrix3) -> Turn {
+    let found = scatter.symmetric_eigen();
+    let mut order = [0usize, 1, 2];
+    order.sort_by(|a, b| found.eigenvalues[*b].total_cmp(&found.eigenvalues[*a]));
+    let [a, b] = [order[0], order[1]].map(|k| found.eigenvectors.column(k).into_owned());
+    let matrix = Matrix3::from_columns(&[a, b, a.cross(&b)]);
+    Turn::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
+}
+
+/// The 24 turns that bring the axes onto one another.
+pub(super) fn quarters() -> impl Iterator<Item = Turn> + Clone {
+    let units = [Vector::x(), -Vector::x(), Vector::y(), -Vector::y(), Vector::z(), -Vector::z()];
+    units.into_iter().flat_map(move |a| {
+        units.into_iter().filter(move |b| a.dot(b) == 0.0).map(move |b| {
+            let matrix = Matrix3::from_columns(&[a, b, a.cross(&b)]);
+            Turn::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
+        })
+    })
+}
+
+/// Turns spread evenly over all of them (M. Alexa, *Super-Fibonacci Spirals: Fast, Low-Discrepancy
+/// Sampling of SO(3)*, 2022).
+pub(super) fn turns(count: usize) -> impl Iterator<Item = Turn> + Clone {
+    const PSI: f64 = 1.533_751_168_755_204_3;
+    (0..count).map(move |k| {
+        let s = k as f64 + 0.5;
+        let t = s / count as f64;
+        let (r, q) = (t.sqrt(), (1.0 - t).sqrt());
+        let (a, b) = (std::f64::consts::TAU * s / std::f64::consts::SQRT_2, std::f64::consts::TAU * s / PSI);
+        Turn::from_quaternion(nalgebra::Quaternion::new(q * b.cos(), r * a.sin(), r * a.cos(), q * b.sin()))
+    })
+}

@@ -1,0 +1,166 @@
+//! The frame in which the balls touch the part best, from a first guess: Levenberg and Marquardt's
+//! method on the rigid motions, with Huber's weights (P. J. Huber, *Robust Estimation of a Location
+//! Parameter*, 1964).
+
+use rayon::prelude::*;
+
+use super::field::Field;
+use super::places::{Lay, Place};
+use crate::geometry::{Rigid, Vector};
+
+/// Unknowns: a shift, a turn (times the part's size, so that all are lengths), the ball's radius.
+pub(super) const UNKNOWNS: usize = 7;
+/// Changes of all unknowns, mm.
+pub(super) type Change = nalgebra::SVector<f64, UNKNOWNS>;
+pub(super) type Normal = nalgebra::SMatrix<f64, UNKNOWNS, UNKNOWNS>;
+
+/// More places than these are shared among threads.
+const SHARED: usize = 600;
+/// Lengths below which a step changes nothing, mm.
+const NOTHING_MM: f64 = 1e-8;
+
+/// What is to be solved.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub field: &'a dyn Field,
+    pub places: &'a [Place],
+    /// Stock that the balls leave, mm.
+    pub stock_mm: f64,
+    /// Which unknowns are free.
+    pub free: [bool; UNKNOWNS],
+    /// Size of the part, mm.
+    pub size_mm: f64,
+    /// From here on a residual weighs less, mm.
+    pub huber_mm: f64,
+    /// From here on it is left out, mm.
+    pub most_mm: f64,
+}
+
+/// How far a ball is off the part, and by what that changes.
+#[derive(Clone, Copy)]
+pub(super) struct Residual {
+    /// Distance of the centre less radius and stock, mm.
+    pub off_mm: f64,
+    pub slope: Change,
+}
+
+impl Task<'_> {
+    /// The residual at a place; `None` where there is no distance.
+    pub fn residual(&self, place: &Place, lay: &Lay, pivot: &Vector) -> Option<Residual> {
+        let at = place.reaction(lay);
+        let (distance_mm, gradient) = self.field.at(&at.centre)?;
+        let off_mm = distance_mm - place.radius_mm - lay.grown_mm - self.stock_mm;
+        let by_shift = at.map.transpose() * gradient;
+        let by_turn = (at.arm - pivot).cross(&by_shift) / self.size_mm;
+        let by_radius = gradient.dot(&at.by_radius) - 1.0;
+        let mut slope = Change::zeros();
+        slope.fixed_rows_mut::<3>(0).copy_from(&by_shift);
+        slope.fixed_rows_mut::<3>(3).copy_from(&by_turn);
+        slope[6] = by_radius;
+        slope.iter_mut().zip(self.free).filter(|f| !f.1).for_each(|(s, _)| *s = 0.0);
+        off_mm.is_finite().then_some(Residual { off_mm, slope })
+    }
+
+    /// Residuals in the order of the places.
+    pub fn residuals(&self, lay: &Lay) -> Vec<Option<Residual>> {
+        let pivot = self.pivot(lay);
+        match self.places.len() > SHARED {
+            true => self.places.par_iter().map(|p| self.residual(p, lay, &pivot)).collect(),
+            false => self.places.iter().map(|p| self.residual(p, lay, &pivot)).collect(),
+        }
+    }
+
+    /// What turns are about: the middle of the places, before `map`.
+    pub fn pivot(&self, lay: &Lay) -> Vector {
+        let sum: Vector = self.places.iter().map(|p| p.reaction(lay).arm).sum();
+        sum / self.places.len().max(1) as f64
+    }
+
+    /// Cost of a residual, mm², and its weight.
+    fn robust(&self, off_mm: f64) -> (f64, f64) {
+        let (a, h) = (off_mm.abs(), self.huber_mm);
+        let cost = |a: f64| if a <= h { 0.5 * a * a } else { h * (a - 0.5 * h) };
+        match a > self.most_mm {
+            true => (cost(self.most_mm), 0.0),
+            false => (cost(a), if a <= h { 1.0 } else { h / a }),
+        }
+    }
+
+    /// Mean cost of residuals, mm².
+    fn cost(&self, residuals: &[Option<Residual>]) -> f64 {
+        let worst = self.robust(f64::MAX.sqrt()).0;
+        let sum: f64 = residuals.iter().map(|r| r.map_or(worst, |r| self.robust(r.off_mm).0)).sum();
+        sum / residuals.len().max(1) as f64
+    }
+
+    /// Mean of `slope slopeᵀ` and of `slope · residual`, by weight.
+    pub fn normal(&self, residuals: &[Option<Residual>]) -> (Normal, Change) {
+        let (mut normal, mut right) = (Normal::zeros(), Change::zeros());
+        for r in residuals.iter().flatten() {
+            let weight = self.robust(r.off_mm).1;
+            if weight > 0.0 {
+                normal.ger(weight, &r.slope, &r.slope, 1.0);
+                right.axpy(weight * r.off_mm, &r.slope, 1.0);
+            }
+        }
+        let count = residuals.len().max(1) as f64;
+        (normal / count, right / count)
+    }
+
+    /// Goes down from a guess: where it ends, and the cost there, mm².
+    pub fn descend(&self, from: &Lay, steps: usize) -> (Lay, f64) {
+        let (mut lay, mut damping) = (*from, 1e-3);
+        let mut residuals = self.residuals(&lay);
+        let mut cost = self.cost(&residuals);
+        for _ in 0..steps {
+            let (normal, right) = self.normal(&residuals);
+            let mut moved = false;
+            for _ in 0..4 {
+                let Some(change) = step(&normal, &right, damping) else { break };
+                let next = self.changed(&lay, &change);
+                let there = self.residuals(&next);
+                let cost_there = self.cost(&there);
+                if cost_there < cost {
+                    moved = change.norm() > NOTHING_MM;
+                    (lay, residuals, cost) = (next, there, cost_there);
+                    damping = (damping * 0.2).max(1e-9);
+                    break;
+                }
+                damping *= 8.0;
+            }
+            if !moved {
+                break;
+            }
+        }
+        (lay, cost)
+    }
+
+    /// The lay after a change.
+    pub fn changed(&self, lay: &Lay, change: &Change) -> Lay {
+        let shift = Vector::new(change[0], change[1], change[2]);
+        let turn = Rigid::rotation(Vector::new(change[3], change[4], change[5]) / self.size_mm);
+        let pivot = self.pivot(lay);
+        let about = Rigid::translation(pivot.x, pivot.y, pivot.z);
+        let mut frame = Rigid::translation(shift.x, shift.y, shift.z) * about * turn * about.inverse() * lay.frame;
+        frame.rotation.renormalize_fast();
+        Lay { frame, grown_mm: lay.grown_mm + change[6], ..*lay }
+    }
+}
+
+/// `−(A + λ diag A)⁻¹ g`; `None` where that is none.
+fn step(normal: &Normal, right: &Change, damping: f64) -> Option<Change> {
+    let mut damped = *normal;
+    let floor = 1e-12 + 1e-9 * normal.trace();
+    for i in 0..UNKNOWNS {
+        // What is not free has neither slope nor diagonal, and stays.
+        damped[(i, i)] += damping * normal[(i, i)] + damping * floor + if normal[(i, i)] == 0.0 { 1.0 } else { 0.0 };
+    }
+    let change = -damped.cholesky()?.solve(right);
+    change.iter().all(|v| v.is_finite()).then_some(change)
+}
+
+/// Root mean square of how far the centres of places are apart in two lays, mm.
+pub(super) fn apart_mm(places: &[Place], a: &Lay, b: &Lay) -> f64 {
+    let sum: f64 = places.iter().map(|p| (p.centre(a) - p.centre(b)).norm_squared()).sum();
+    (sum / places.len().max(1) as f64).sqrt()
+}
