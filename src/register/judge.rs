@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::field::{Exact, Field, Triangles};
 use super::places::{Lay, Place, Places, followed, zero};
-use super::search::{Candidate, Search};
+use super::search::{Candidate, Search, rms_mm};
 use super::solve::{Change, Task, UNKNOWNS, apart_mm};
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
@@ -19,7 +19,7 @@ const GROUPS: usize = 16;
 /// Farther off the part than this no place is taken into the last steps, mm.
 const OFF_MM: f64 = 0.1;
 /// Least width of Huber's weights, mm: rounding of words.
-const ROUNDED_MM: f64 = 0.000_5;
+const ROUNDED_MM: f64 = 0.000_05;
 /// A turn is told as such where it moves the places by more than this share of the shift.
 const TURNS: f64 = 0.2;
 
@@ -30,7 +30,7 @@ pub(super) struct Touch {
     pub rms_um: f64,
     /// 95th percentile of all residuals between the first and the last contact, µm.
     pub p95_um: f64,
-    /// Share of these places that touch.
+    /// Share of these places that touch, they being half of all places at least.
     pub share: f64,
     /// Their number.
     pub places: usize,
@@ -58,9 +58,10 @@ pub(super) fn polished(search: &Search, places: &[Place], lay: &Lay) -> (Lay, f6
     let mut offs: Vec<f64> =
         task.residuals(&lay).iter().flatten().map(|r| r.off_mm.abs()).filter(|a| *a <= OFF_MM).collect();
     offs.sort_by(f64::total_cmp);
-    // One and a half standard deviations, by the median.
-    task.huber_mm = (2.2 * offs.get(offs.len() / 2).copied().unwrap_or(OFF_MM)).max(ROUNDED_MM);
-    lay = task.descend(&lay, 15).0;
+    // One and a half standard deviations, by the lower quartile: chords of others are off to one
+    // side, and may be half of the places.
+    task.huber_mm = (4.7 * offs.get(offs.len() / 4).copied().unwrap_or(OFF_MM)).max(ROUNDED_MM);
+    lay = task.descend(&lay, 30).0;
     (lay, task.huber_mm)
 }
 
@@ -101,6 +102,8 @@ pub(super) fn summed(offs: &[f64], touching_mm: f64) -> Touch {
     let touches = |off: &f64| *off <= touching_mm;
     let (first, last) = (offs.iter().position(touches), offs.iter().rposition(touches));
     let (Some(first), Some(last)) = (first, last) else { return Touch::default() };
+    // A single contact is no stretch: half of all places are one at least.
+    let least = offs.len().div_ceil(2);
     let mut within: Vec<f64> = offs.get(first..=last).unwrap_or_default().to_vec();
     within.sort_by(f64::total_cmp);
     let count = within.partition_point(|off| *off <= touching_mm);
@@ -109,7 +112,7 @@ pub(super) fn summed(offs: &[f64], touching_mm: f64) -> Touch {
     Touch {
         rms_um: 1000.0 * (square / count.max(1) as f64).sqrt(),
         p95_um: 1000.0 * p95,
-        share: count as f64 / within.len() as f64,
+        share: count as f64 / within.len().max(least) as f64,
         places: within.len(),
     }
 }
@@ -228,10 +231,10 @@ pub(super) fn passing_share(search: &Search, tools: &[&Tool], places: &[Place], 
     seen.iter().filter(|p| **p).count() as f64 / seen.len().max(1) as f64
 }
 
-/// The best of those whose shaft is outside the part, and the next best that is another motion.
+/// Candidates without those whose shaft is in the part, the best first.
 pub(super) struct Ranked {
     pub best: Candidate,
-    pub next: Option<Candidate>,
+    pub rest: Vec<Candidate>,
     /// Some were left out because the shaft passes through the part there.
     pub by_shaft: bool,
 }
@@ -239,14 +242,8 @@ pub(super) struct Ranked {
 /// Share of the places from which on the shaft counts as in the part.
 const PASSES: f64 = 0.5;
 
-/// Ranks candidates, the best first. Those nearer to the best than `same_mm` are the same.
-pub(super) fn ranked(
-    search: &Search,
-    tools: &[&Tool],
-    found: &[Candidate],
-    ratio: f64,
-    same_mm: f64,
-) -> Option<Ranked> {
+/// Ranks candidates, the best first.
+pub(super) fn ranked(search: &Search, tools: &[&Tool], found: &[Candidate], ratio: f64) -> Option<Ranked> {
     let first = found.first()?;
     let probe = search.probe();
     let alike: Vec<(Candidate, bool)> = found
@@ -258,6 +255,48 @@ pub(super) fn ranked(
     let left_out = |c: &Candidate| by_shaft && alike.iter().any(|(a, passes)| *passes && a.lay.frame == c.lay.frame);
     let mut rest = found.iter().filter(|c| !left_out(c));
     let best = *rest.next()?;
-    let next = rest.find(|c| apart_mm(&probe, &best.lay, &c.lay) > same_mm).copied();
-    Some(Ranked { best, next, by_shaft })
+    Some(Ranked { best, rest: rest.copied().collect(), by_shaft })
+}
+
+/// The best lay against the next best, both bettered on many places.
+pub(super) struct Contest {
+    pub lay: Lay,
+    pub huber_mm: f64,
+    /// The next best, and how many times as far its balls are off; `None`: there is no other.
+    pub next: Option<(Lay, f64)>,
+}
+
+/// Least residual that ratios are taken of, mm: rounding of words.
+const LEAST_MM: f64 = 0.000_1;
+
+/// Motions whose places are nearer than this are the same, mm; or than a thousandth of the part's
+/// size.
+const SAME_MM: f64 = 0.1;
+
+/// Betters the best lay, and the next best where it may come near. What ends where the best is, is
+/// no other.
+pub(super) fn contest(search: &Search, places: &[Place], ranked: &Ranked, ratio: f64) -> Contest {
+    let (mut lay, mut huber_mm) = polished(search, places, &ranked.best.lay);
+    let (exact, probe) = (Exact(search.part), search.probe());
+    let same_mm = SAME_MM.max(1e-3 * search.size_mm());
+    let task = search.task(&exact, places, huber_mm, search.free_radius);
+    let off_mm = |lay: &Lay| rms_mm(&task, lay).max(LEAST_MM);
+    let mut best_mm = off_mm(&lay);
+    for next in ranked.rest.iter().filter(|c| apart_mm(&probe, &lay, &c.lay) > same_mm) {
+        let next_mm = off_mm(&next.lay);
+        if next_mm > 100.0 * ratio * best_mm {
+            return Contest { lay, huber_mm, next: Some((next.lay, next_mm / best_mm)) };
+        }
+        let (mut other, other_huber_mm) = polished(search, places, &next.lay);
+        if apart_mm(&probe, &lay, &other) <= same_mm {
+            continue;
+        }
+        let mut other_mm = off_mm(&other);
+        if other_mm < best_mm {
+            (lay, other, huber_mm) = (other, lay, other_huber_mm);
+            std::mem::swap(&mut best_mm, &mut other_mm);
+        }
+        return Contest { lay, huber_mm, next: Some((other, other_mm / best_mm)) };
+    }
+    Contest { lay, huber_mm, next: None }
 }

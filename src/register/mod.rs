@@ -61,7 +61,8 @@ pub struct FitOptions {
     pub touching_mm: f64,
     /// Least share of the places between the first and the last contact that touch. Default 0.95.
     pub touching_share: f64,
-    /// Greatest condition of the normal equations. Default 1e6.
+    /// Greatest condition of the normal equations. Default 1e5: beyond, rounding of words moves the
+    /// frame by tens of micrometres.
     pub condition: f64,
     /// Least ratio of the next best residual to the best. Default 5.
     pub runner_up_ratio: f64,
@@ -75,7 +76,7 @@ impl Default for FitOptions {
             free_radius: false,
             touching_mm: 0.02,
             touching_share: 0.95,
-            condition: 1e6,
+            condition: 1e5,
             runner_up_ratio: 5.0,
         }
     }
@@ -100,7 +101,7 @@ pub struct Fit {
     pub radius_mm: f64,
     /// Feed places between the first and the last contact.
     pub places: usize,
-    /// Share of these that touch.
+    /// Share of these that touch, they being half of all feed places at least.
     pub touching_share: f64,
     /// Root mean square of how far those that touch are off, µm.
     pub rms_um: f64,
@@ -137,11 +138,11 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
     let found = search.run()?;
     step(2);
     let tools: Vec<&Tool> = benches.iter().map(|b| b.tool).collect();
-    let same_mm = SAME.max(1e-3 * search.size_mm());
-    let ranked = judge::ranked(&search, &tools, &found, options.runner_up_ratio, same_mm)
+    let ranked = judge::ranked(&search, &tools, &found, options.runner_up_ratio)
         .ok_or_else(|| Error::usage(Stage::Verify, "no place of the program has a distance to the part"))?;
     let many = judge::many(&places);
-    let (lay, huber_mm) = judge::polished(&search, &many, &ranked.best.lay);
+    let contest = judge::contest(&search, &many, &ranked, options.runner_up_ratio);
+    let (lay, huber_mm) = (contest.lay, contest.huber_mm);
     let touch = judge::touch(&search, &script, &benches, &lay, options.touching_mm)?;
     step(3);
     if !(touch.share >= options.touching_share) {
@@ -149,7 +150,7 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
     }
     let determined = judge::determined(&search, &many, &lay, huber_mm, options.condition);
     refuse::loose(&determined, options)?;
-    let runner_up_ratio = refuse::alike(&search, &many, &lay, huber_mm, &ranked, options)?;
+    refuse::alike(&search, &many, &contest, options)?;
     step(4);
     let radius_mm = tools.first().map_or(0.0, |t| t.radius_mm) + lay.grown_mm;
     let (x, y, z) = lay.frame.rotation.euler_angles();
@@ -165,16 +166,12 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
         rms_um: touch.rms_um,
         p95_um: touch.p95_um,
         condition: determined.condition,
-        runner_up_ratio,
+        runner_up_ratio: contest.next.map(|n| n.1),
         by_shaft: ranked.by_shaft,
         uncertainty_um: determined.uncertainty.0,
         uncertainty_deg: determined.uncertainty.1,
     })
 }
-
-/// Motions whose places are nearer than this are the same, mm; or than a thousandth of the part's
-/// size.
-const SAME: f64 = 0.1;
 
 /// The program as it was read, benches with the language that it was read with, and whether its
 /// points are tips: one answer, or two to be tried.

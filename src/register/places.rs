@@ -108,7 +108,7 @@ impl Places {
             let what = format!("the program has {} feed moves that are known from their beginning", all.len());
             return Err(Error::usage(Stage::Verify, what).advise(format!("--fit needs {LEAST} at least")));
         }
-        Ok(Places { all, turns, in_axes })
+        Ok(Places { all: evened(all), turns, in_axes })
     }
 
     /// About so many places, evenly along the way.
@@ -133,6 +133,24 @@ impl Places {
     pub fn scaled(&self, scale: f64) -> Self {
         Places { all: self.all.iter().map(|p| p.scaled(scale)).collect(), ..self.clone() }
     }
+}
+
+/// Lines longer than so many times the median count as that long: way off the part is made in few.
+const LONG: f64 = 6.0;
+
+/// The same places, their ways without what long lines have too much.
+fn evened(mut places: Vec<Place>) -> Vec<Place> {
+    let mut steps: Vec<f64> = places.windows(2).map(|w| w[1].way_mm - w[0].way_mm).collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let most = LONG * sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    steps.insert(0, 0.0);
+    let mut way_mm = 0.0;
+    for (place, step) in places.iter_mut().zip(steps) {
+        way_mm += step.min(most);
+        place.way_mm = way_mm;
+    }
+    places
 }
 
 /// Fewest places that a frame is looked for with.

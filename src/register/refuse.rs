@@ -2,18 +2,16 @@
 
 use super::FitOptions;
 use super::field::Exact;
-use super::judge::{Determined, Ranked, Touch, direction, many, polished, summed};
+use super::judge::{Contest, Determined, Touch, direction, many, polished, summed};
 use super::places::{Lay, Place};
-use super::search::{Candidate, Search, rms_mm};
-use super::solve::Task;
+use super::search::{Candidate, Search};
 use crate::error::{Error, Infeasible, Result, Stage};
+use crate::geometry::Point;
 
 /// Units that programs are taken for one another in.
 const SCALES: [f64; 2] = [25.4, 1.0 / 25.4];
 /// A frame that is less certain than this is none, µm: what touching is judged by.
 const CERTAIN_UM: f64 = 20.0;
-/// Least residual that ratios are taken of, mm: rounding of words.
-const LEAST_MM: f64 = 0.000_1;
 
 /// No frame lets the balls touch the part; whether another unit or another ball would.
 pub(super) fn no_frame(search: &Search, found: &[Candidate], options: &FitOptions, touch: &Touch) -> Error {
@@ -97,40 +95,24 @@ pub(super) fn loose(determined: &Determined, options: &FitOptions) -> Result<()>
     Err(Error::infeasible(Stage::Verify, what, data).advise("give its zero: --origin X,Y,Z, or --cad"))
 }
 
-/// How many times worse the next best motion fits; `None` where there is no other.
-///
 /// # Errors
-/// `Infeasible`: it fits nearly as well.
-pub(super) fn alike(
-    search: &Search,
-    places: &[Place],
-    lay: &Lay,
-    huber_mm: f64,
-    ranked: &Ranked,
-    options: &FitOptions,
-) -> Result<Option<f64>> {
-    let Some(next) = ranked.next else { return Ok(None) };
-    let exact = Exact(search.part);
-    let task: Task = search.task(&exact, places, huber_mm, search.free_radius);
-    // The next best one gets as many steps as the best.
-    let next = if next.rms_mm < 4.0 * options.runner_up_ratio * ranked.best.rms_mm.max(LEAST_MM) {
-        polished(search, places, &next.lay).0
-    } else {
-        next.lay
-    };
-    let ratio = rms_mm(&task, &next) / rms_mm(&task, lay).max(LEAST_MM);
-    if ratio > options.runner_up_ratio {
-        return Ok(Some(ratio));
-    }
+/// `Infeasible`: another motion fits nearly as well.
+pub(super) fn alike(search: &Search, places: &[Place], contest: &Contest, options: &FitOptions) -> Result<()> {
+    let Some((next, ratio)) = contest.next.filter(|n| !(n.1 > options.runner_up_ratio)) else { return Ok(()) };
+    let (lay, exact) = (&contest.lay, Exact(search.part));
+    let middle = Point::from(search.task(&exact, places, 1.0, false).pivot(lay));
     let between = next.frame * lay.frame.inverse();
-    let (turned_deg, middle) = (between.rotation.angle().to_degrees(), task.pivot(lay));
-    let moved_mm = (between * crate::geometry::Point::from(middle) - middle).coords.norm();
-    let about = between.rotation.axis().map_or_else(String::new, |a| format!(" about {} of the blade", direction(&a)));
+    let (turned_deg, moved_mm) = (between.rotation.angle().to_degrees(), (between * middle - middle).norm());
+    let about = match between.rotation.axis() {
+        Some(axis) => {
+            format!("is turned by {turned_deg:.3} deg about {} of the blade against the first and", direction(&axis))
+        }
+        None => String::new(),
+    };
     let kind = if next.tip == lay.tip { "" } else { ", X Y Z once as tips and once as ball centres" };
     let what = format!(
-        "two frames fit alike: the second is turned by {turned_deg:.3} deg{about} against the first and moves the \
-         middle of the program by {moved_mm:.3} mm{kind}; its residual is {ratio:.2} times that of the first, it must \
-         be {} times",
+        "two frames fit alike: the second {about} moves the middle of the program by {moved_mm:.3} mm{kind}; its residual \
+         is {ratio:.1} times that of the first, it must be {} times",
         options.runner_up_ratio
     );
     let data = Infeasible::FrameAmbiguous { turned_deg, moved_mm, ratio };

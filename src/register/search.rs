@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::field::{Exact, Field, Grid, Triangles};
 use super::places::{Lay, Place, Places};
-use super::solve::{Task, UNKNOWNS, apart_mm};
+use super::solve::{Change, Normal, Task, UNKNOWNS, apart_mm};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
@@ -20,6 +20,15 @@ const TURNS: usize = 720;
 const SLABS: usize = 12;
 /// Shifts beside a middle to either side, where no turn is looked for.
 const BESIDE: [f64; 5] = [-0.3, -0.12, 0.0, 0.12, 0.3];
+/// Places to either side of a lay to which it is swept.
+const SWEEP: i32 = 60;
+/// Lays that are turned to see whether the part is touched as well, and parts of a turn.
+const CHALLENGED: usize = 2;
+const TWELFTHS: u32 = 12;
+/// Lays that are swept on the mesh.
+const SWEPT: usize = 8;
+/// Most dips of a sweep that are gone down.
+const DIPS: usize = 4;
 /// Share of the places that a guess is measured by, the nearest: approach and retract are off.
 const MEASURED: f64 = 0.9;
 
@@ -43,11 +52,16 @@ pub(super) struct Search<'a> {
 }
 
 /// How one stage of the search goes.
+#[derive(Clone, Copy)]
 struct Sieve<'a> {
     field: &'a dyn Field,
     places: &'a [Place],
     /// See [`Task::huber_mm`].
     huber_mm: f64,
+    /// See [`Task::most_mm`].
+    most_mm: f64,
+    /// Steps with nothing left out, and those after them.
+    rough_steps: usize,
     steps: usize,
     /// How many lays are kept.
     keep: usize,
@@ -88,20 +102,39 @@ impl Search<'_> {
             field,
             places,
             huber_mm,
+            most_mm: f64::INFINITY,
+            rough_steps: 0,
             steps,
             keep,
             same_mm,
             free_radius: false,
         };
-        let first = sieve(&grid as &dyn Field, &few[..], 0.5 * step, 8, 96, 0.4 * step);
+        let first = sieve(&grid as &dyn Field, &few[..], 0.5 * step, 4, 96, 0.4 * step);
+        let first = Sieve { most_mm: 2.0 * step, rough_steps: 8, ..first };
         let mut lays = Vec::new();
         for tip in &self.words {
             lays.extend(self.sieved(&first, self.guesses(&few, *tip))?);
         }
+        let on_grid = Sieve { most_mm: step, ..sieve(&grid, &some, 0.15 * step, 20, 48, 0.2 * step) };
+        lays = self.sieved(&on_grid, lays)?;
+        let swept: Vec<Lay> = lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect();
+        lays.extend(swept);
+        let on_mesh = Sieve { most_mm: 0.5 * step, ..sieve(&mesh, &some, 0.03 * step, 15, 20, 0.1 * step) };
+        lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
+        // Grooves and fillets are narrower than cells of the grid.
+        let rough = Sieve { places: &few, ..on_mesh };
+        let swept: Vec<Lay> = lays.par_iter().take(SWEPT).flat_map_iter(|lay| self.swept(&rough, lay)).collect();
+        lays.extend(swept);
+        lays = self.sieved(&on_mesh, lays)?;
+        let turned: Vec<Lay> = lays.iter().take(CHALLENGED).flat_map(|lay| self.turned(&few, lay)).collect();
+        lays.extend(self.sieved(&rough, turned)?);
         let stages = [
-            sieve(&grid, &some, 0.15 * step, 20, 48, 0.2 * step),
-            sieve(&mesh, &some, 0.03 * step, 15, 20, 0.1 * step),
-            Sieve { free_radius: self.free_radius, ..sieve(&exact, &more, 0.01 * step, 20, 10, 0.05 * step) },
+            on_mesh,
+            Sieve {
+                free_radius: self.free_radius,
+                most_mm: 0.3 * step,
+                ..sieve(&exact, &more, 0.01 * step, 20, 10, 0.05 * step)
+            },
         ];
         for stage in &stages {
             lays = self.sieved(stage, lays)?;
@@ -122,8 +155,10 @@ impl Search<'_> {
     /// Goes down from each of some lays; the best of those that differ.
     fn sieved(&self, sieve: &Sieve, lays: Vec<Lay>) -> Result<Vec<Lay>> {
         self.observer.check(Stage::Verify)?;
-        let task = self.task(sieve.field, sieve.places, sieve.huber_mm, sieve.free_radius);
-        let mut ended: Vec<(Lay, f64)> = lays.into_par_iter().map(|lay| task.descend(&lay, sieve.steps)).collect();
+        let rough = self.task(sieve.field, sieve.places, sieve.huber_mm, sieve.free_radius);
+        let task = Task { most_mm: sieve.most_mm, ..rough };
+        let down = |lay: Lay| task.descend(&rough.descend(&lay, sieve.rough_steps).0, sieve.steps);
+        let mut ended: Vec<(Lay, f64)> = lays.into_par_iter().map(down).collect();
         ended.retain(|e| e.1.is_finite());
         ended.sort_by(|a, b| a.1.total_cmp(&b.1));
         let probe = self.probe();
@@ -137,6 +172,59 @@ impl Search<'_> {
             }
         }
         Ok(out)
+    }
+
+    /// The lay moved along a valley to where it fits better again: along the blade axis, about it,
+    /// and in the direction that is determined least. Walls that are drawn along an axis let a
+    /// program slide, and say nothing of which way.
+    fn swept(&self, sieve: &Sieve, lay: &Lay) -> Vec<Lay> {
+        let mut task = self.task(sieve.field, sieve.places, sieve.huber_mm, false);
+        task.most_mm = sieve.most_mm;
+        let (normal, _) = task.normal(&task.residuals(lay));
+        let (size, most) = (2.0 * self.size_mm(), std::f64::consts::PI * self.size_mm());
+        let mut ways: Vec<(Change, f64)> = vec![(weakest(&normal, &task.free), 0.5 * size)];
+        if self.places.in_axes {
+            ways.extend((0..3).map(|k| (unit(k), 0.5 * size)));
+        } else {
+            ways.push((unit(0), size));
+        }
+        if self.places.turns {
+            ways.push((unit(3), most));
+        }
+        let mut out = Vec::new();
+        for (way, reach) in ways {
+            let at = |k: i32| task.changed(lay, &(way * (reach * f64::from(k) / f64::from(SWEEP))));
+            let tried: Vec<(Lay, f64)> = (-SWEEP..=SWEEP).map(|k| at(k)).map(|lay| (lay, task.cost_at(&lay))).collect();
+            let mut dips: Vec<&(Lay, f64)> =
+                tried.windows(3).filter(|w| w[1].1 < w[0].1 && w[1].1 <= w[2].1).map(|w| &w[1]).collect();
+            dips.sort_by(|a, b| a.1.total_cmp(&b.1));
+            out.extend(dips.into_iter().take(DIPS).map(|d| d.0));
+        }
+        out
+    }
+
+    /// The lay turned about its own axes and those of the blade: how a part that is symmetric, or
+    /// nearly so, is touched as well.
+    fn turned(&self, places: &[Place], lay: &Lay) -> Vec<Lay> {
+        if !self.places.turns {
+            return Vec::new();
+        }
+        let points: Vec<(Point, f64)> = places.iter().map(|p| (p.centre(lay), 1.0)).collect();
+        let Some((middle, scatter)) = moments(&points) else { return Vec::new() };
+        let own = axes_of(&scatter);
+        let units = [Vector::x(), Vector::y(), Vector::z()];
+        let axes = units.into_iter().chain(units.into_iter().map(|u| own * u));
+        let about = |pivot: Point| {
+            let (there, back) = (Rigid::from_parts(pivot.coords.into(), Turn::identity()), -pivot.coords);
+            let back = Rigid::from_parts(back.into(), Turn::identity());
+            axes.clone().flat_map(move |axis| {
+                (1..TWELFTHS).map(move |k| {
+                    let angle = std::f64::consts::TAU * f64::from(k) / f64::from(TWELFTHS);
+                    Lay { frame: there * Rigid::rotation(axis * angle) * back * lay.frame, ..*lay }
+                })
+            })
+        };
+        about(middle).chain(about(Point::origin())).collect()
     }
 
     /// First guesses: the middle of the places on middles of the part, turned in all ways.
@@ -163,6 +251,20 @@ impl Search<'_> {
         };
         middles.iter().flat_map(guess).collect()
     }
+}
+
+/// A change of one unknown.
+fn unit(k: usize) -> Change {
+    Change::from_fn(|i, _| if i == k { 1.0 } else { 0.0 })
+}
+
+/// The direction that is determined least.
+fn weakest(normal: &Normal, free: &[bool; UNKNOWNS]) -> Change {
+    let mut held = *normal;
+    let most = normal.trace().max(1e-9);
+    (0..UNKNOWNS).filter(|k| !free[*k]).for_each(|k| held[(k, k)] = most);
+    let found = held.symmetric_eigen();
+    found.eigenvectors.column(found.eigenvalues.imin()).into_owned()
 }
 
 /// Root mean square of the residuals of the nearest places, mm.

@@ -93,6 +93,11 @@ impl Task<'_> {
         sum / residuals.len().max(1) as f64
     }
 
+    /// Mean cost of a lay, mm².
+    pub fn cost_at(&self, lay: &Lay) -> f64 {
+        self.cost(&self.residuals(lay))
+    }
+
     /// Mean of `slope slopeᵀ` and of `slope · residual`, by weight.
     pub fn normal(&self, residuals: &[Option<Residual>]) -> (Normal, Change) {
         let (mut normal, mut right) = (Normal::zeros(), Change::zeros());
