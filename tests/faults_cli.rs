@@ -190,3 +190,75 @@ fn programs_of_a_run_are_compared_with_its_plan() {
     let (code, said) = shop.judged("theirs.tap", &own, &["--post-file", "mine.toml"]);
     assert_eq!(code, Some(0), "{said}");
 }
+
+/// A program in the frame of somebody else comes back to the part; what has no single frame is
+/// refused with exit code 3.
+#[test]
+fn the_frame_of_a_program_is_found() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let model = root().join("models/steam_root.step").display().to_string();
+    let set = ["--set", "path.scallop_mm=0.2", "--set", "post.control=[\"siemens-vector\",\"iso\"]"];
+    let plan = ["--quiet", "plan", &model, "-o", "run"];
+    let out = bladewright(&[&plan[..], &set].concat(), dir.path());
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    // Turned by 90 degrees about z, then by 36.87 about x, and shifted.
+    let turned = |[x, y, z]: [f64; 3]| [-y, 0.8 * x - 0.6 * z, 0.6 * x + 0.8 * z];
+    let moved = |line: &str| {
+        let Some(p) = point(line) else { return format!("{line}\n") };
+        let [x, y, z] = turned(p);
+        let line = with_point(line, [x + 310.0, y - 45.5, z + 12.25]);
+        let axis: Vec<f64> = line.split(' ').filter_map(|w| w.split_once("3=")?.1.parse().ok()).collect();
+        let Ok(axis) = <[f64; 3]>::try_from(axis) else { return line + "\n" };
+        let axis = turned(axis);
+        let word = |w: &str| match w.split_once("3=").and_then(|w| "ABC".find(w.0)) {
+            Some(k) => format!("{}3={:.8}", &w[..1], axis[k]),
+            None => w.to_owned(),
+        };
+        line.split(' ').map(word).collect::<Vec<_>>().join(" ") + "\n"
+    };
+    let text = std::fs::read_to_string(dir.path().join("run/program.vector.mpf")).expect("readable");
+    std::fs::write(dir.path().join("moved.mpf"), text.lines().map(moved).collect::<String>()).expect("writable");
+    let fit = |program: &str, part: &str, more: &[&str]| {
+        let args = ["verify", program, "--part", part, "--tool", "run/job.resolved.toml", "--fit"];
+        let out = bladewright(&[&args[..], more].concat(), dir.path());
+        let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        (out.status.code(), said)
+    };
+    let (code, said) = fit("moved.mpf", &model, &["--report", "found.json"]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("X Y Z are tool tips, found by trying both"), "{said}");
+    let found = std::fs::read_to_string(dir.path().join("found.json")).expect("a report");
+    let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
+    // The inverse of the motion: the place of the program's zero, and its turn about z by -90
+    // degrees after one about x by -36.87.
+    let zero: Vec<f64> = (0..3).map(|i| found["fit"]["translation_mm"][i].as_f64().expect("a number")).collect();
+    let there = [-(0.8 * -45.5 + 0.6 * 12.25), 310.0, -(-0.6 * -45.5 + 0.8 * 12.25)];
+    assert!(zero.iter().zip(there).all(|(a, b)| (a - b).abs() < 0.002), "{zero:?} {there:?}");
+    let turns: Vec<f64> = (0..3).map(|i| found["fit"]["turns_deg"][i].as_f64().expect("a number")).collect();
+    let wanted = [-(0.6f64.atan2(0.8).to_degrees()), 0.0, -90.0];
+    assert!(turns.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 0.001), "{turns:?} {wanted:?}");
+    // In positions of the axes the work offset is found.
+    let iso = std::fs::read_to_string(dir.path().join("run/program.iso.nc")).expect("readable");
+    let shift = |w: &str| match w
+        .chars()
+        .next()
+        .and_then(|c| "XYZ".find(c))
+        .zip(w.get(1..).and_then(|v| v.parse::<f64>().ok()))
+    {
+        Some((k, v)) => format!("{}{:.5}", &w[..1], v + [-400.0, 3.5, -61.0][k]),
+        None => w.to_owned(),
+    };
+    let shifted = |line: &str| match line.contains("G53") || line.starts_with('(') {
+        true => format!("{line}\n"),
+        false => line.split(' ').map(shift).collect::<Vec<_>>().join(" ") + "\n",
+    };
+    std::fs::write(dir.path().join("moved.nc"), iso.lines().map(shifted).collect::<String>()).expect("writable");
+    let (code, said) = fit("moved.nc", &model, &[]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("added to X Y Z: 400.00") || said.contains("added to X Y Z: 399.99"), "{said}");
+    // Another part, and two ways to say where it is.
+    let other = root().join("models/prism.step").display().to_string();
+    let (code, said) = fit("moved.mpf", &other, &[]);
+    assert!(code == Some(3) && said.contains("no frame lays the program over the part"), "{said}");
+    assert_eq!(fit("moved.mpf", &model, &["--cad"]).0, Some(2));
+}

@@ -69,7 +69,7 @@ pub enum Verb {
     Batch(Batch),
     /// Check a finished run again from its files, or a program that others wrote.
     #[command(
-        after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify both.mpf --part blade.step --tool out/airfoil/job.resolved.toml --tool out/fillet/job.resolved.toml\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json"
+        after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify both.mpf --part blade.step --tool out/airfoil/job.resolved.toml --tool out/fillet/job.resolved.toml\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json\n  bladewright verify theirs.apt --part blade.step --tool ball6.toml --fit"
     )]
     Verify(Verify),
     /// Write the NC program of a finished run for a control, or of several runs as operations of
@@ -509,6 +509,11 @@ pub struct Verify {
     /// blade axis).
     #[arg(long, requires = "part", conflicts_with = "origin")]
     pub cad: bool,
+    /// Find where the program lies over the part, from where its balls touch it: frame (or work
+    /// offset), and whether X Y Z are tips or ball centres where nothing says it. Exit
+    /// code 3 where no frame fits, or more than one.
+    #[arg(long, requires = "part", conflicts_with_all = ["origin", "cad"])]
+    pub fit: bool,
     /// Greatest scallop, mm; without it the scallop is measured, not judged.
     #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
     pub scallop: Option<f64>,

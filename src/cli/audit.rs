@@ -5,7 +5,7 @@ use std::path::Path;
 use super::args::Verify;
 use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
-use super::{again, inspect};
+use super::{again, fit, inspect};
 use crate::artifact::program::Language;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
@@ -44,7 +44,9 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         let [x, y, z] = origin;
         let cad = if args.cad { blade.model_from_blade.inverse() } else { Rigid::translation(x, y, z) };
         let zero = Zero { blade_from_program: cad, axes_mm: origin };
-        let benches: Vec<Bench> = tools.iter().map(|tool| Bench { language, zero, tool, machine: &machine }).collect();
+        let mut benches: Vec<Bench> =
+            tools.iter().map(|tool| Bench { language, zero, tool, machine: &machine }).collect();
+        let fit = fit::place(args, &text, &mut benches, &blade, &terminal)?;
         let options = AuditOptions {
             gouge_mm: args.gouge,
             scallop_mm: args.scallop,
@@ -63,18 +65,19 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         {
             again::write_map(file, map, &blade, args.scallop.unwrap_or(audit.scallop_p99_mm.max(0.001)))?;
         }
-        Ok(audits)
+        Ok((audits, fit))
     });
     terminal.finish();
-    let audits = audit?;
+    let (audits, fit) = audit?;
     if let Some(file) = &args.report {
-        let json = match &audits[..] {
+        let json = match &fit::Fitted::all(&audits, fit.as_ref())[..] {
             [audit] => run::json(audit)?,
             all => run::json(&all)?,
         };
         run::write_file(file, json.as_bytes())?;
     }
     sayln!("program    {}: {why}", args.what.display());
+    fit.iter().for_each(fit::tell);
     for (k, audit) in audits.iter().enumerate() {
         if audits.len() > 1 {
             sayln!("operation  {} of {}", k + 1, audits.len());

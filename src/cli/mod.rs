@@ -8,6 +8,7 @@ mod audit;
 mod batch;
 mod channel;
 mod compare;
+mod fit;
 mod help;
 mod inspect;
 mod make;

@@ -22,11 +22,10 @@ const SLABS: usize = 12;
 const BESIDE: [f64; 5] = [-0.3, -0.12, 0.0, 0.12, 0.3];
 /// Places to either side of a lay to which it is swept.
 const SWEEP: i32 = 60;
-/// Lays that are turned to see whether the part is touched as well, and parts of a turn.
-const CHALLENGED: usize = 2;
+/// Lays that are swept and turned once more, to see whether the part is touched as well.
+const CHALLENGED: usize = 4;
+/// Parts of a turn by which lays are turned.
 const TWELFTHS: u32 = 12;
-/// Lays that are swept on the mesh.
-const SWEPT: usize = 8;
 /// Most dips of a sweep that are gone down.
 const DIPS: usize = 4;
 /// Share of the places that a guess is measured by, the nearest: approach and retract are off.
@@ -71,6 +70,14 @@ struct Sieve<'a> {
     free_radius: bool,
 }
 
+impl<'a> Sieve<'a> {
+    /// Fifteen steps; all lays that differ at all are kept.
+    fn new(field: &'a dyn Field, places: &'a [Place], huber_mm: f64, most_mm: f64) -> Self {
+        let (rough_steps, steps, keep) = (0, 15, usize::MAX);
+        Sieve { field, places, huber_mm, most_mm, rough_steps, steps, keep, same_mm: 0.0, free_radius: false }
+    }
+}
+
 impl Search<'_> {
     /// Half the diagonal of the part's box, mm.
     pub fn size_mm(&self) -> f64 {
@@ -96,54 +103,40 @@ impl Search<'_> {
         let reach = self.places.all.iter().map(|p| p.radius_mm).fold(0.0, f64::max) + self.stock_mm;
         let grid = Grid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
             .ok_or_else(|| Error::usage(Stage::Verify, "the part has no surface to lay a program over"))?;
-        let (step, mesh, exact) = (grid.step_mm, Triangles(self.part), Exact(self.part));
-        let [few, some, more] = [80, 300, 400].map(|n| self.places.sampled(n));
-        let sieve = |field, places, huber_mm, steps, keep, same_mm| Sieve {
-            field,
-            places,
-            huber_mm,
-            most_mm: f64::INFINITY,
-            rough_steps: 0,
-            steps,
-            keep,
-            same_mm,
-            free_radius: false,
-        };
-        let first = sieve(&grid as &dyn Field, &few[..], 0.5 * step, 4, 96, 0.4 * step);
-        let first = Sieve { most_mm: 2.0 * step, rough_steps: 8, ..first };
-        let mut lays = Vec::new();
-        for tip in &self.words {
-            lays.extend(self.sieved(&first, self.guesses(&few, *tip))?);
-        }
-        let on_grid = Sieve { most_mm: step, ..sieve(&grid, &some, 0.15 * step, 20, 48, 0.2 * step) };
-        lays = self.sieved(&on_grid, lays)?;
-        let swept: Vec<Lay> = lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect();
-        lays.extend(swept);
-        let on_mesh = Sieve { most_mm: 0.5 * step, ..sieve(&mesh, &some, 0.03 * step, 15, 20, 0.1 * step) };
-        lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
-        // Grooves and fillets are narrower than cells of the grid.
-        let rough = Sieve { places: &few, ..on_mesh };
-        let swept: Vec<Lay> = lays.par_iter().take(SWEPT).flat_map_iter(|lay| self.swept(&rough, lay)).collect();
-        lays.extend(swept);
-        lays = self.sieved(&on_mesh, lays)?;
-        let turned: Vec<Lay> = lays.iter().take(CHALLENGED).flat_map(|lay| self.turned(&few, lay)).collect();
-        lays.extend(self.sieved(&rough, turned)?);
-        let stages = [
-            on_mesh,
-            Sieve {
-                free_radius: self.free_radius,
-                most_mm: 0.3 * step,
-                ..sieve(&exact, &more, 0.01 * step, 20, 10, 0.05 * step)
-            },
-        ];
-        for stage in &stages {
-            lays = self.sieved(stage, lays)?;
-        }
-        let task = self.task(&exact, &more, 0.01 * step, self.free_radius);
+        let (exact, more) = (Exact(self.part), self.places.sampled(400));
+        let lays = self.roughly(&grid)?;
+        let mm = grid.step_mm;
+        let last = Sieve { free_radius: self.free_radius, ..Sieve::new(&exact, &more, 0.01 * mm, 0.3 * mm) };
+        let lays = self.sieved(&Sieve { steps: 20, keep: 10, same_mm: 0.05 * mm, ..last }, lays)?;
+        let task = self.task(&exact, &more, 0.01 * mm, self.free_radius);
         let measured = |lay: Lay| Candidate { lay, rms_mm: rms_mm(&task, &lay) };
         let mut out: Vec<Candidate> = lays.into_iter().map(measured).collect();
         out.sort_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm));
         Ok(out)
+    }
+
+    /// Lays on the grid and on the mesh.
+    fn roughly(&self, grid: &Grid) -> Result<Vec<Lay>> {
+        let [few, some] = [80, 300].map(|n| self.places.sampled(n));
+        let (mesh, mm) = (Triangles(self.part), grid.step_mm);
+        let first = Sieve::new(grid, &few, 0.5 * mm, 2.0 * mm);
+        let first = Sieve { rough_steps: 8, steps: 4, keep: 96, same_mm: 0.4 * mm, ..first };
+        let on_grid = Sieve { keep: 48, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };
+        let few_on_grid = Sieve { places: &few, ..on_grid };
+        let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
+        let few_on_mesh = Sieve { places: &few, ..on_mesh };
+        let mut lays = Vec::new();
+        for tip in &self.words {
+            lays.extend(self.sieved(&first, self.guesses(&few, *tip))?);
+        }
+        lays = self.sieved(&on_grid, lays)?;
+        lays.extend(lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect::<Vec<_>>());
+        lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
+        // From where the mesh has led to, once more: grooves and fillets are narrower than cells.
+        let other = |lay: &Lay| [self.swept(&few_on_grid, lay), self.turned(&few, lay)].concat();
+        let others: Vec<Lay> = lays.par_iter().take(CHALLENGED).flat_map_iter(other).collect();
+        lays.extend(self.sieved(&few_on_mesh, self.sieved(&few_on_grid, others)?)?);
+        self.sieved(&on_mesh, lays)
     }
 
     /// A task on a field, nothing left out.
@@ -195,8 +188,11 @@ impl Search<'_> {
         for (way, reach) in ways {
             let at = |k: i32| task.changed(lay, &(way * (reach * f64::from(k) / f64::from(SWEEP))));
             let tried: Vec<(Lay, f64)> = (-SWEEP..=SWEEP).map(|k| at(k)).map(|lay| (lay, task.cost_at(&lay))).collect();
-            let mut dips: Vec<&(Lay, f64)> =
-                tried.windows(3).filter(|w| w[1].1 < w[0].1 && w[1].1 <= w[2].1).map(|w| &w[1]).collect();
+            // That in the middle is the lay itself.
+            let is_dip = |(k, w): &(usize, &[(Lay, f64)])| {
+                w[1].1 < w[0].1 && w[1].1 <= w[2].1 && k.abs_diff(SWEEP as usize - 1) > 1
+            };
+            let mut dips: Vec<&(Lay, f64)> = tried.windows(3).enumerate().filter(is_dip).map(|(_, w)| &w[1]).collect();
             dips.sort_by(|a, b| a.1.total_cmp(&b.1));
             out.extend(dips.into_iter().take(DIPS).map(|d| d.0));
         }
