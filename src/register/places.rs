@@ -275,51 +275,64 @@ fn over_part(script: &Script, benches: &[Bench], turns: bool) -> Result<Vec<Plac
     Err(failed.unwrap_or_else(|| Error::usage(Stage::Verify, "the program cannot be followed")))
 }
 
+/// The program followed in a frame, and what the control has fixed to the table.
+struct Probes {
+    base: Vec<Followed>,
+    /// Followed in the frame shifted along x, y and z, turned half about z and half about x; none
+    /// where nothing is fixed.
+    others: Vec<Vec<Followed>>,
+}
+
+impl Probes {
+    fn of(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Self> {
+        let with = |before: Rigid| followed(script, benches, zero(&(before * first), false));
+        let base = with(Rigid::identity())?;
+        let mut others = Vec::new();
+        if script.blocks.iter().any(|b| b.fixed_by.is_some()) {
+            for shift in [Vector::x(), Vector::y(), Vector::z()].map(|v| v * SHIFT_MM) {
+                others.push(with(Rigid::translation(shift.x, shift.y, shift.z))?);
+            }
+            for axis in [Vector::z(), Vector::x()] {
+                others.push(with(Rigid::rotation(axis * std::f64::consts::PI))?);
+            }
+        }
+        Ok(Probes { base, others })
+    }
+
+    /// `base` and `map` of a place, and its point in the frame; `None` where the program was followed
+    /// otherwise in other frames.
+    fn affine(&self, k: usize, point: impl Fn(&Followed) -> Point) -> Option<(Point, Matrix3, Point)> {
+        let here = point(self.base.get(k)?);
+        if self.others.is_empty() {
+            return Some((Point::origin(), Matrix3::identity(), here));
+        }
+        let there: Vec<Point> = self.others.iter().filter_map(|o| o.get(k).map(&point)).collect();
+        let [x, y, z, about_z, about_x] = there[..] else { return None };
+        let map = Matrix3::from_columns(&[x, y, z].map(|p| (p - here) / SHIFT_MM));
+        // Half a turn about z sends x and y to their opposites, one about x y and z.
+        let [by_z, by_x] = [about_z, about_x].map(|p| 0.5 * (map.transpose() * (here - p)));
+        let over = Point::new(by_z.x, by_z.y, by_x.z);
+        Some((here - map * over.coords, map, over))
+    }
+}
+
 fn places_in(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Vec<Place>> {
-    let with = |frame: &Rigid| followed(script, benches, zero(frame, false));
-    let base = with(first)?;
-    let fixed = script.blocks.iter().any(|b| b.fixed_by.is_some());
-    let others = if fixed {
-        let shifts = [Vector::x(), Vector::y(), Vector::z()].map(|v| v * SHIFT_MM);
-        let mut out = Vec::new();
-        for s in shifts {
-            out.push(with(&(Rigid::translation(s.x, s.y, s.z) * first))?);
-        }
-        for half in [Vector::z(), Vector::x()] {
-            out.push(with(&(Rigid::rotation(half * std::f64::consts::PI) * first))?);
-        }
-        out
-    } else {
-        Vec::new()
-    };
-    let carried = carried(&script.blocks);
+    let probes = Probes::of(script, benches, first)?;
+    let (carried, back) = (carried(&script.blocks), first.inverse());
     let mut way = Way::default();
     let place = |(k, f): (usize, &Followed)| {
         let bench = benches.get(f.tool)?;
-        let linear = bench.machine.linear();
         if f.moved.words == Programmed::Machine {
             return None;
         }
+        let linear = bench.machine.linear();
         let point = |f: &Followed| {
             let at = f.moved.at(f.share);
             Point::from(linear.map(|i| at[i]))
         };
-        let here = point(f);
-        let (map, base, over) = match &others[..] {
-            [] => (Matrix3::identity(), Point::origin(), here),
-            others => {
-                let there: Vec<Point> = others.iter().filter_map(|o| o.get(k).map(point)).collect();
-                let [x, y, z, about_z, about_x] = there[..] else { return None };
-                let map = Matrix3::from_columns(&[x, y, z].map(|p| (p - here) / SHIFT_MM));
-                // Half a turn about Z sends x and y to their opposites, one about X y and z.
-                let [by_z, by_x] = [about_z, about_x].map(|p| 0.5 * (map.transpose() * (here - p)));
-                let over = Point::new(by_z.x, by_z.y, by_x.z);
-                (map, here - map * over.coords, over)
-            }
-        };
+        let (base, map, over) = probes.affine(k, point)?;
         let axis = bench.machine.axis_at(&f.moved.at(f.share));
         let carried = carried.get(f.moved.block).copied().unwrap_or(false);
-        let back = first.inverse();
         Some(Place {
             tool: f.tool,
             radius_mm: bench.tool.radius_mm,
@@ -329,10 +342,10 @@ fn places_in(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Vec<Pl
             axis: if carried { back.rotation * (map.transpose() * axis) } else { axis },
             carried,
             over_part: true,
-            way_mm: way.to(&here),
+            way_mm: way.to(&point(f)),
         })
     };
-    Ok(base.iter().enumerate().filter_map(place).collect())
+    Ok(probes.base.iter().enumerate().filter_map(place).collect())
 }
 
 /// Whether a program leaves it open if its points are tips or ball centres.

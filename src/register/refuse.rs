@@ -2,7 +2,7 @@
 
 use super::FitOptions;
 use super::field::Exact;
-use super::judge::{Contest, Determined, Touch, direction, many, polished, summed};
+use super::judge::{Contest, Determined, Touch, determined, direction, many, polished, summed};
 use super::places::{Lay, Place};
 use super::search::{Candidate, Search};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -44,8 +44,10 @@ fn fits_scaled(search: &Search, scale: f64, options: &FitOptions) -> bool {
     let Ok(found) = scaled.run() else { return false };
     let many = many(&places);
     found.first().is_some_and(|best| {
-        let (lay, _) = polished(&scaled, &many, &best.lay);
-        fits(&scaled, &many, &lay, options)
+        let (lay, huber_mm) = polished(&scaled, &many, &best.lay);
+        // What is small enough fits anywhere: the place must be determined, too.
+        let determined = determined(&scaled, &many, &lay, huber_mm, options.condition);
+        fits(&scaled, &many, &lay, options) && loose(&determined, options).is_ok()
     })
 }
 

@@ -104,10 +104,13 @@ impl Search<'_> {
         let grid = Grid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
             .ok_or_else(|| Error::usage(Stage::Verify, "the part has no surface to lay a program over"))?;
         let (exact, more) = (Exact(self.part), self.places.sampled(400));
-        let lays = self.roughly(&grid)?;
+        let mut lays = Vec::new();
+        for tip in &self.words {
+            lays.extend(self.roughly(&grid, *tip)?);
+        }
         let mm = grid.step_mm;
         let last = Sieve { free_radius: self.free_radius, ..Sieve::new(&exact, &more, 0.01 * mm, 0.3 * mm) };
-        let lays = self.sieved(&Sieve { steps: 20, keep: 10, same_mm: 0.05 * mm, ..last }, lays)?;
+        let lays = self.sieved(&Sieve { steps: 20, keep: 12, same_mm: 0.05 * mm, ..last }, lays)?;
         let task = self.task(&exact, &more, 0.01 * mm, self.free_radius);
         let measured = |lay: Lay| Candidate { lay, rms_mm: rms_mm(&task, &lay) };
         let mut out: Vec<Candidate> = lays.into_iter().map(measured).collect();
@@ -115,21 +118,17 @@ impl Search<'_> {
         Ok(out)
     }
 
-    /// Lays on the grid and on the mesh.
-    fn roughly(&self, grid: &Grid) -> Result<Vec<Lay>> {
+    /// Lays on the grid and on the mesh, points being tips or centres.
+    fn roughly(&self, grid: &Grid, tip: bool) -> Result<Vec<Lay>> {
         let [few, some] = [80, 300].map(|n| self.places.sampled(n));
         let (mesh, mm) = (Triangles(self.part), grid.step_mm);
         let first = Sieve::new(grid, &few, 0.5 * mm, 2.0 * mm);
-        let first = Sieve { rough_steps: 8, steps: 4, keep: 96, same_mm: 0.4 * mm, ..first };
+        let first = Sieve { rough_steps: 8, steps: 4, keep: 160, same_mm: 0.4 * mm, ..first };
         let on_grid = Sieve { keep: 48, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };
         let few_on_grid = Sieve { places: &few, ..on_grid };
         let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
         let few_on_mesh = Sieve { places: &few, ..on_mesh };
-        let mut lays = Vec::new();
-        for tip in &self.words {
-            lays.extend(self.sieved(&first, self.guesses(&few, *tip))?);
-        }
-        lays = self.sieved(&on_grid, lays)?;
+        let mut lays = self.sieved(&on_grid, self.sieved(&first, self.guesses(&few, tip))?)?;
         lays.extend(lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect::<Vec<_>>());
         lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
         // From where the mesh has led to, once more: grooves and fillets are narrower than cells.
@@ -150,7 +149,10 @@ impl Search<'_> {
         self.observer.check(Stage::Verify)?;
         let rough = self.task(sieve.field, sieve.places, sieve.huber_mm, sieve.free_radius);
         let task = Task { most_mm: sieve.most_mm, ..rough };
-        let down = |lay: Lay| task.descend(&rough.descend(&lay, sieve.rough_steps).0, sieve.steps);
+        let down = |lay: Lay| {
+            let (lay, _) = task.descend(&rough.descend(&lay, sieve.rough_steps).0, sieve.steps);
+            (lay, task.nearest_cost(&lay, MEASURED))
+        };
         let mut ended: Vec<(Lay, f64)> = lays.into_par_iter().map(down).collect();
         ended.retain(|e| e.1.is_finite());
         ended.sort_by(|a, b| a.1.total_cmp(&b.1));

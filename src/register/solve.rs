@@ -98,6 +98,16 @@ impl Task<'_> {
         self.cost(&self.residuals(lay))
     }
 
+    /// Mean cost of a share of the places, the nearest, mm².
+    pub fn nearest_cost(&self, lay: &Lay, share: f64) -> f64 {
+        let residuals = self.residuals(lay);
+        let cost = |r: &Option<Residual>| r.map_or(f64::INFINITY, |r| self.robust(r.off_mm).0);
+        let mut costs: Vec<f64> = residuals.iter().map(cost).collect();
+        costs.sort_by(f64::total_cmp);
+        costs.truncate(((costs.len() as f64 * share) as usize).max(1));
+        costs.iter().sum::<f64>() / costs.len().max(1) as f64
+    }
+
     /// Mean of `slope slopeᵀ` and of `slope · residual`, by weight.
     pub fn normal(&self, residuals: &[Option<Residual>]) -> (Normal, Change) {
         let (mut normal, mut right) = (Normal::zeros(), Change::zeros());
