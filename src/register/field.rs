@@ -23,7 +23,10 @@ pub(super) trait Field: Sync {
 pub(super) struct Exact<'a>(pub &'a Part);
 
 /// The part's triangles.
-pub(super) struct Triangles<'a>(pub &'a Part);
+pub(super) struct Triangles<'a> {
+    part: &'a Part,
+    bounds: Aabb,
+}
 
 impl Field for Exact<'_> {
     fn at(&self, q: &Point) -> Option<Distance> {
@@ -32,14 +35,28 @@ impl Field for Exact<'_> {
     }
 }
 
-impl Field for Triangles<'_> {
-    fn at(&self, q: &Point) -> Option<Distance> {
-        let near = self.0.closest_on_mesh(q, f64::INFINITY)?;
-        let inside = || match self.0.bvh.winding(&self.0.mesh, q) {
-            Some(turns) => turns > 0,
-            None => (q - near.point).dot(&near.normal) < 0.0,
+impl<'a> Triangles<'a> {
+    pub fn new(part: &'a Part) -> Self {
+        let none = Aabb { min: Point::origin(), max: Point::origin() };
+        Triangles { part, bounds: part.mesh.aabb().unwrap_or(none) }
+    }
+
+    /// The distance, where it is not greater.
+    fn within(&self, q: &Point, most_mm: f64) -> Option<Distance> {
+        let (part, Aabb { min, max }) = (self.part, self.bounds);
+        let near = part.closest_on_mesh(q, most_mm)?;
+        let inside = || {
+            let bounded = (0..3).all(|i| (min[i]..=max[i]).contains(&q[i]));
+            bounded
+                && part.bvh.winding(&part.mesh, q).map_or((q - near.point).dot(&near.normal) < 0.0, |turns| turns > 0)
         };
         Some(signed(q, &near, inside))
+    }
+}
+
+impl Field for Triangles<'_> {
+    fn at(&self, q: &Point) -> Option<Distance> {
+        self.within(q, f64::INFINITY)
     }
 }
 
@@ -75,13 +92,21 @@ impl Grid {
             return None;
         }
         let count = [size.x, size.y, size.z].map(|s| (s / step_mm).ceil() as usize + 2);
-        let [nx, ny, _] = count;
-        let mesh = Triangles(part);
-        let node = |k: usize| {
-            let at = Vector::new((k % nx) as f64, (k / nx % ny) as f64, (k / nx / ny) as f64);
-            mesh.at(&(min + at * step_mm)).map_or(f32::NAN, |d| d.0 as f32)
+        let [nx, ny, nz] = count;
+        let mesh = &Triangles::new(part);
+        let row = |k: usize| {
+            let start = min + Vector::new(0.0, (k % ny) as f64, (k / ny) as f64) * step_mm;
+            // No node is farther from the part than the one before it and the step between them.
+            let mut most_mm = f64::INFINITY;
+            let node = move |i: usize| {
+                let q = start + Vector::x() * (i as f64 * step_mm);
+                let (d, _) = mesh.within(&q, most_mm)?;
+                most_mm = d.abs() + 1.001 * step_mm;
+                Some(d as f32)
+            };
+            (0..nx).map(node).map(|d| d.unwrap_or(f32::NAN)).collect::<Vec<_>>()
         };
-        let distance_mm = (0..count.iter().product::<usize>()).into_par_iter().map(node).collect();
+        let distance_mm = (0..ny * nz).into_par_iter().flat_map_iter(row).collect();
         Some(Grid { min, step_mm, count, distance_mm })
     }
 

@@ -210,7 +210,7 @@ pub(super) fn direction(v: &Vector) -> String {
 /// Share of the places at the part in which the shaft passes through it. The shaft is taken half as
 /// thick as it is, so that a gouge counts as none.
 pub(super) fn passing_share(search: &Search, tools: &[&Tool], places: &[Place], lay: &Lay) -> f64 {
-    let mesh = Triangles(search.part);
+    let mesh = Triangles::new(search.part);
     let passes = |place: &Place| {
         let tool = tools.get(place.tool)?;
         let (centre, axis) = (place.centre(lay), place.axis(lay));

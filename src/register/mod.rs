@@ -43,7 +43,7 @@ use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 use crate::read::program::{self, Bench, Script, Zero};
 use crate::tool::Tool;
-use places::{Lay, Places};
+use places::Places;
 use search::Search;
 
 /// What is asked of a fit.

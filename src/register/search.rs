@@ -103,14 +103,14 @@ impl Search<'_> {
         let reach = self.places.all.iter().map(|p| p.radius_mm).fold(0.0, f64::max) + self.stock_mm;
         let grid = Grid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
             .ok_or_else(|| Error::usage(Stage::Verify, "the part has no surface to lay a program over"))?;
-        let (exact, more) = (Exact(self.part), self.places.sampled(400));
+        let (exact, more) = (Exact(self.part), self.places.sampled(300));
         let mut lays = Vec::new();
         for tip in &self.words {
             lays.extend(self.roughly(&grid, *tip)?);
         }
         let mm = grid.step_mm;
         let last = Sieve { free_radius: self.free_radius, ..Sieve::new(&exact, &more, 0.01 * mm, 0.3 * mm) };
-        let lays = self.sieved(&Sieve { steps: 20, keep: 12, same_mm: 0.05 * mm, ..last }, lays)?;
+        let lays = self.sieved(&Sieve { steps: 10, keep: 12, same_mm: 0.05 * mm, ..last }, lays)?;
         let task = self.task(&exact, &more, 0.01 * mm, self.free_radius);
         let measured = |lay: Lay| Candidate { lay, rms_mm: rms_mm(&task, &lay) };
         let mut out: Vec<Candidate> = lays.into_iter().map(measured).collect();
@@ -121,10 +121,10 @@ impl Search<'_> {
     /// Lays on the grid and on the mesh, points being tips or centres.
     fn roughly(&self, grid: &Grid, tip: bool) -> Result<Vec<Lay>> {
         let [few, some] = [80, 300].map(|n| self.places.sampled(n));
-        let (mesh, mm) = (Triangles(self.part), grid.step_mm);
+        let (mesh, mm) = (Triangles::new(self.part), grid.step_mm);
         let first = Sieve::new(grid, &few, 0.5 * mm, 2.0 * mm);
         let first = Sieve { rough_steps: 8, steps: 4, keep: 160, same_mm: 0.4 * mm, ..first };
-        let on_grid = Sieve { keep: 48, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };
+        let on_grid = Sieve { keep: 32, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };
         let few_on_grid = Sieve { places: &few, ..on_grid };
         let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
         let few_on_mesh = Sieve { places: &few, ..on_mesh };
@@ -135,7 +135,7 @@ impl Search<'_> {
         let other = |lay: &Lay| [self.swept(&few_on_grid, lay), self.turned(&few, lay)].concat();
         let others: Vec<Lay> = lays.par_iter().take(CHALLENGED).flat_map_iter(other).collect();
         lays.extend(self.sieved(&few_on_mesh, self.sieved(&few_on_grid, others)?)?);
-        self.sieved(&on_mesh, lays)
+        self.sieved(&Sieve { keep: 8, ..on_mesh }, lays)
     }
 
     /// A task on a field, nothing left out.

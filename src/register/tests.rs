@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use super::places::{followed, zero};
+use super::places::{Lay, followed, zero};
 use super::solve::{Change, Task, UNKNOWNS};
 use super::*;
 use crate::artifact::program::Grammar;
