@@ -1,4 +1,5 @@
-//! Signed distances to the part with their gradients: exact, to the mesh, and interpolated on a grid.
+//! Signed distances to the part with their gradients: exact, to the mesh, and interpolated on a
+//! grid.
 
 use rayon::prelude::*;
 

@@ -4,23 +4,23 @@
 //! not looked at), the [`Blade`]. **Out**: a [`Fit`], whose [`Fit::zero`] the benches of
 //! [`crate::verify::audit`](mod@crate::verify::audit) take as it is.
 //!
-//! **Formulation**: a cutter with a ball end of radius `R` that leaves the stock `h` touches the part
-//! where the distance `d` of its ball centre is `R + h`. Looked for is the rigid motion `T` with the
-//! least `Σ φ(d(T Qᵢ) − R − h)` over the ends `Qᵢ` of the feed moves, `φ` being Huber's function.
-//! Programs in positions of the machine's axes have three unknowns, the work offset; so have programs
-//! in tilted planes, whose frame the machine must meet. Whether X Y Z are tips or ball centres is
-//! tried both ways where nobody says it.
+//! **Formulation**: a cutter with a ball end of radius `R` that leaves the stock `h` touches the
+//! part where the distance `d` of its ball centre is `R + h`. Looked for is the rigid motion `T`
+//! with the least `Σ φ(d(T Qᵢ) − R − h)` over the ends `Qᵢ` of the feed moves, `φ` being Huber's
+//! function. Programs in positions of the machine's axes have three unknowns, the work offset; so
+//! have programs in tilted planes, whose frame the machine must meet. Whether X Y Z are tips or
+//! ball centres is tried both ways where nobody says it.
 //!
-//! **Method**: some ten thousand first guesses (the places' middle on middles of the part's slabs, in
-//! turns spread over all of them and along principal axes), each brought down by Levenberg and
+//! **Method**: some ten thousand first guesses (the places' middle on middles of the part's slabs,
+//! in turns spread over all of them and along principal axes), each brought down by Levenberg and
 //! Marquardt's method on a grid of distances; the best of those that differ go on to the mesh, the
-//! best of these to the exact faces. A solution in which the shaft passes through the part gives way
-//! to one that fits alike and in which it does not.
+//! best of these to the exact faces. A solution in which the shaft passes through the part gives
+//! way to one that fits alike and in which it does not.
 //!
-//! **Guarantees**: a frame is given only where 95 % of the feed places between the first and the last
-//! contact touch within 20 µm, followed with the frame that was found; where the normal equations say
-//! that every direction is determined; and where every other motion that was found fits five times
-//! worse. Whoever asks gets the same digits on any number of threads.
+//! **Guarantees**: a frame is given only where 95 % of the feed places between the first and the
+//! last contact touch within 20 µm, followed with the frame that was found; where the normal
+//! equations say that every direction is determined; and where every other motion that was found
+//! fits five times worse. Whoever asks gets the same digits on any number of threads.
 //!
 //! **Limits**: another frame that no first guess leads to is not seen. Where tool axes come from
 //! rotary words they are the machine's, and do not turn with the frame.
@@ -88,8 +88,8 @@ pub struct Fit {
     /// For the benches.
     #[serde(skip)]
     pub zero: Zero,
-    /// Where the program's zero is, blade frame, mm; of a program in positions of the machine's axes
-    /// what is added to its X Y Z.
+    /// Where the program's zero is, blade frame, mm; of a program in positions of the machine's
+    /// axes what is added to its X Y Z.
     pub translation_mm: [f64; 3],
     /// Turns of the program's coordinates about x, then y, then z of the blade frame, degrees.
     pub turns_deg: [f64; 3],
@@ -121,9 +121,8 @@ pub struct Fit {
 
 /// Finds the frame of a program. The language of the first bench counts for all.
 ///
-/// # Errors
-/// `Infeasible`: no frame fits, or no single one; `Usage`: the text, the tools or the part are none;
-/// `Cancelled`.
+/// # Errors `Infeasible`: no frame fits, or no single one; `Usage`: the text, the tools or the part
+/// are none; `Cancelled`.
 pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, observer: &dyn Observer) -> Result<Fit> {
     for bench in benches {
         bench.tool.validate()?;

@@ -1,9 +1,9 @@
 //! Where the tool is at a feed, as a function of the frame that is looked for.
 //!
-//! A program is followed through the machine with several zeros. Ball centres are affine in the zero
-//! that is looked for, so that few zeros give all of it: `centre = base + map · (T p) + lift`. Over
-//! the part `T` is the frame of the program and `p` the programmed point; in positions of the axes
-//! `T` is the offset, a translation, and `p` the positions of the linear axes.
+//! A program is followed through the machine with several zeros. Ball centres are affine in the
+//! zero that is looked for, so that few zeros give all of it: `centre = base + map · (T p) + lift`.
+//! Over the part `T` is the frame of the program and `p` the programmed point; in positions of the
+//! axes `T` is the offset, a translation, and `p` the positions of the linear axes.
 
 use crate::artifact::program::{Language, Programmed};
 use crate::error::{Error, Result, Stage};
@@ -299,8 +299,8 @@ impl Probes {
         Ok(Probes { base, others })
     }
 
-    /// `base` and `map` of a place, and its point in the frame; `None` where the program was followed
-    /// otherwise in other frames.
+    /// `base` and `map` of a place, and its point in the frame; `None` where the program was
+    /// followed otherwise in other frames.
     fn affine(&self, k: usize, point: impl Fn(&Followed) -> Point) -> Option<(Point, Matrix3, Point)> {
         let here = point(self.base.get(k)?);
         if self.others.is_empty() {

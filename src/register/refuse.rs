@@ -113,8 +113,8 @@ pub(super) fn alike(search: &Search, places: &[Place], contest: &Contest, option
     };
     let kind = if next.tip == lay.tip { "" } else { ", X Y Z once as tips and once as ball centres" };
     let what = format!(
-        "two frames fit alike: the second {about} moves the middle of the program by {moved_mm:.3} mm{kind}; its residual \
-         is {ratio:.1} times that of the first, it must be {} times",
+        "two frames fit alike: the second {about} moves the middle of the program by {moved_mm:.3} mm{kind}; its \
+         residual is {ratio:.1} times that of the first, it must be {} times",
         options.runner_up_ratio
     );
     let data = Infeasible::FrameAmbiguous { turned_deg, moved_mm, ratio };

@@ -28,8 +28,8 @@ fn tool(radius_mm: f64) -> Tool {
 /// A ball centre at the part, and the tool axis.
 type Contact = (Point, Vector);
 
-/// Balls that touch the part once round it for each turn, from one height to another; the axis leans
-/// off the normal.
+/// Balls that touch the part once round it for each turn, from one height to another; the axis
+/// leans off the normal.
 fn helix(blade: &Blade, radius_mm: f64, heights_mm: [f64; 2], turns: usize, per_turn: usize) -> Vec<Contact> {
     let count = turns * per_turn;
     let at = |k: usize| {
