@@ -65,8 +65,8 @@ pub fn tell(fit: &Fit) {
     match fit.programmed {
         Programmed::Machine => sayln!("frame      added to X Y Z: {x:.4}, {y:.4}, {z:.4} mm; X Y Z are {what}"),
         _ => sayln!(
-            "frame      zero at {x:.4}, {y:.4}, {z:.4} mm of the blade frame, turned by {a:.5}, {b:.5}, {c:.5} deg about \
-             x, then y, then z; X Y Z are {what}{tried}"
+            "frame      zero at {x:.4}, {y:.4}, {z:.4} mm of the blade frame, turned by {a:.5}, {b:.5}, {c:.5} deg \
+             about x, then y, then z; X Y Z are {what}{tried}"
         ),
     }
     let next = match fit.runner_up_ratio {
