@@ -189,7 +189,7 @@ impl Search<'_> {
         let mut out = Vec::new();
         for (way, reach) in ways {
             let at = |k: i32| task.changed(lay, &(way * (reach * f64::from(k) / f64::from(SWEEP))));
-            let tried: Vec<(Lay, f64)> = (-SWEEP..=SWEEP).map(|k| at(k)).map(|lay| (lay, task.cost_at(&lay))).collect();
+            let tried: Vec<(Lay, f64)> = (-SWEEP..=SWEEP).map(at).map(|lay| (lay, task.cost_at(&lay))).collect();
             // That in the middle is the lay itself.
             let is_dip = |(k, w): &(usize, &[(Lay, f64)])| {
                 w[1].1 < w[0].1 && w[1].1 <= w[2].1 && k.abs_diff(SWEEP as usize - 1) > 1
