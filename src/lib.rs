@@ -45,6 +45,7 @@ pub mod path;
 pub mod plan;
 pub mod read;
 pub mod register;
+pub mod reschedule;
 pub mod run;
 #[cfg(test)]
 pub(crate) mod sample;

@@ -18,6 +18,10 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
         "smooth", "lead", "feed", "verify", "write", "job",
     ];
+    // What a planner needs, and the planner's choice among schedules.
+    const RESCHEDULER: &[&str] = &[
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "channel", "schedule", "feed", "verify", "plan",
+    ];
     const RUNNER: &[&str] = &[
         "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
         "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
@@ -35,6 +39,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "write" => WRITER,
         // The job stands above the stages: its defaults are those of their options.
         "job" | "plan" => PLANNER,
+        "reschedule" => RESCHEDULER,
         "run" => RUNNER,
         "batch" => {
             &["numerics", "geometry", "artifact", "tool", "machine", "read", "make", "job", "run", "write", "files"]

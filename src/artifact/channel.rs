@@ -72,6 +72,34 @@ pub struct Channel {
     pub proven_at: Vec<usize>,
 }
 
+impl Channel {
+    /// The monotone channel of schedules that begin and end at given angles, rad; `None` where no
+    /// schedule that never turns back does. Where the ends leave room it is the same channel.
+    #[must_use]
+    pub fn pinned(&self, [start, end]: [f64; 2]) -> Option<Channel> {
+        let mut out = self.clone();
+        let last = out.rows.len().checked_sub(1)?;
+        let holds =
+            |row: usize, theta: f64| self.rows.get(row).is_some_and(|r| (r.hull_min..=r.hull_max).contains(&theta));
+        if !(start <= end && holds(0, start) && holds(last, end)) {
+            return None;
+        }
+        for row in &mut out.rows {
+            (row.hull_min, row.hull_max) = (row.hull_min.max(start), row.hull_max.min(end));
+        }
+        for (row, theta) in [(0, start), (last, end)] {
+            let row = out.rows.get_mut(row)?;
+            (row.hull_min, row.hull_max) = (theta, theta);
+        }
+        let width = |row: &ChannelRow| row.hull_max - row.hull_min;
+        let inner = self.rows.len().saturating_sub(2);
+        let narrowest =
+            out.rows.iter().enumerate().skip(1).take(inner).min_by(|a, b| width(a.1).total_cmp(&width(b.1)));
+        out.narrowest_row = narrowest.map_or(0, |(row, _)| row);
+        out.rows.iter().all(|row| width(row) >= 0.0).then_some(out)
+    }
+}
+
 /// Rows in files: a table of numbers, and a list of what limits them.
 mod rows {
     use std::collections::HashMap;

@@ -113,6 +113,20 @@ pub struct Schedule {
 }
 
 impl Schedule {
+    /// Angles at the locations and nothing else: for a motion along them.
+    pub fn of_angles(theta: Vec<f64>) -> Self {
+        Schedule {
+            kind: ScheduleKind::Fixed,
+            theta,
+            pieces: Vec::new(),
+            key_points: Vec::new(),
+            reversals: 0,
+            peak_rate: 0.0,
+            peak_acceleration: 0.0,
+            quality: Quality::default(),
+        }
+    }
+
     /// θ of the curve at arc length `s_mm` from the start of the whole path, rad; `None` where it has no piece.
     pub fn curve_at(&self, s_mm: f64) -> Option<f64> {
         let k = self.pieces.partition_point(|p| p[3][0] < s_mm);
@@ -127,4 +141,17 @@ impl Schedule {
         let theta = self.theta.get(row).zip(self.curve_at(s_mm));
         theta.is_some_and(|(at, curve)| (at - curve).abs() <= SAME_RAD)
     }
+}
+
+/// θ before and after at a place of a path, for plots.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ThetaRow {
+    /// Arc length from the first place, in the direction in which θ grows, mm.
+    pub s_mm: f64,
+    /// Walls of the channel, degrees.
+    pub wall_deg: [f64; 2],
+    /// Before, degrees.
+    pub before_deg: f64,
+    /// After, degrees.
+    pub after_deg: f64,
 }

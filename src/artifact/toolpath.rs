@@ -20,6 +20,10 @@ pub enum PathKind {
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
     #[default]
     ConstantScallop,
+    /// Taken from a program; no job asks for it.
+    #[serde(skip_deserializing)]
+    #[schemars(skip)]
+    Given,
 }
 
 impl PathKind {

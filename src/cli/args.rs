@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand};
 use super::words;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::{Control, Programmed};
+use crate::artifact::schedule::ScheduleKind;
 use crate::batch::Shard;
 use crate::error::Stage;
 
@@ -72,6 +73,11 @@ pub enum Verb {
         after_help = "Examples:\n  bladewright verify out/b && echo good\n  bladewright verify theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml --scallop 0.01\n  bladewright verify both.mpf --part blade.step --tool out/airfoil/job.resolved.toml --tool out/fillet/job.resolved.toml\n  bladewright verify old.nc --part blade.step --tool out/b/job.resolved.toml --origin 0,0,-120 --report findings.json\n  bladewright verify theirs.apt --part blade.step --tool ball6.toml --fit"
     )]
     Verify(Verify),
+    /// Schedule the tool axis of a program that others wrote anew, and write it back.
+    #[command(
+        after_help = "Examples:\n  bladewright reschedule theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml -o out/new\n  bladewright reschedule old.cls --part blade.step --tool out/b/job.resolved.toml --cad --schedule optimal -o out/new\n\nBall centres stay as they are; only lines that cut change. The folder gets the program under its\nown name, reschedule.json and reschedule.svg."
+    )]
+    Reschedule(Reschedule),
     /// Write the NC program of a finished run for a control, or of several runs as operations of
     /// one program.
     #[command(
@@ -472,25 +478,9 @@ pub enum BatchVerb {
     },
 }
 
-/// `verify`.
-#[derive(Debug, clap::Args)]
-pub struct Verify {
-    /// The folder of a finished run, or a program together with --part and --tool.
-    pub what: PathBuf,
-    /// The part that the program is for: a model.
-    #[arg(long, value_name = "MODEL", requires = "tool")]
-    pub part: Option<PathBuf>,
-    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder;
-    /// job.resolved.toml of a run will do. Given more than once: the tools that the program calls
-    /// (M6, TOOL CALL, LOADTL), in that order.
-    #[arg(long, value_name = "FILE", requires = "part")]
-    pub tool: Vec<PathBuf>,
-    /// The machine (TOML); default: the built-in demo machine.
-    #[arg(long, value_name = "FILE", requires = "part")]
-    pub machine: Option<PathBuf>,
-    /// How to read the model.
-    #[command(flatten)]
-    pub reading: Reading,
+/// Options that say how a program that others wrote is to be read.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Manner {
     /// The control that the program is for; default: told from its words.
     #[arg(long, value_parser = words::parser::<Control>(), requires = "part")]
     pub control: Option<Control>,
@@ -514,6 +504,74 @@ pub struct Verify {
     /// code 3 where no frame fits, or more than one.
     #[arg(long, requires = "part", conflicts_with_all = ["origin", "cad"])]
     pub fit: bool,
+}
+
+/// `reschedule`.
+#[derive(Debug, clap::Args)]
+pub struct Reschedule {
+    /// The program.
+    pub program: PathBuf,
+    /// The part that it is for: a model.
+    #[arg(long, value_name = "MODEL")]
+    pub part: PathBuf,
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder;
+    /// job.resolved.toml of a run will do.
+    #[arg(long, value_name = "FILE")]
+    pub tool: PathBuf,
+    /// The machine (TOML); default: the built-in demo machine.
+    #[arg(long, value_name = "FILE")]
+    pub machine: Option<PathBuf>,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// How to read the program.
+    #[command(flatten)]
+    pub manner: Manner,
+    /// Stock that the program leaves on the part, mm; default: what most of its lines leave.
+    #[arg(long, value_name = "MM", value_parser = parse_positive)]
+    pub stock: Option<f64>,
+    /// How θ is scheduled; default: the fastest of all kinds.
+    #[arg(long, value_parser = words::parser::<ScheduleKind>())]
+    pub schedule: Option<ScheduleKind>,
+    /// Room that taper and shank keep from the part, mm; default: as for plans.
+    #[arg(long, value_name = "MM", value_parser = parse_positive)]
+    pub clearance: Option<f64>,
+    /// Room that the holder keeps from the part, mm; default: as for plans.
+    #[arg(long, value_name = "MM", value_parser = parse_positive)]
+    pub holder_clearance: Option<f64>,
+    /// New feed of the ball centre, mm/min; default: each line keeps its own.
+    #[arg(long, value_name = "MM_MIN", value_parser = parse_positive)]
+    pub feed: Option<f64>,
+    /// Deepest gouge that the audits allow, mm.
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.003)]
+    pub gouge: f64,
+    /// Folder for the new program, the report and the plot.
+    #[arg(short, long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// `verify`.
+#[derive(Debug, clap::Args)]
+pub struct Verify {
+    /// The folder of a finished run, or a program together with --part and --tool.
+    pub what: PathBuf,
+    /// The part that the program is for: a model.
+    #[arg(long, value_name = "MODEL", requires = "tool")]
+    pub part: Option<PathBuf>,
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder;
+    /// job.resolved.toml of a run will do. Given more than once: the tools that the program calls
+    /// (M6, TOOL CALL, LOADTL), in that order.
+    #[arg(long, value_name = "FILE", requires = "part")]
+    pub tool: Vec<PathBuf>,
+    /// The machine (TOML); default: the built-in demo machine.
+    #[arg(long, value_name = "FILE", requires = "part")]
+    pub machine: Option<PathBuf>,
+    /// How to read the model.
+    #[command(flatten)]
+    pub reading: Reading,
+    /// How to read the program.
+    #[command(flatten)]
+    pub manner: Manner,
     /// Greatest scallop, mm; without it the scallop is measured, not judged.
     #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
     pub scallop: Option<f64>,

@@ -1,24 +1,16 @@
 //! `verify`: a finished run again, or a program that others wrote.
 
-use std::path::Path;
-
 use super::args::Verify;
 use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
-use super::{again, fit, inspect};
-use crate::artifact::program::Language;
+use super::{again, fit, inspect, theirs};
 use crate::error::{Error, ErrorKind, Result, Stage};
-use crate::files;
-use crate::geometry::Rigid;
 use crate::machine::Machine;
 use crate::read::model;
-use crate::read::program::{self, Bench, Zero};
+use crate::read::program::Bench;
 use crate::run::{self, inputs};
 use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
-use crate::write::post::Dialect;
 
-/// Largest program, bytes: what is larger is none.
-const MAX_BYTES: u64 = 1 << 30;
 /// Spans of lines that are printed for one check; all are in the report.
 const TOLD_SPANS: usize = 5;
 
@@ -33,20 +25,17 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         let map = args.map.as_deref().map(|file| (file, args.map_tolerance));
         return again::verify(&args.what, map, quiet);
     };
-    let text = text(&args.what)?;
-    let (language, why) = language(args, &text)?;
+    let text = theirs::text(&args.what)?;
+    let (language, why) = theirs::language(&args.what, &args.manner, &text)?;
     let tools = args.tool.iter().map(|t| inputs::tool(t)).collect::<Result<Vec<_>>>()?;
     let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
     let audit = blade.and_then(|blade| {
-        let origin = args.origin.map_or([0.0; 3], |o| o.0);
-        let [x, y, z] = origin;
-        let cad = if args.cad { blade.model_from_blade.inverse() } else { Rigid::translation(x, y, z) };
-        let zero = Zero { blade_from_program: cad, axes_mm: origin };
+        let zero = theirs::zero(&args.manner, &blade);
         let mut benches: Vec<Bench> =
             tools.iter().map(|tool| Bench { language, zero, tool, machine: &machine }).collect();
-        let fit = fit::place(args, &text, &mut benches, &blade, &terminal)?;
+        let fit = fit::place((&args.manner, args.stock), &text, &mut benches, &blade, &terminal)?;
         let options = AuditOptions {
             gouge_mm: args.gouge,
             scallop_mm: args.scallop,
@@ -85,42 +74,6 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         tell(audit);
     }
     Ok(if audits.iter().all(Audit::passed) { 0 } else { ErrorKind::Findings.exit_code() })
-}
-
-/// The program's text.
-fn text(path: &Path) -> Result<String> {
-    let io = |e: std::io::Error| {
-        Error::io(Stage::Verify, format!("cannot read the program {}: {e}", path.display())).caused_by(e)
-    };
-    let bytes = files::read(path, MAX_BYTES).map_err(io)?;
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || bytes.iter().take(64).any(|b| *b == 0) {
-        let what = format!("{} is not a text of single bytes (UTF-16?)", path.display());
-        return Err(Error::usage(Stage::Verify, what).advise("save it as ASCII or UTF-8"));
-    }
-    // Comments may be in any code page; the blocks themselves are ASCII.
-    let text = String::from_utf8_lossy(model::format::without_mark(&bytes)).into_owned();
-    // Lines may end in CR alone.
-    Ok(if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n") } else { text })
-}
-
-/// How the program is to be read, and why.
-fn language(args: &Verify, text: &str) -> Result<(Language, String)> {
-    let (mut language, why) = match (&args.post_file, args.control) {
-        (Some(file), _) => (inputs::dialect(file)?.language(), format!("as {} says", file.display())),
-        (None, Some(control)) => {
-            let dialect = Dialect::built_in(control)?;
-            (dialect.language(), format!("as told: {}", dialect.name()))
-        }
-        (None, None) => {
-            let guess = program::guess(text).ok_or_else(|| {
-                Error::usage(Stage::Verify, format!("{} does not look like an NC program", args.what.display()))
-                    .advise("--control says which dialect it is")
-            })?;
-            (guess.language, guess.why.to_owned())
-        }
-    };
-    language.programmed = args.programmed.unwrap_or(language.programmed);
-    Ok((language, why))
 }
 
 /// The audit as lines.

@@ -1,6 +1,6 @@
 //! `--fit`: the frame of a program that others wrote, found and told.
 
-use super::args::Verify;
+use super::args::Manner;
 use super::out::sayln;
 use crate::artifact::Blade;
 use crate::artifact::program::Programmed;
@@ -32,17 +32,17 @@ impl<'a> Fitted<'a> {
 /// # Errors
 /// As [`register::fit`].
 pub fn place(
-    args: &Verify,
+    (manner, stock_mm): (&Manner, Option<f64>),
     text: &str,
     benches: &mut [Bench],
     blade: &Blade,
     observer: &dyn Observer,
 ) -> Result<Option<Fit>> {
-    if !args.fit {
+    if !manner.fit {
         return Ok(None);
     }
-    let stock_mm = args.stock.unwrap_or(0.0);
-    let either = args.programmed.is_none() && args.post_file.is_none();
+    let stock_mm = stock_mm.unwrap_or(0.0);
+    let either = manner.programmed.is_none() && manner.post_file.is_none();
     let options = FitOptions { stock_mm, either, ..FitOptions::default() };
     let fit = register::fit(text, benches, blade, &options, observer)?;
     for bench in benches {

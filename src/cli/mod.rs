@@ -15,7 +15,9 @@ mod make;
 mod out;
 mod plan;
 mod progress;
+mod reschedule;
 mod signals;
+mod theirs;
 mod words;
 
 use std::process::ExitCode;
@@ -70,6 +72,7 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Channel(a) => channel::run(&a, quiet),
         Verb::Advise(a) => channel::advise(&a, quiet),
         Verb::Verify(a) => audit::run(&a, quiet),
+        Verb::Reschedule(a) => reschedule::run(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),
         Verb::Preview(a) => again::preview(&a, quiet),
         Verb::Plot(a) => again::plot(&a, quiet),

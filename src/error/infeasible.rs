@@ -373,6 +373,27 @@ pub enum Infeasible {
     },
     /// There is no schedule to choose from.
     NoSchedules,
+    /// No schedule leads from one given angle to another.
+    NoScheduleBetween {
+        /// θ at the start, degrees.
+        start_deg: f64,
+        /// θ at the end, degrees.
+        end_deg: f64,
+    },
+    /// No stretch of a program is better scheduled anew.
+    NoStretchGains {
+        /// How many there are.
+        stretches: usize,
+        /// Why, of each.
+        reasons: Vec<String>,
+    },
+    /// A program scheduled anew would fail a check that the one before passes or fails less.
+    ProgramWorse {
+        /// The check, after.
+        missed: Missed,
+        /// Its worst value before; `None`: it was not judged.
+        before: Option<f64>,
+    },
     /// The tool cannot come onto the path at a turn.
     TurnNotReached {
         /// The turn, from 1.

@@ -179,18 +179,55 @@ pub fn plan_with_bound(
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, Option<f64>)> {
     let (curve, rates) = axis_curve(path, schedule, on, machine, options)?;
-    observer.check(Stage::Feed)?;
     let mut caps = caps::of_path(path, schedule, options);
     // Of the ball centre's speed; by the parameter it goes a little faster or slower.
     caps.iter_mut().zip(&rates).for_each(|(cap, rate)| *cap /= rate * rate);
-    let axes = machine.axes();
-    observer.progress(Stage::Feed, 0, path.locations.len());
+    let (motion, gap) = fastest(&curve, &caps, machine, options, observer)?;
+    Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, gap))
+}
+
+/// As [`plan`], with a greatest speed of the ball centre in each interval between locations, mm/s,
+/// in place of the programmed feed and the contact: what the lines of a program ask for.
+///
+/// # Errors
+/// As [`plan`], and where there is not one speed over 0 for each interval.
+pub fn plan_at(
+    path: &Toolpath,
+    schedule: &Schedule,
+    speeds_mm_s: &[f64],
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<AxisMotion> {
+    if speeds_mm_s.len() + 1 != path.locations.len() || speeds_mm_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
+        return Err(Error::usage(Stage::Feed, "each interval between locations needs a speed over 0"));
+    }
+    let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
+    let options = FeedOptions { limit_contact: false, ..options.with(|s| s.feed_mm_min = most_mm_min) };
+    let (curve, _) = axis_curve(path, schedule, None, machine, &options)?;
+    let mut caps = caps::of_path(path, schedule, &options);
+    caps.iter_mut().zip(speeds_mm_s).for_each(|(cap, speed)| *cap = cap.min(speed * speed));
+    fastest(&curve, &caps, machine, &options, observer).map(|(motion, _)| motion)
+}
+
+/// The fastest motion along a curve, its speed in each interval capped (mm²/s²), and within jerk
+/// what its bound leaves open.
+fn fastest(
+    curve: &AxisCurve,
+    caps: &[f64],
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<(AxisMotion, Option<f64>)> {
+    let (axes, count) = (machine.axes(), caps.len() + 1);
+    observer.check(Stage::Feed)?;
+    observer.progress(Stage::Feed, 0, count);
     if options.limit_jerk {
         let limits = jerk::Limits::from_fn(axes.len(), |k| {
             let l = axes[k].limits;
             [l.velocity, l.acceleration, l.jerk]
         });
-        let profile = jerk::fastest(&curve, &limits, options.settings.feed_mm_min / 60.0, &caps, observer);
+        let profile = jerk::fastest(curve, &limits, options.settings.feed_mm_min / 60.0, caps, observer);
         observer.check(Stage::Feed)?;
         let profile = profile.ok_or_else(|| {
             Error::usage(
@@ -198,15 +235,13 @@ pub fn plan_with_bound(
                 "the axes' positions change too abruptly along the path to be followed at any speed",
             )
         })?;
-        observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-        let motion = motion_within_jerk(&curve, &profile);
-        return Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, Some(profile.gap)));
+        observer.progress(Stage::Feed, count, count);
+        return Ok((motion_within_jerk(curve, &profile), Some(profile.gap)));
     }
     let limits: Vec<_> = axes.iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
-    let profile = topp::fastest(&curve, &limits, &caps, observer)?;
-    observer.progress(Stage::Feed, path.locations.len(), path.locations.len());
-    let motion = motion_within_acceleration(&curve, &profile);
-    Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, None))
+    let profile = topp::fastest(curve, &limits, caps, observer)?;
+    observer.progress(Stage::Feed, count, count);
+    Ok((motion_within_acceleration(curve, &profile), None))
 }
 
 /// Feeds over the lengths of the path, where its parameter is another.

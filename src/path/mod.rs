@@ -108,6 +108,7 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
         PathKind::ConstantScallop => constant_scallop::plan(blade, &level, options, start_x, observer),
+        PathKind::Given => Err(Error::usage(Stage::Path, "turns that are given are not laid")),
     }
 }
 

@@ -104,7 +104,7 @@ pub(crate) fn paced(
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.
-fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
+pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
     let optimal = |measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure));
     let kinds = [
         optimal(options.settings.measure),

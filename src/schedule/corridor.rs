@@ -30,6 +30,22 @@ impl Corridor {
         Corridor { s: self.s.clone(), lo, hi }
     }
 
+    /// Walls that were moved inwards, moved back to those that they came from over these lengths at
+    /// their ends, mm; `None`: not there.
+    pub fn eased(mut self, from: &Corridor, [first, last]: [Option<f64>; 2]) -> Corridor {
+        let (Some(s0), Some(s1)) = (self.s.first().copied(), self.s.last().copied()) else { return self };
+        for (i, s) in self.s.iter().enumerate() {
+            let share = |length: Option<f64>, way: f64| length.map_or(1.0, |l| (way / l).clamp(0.0, 1.0));
+            let share = share(first, s - s0).min(share(last, s1 - s));
+            self.lo[i] = from.lo[i] + share * (self.lo[i] - from.lo[i]);
+            self.hi[i] = from.hi[i] + share * (self.hi[i] - from.hi[i]);
+        }
+        // Walls never fall.
+        (1..self.lo.len()).for_each(|i| self.lo[i] = self.lo[i].max(self.lo[i - 1]));
+        (1..self.hi.len()).rev().for_each(|i| self.hi[i - 1] = self.hi[i - 1].min(self.hi[i]));
+        self
+    }
+
     /// Lower and upper wall at `s`; beyond the ends as at the ends.
     pub fn at(&self, s: f64) -> [f64; 2] {
         let last = self.s.len() - 1;

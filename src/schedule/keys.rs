@@ -38,11 +38,11 @@ pub(super) fn linear(walls: &Walls, stretch: &PathSpan, start: f64, end: f64) ->
     let length = |e: SpanEnd| if let SpanEnd::Level(_, l) = e { l } else { 0.0 };
     let (a, b) = (stretch.from + length(stretch.start), stretch.to - length(stretch.end));
     let mut keys = Vec::new();
-    if stretch.start != SpanEnd::Free {
+    if stretch.start.is_level() {
         keys.push([stretch.from, start]);
     }
     keys.extend(taut::string(&walls.string.between(a, b), start, end));
-    if stretch.end != SpanEnd::Free {
+    if stretch.end.is_level() {
         keys.push([stretch.to, end]);
     }
     let mut keys = gentlest(&keys, walls, stretch);
@@ -89,7 +89,7 @@ struct KeyLine {
 /// The gentlest subsequence of the key points; the ends of level stretches stay.
 fn gentlest(keys: &[PathAngle], walls: &Walls, stretch: &PathSpan) -> Vec<PathAngle> {
     let n = keys.len();
-    let level = [stretch.start != SpanEnd::Free, stretch.end != SpanEnd::Free];
+    let level = [stretch.start.is_level(), stretch.end.is_level()];
     if n < 3 {
         return keys.to_vec();
     }
@@ -163,7 +163,7 @@ fn visible(keys: &[PathAngle], from: usize, lines: &Corridor, level_end: bool) -
 /// Moves each inner key point up or down while the corners around it become gentler and its lines
 /// stay inside.
 fn relax(keys: &mut [PathAngle], walls: &Walls, stretch: &PathSpan) {
-    let fixed = |e: SpanEnd| if e == SpanEnd::Free { 1 } else { 2 };
+    let fixed = |e: SpanEnd| if e.is_level() { 2 } else { 1 };
     let (first, last) = (fixed(stretch.start), fixed(stretch.end));
     let n = keys.len();
     let around = |keys: &[PathAngle], i: usize| -> f64 {

@@ -92,7 +92,7 @@ mod wall;
 
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::Observer;
 
 pub use options::{Pace, ScheduleOptions};
@@ -126,13 +126,27 @@ pub fn plan(
     {
         return bad(format!("arc length does not rise from location {i} to the next"));
     }
+    let pinned = options.ends_rad.map(|ends| pinned(channel, ends)).transpose()?;
+    let given = options.with(|s| s.margin_deg = if options.ends_rad.is_some() { 0.0 } else { s.margin_deg });
+    let options = &given;
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
         ScheduleKind::Quaternion => quaternion::plan(path, channel, options, observer),
-        ScheduleKind::Optimal | ScheduleKind::Time => optimal::plan(kind, path, channel, options, observer),
+        ScheduleKind::Optimal | ScheduleKind::Time => {
+            optimal::plan(kind, path, pinned.as_ref().unwrap_or(channel), options, observer)
+        }
         ScheduleKind::Piecewise => piecewise::plan(path, channel, options, observer),
         ScheduleKind::LowerWall | ScheduleKind::UpperWall => wall::plan(kind, path, channel, options, observer),
     }
+}
+
+/// The channel of schedules from one angle to another.
+fn pinned(channel: &Channel, ends: [f64; 2]) -> Result<Channel> {
+    channel.pinned(ends).ok_or_else(|| {
+        let [start_deg, end_deg] = ends.map(f64::to_degrees);
+        let message = format!("no θ that never turns back leads from {start_deg:.3}° to {end_deg:.3}°");
+        Error::infeasible(Stage::Schedule, message, Infeasible::NoScheduleBetween { start_deg, end_deg })
+    })
 }
 
 #[cfg(test)]

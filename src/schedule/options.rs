@@ -13,6 +13,9 @@ pub struct ScheduleOptions {
     /// Length over which θ stands still on either side of a base point, mm; `None`: the best of a
     /// few shares of the turn's length.
     pub level_stretch_mm: Option<f64>,
+    /// θ at both ends of the path, where it is given, rad: kinds `optimal`, `time` and `piecewise`
+    /// keep to it. No margin is kept from the walls then, since an end may be on one.
+    pub ends_rad: Option<[f64; 2]>,
     /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise`
     /// chooses by it.
     pub pace: Option<Pace>,

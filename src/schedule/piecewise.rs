@@ -259,7 +259,8 @@ fn attempt(
     let longest = path.turns.iter().fold(0.0, |m: f64, t| m.max(t.length_mm)).min(end - start);
     let mut found = Attempt { stretches: Vec::new(), cost: 0.0, shortened: Vec::new(), merged: Vec::new() };
     let mut stretches = Vec::new();
-    let (mut from, mut open) = (start, SpanEnd::Free);
+    let [first, last] = options.ends_rad.map_or([None; 2], |ends| ends.map(Some));
+    let (mut from, mut open) = (start, SpanEnd::Free(first));
     for (i, &(k, s)) in bases.iter().enumerate() {
         let next = bases.get(i + 1).map_or(end, |b| b.1);
         let short = SHORT_TURN * longest;
@@ -277,7 +278,7 @@ fn attempt(
             None => found.merged.push(k),
         }
     }
-    stretches.push(PathSpan { from, to: end, start: open, end: SpanEnd::Free });
+    stretches.push(PathSpan { from, to: end, start: open, end: SpanEnd::Free(last) });
     found.stretches = stretches
         .par_iter()
         .map(|s| turn::plan(walls, s, choice.inset, options.pace))

@@ -16,6 +16,9 @@ const SHARES: [f64; 3] = [1.0, 0.5, 0.2];
 /// stretch). Many turns: slopes become small angles, whose bisector is the mean slope; both halves
 /// of a corner are then equally long in S, which makes the greater of their peaks least.
 const THETA_SCALE: f64 = 100.0 * TAU;
+/// Share of a stretch over which key points come to their distance from the walls, behind an angle
+/// that is given.
+const RAMP: f64 = 0.05;
 /// Angles tried at a free end.
 const FREE: usize = 5;
 
@@ -24,8 +27,15 @@ const FREE: usize = 5;
 pub(super) enum SpanEnd {
     /// Base point: θ and the length over which it stands still, rad and mm.
     Level(f64, f64),
-    /// Outer end of the path.
-    Free,
+    /// Outer end of the path; θ where it is given, rad.
+    Free(Option<f64>),
+}
+
+impl SpanEnd {
+    /// θ stands still there.
+    pub fn is_level(self) -> bool {
+        matches!(self, SpanEnd::Level(..))
+    }
 }
 
 /// A stretch of the path, in mm from its start.
@@ -78,11 +88,14 @@ pub(super) fn plan(
 
 /// One inset: all angles of the free ends.
 fn with_inset(curve: &Corridor, stretch: &PathSpan, inset: f64, pace: Option<Pace>) -> Result<Smoothed, PathAngle> {
-    let walls =
-        Walls { curve: curve.clone(), string: curve.shrunk(inset, MOST), lines: curve.shrunk(0.5 * inset, 0.5 * MOST) };
+    // A given angle may be on a wall: the string leaves that little by little.
+    let length = RAMP * (stretch.to - stretch.from);
+    let given = [stretch.start, stretch.end].map(|e| matches!(e, SpanEnd::Free(Some(_))).then_some(length));
+    let shrunk = |inset: f64, most: f64| curve.shrunk(inset, most).eased(curve, given);
+    let walls = Walls { curve: curve.clone(), string: shrunk(inset, MOST), lines: shrunk(0.5 * inset, 0.5 * MOST) };
     let choices = |end: SpanEnd, s: f64| match end {
-        SpanEnd::Level(theta, _) => vec![theta],
-        SpanEnd::Free => {
+        SpanEnd::Level(theta, _) | SpanEnd::Free(Some(theta)) => vec![theta],
+        SpanEnd::Free(None) => {
             let [lo, hi] = walls.string.at(s);
             (0..FREE).map(|i| lo + (hi - lo) * i as f64 / (FREE - 1) as f64).collect()
         }

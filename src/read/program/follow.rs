@@ -348,7 +348,8 @@ impl<'a> Follower<'a> {
         };
         let mut from = way.from;
         let mut push = |to: Axes, bend: Option<Axes<[f64; 4]>>| {
-            out.push(Moved { line: block.line, block: at, words: way.words, from, to, bend, seconds: None });
+            let (line, words, words_from_line) = (block.line, way.words, way.words_from_block);
+            out.push(Moved { line, block: at, words, from, to, bend, seconds: None, words_from_line });
             from = to;
         };
         let count = pieces.len() as f64;

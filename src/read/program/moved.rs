@@ -2,7 +2,7 @@
 
 use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
-use crate::geometry::Point;
+use crate::geometry::{Point, Rigid};
 use crate::machine::{Machine, Pose};
 use crate::tool::Tool;
 
@@ -29,6 +29,8 @@ pub struct Moved {
     pub bend: Option<Axes<[f64; 4]>>,
     /// Time it takes, s; `None`: rapid.
     pub seconds: Option<f64>,
+    /// Coordinates of its line to the columns of X, Y, Z.
+    pub words_from_line: Rigid,
 }
 
 impl Moved {

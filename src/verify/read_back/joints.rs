@@ -215,6 +215,7 @@ mod tests {
                 to: Axes::from_fn(axes, |k| all[k].iter().sum()),
                 bend: Some(Axes::from_fn(axes, |k| [all[k][2], all[k][3], all[k][4], all[k][5]])),
                 seconds: Some(0.1),
+                words_from_line: crate::geometry::Rigid::identity(),
             }
         };
         let (a, b) = (part(0.0, 0.6, 1, 0.0), part(0.6, 1.0, 2, 0.0));

@@ -9,6 +9,7 @@
 pub(crate) mod chart;
 pub mod colour;
 pub(in crate::write) mod histogram;
+mod rescheduled;
 mod scale;
 mod sphere;
 mod widths;
@@ -24,6 +25,7 @@ use crate::error::{Error, Result, Stage};
 use crate::machine::{Axis, Machine};
 
 pub use chart::small;
+pub use rescheduled::rescheduled_svg;
 pub use sphere::{sphere_csv, sphere_svg};
 pub use widths::{widths_csv, widths_inline, widths_svg};
 

@@ -1,0 +1,167 @@
+//! `reschedule`: a program that others wrote, with its tool axis scheduled anew.
+
+use std::path::Path;
+
+use super::args::Reschedule;
+use super::out::{amount, limit, sayln};
+use super::progress::Terminal;
+use super::{fit, inspect, theirs};
+use crate::artifact::schedule::ThetaRow;
+use crate::error::{Error, Result, Stage};
+use crate::machine::Machine;
+use crate::observe::Observer;
+use crate::read::model;
+use crate::read::program::Bench;
+use crate::register::Fit;
+use crate::reschedule::{self, RescheduleOptions, Rescheduled, StretchReport};
+use crate::run::{RunFolder, inputs};
+use crate::verify::audit::AuditOptions;
+use crate::write::draw;
+
+/// Stretches that are printed; all are in the report.
+const TOLD: usize = 12;
+
+/// Runs the verb; the exit code.
+pub fn run(args: &Reschedule, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let ended = rescheduled(args, &terminal);
+    terminal.finish();
+    let (made, fit, why) = ended?;
+    sayln!("program    {}: {why}", args.program.display());
+    fit.iter().for_each(fit::tell);
+    tell(&made);
+    Ok(0)
+}
+
+fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Rescheduled, Option<Fit>, String)> {
+    let name = args.program.file_name().map(|n| n.to_string_lossy().into_owned());
+    let name = name.ok_or_else(|| Error::usage(Stage::Job, format!("{} is no file", args.program.display())))?;
+    let same = |a: &Path, b: &Path| a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b);
+    if same(&args.program, &args.out.join(&name)) {
+        let what = format!("the new program would take the place of {}", args.program.display());
+        return Err(Error::usage(Stage::Job, what).advise("give another folder with -o"));
+    }
+    let text = Text::of(&theirs::bytes(&args.program)?);
+    let (language, why) = theirs::language(&args.program, &args.manner, &text.lines)?;
+    let mut folder = RunFolder::begin(&args.out)?;
+    let tool = inputs::tool(&args.tool)?;
+    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
+    let blade = model::load(&args.part, &inspect::reading(&args.reading), observer)?;
+    let zero = theirs::zero(&args.manner, &blade);
+    let mut benches = [Bench { language, zero, tool: &tool, machine: &machine }];
+    let fit = fit::place((&args.manner, args.stock), &text.lines, &mut benches, &blade, observer)?;
+    let made = reschedule::reschedule(&text.lines, &blade, &benches[0], &options(args), observer)?;
+    let named = made.stretches.iter().map(|s| (title(s), &s.theta[..]));
+    let svg = draw::rescheduled_svg(&named.collect::<Vec<(String, &[ThetaRow])>>());
+    folder.add(&name, text.bytes(&made.text))?;
+    folder.add_json("reschedule.json", &made)?;
+    folder.add("reschedule.svg", svg)?;
+    for file in folder.finish()? {
+        sayln!("{}", file.display());
+    }
+    Ok((made, fit, why))
+}
+
+fn options(args: &Reschedule) -> RescheduleOptions {
+    let mut options = RescheduleOptions {
+        stock_mm: args.stock,
+        feed_mm_min: args.feed,
+        audit: AuditOptions { gouge_mm: args.gouge, ..AuditOptions::default() },
+        ..RescheduleOptions::default()
+    };
+    options.schedule.kind = args.schedule.unwrap_or(options.schedule.kind);
+    options.channel.clearance_mm = args.clearance.unwrap_or(options.channel.clearance_mm);
+    options.channel.holder_clearance_mm = args.holder_clearance.unwrap_or(options.channel.holder_clearance_mm);
+    options
+}
+
+/// A program's bytes as text, one character each, so that all that is not written anew comes back
+/// as it was.
+struct Text {
+    lines: String,
+    /// Lines end in CR alone.
+    carriage: bool,
+    /// Bytes before the text.
+    mark: Vec<u8>,
+}
+
+impl Text {
+    fn of(bytes: &[u8]) -> Self {
+        let body = model::format::without_mark(bytes);
+        let mark = bytes.get(..bytes.len() - body.len()).unwrap_or_default().to_vec();
+        let lines: String = body.iter().map(|b| char::from(*b)).collect();
+        let carriage = lines.contains('\r') && !lines.contains('\n');
+        Text { lines: if carriage { lines.replace('\r', "\n") } else { lines }, carriage, mark }
+    }
+
+    /// The bytes of a text made from this one.
+    fn bytes(&self, text: &str) -> Vec<u8> {
+        let ends = |c: char| if self.carriage && c == '\n' { '\r' } else { c };
+        let body = text.chars().map(|c| u8::try_from(ends(c)).unwrap_or(b'?'));
+        self.mark.iter().copied().chain(body).collect()
+    }
+}
+
+fn title(stretch: &StretchReport) -> String {
+    let [first, last] = stretch.new_lines.unwrap_or(stretch.lines);
+    let time = stretch.time_s.map_or_else(String::new, |[a, b]| format!(", {a:.2} s before, {b:.2} s after"));
+    format!("Lines {first} to {last}{time}")
+}
+
+/// What became of the program, as lines.
+fn tell(made: &Rescheduled) {
+    let [before, after] = made.time_s();
+    let new = made.stretches.iter().filter(|s| s.new_lines.is_some()).count();
+    sayln!("stretches  {} of {} scheduled anew; stock {:.4} mm", new, made.stretches.len(), made.stock_mm);
+    let share = if before > 0.0 { 100.0 * (after / before - 1.0) } else { 0.0 };
+    sayln!("time       {before:.2} s before, {after:.2} s after ({share:+.1} %), on this machine from rest to rest");
+    sayln!("lines      {} changed, {} added", made.lines_changed, made.lines_added);
+    sayln!("centres    at most {:.6} mm off, {:.6} by the rounding of words", made.centre_off_mm, made.centre_limit_mm);
+    for stretch in made.stretches.iter().take(TOLD) {
+        let [first, last] = stretch.lines;
+        let what = match (&stretch.reason, stretch.reversals) {
+            (Some(why), _) => format!("stays: {why}"),
+            (None, Some([a, b])) => format!("{}; θ turns back {a} times before, {b} after", title(stretch)),
+            (None, None) => title(stretch),
+        };
+        sayln!("           lines {first} to {last} ({:.1} mm): {what}", stretch.length_mm);
+    }
+    if made.stretches.len() > TOLD {
+        sayln!("           and {} more", made.stretches.len() - TOLD);
+    }
+    for peaks in made.stretches.iter().filter(|s| s.new_lines.is_some()).take(1).flat_map(|s| &s.peaks) {
+        let [v, w] = peaks.velocity;
+        let [a, b] = peaks.acceleration;
+        sayln!(
+            "axis {}     velocity {v:.1} before, {w:.1} after; acceleration {a:.0} before, {b:.0} after",
+            peaks.axis
+        );
+    }
+    for check in made.after.checks.iter().map(|c| &c.check) {
+        let was = made.before.checks.iter().map(|c| &c.check).find(|c| c.id == check.id);
+        let verdict = if check.passed { "ok  " } else { "FAIL" };
+        let before = was.map_or_else(String::new, |w| format!("; {} before", amount(w.worst)));
+        sayln!(
+            "{verdict} {:<28} {:>12} {:<8} limit {} {}{before}",
+            check.id,
+            amount(check.worst),
+            check.unit,
+            limit(check.limit),
+            check.unit
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_come_back_as_they_were() {
+        for bytes in [&b"G1 X1\r\nG1 X2 ;\xe4\n"[..], b"G1 X1\rG1 X2\r", b"\xef\xbb\xbfG1 X1\n"] {
+            let text = Text::of(bytes);
+            assert!(text.lines.contains('\n') && !text.lines.starts_with('\u{ef}'));
+            assert_eq!(text.bytes(&text.lines), bytes);
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! A stretch scheduled anew: channel, schedule and time.
+
+use rayon::prelude::*;
+
+use super::stretches::{FEWEST, Found, Place};
+use super::{Program, RescheduleOptions, time};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
+use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
+use crate::channel::{self, ChannelOptions, Surroundings};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
+use crate::feed::FeedOptions;
+use crate::geometry::Vector;
+use crate::numerics::angle::{nearest_turn, within_half_turn};
+use crate::observe::{Observer, Silent, timed};
+use crate::plan::schedules;
+use crate::schedule::{self, ScheduleOptions};
+use crate::verify::{self, VerifyOptions};
+
+/// Schedules whose time is found with the machine's jerk.
+const CLOSELY: usize = 2;
+/// A pass that turns by less about the blade axis goes along it, rad.
+const ALONG_RAD: f64 = 0.2;
+/// A schedule begins and ends at the program's angles within this, rad.
+const SAME_RAD: f64 = 1e-7;
+/// How often walls are moved in for what happens between places.
+const MOST_PROOFS: usize = 4;
+
+/// A stretch as stages take it: places in the order in which θ grows.
+pub(super) struct Course {
+    pub path: Toolpath,
+    /// The program's own θ, over all turns.
+    pub theta: Vec<f64>,
+    /// The program goes the other way.
+    pub backwards: bool,
+}
+
+/// A new schedule for the places from `first` on, as many as the schedule has.
+pub(super) struct Planned {
+    pub course: Course,
+    pub channel: Channel,
+    pub schedule: Schedule,
+    /// Index of its first place among those of the stretch.
+    pub first: usize,
+    /// The motion of the places as the program has them, and with the schedule.
+    pub motions: [AxisMotion; 2],
+}
+
+impl Planned {
+    /// Index of a location's place among those of the stretch, and the other way round.
+    pub fn location(&self, place: usize) -> usize {
+        let at = place - self.first;
+        if self.course.backwards { self.schedule.theta.len() - 1 - at } else { at }
+    }
+}
+
+/// A new schedule, or why there is none.
+///
+/// # Errors
+/// Those of the stages but `Infeasible`, which is the reason.
+pub(super) fn plan(
+    found: &Found,
+    (program, blade): (&Program, &Blade),
+    around: &Arounds,
+    options: &RescheduleOptions,
+    observer: &dyn Observer,
+) -> Result<std::result::Result<Planned, String>> {
+    let scene = Scene { program, blade, around, options, observer };
+    match scene.planned(found) {
+        Err(e) if e.kind == ErrorKind::Infeasible => Ok(Err(e.message)),
+        planned => planned,
+    }
+}
+
+/// What is in the tool's way, indexed once: coarsely, and by exact faces.
+pub(super) struct Arounds<'a> {
+    usual: Surroundings<'a>,
+    finer: Option<Surroundings<'a>>,
+}
+
+impl<'a> Arounds<'a> {
+    /// # Errors
+    /// Those of [`Surroundings::new`].
+    pub fn new(blade: &'a Blade, radius_mm: f64) -> Result<Self> {
+        let usual = Surroundings::new(blade, &[], radius_mm)?;
+        let finer = blade.part.brep.as_ref().map(|_| Surroundings::new(blade, &[], radius_mm)).transpose()?;
+        Ok(Arounds { usual, finer: finer.map(|f| f.finer(radius_mm)) })
+    }
+}
+
+struct Scene<'a> {
+    program: &'a Program<'a>,
+    blade: &'a Blade,
+    around: &'a Arounds<'a>,
+    options: &'a RescheduleOptions,
+    observer: &'a dyn Observer,
+}
+
+impl Scene<'_> {
+    fn planned(&self, found: &Found) -> Result<std::result::Result<Planned, String>> {
+        let count = found.places.len();
+        let whole = self.course(found, [0, count - 1]);
+        let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, &[]))?;
+        let theta = on_branch(&whole.theta, &channel);
+        let Some([from, to]) = within(&theta, &channel) else {
+            let why =
+                "the program keeps nowhere on it to the channel, so no new θ can begin and end where its own does";
+            return Ok(Err(why.into()));
+        };
+        let ends = [theta[from], theta[to]];
+        // By places of the program.
+        let [first, last] = if whole.backwards { [count - 1 - to, count - 1 - from] } else { [from, to] };
+        let is_whole = from == 0 && to + 1 == count;
+        let course = if is_whole { whole } else { self.course(found, [first, last]) };
+        let mut channel = if is_whole { channel } else { self.channel(&course.path, &[])? };
+        let places = found.places.get(first..=last).unwrap_or_default();
+        let mut prove_at = Vec::new();
+        for _ in 0..MOST_PROOFS {
+            let (schedule, motions) =
+                timed(self.observer, Stage::Schedule, || self.fastest(&course, &channel, ends, places))?;
+            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule)))?;
+            if short.is_empty() {
+                return Ok(Ok(Planned { course, channel, schedule, first, motions }));
+            }
+            prove_at.extend(short);
+            prove_at.sort_unstable();
+            prove_at.dedup();
+            channel = self.channel(&course.path, &prove_at)?;
+        }
+        Ok(Err("between its lines the tool would come too near to the part".into()))
+    }
+
+    /// Places of a stretch, from one to another, as stages take them.
+    fn course(&self, found: &Found, [first, last]: [usize; 2]) -> Course {
+        let (radius_mm, stock_mm) = (self.program.bench.tool.radius_mm, self.options.stock_mm.unwrap_or(0.0));
+        let mut places: Vec<&Place> = found.places.get(first..=last).unwrap_or_default().iter().collect();
+        let backwards = runs_backwards(&places);
+        if backwards {
+            places.reverse();
+        }
+        let mut cones = found.cones.part(first, last + 1);
+        if let (true, Cones::Each(each)) = (backwards, &mut cones) {
+            each.reverse();
+        }
+        let azimuth = |p: &Place| p.stand.centre.z.atan2(p.stand.centre.y);
+        let (mut turned, mut s_mm, mut turn_s_mm) = (0.0f64, 0.0, 0.0);
+        let (mut turns, mut locations): (Vec<Turn>, Vec<CutterLocation>) = (Vec::new(), Vec::new());
+        for (k, place) in places.iter().enumerate() {
+            if let Some(before) = k.checked_sub(1).and_then(|b| places.get(b)) {
+                let way = (place.stand.centre - before.stand.centre).norm();
+                turned += within_half_turn(azimuth(place) - azimuth(before));
+                (s_mm, turn_s_mm) = (s_mm + way, turn_s_mm + way);
+            }
+            let turn = (turned.max(0.0) / std::f64::consts::TAU) as u32;
+            if turns.is_empty() || locations.last().is_some_and(|l| l.turn < turn) {
+                turns.push(Turn { first: k, count: 0, length_mm: 0.0 });
+                turn_s_mm = 0.0;
+            }
+            let turn = turn.max(locations.last().map_or(0, |l| l.turn));
+            if let Some(open) = turns.last_mut() {
+                (open.count, open.length_mm) = (open.count + 1, turn_s_mm);
+            }
+            let centre = place.stand.centre;
+            let foot = place.at.as_ref().map_or(centre, |c| c.point);
+            let normal = (centre - foot).try_normalize(1e-12).unwrap_or(Vector::x());
+            locations.push(CutterLocation {
+                turn,
+                turn_s_mm,
+                s_mm,
+                centre,
+                contact: centre - normal * radius_mm,
+                normal,
+            });
+        }
+        let heights = locations.iter().map(|l| l.centre.x);
+        let region_x_mm = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let path = Toolpath {
+            kind: PathKind::Given,
+            radius_mm,
+            stock_mm,
+            scallop_mm: 0.0,
+            chord_mm: self.options.chord_mm,
+            region_x_mm,
+            end_reason: EndReason::Region,
+            planned_scallop_mm: 0.0,
+            cones,
+            turns,
+            locations,
+        };
+        Course { path, theta: places.iter().map(|p| p.stand.theta).collect(), backwards }
+    }
+
+    /// The channel; by exact faces where it closes by their mesh.
+    fn channel(&self, path: &Toolpath, prove_at: &[usize]) -> Result<Channel> {
+        let (tool, machine) = (self.program.bench.tool, self.program.bench.machine);
+        let stock_mm = path.stock_mm.max(0.0);
+        let usual = ChannelOptions {
+            settings: self.options.channel.clone(),
+            theta_limits_rad: machine.theta_limits(path.cone(0).lean_rad),
+            prove_at: prove_at.to_vec(),
+            ..ChannelOptions::default()
+        };
+        let usual = usual.with(|s| {
+            (s.clearance_mm, s.holder_clearance_mm) = (s.clearance_mm + stock_mm, s.holder_clearance_mm + stock_mm);
+        });
+        let planned = channel::plan_among(&self.around.usual, tool, path, &usual, &Silent);
+        self.observer.check(Stage::Channel)?;
+        match (&self.around.finer, planned) {
+            (Some(finer), Err(e)) if e.kind == ErrorKind::Infeasible => {
+                channel::plan_among(finer, tool, path, &usual.with(|s| s.exact_ends = true), &Silent)
+            }
+            (_, planned) => planned,
+        }
+    }
+
+    /// The fastest of the schedules that are made for the kind that is asked for, with the motion
+    /// of the program's own places and its own.
+    fn fastest(
+        &self,
+        course: &Course,
+        channel: &Channel,
+        ends: [f64; 2],
+        places: &[Place],
+    ) -> Result<(Schedule, [AxisMotion; 2])> {
+        let (path, bench) = (&course.path, self.program.bench);
+        let own = super::speeds(places);
+        let asked = self.options.feed_mm_min.map_or_else(|| own.clone(), |feed| vec![feed / 60.0; own.len()]);
+        let most_mm_min = 60.0 * asked.iter().fold(0.0f64, |m, v| m.max(*v));
+        let motion = |stands: Vec<Stand>, speeds_mm_s: &[f64], limit_jerk: bool| {
+            let way = time::Way { stands, speeds_mm_s };
+            time::motion(&way, bench.tool, bench.machine, self.options.chord_mm, limit_jerk)
+        };
+        let moved = |schedule: &Schedule, limit_jerk: bool| {
+            let mut stands: Vec<Stand> = path.stands(&schedule.theta).collect();
+            if course.backwards {
+                stands.reverse();
+            }
+            motion(stands, &asked, limit_jerk)
+        };
+        let made = self.schedules(path, channel, ends, most_mm_min)?;
+        // Jerk is dear: the few that are fastest without it are looked at with it.
+        let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
+        let mut made = made.into_par_iter().map(rough).collect::<Result<Vec<_>>>()?;
+        made.sort_by(|a, b| a.0.total_cmp(&b.0));
+        made.truncate(CLOSELY);
+        let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
+        let before = || motion(places.iter().map(|p| p.stand).collect(), &own, true);
+        let all = || made.into_par_iter().map(closely).collect::<Result<Vec<_>>>();
+        let (before, made) = timed(self.observer, Stage::Feed, || rayon::join(before, all));
+        let best = made?.into_iter().min_by(|a, b| a.0.time_s.total_cmp(&b.0.time_s));
+        let Some((after, schedule)) = best else {
+            let message = "no schedule of the kind begins and ends at the program's angles within the channel";
+            return Err(Error::infeasible(Stage::Schedule, message, Infeasible::NoSchedules));
+        };
+        Ok((schedule, [before?, after]))
+    }
+
+    /// Schedules within the channel, from end to end.
+    fn schedules(&self, path: &Toolpath, channel: &Channel, ends: [f64; 2], most_mm_min: f64) -> Result<Vec<Schedule>> {
+        let machine = self.program.bench.machine;
+        let feed = FeedOptions::new(most_mm_min, self.program.bench.tool.length_mm());
+        let pace = Some(schedules::pace(machine, most_mm_min));
+        let settings = self.options.schedule;
+        let options = ScheduleOptions { settings, pace, ends_rad: Some(ends), ..ScheduleOptions::default() };
+        let made = match settings.kind {
+            ScheduleKind::Time => {
+                let (own, rivals) = rayon::join(
+                    || schedules::paced(machine, &feed, path, channel, &options),
+                    || schedules::rivals(path, channel, &options),
+                );
+                match own {
+                    Err(e) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
+                    own => own.unwrap_or_default().into_iter().chain(rivals).collect(),
+                }
+            }
+            kind => vec![schedule::plan(kind, path, channel, &options, &Silent)?],
+        };
+        let keeps = |s: &Schedule| {
+            let own = s.theta.first().zip(s.theta.last()).map(|(a, b)| [*a, *b]);
+            let at_ends = own.is_some_and(|own| own.iter().zip(ends).all(|(a, b)| (a - b).abs() <= SAME_RAD));
+            at_ends && schedules::machinable(s, channel)
+        };
+        Ok(made.into_iter().filter(keeps).collect())
+    }
+
+    /// Moves on which the tool comes nearer than it may.
+    fn short(&self, path: &Toolpath, schedule: &Schedule) -> Vec<usize> {
+        let stock_mm = path.stock_mm.max(0.0);
+        let options = VerifyOptions {
+            clearance_mm: self.options.channel.clearance_mm + stock_mm,
+            holder_clearance_mm: self.options.channel.holder_clearance_mm + stock_mm,
+            ..VerifyOptions::default()
+        };
+        let apart = verify::apart(self.blade, &[], self.program.bench.tool, &options);
+        verify::short_moves(path, &schedule.theta, &apart, &options)
+    }
+}
+
+/// θ grows counter-clockwise about the blade axis: a pass that goes the other way is planned from
+/// its end. Along the blade the program's own θ decides.
+fn runs_backwards(places: &[&Place]) -> bool {
+    let azimuth = |p: &Place| p.stand.centre.z.atan2(p.stand.centre.y);
+    let turned: f64 = places.windows(2).map(|w| within_half_turn(azimuth(w[1]) - azimuth(w[0]))).sum();
+    let (Some(first), Some(last)) = (places.first(), places.last()) else { return false };
+    if turned.abs() > ALONG_RAD { turned < 0.0 } else { last.stand.theta < first.stand.theta }
+}
+
+/// Angles by whole turns to where the channel counts them.
+fn on_branch(theta: &[f64], channel: &Channel) -> Vec<f64> {
+    let mut turns: Vec<f64> =
+        theta.iter().zip(&channel.rows).map(|(t, r)| nearest_turn(*t, 0.5 * (r.theta_min + r.theta_max)) - t).collect();
+    turns.sort_by(f64::total_cmp);
+    let most = turns.get(turns.len() / 2).copied().unwrap_or(0.0);
+    theta.iter().map(|t| t + most).collect()
+}
+
+/// The first and the last place at which the program's θ is in the channel, so that θ need not turn
+/// back between; `None`: there is no such length.
+fn within(theta: &[f64], channel: &Channel) -> Option<[usize; 2]> {
+    let holds =
+        |k: &usize| theta.get(*k).zip(channel.rows.get(*k)).is_some_and(|(t, r)| (r.hull_min..=r.hull_max).contains(t));
+    let from = (0..theta.len()).find(holds)?;
+    let to = (from + FEWEST..theta.len()).rev().find(|k| holds(k) && theta[*k] >= theta[from])?;
+    Some([from, to])
+}

@@ -1,0 +1,313 @@
+//! Programs round a cylinder whose tool swings to and fro.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use super::*;
+use crate::artifact::program::{Grammar, Language, Programmed};
+use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::{CutterLocation, Turn};
+use crate::artifact::{Cones, Stand};
+use crate::error::ErrorKind;
+use crate::geometry::{Point, Vector};
+use crate::machine::Machine;
+use crate::observe::Silent;
+use crate::read::program::Zero;
+use crate::sample;
+
+/// Feed of the programs, mm/min.
+const FEED: f64 = 6000.0;
+/// Lean of the tool, as the sample's.
+const B: f64 = sample::B_RAD;
+
+/// Ball centre and θ at a share of the path.
+type Course = fn(f64) -> (Point, f64);
+
+fn on_cylinder(x: f64, azimuth: f64) -> Point {
+    let r = sample::PART_RADIUS + sample::tool().radius_mm;
+    Point::new(x, r * azimuth.cos(), r * azimuth.sin())
+}
+
+/// Three turns down a cylinder, the lead swings nine times a turn.
+fn helix(f: f64) -> (Point, f64) {
+    let azimuth = 3.0 * TAU * f;
+    (on_cylinder(40.0 - 6.0 * f, azimuth), azimuth + 0.3 + 0.15 * (9.0 * azimuth).sin())
+}
+
+fn clockwise(f: f64) -> (Point, f64) {
+    let (c, theta) = helix(f);
+    (Point::new(c.x, c.y, -c.z), -theta)
+}
+
+/// Four passes to and fro over a third of the way round.
+fn zigzag(f: f64) -> (Point, f64) {
+    let pass = (4.0 * f).min(3.999_999).floor();
+    let share = 4.0 * f - pass;
+    let there = if (pass as u32).is_multiple_of(2) { share } else { 1.0 - share };
+    let azimuth = TAU / 3.0 * there;
+    (on_cylinder(40.0 - pass - 0.2 * share, azimuth), azimuth + 0.3 + 0.1 * (20.0 * azimuth).sin())
+}
+
+fn language(grammar: Grammar, programmed: Programmed) -> Language {
+    Language { grammar, programmed, shortest_way: false }
+}
+
+/// A program of `n` places, with a way to and from it.
+fn program(course: Course, n: usize, language: Language) -> String {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let mut out = match language.grammar {
+        Grammar::Gcode => "G90 G94 S6000 M3\nT1 M6\n".to_owned(),
+        Grammar::Heidenhain => "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S6000\n2 M3\n3 M128\n".to_owned(),
+        Grammar::Apt => "PARTNO/A\nSPINDL/6000,CLW\nRAPID\n".to_owned(),
+    };
+    if language.grammar == Grammar::Gcode && language.programmed == Programmed::Tip {
+        out.push_str("TRAORI\n");
+    }
+    let mut line = |k: usize, lift: f64, how: &str| {
+        let (centre, theta) = course(k as f64 / (n - 1) as f64);
+        let stand = Stand::about_blade(centre, theta, B).lifted(lift);
+        let axes = machine.place(&stand, None, tool.length_mm());
+        let p = match language.programmed {
+            Programmed::Tip => stand.tip(tool.radius_mm),
+            Programmed::Centre => stand.centre,
+            Programmed::Machine => Point::from(machine.linear().map(|i| axes[i])),
+        };
+        let [a, b] = [0, 1].map(|i| axes[machine.rotary().nth(i).unwrap()].to_degrees());
+        let v = stand.axis();
+        let _ = match (language.grammar, how) {
+            (Grammar::Gcode, "rapid") => writeln!(out, "G0 X{:.4} Y{:.4} Z{:.4} A{a:.4} B{b:.4}", p.x, p.y, p.z),
+            (Grammar::Gcode, "first") => writeln!(out, "G1 X{:.4} Y{:.4} Z{:.4} A{a:.4} F{FEED}", p.x, p.y, p.z),
+            (Grammar::Gcode, _) => writeln!(out, "X{:.4} Y{:.4} Z{:.4} A{a:.4}", p.x, p.y, p.z),
+            (Grammar::Heidenhain, "rapid") => {
+                writeln!(out, "0 L X{:+.4} Y{:+.4} Z{:+.4} A{a:+.4} B{b:+.4} FMAX", p.x, p.y, p.z)
+            }
+            (Grammar::Heidenhain, _) => writeln!(out, "0 L X{:+.4} Y{:+.4} Z{:+.4} A{a:+.4} F{FEED}", p.x, p.y, p.z),
+            (Grammar::Apt, _) => {
+                if how == "first" {
+                    let _ = writeln!(out, "FEDRAT/{FEED:.1},MMPM");
+                }
+                // Over two lines, as files of 72 columns have it.
+                writeln!(out, "GOTO/{:.5},{:.5},{:.5},{:.9},{:.9},$\n{:.9}", p.x, p.y, p.z, v.x, v.y, v.z)
+            }
+        };
+    };
+    line(0, 30.0, "rapid");
+    line(0, 0.0, "first");
+    (1..n).for_each(|k| line(k, 0.0, ""));
+    line(n - 1, 30.0, "");
+    match language.grammar {
+        Grammar::Gcode => out.push_str("M30\n"),
+        Grammar::Heidenhain => out.push_str("0 M30\n0 END PGM A MM\n"),
+        Grammar::Apt => out.push_str("FINI\n"),
+    }
+    if language.grammar == Grammar::Heidenhain {
+        let code = |l: &str| l.split_once(' ').map_or(String::new(), |(_, c)| c.to_owned());
+        out = out.lines().enumerate().map(|(k, l)| format!("{k} {}\n", code(l))).collect();
+    }
+    out
+}
+
+fn options(kind: ScheduleKind) -> RescheduleOptions {
+    let audit = AuditOptions { surface_samples: 2000, ..AuditOptions::default() };
+    // The sample's facets lie up to 0.043 mm within the cylinder.
+    let (stock_mm, contact_mm) = (Some(0.0), 0.06);
+    let mut options = RescheduleOptions { stock_mm, contact_mm, audit, ..RescheduleOptions::default() };
+    options.schedule.kind = kind;
+    options
+}
+
+fn run(text: &str, language: Language, options: &RescheduleOptions) -> Result<Rescheduled> {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    reschedule(text, &sample::blade(), &bench, options, &Silent)
+}
+
+/// Line numbers whose text is not the old one, where both have as many lines.
+fn changed(old: &str, new: &str) -> Vec<usize> {
+    let pairs = old.lines().zip(new.lines()).enumerate();
+    pairs.filter(|(_, (a, b))| a != b).map(|(k, _)| k + 1).collect()
+}
+
+/// Tool axes at the ends of the feed moves.
+fn axes_of(text: &str, language: Language) -> Vec<(Point, Vector)> {
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    let moves = program::follow(&program::read(text, language).unwrap().blocks, &bench).unwrap();
+    let cuts = moves.iter().filter(|m| m.seconds.is_some());
+    cuts.map(|m| m.pose(1.0, &tool, &machine)).map(|p| (p.centre, p.axis)).collect()
+}
+
+#[test]
+fn the_swing_goes_and_the_balls_stay() {
+    for (grammar, programmed) in [
+        (Grammar::Gcode, Programmed::Tip),
+        (Grammar::Gcode, Programmed::Machine),
+        (Grammar::Heidenhain, Programmed::Centre),
+        (Grammar::Apt, Programmed::Tip),
+    ] {
+        let language = language(grammar, programmed);
+        for course in [helix as Course, clockwise] {
+            let text = program(course, 721, language);
+            let made = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+            let who = format!("{grammar:?} {programmed:?}");
+            assert_eq!(made.stretches.len(), 1, "{who}");
+            let stretch = &made.stretches[0];
+            let [before, after] = stretch.reversals.unwrap();
+            assert!(before > 20 && after == 0, "{who}: {before}, {after}");
+            let [before, after] = stretch.time_s.unwrap();
+            assert!(after < 0.8 * before, "{who}: {before} s, {after} s");
+            assert!(made.centre_off_mm <= made.centre_limit_mm && made.centre_limit_mm < 1e-4, "{who}");
+            assert!(made.before.passed() && made.after.passed(), "{who}: {:?}", made.after);
+            let clearance = |a: &Audit| a.checks.iter().find(|c| c.check.id == CheckId::Clearance).unwrap().check.worst;
+            assert!(clearance(&made.after) >= clearance(&made.before).min(AMPLE_MM) - 1e-9, "{who}");
+            if made.lines_added == 0 {
+                let [first, last] = stretch.new_lines.unwrap();
+                // One line more says the feed that the program goes on with.
+                let all = changed(&text, &made.text);
+                assert!(all.iter().all(|l| (first - 1..=last + 1).contains(l)), "{who}");
+            }
+            // What the tool does outside is what it did.
+            let (old, new) = (axes_of(&text, language), axes_of(&made.text, language));
+            let same = |a: &(Point, Vector), b: &(Point, Vector)| (a.0 - b.0).norm() < 1e-3 && a.1.angle(&b.1) < 1e-6;
+            assert!(same(&old[0], &new[0]) && same(old.last().unwrap(), new.last().unwrap()), "{who}");
+            // A second time there is nothing to gain.
+            let again = run(&made.text, language, &options(ScheduleKind::Optimal));
+            assert!(again.is_err() || again.unwrap().time_s()[1] > 0.97 * after, "{who}");
+        }
+    }
+}
+
+#[test]
+fn the_speed_of_the_ball_stays() {
+    let language = language(Grammar::Gcode, Programmed::Tip);
+    let text = program(helix, 721, language);
+    let made = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    let speeds = |text: &str| -> Vec<f64> {
+        let moves = program::follow(&program::read(text, language).unwrap().blocks, &bench).unwrap();
+        let way = |m: &Moved| (m.pose(1.0, &tool, &machine).centre - m.pose(0.0, &tool, &machine).centre).norm();
+        moves.iter().filter_map(|m| Some(way(m) / m.seconds?)).collect()
+    };
+    let (old, new) = (speeds(&text), speeds(&made.text));
+    assert_eq!((old.len(), new.len(), made.lines_added), (722, 722, 0));
+    let worst = old.iter().zip(&new).skip(1).map(|(a, b)| (b / a - 1.0).abs()).fold(0.0, f64::max);
+    assert!(worst < 0.012, "{worst}");
+    // A new feed is that of the ball centre.
+    let asked = RescheduleOptions { feed_mm_min: Some(3000.0), ..options(ScheduleKind::Optimal) };
+    let made = run(&text, language, &asked).unwrap();
+    let slow = speeds(&made.text);
+    assert!(slow[2..720].iter().all(|v| (v / 50.0 - 1.0).abs() < 0.006), "{:?}", &slow[..8]);
+    assert!((slow[721] / old[721] - 1.0).abs() < 0.006);
+}
+
+#[test]
+fn passes_to_and_fro_are_stretches_of_their_own() {
+    let language = language(Grammar::Apt, Programmed::Tip);
+    let text = program(zigzag, 801, language);
+    let made = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+    assert_eq!(made.stretches.len(), 4);
+    for stretch in &made.stretches {
+        assert_eq!(stretch.reversals.map(|r| r[1]), Some(0), "{stretch:?}");
+    }
+}
+
+#[test]
+fn the_schedule_is_that_of_the_stages() {
+    let language = language(Grammar::Apt, Programmed::Tip);
+    let text = program(helix, 361, language);
+    let made = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+    let theta = &made.stretches[0].theta;
+    // The same places, channel and schedule, put together here.
+    let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    let read = Program::read(&text, &bench).unwrap();
+    let places = stretches::places(&read, &blade.part);
+    let places: Vec<&Place> = places.iter().filter(|p| p.seconds.is_some()).take(361).collect();
+    let mut path = sample::plan(1, 8).toolpath;
+    path.cones = Cones::about_blade(places[0].stand.cone.lean_rad);
+    (path.locations, path.turns) = (Vec::new(), Vec::new());
+    let (mut s_mm, mut base_mm, mut turned) = (0.0, 0.0, 0.0f64);
+    for (k, p) in places.iter().enumerate() {
+        let c = p.stand.centre;
+        if k > 0 {
+            let before = places[k - 1].stand.centre;
+            s_mm += (c - before).norm();
+            turned += (c.z * before.y - c.y * before.z).atan2(c.y * before.y + c.z * before.z);
+        }
+        let turn = (turned / TAU) as u32;
+        if path.turns.len() <= turn as usize {
+            base_mm = s_mm;
+            path.turns.push(Turn { first: k, count: 0, length_mm: 0.0 });
+        }
+        let open = path.turns.last_mut().unwrap();
+        (open.count, open.length_mm) = (open.count + 1, s_mm - base_mm);
+        let foot = p.at.as_ref().unwrap().point;
+        let normal = (c - foot).normalize();
+        let contact = c - normal * tool.radius_mm;
+        path.locations.push(CutterLocation { turn, turn_s_mm: s_mm - base_mm, s_mm, centre: c, contact, normal });
+    }
+    let clear = never_nearer(&ChannelSettings::default(), &made.before);
+    let options = crate::channel::ChannelOptions {
+        settings: clear,
+        theta_limits_rad: machine.theta_limits(B),
+        ..Default::default()
+    };
+    let channel = crate::channel::plan(&blade, &tool, &path, &options, &Silent).unwrap();
+    let ends = [theta[0].after_deg, theta.last().unwrap().after_deg].map(f64::to_radians);
+    let settings = ScheduleSettings { kind: ScheduleKind::Optimal, ..ScheduleSettings::default() };
+    let asked = crate::schedule::ScheduleOptions { settings, ends_rad: Some(ends), ..Default::default() };
+    let afresh = crate::schedule::plan(ScheduleKind::Optimal, &path, &channel, &asked, &Silent).unwrap();
+    let worst = afresh.theta.iter().zip(theta).map(|(a, b)| (a.to_degrees() - b.after_deg).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-9, "{worst}");
+}
+
+#[test]
+fn lines_that_cannot_be_written_anew_stay() {
+    let language = language(Grammar::Gcode, Programmed::Tip);
+    let text = program(helix, 721, language);
+    let lines: Vec<&str> = text.lines().collect();
+    // An arc in the middle cuts the stretch in two.
+    let mut with_arc = lines.clone();
+    with_arc.insert(360, "G1 X=IC(0)");
+    let all = format!("{}\n", with_arc.join("\n"));
+    let whole = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+    assert_eq!(whole.stretches.len(), 1);
+    let steps = run(&all, language, &options(ScheduleKind::Optimal));
+    assert!(steps.is_err() || steps.unwrap().stretches.iter().any(|s| s.reason.is_some()));
+    // In a subprogram that is run twice every line would be two.
+    let [head, cut, tail] = [&lines[..4], &lines[4..725], &lines[725..]];
+    let twice =
+        format!("{}\nSUB1\nSUB1\nM30\nPROC SUB1\n{}\nM17\n", head.join("\n"), [cut, &tail[..1]].concat().join("\n"));
+    if let Err(e) = run(&twice, language, &options(ScheduleKind::Optimal)) {
+        assert!(e.kind == ErrorKind::Infeasible || e.kind == ErrorKind::Usage, "{e:?}");
+    }
+}
+
+#[test]
+fn bad_input_is_one_sentence() {
+    let language = language(Grammar::Gcode, Programmed::Tip);
+    let text = program(helix, 181, language);
+    let fails = |text: &str, options: &RescheduleOptions| run(text, language, options).unwrap_err();
+    let optimal = options(ScheduleKind::Optimal);
+    // Beside the part.
+    let e = fails(&text.replace("X3", "X23").replace("X4", "X24"), &optimal);
+    assert!(e.kind == ErrorKind::Usage && e.message.contains("the part"), "{}", e.message);
+    let e = fails(&text, &RescheduleOptions { feed_mm_min: Some(f64::NAN), ..optimal.clone() });
+    assert!(e.message.contains("feed"), "{}", e.message);
+    let e = fails(&text, &RescheduleOptions { stock_mm: Some(f64::INFINITY), ..optimal.clone() });
+    assert!(e.message.contains("stock"), "{}", e.message);
+    let e = fails(&text, &RescheduleOptions { contact_mm: 0.0, ..optimal.clone() });
+    assert!(e.message.contains("contact"), "{}", e.message);
+    let e = fails(&text, &RescheduleOptions { chord_mm: -1.0, ..optimal.clone() });
+    assert!(e.message.contains("chord"), "{}", e.message);
+    // Nothing swings: nothing is gained.
+    fn even(f: f64) -> (Point, f64) {
+        let (c, _) = helix(f);
+        (c, 3.0 * TAU * f + 0.3)
+    }
+    let e = fails(&program(even, 361, language), &optimal);
+    assert!(e.kind == ErrorKind::Infeasible, "{e:?}");
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoStretchGains { stretches: 1, .. })), "{e:?}");
+}
