@@ -117,6 +117,10 @@ fn tell(made: &Rescheduled) {
     sayln!("time       {before:.2} s before, {after:.2} s after ({share:+.1} %), on this machine from rest to rest");
     sayln!("lines      {} changed, {} added", made.lines_changed, made.lines_added);
     sayln!("centres    at most {:.6} mm off, {:.6} by the rounding of words", made.centre_off_mm, made.centre_limit_mm);
+    let keeps = made.stretches.iter().filter_map(|s| s.clearance_mm);
+    if let Some([cutter, holder]) = keeps.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]) {
+        sayln!("clearance  planned with {cutter:.3} mm of taper and shank, {holder:.3} mm of the holder");
+    }
     for stretch in made.stretches.iter().take(TOLD) {
         let [first, last] = stretch.lines;
         let what = match (&stretch.reason, stretch.reversals) {

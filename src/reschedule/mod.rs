@@ -17,7 +17,8 @@
 //! **Guarantees**: the new text is read by the reader of programs, which shares nothing with what
 //! writes: each line of a stretch ends with the ball where it ended, but for the rounding of its
 //! words; all other lines end with the tool where it stood; no check of the audit fails that did
-//! not fail before, and the tool comes no nearer to the part than it did, or than 5 mm. A stretch is replaced only where that takes the machine less time. Lines are
+//! not fail before, and the tool comes no nearer to the part than it did,
+//! or than the clearance that is asked for where no schedule keeps more. A stretch is replaced only where that takes the machine less time. Lines are
 //! put between two where θ turns so far that the ball would leave its way by more than half the
 //! chord tolerance, or by more than it did.
 //!
@@ -54,8 +55,8 @@ use stretches::{Found, Place};
 pub struct RescheduleOptions {
     /// How θ is scheduled; the margin is not looked at, since the ends are given.
     pub schedule: ScheduleSettings,
-    /// What taper, shank and holder keep from the part at least; they keep no less than they did,
-    /// up to 5 mm.
+    /// What taper, shank and holder keep from the part at least. They keep what they kept, or 5 mm,
+    /// where a schedule can.
     pub channel: ChannelSettings,
     /// Stock that the program leaves, mm; `None`: found.
     pub stock_mm: Option<f64>,
@@ -131,6 +132,8 @@ pub struct StretchReport {
     pub time_s: Option<[f64; 2]>,
     /// Peaks of the axes in them.
     pub peaks: Vec<AxisPeak>,
+    /// What taper and shank, and the holder, keep from the part, mm.
+    pub clearance_mm: Option<[f64; 2]>,
     /// Why it stays as it is.
     pub reason: Option<String>,
     /// θ before and after.
@@ -191,8 +194,8 @@ pub fn reschedule(
     let surface_samples = options.audit.surface_samples.min(RIDGES);
     let audit = AuditOptions { stock_mm, surface_samples, ..options.audit.clone() };
     let before = timed(observer, Stage::Verify, || audit::audit(text, blade, bench, &audit, observer))?;
-    let channel = never_nearer(&options.channel, &before);
-    let options = &RescheduleOptions { stock_mm: Some(stock_mm), channel, ..options.clone() };
+    let clearances = clearances(&options.channel, &before);
+    let options = &RescheduleOptions { stock_mm: Some(stock_mm), ..options.clone() };
     let found = stretches::find(&places, stock_mm, radius_mm, options.contact_mm);
     if found.is_empty() {
         return Err(nothing_touches(&places, radius_mm, options));
@@ -202,7 +205,8 @@ pub fn reschedule(
     for (k, stretch) in found.iter().enumerate() {
         observer.progress(Stage::Schedule, k, found.len());
         observer.check(Stage::Schedule)?;
-        planned.push(planned::plan(stretch, (&program, blade), &around, options, observer)?);
+        let scene = planned::Scene { program: &program, blade, around: &around, options, observer };
+        planned.push(scene.plan(stretch, &clearances)?);
     }
     observer.progress(Stage::Schedule, found.len(), found.len());
     let Made { edits, reports, rounding_mm } = made(&program, &found, planned, options);
@@ -230,26 +234,26 @@ pub fn reschedule(
     })
 }
 
-/// What the tool has to keep from the part: as asked for, and no less than the program keeps.
-fn never_nearer(asked: &ChannelSettings, before: &Audit) -> ChannelSettings {
-    let own = |id: CheckId| {
+/// What the tool is to keep from the part, in the order in which it is tried: what the program
+/// keeps, halfway to what is asked for, and that. Where the program keeps no more it is the last.
+fn clearances(asked: &ChannelSettings, before: &Audit) -> Vec<ChannelSettings> {
+    let asked_mm = [asked.clearance_mm, asked.holder_clearance_mm];
+    let own_mm = [CheckId::Clearance, CheckId::HolderClearance].map(|id| {
         let least = before.checks.iter().map(|c| &c.check).find(|c| c.id == id).map_or(0.0, |c| c.worst);
-        // What the check takes off a clearance that it measures.
-        if least > 0.0 { (least * (1.0 + SHARE_OFF) + OFF_MM).min(AMPLE_MM) } else { 0.0 }
+        least.min(AMPLE_MM)
+    });
+    let at = |share: f64| {
+        let mm = [0, 1].map(|k| asked_mm[k] + share * (own_mm[k] - asked_mm[k]).max(0.0));
+        ChannelSettings { clearance_mm: mm[0], holder_clearance_mm: mm[1], ..asked.clone() }
     };
-    ChannelSettings {
-        clearance_mm: asked.clearance_mm.max(own(CheckId::Clearance)),
-        holder_clearance_mm: asked.holder_clearance_mm.max(own(CheckId::HolderClearance)),
-        ..asked.clone()
-    }
+    let mut out = vec![at(1.0), at(0.5), at(0.0)];
+    out.dedup();
+    out
 }
 
 /// Ridges are looked at in so many places.
 const RIDGES: usize = 10_000;
-/// The audit may tell a clearance too small by this, mm and as a share.
-const OFF_MM: f64 = 0.01;
-const SHARE_OFF: f64 = 0.01;
-/// Farther from the part than this the tool is clear, however far it is, mm.
+/// Farther from the part than this the tool is clear, however far it was, mm.
 const AMPLE_MM: f64 = 5.0;
 
 fn validate(options: &RescheduleOptions) -> Result<()> {
@@ -369,6 +373,7 @@ fn report(program: &Program, stretch: &Found) -> StretchReport {
         reversals: None,
         time_s: None,
         peaks: Vec::new(),
+        clearance_mm: None,
         reason: None,
         theta: Vec::new(),
     }
@@ -383,6 +388,7 @@ fn replaced(report: &mut StretchReport, program: &Program, stretch: &Found, plan
     let before = |row: usize| planned.course.theta.get(row).copied().unwrap_or(0.0);
     let turns = planned.schedule.theta.first().map_or(0.0, |t| t - before(0));
     let shift = std::f64::consts::TAU * (turns / std::f64::consts::TAU).round();
+    report.clearance_mm = Some(planned.clearance_mm);
     report.reversals = Some([reversals(&planned.course.theta), planned.schedule.reversals]);
     let rows = planned.course.path.locations.iter().zip(&planned.channel.rows).zip(&planned.schedule.theta);
     report.theta = rows

@@ -7,7 +7,7 @@ use super::{Program, RescheduleOptions, time};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
 use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
-use crate::channel::{self, ChannelOptions, Surroundings};
+use crate::channel::{self, ChannelOptions, ChannelSettings, Surroundings};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::feed::FeedOptions;
 use crate::geometry::Vector;
@@ -44,6 +44,8 @@ pub(super) struct Planned {
     pub first: usize,
     /// The motion of the places as the program has them, and with the schedule.
     pub motions: [AxisMotion; 2],
+    /// What taper and shank, and the holder, keep from the part, mm.
+    pub clearance_mm: [f64; 2],
 }
 
 impl Planned {
@@ -51,24 +53,6 @@ impl Planned {
     pub fn location(&self, place: usize) -> usize {
         let at = place - self.first;
         if self.course.backwards { self.schedule.theta.len() - 1 - at } else { at }
-    }
-}
-
-/// A new schedule, or why there is none.
-///
-/// # Errors
-/// Those of the stages but `Infeasible`, which is the reason.
-pub(super) fn plan(
-    found: &Found,
-    (program, blade): (&Program, &Blade),
-    around: &Arounds,
-    options: &RescheduleOptions,
-    observer: &dyn Observer,
-) -> Result<std::result::Result<Planned, String>> {
-    let scene = Scene { program, blade, around, options, observer };
-    match scene.planned(found) {
-        Err(e) if e.kind == ErrorKind::Infeasible => Ok(Err(e.message)),
-        planned => planned,
     }
 }
 
@@ -88,19 +72,38 @@ impl<'a> Arounds<'a> {
     }
 }
 
-struct Scene<'a> {
-    program: &'a Program<'a>,
-    blade: &'a Blade,
-    around: &'a Arounds<'a>,
-    options: &'a RescheduleOptions,
-    observer: &'a dyn Observer,
+/// What stretches are scheduled with.
+pub(super) struct Scene<'a> {
+    pub program: &'a Program<'a>,
+    pub blade: &'a Blade,
+    pub around: &'a Arounds<'a>,
+    pub options: &'a RescheduleOptions,
+    pub observer: &'a dyn Observer,
 }
 
 impl Scene<'_> {
-    fn planned(&self, found: &Found) -> Result<std::result::Result<Planned, String>> {
+    /// A new schedule with the first of the clearances that allow one, or why there is none.
+    ///
+    /// # Errors
+    /// Those of the stages but `Infeasible`, which is the reason.
+    pub fn plan(&self, found: &Found, clearances: &[ChannelSettings]) -> Result<std::result::Result<Planned, String>> {
+        let mut last = Err("nothing is asked for".to_owned());
+        for settings in clearances {
+            last = match self.planned(found, settings) {
+                Err(e) if e.kind == ErrorKind::Infeasible => Err(e.message),
+                planned => planned?,
+            };
+            if last.as_ref().is_ok_and(|p| p.motions[1].time_s < p.motions[0].time_s) {
+                break;
+            }
+        }
+        Ok(last)
+    }
+
+    fn planned(&self, found: &Found, settings: &ChannelSettings) -> Result<std::result::Result<Planned, String>> {
         let count = found.places.len();
         let whole = self.course(found, [0, count - 1]);
-        let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, &[]))?;
+        let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, settings, &[]))?;
         let theta = on_branch(&whole.theta, &channel);
         let Some([from, to]) = within(&theta, &channel) else {
             let why =
@@ -112,20 +115,21 @@ impl Scene<'_> {
         let [first, last] = if whole.backwards { [count - 1 - to, count - 1 - from] } else { [from, to] };
         let is_whole = from == 0 && to + 1 == count;
         let course = if is_whole { whole } else { self.course(found, [first, last]) };
-        let mut channel = if is_whole { channel } else { self.channel(&course.path, &[])? };
+        let mut channel = if is_whole { channel } else { self.channel(&course.path, settings, &[])? };
         let places = found.places.get(first..=last).unwrap_or_default();
         let mut prove_at = Vec::new();
         for _ in 0..MOST_PROOFS {
             let (schedule, motions) =
                 timed(self.observer, Stage::Schedule, || self.fastest(&course, &channel, ends, places))?;
-            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule)))?;
+            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule, settings)))?;
             if short.is_empty() {
-                return Ok(Ok(Planned { course, channel, schedule, first, motions }));
+                let clearance_mm = [settings.clearance_mm, settings.holder_clearance_mm];
+                return Ok(Ok(Planned { course, channel, schedule, first, motions, clearance_mm }));
             }
             prove_at.extend(short);
             prove_at.sort_unstable();
             prove_at.dedup();
-            channel = self.channel(&course.path, &prove_at)?;
+            channel = self.channel(&course.path, settings, &prove_at)?;
         }
         Ok(Err("between its lines the tool would come too near to the part".into()))
     }
@@ -191,11 +195,11 @@ impl Scene<'_> {
     }
 
     /// The channel; by exact faces where it closes by their mesh.
-    fn channel(&self, path: &Toolpath, prove_at: &[usize]) -> Result<Channel> {
+    fn channel(&self, path: &Toolpath, settings: &ChannelSettings, prove_at: &[usize]) -> Result<Channel> {
         let (tool, machine) = (self.program.bench.tool, self.program.bench.machine);
         let stock_mm = path.stock_mm.max(0.0);
         let usual = ChannelOptions {
-            settings: self.options.channel.clone(),
+            settings: settings.clone(),
             theta_limits_rad: machine.theta_limits(path.cone(0).lean_rad),
             prove_at: prove_at.to_vec(),
             ..ChannelOptions::default()
@@ -284,11 +288,11 @@ impl Scene<'_> {
     }
 
     /// Moves on which the tool comes nearer than it may.
-    fn short(&self, path: &Toolpath, schedule: &Schedule) -> Vec<usize> {
+    fn short(&self, path: &Toolpath, schedule: &Schedule, settings: &ChannelSettings) -> Vec<usize> {
         let stock_mm = path.stock_mm.max(0.0);
         let options = VerifyOptions {
-            clearance_mm: self.options.channel.clearance_mm + stock_mm,
-            holder_clearance_mm: self.options.channel.holder_clearance_mm + stock_mm,
+            clearance_mm: settings.clearance_mm + stock_mm,
+            holder_clearance_mm: settings.holder_clearance_mm + stock_mm,
             ..VerifyOptions::default()
         };
         let apart = verify::apart(self.blade, &[], self.program.bench.tool, &options);

@@ -264,6 +264,7 @@ impl<'a> Rewriter<'a> {
         let mut edit = Edit { more, ..Edit::default() };
         for (n, stand) in stands.iter().enumerate() {
             let written = self.written(block, own, stand, &modal.columns)?;
+            let share = share.max(self.least_s(own, seconds, (&modal.columns, &written.columns)));
             let feed = self.feed(block, own, (&modal.columns, &written.columns), share);
             if n + 1 < stands.len() {
                 edit.before.extend(self.fresh(&written, feed, modal, n == 0)?);
@@ -430,6 +431,18 @@ impl<'a> Rewriter<'a> {
             Grammar::Gcode if self.manners.contains_key("A3") => ["A3", "B3", "C3"],
             Grammar::Gcode | Grammar::Apt => ["I", "J", "K"],
         }
+    }
+
+    /// The least time in which the axes can make a move, s; 0 where the line asked for more than
+    /// they can before, too.
+    fn least_s(&self, own: &Moved, seconds: f64, (from, to): (&Axes, &Axes)) -> f64 {
+        let Program { bench, .. } = self.program;
+        let least = |m: &Moved| {
+            let [a, b] = [0.0, 1.0].map(|f| m.axes(f, bench.tool, bench.machine));
+            let axes = bench.machine.axes().iter().enumerate();
+            axes.map(|(k, axis)| (b[k] - a[k]).abs() / axis.limits.velocity).fold(0.0, f64::max)
+        };
+        if least(own) > seconds { 0.0 } else { least(&Moved { from: *from, to: *to, bend: None, ..*own }) }
     }
 
     /// The feed with which a move takes its time; that of the block where the move takes none.
