@@ -262,3 +262,75 @@ fn the_frame_of_a_program_is_found() {
     assert!(code == Some(3) && said.contains("no frame lays the program over the part"), "{said}");
     assert_eq!(fit("moved.mpf", &model, &["--cad"]).0, Some(2));
 }
+
+#[test]
+fn a_program_is_scheduled_anew_and_the_rest_of_it_stays() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let model = root().join("models/turbine_camber.step").display().to_string();
+    let sets = ["schedule.kind=\"fixed\"", "path.scallop_mm=0.3", "post.control=[\"heidenhain\"]"];
+    let sets: Vec<&str> = sets.iter().flat_map(|s| ["--set", s]).collect();
+    let plan = bladewright(&[&["plan", &model, "-o", "run", "--force"], &sets[..]].concat(), dir.path());
+    assert!(plan.status.success(), "{}", String::from_utf8_lossy(&plan.stderr));
+    // As another system may write it: lines that end in CR LF, a comment in Latin letters, one feed.
+    let text = std::fs::read_to_string(dir.path().join("run/program.h")).expect("readable");
+    let word = |w: &str| match w.strip_prefix('F').and_then(|f| f.parse::<f64>().ok()) {
+        Some(f) if (10.0..2500.0).contains(&f) => "F4000".to_owned(),
+        _ => w.to_owned(),
+    };
+    let line = |l: &str| l.split(' ').map(word).collect::<Vec<_>>().join(" ") + "\r\n";
+    let mut theirs: Vec<u8> = text.lines().map(line).collect::<String>().into_bytes();
+    let comment = theirs.windows(2).position(|w| w == b"; ").expect("a comment") + 2;
+    theirs[comment] = 0xe4;
+    std::fs::write(dir.path().join("theirs.h"), &theirs).expect("writable");
+    let run = |program: &str, part: &str, out: &str, more: &[&str]| {
+        let args = ["reschedule", program, "--part", part, "--tool", "run/job.resolved.toml", "-o", out];
+        let out = bladewright(&[&args[..], more].concat(), dir.path());
+        let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        (out.status.code(), said)
+    };
+    let (code, said) = run("theirs.h", &model, "new", &[]);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("1 of 1 scheduled anew") && said.contains("after"), "{said}");
+    let new = std::fs::read(dir.path().join("new/theirs.h")).expect("the new program");
+    let report = std::fs::read_to_string(dir.path().join("new/reschedule.json")).expect("the report");
+    let report: serde_json::Value = serde_json::from_str(&report).expect("JSON");
+    let stretch = &report["stretches"][0];
+    let number = |v: &serde_json::Value| v.as_f64().expect("a number");
+    assert!(number(&stretch["time_s"][1]) < 0.9 * number(&stretch["time_s"][0]), "{stretch}");
+    assert!(number(&stretch["reversals"][0]) > 0.0 && number(&stretch["reversals"][1]) == 0.0, "{stretch}");
+    assert!(number(&report["centre_off_mm"]) <= number(&report["centre_limit_mm"]), "{report}");
+    let svg = std::fs::read_to_string(dir.path().join("new/reschedule.svg")).expect("the plot");
+    assert!(svg.contains("before") && svg.contains("<svg"));
+    // All else is the same bytes.
+    let lines = |bytes: &[u8]| bytes.split(|b| *b == b'\n').map(<[u8]>::to_vec).collect::<Vec<_>>();
+    let (old, new) = (lines(&theirs), lines(&new));
+    assert!(new[..new.len() - 1].iter().all(|l| l.ends_with(b"\r")));
+    let [first, last] = [0, 1].map(|k| number(&stretch["new_lines"][k]) as usize);
+    let added = number(&report["lines_added"]) as usize;
+    assert_eq!(new.len(), old.len() + added);
+    assert!(old[..first - 1] == new[..first - 1]);
+    let code_of = |l: &Vec<u8>| l.iter().skip_while(|b| b.is_ascii_digit()).copied().collect::<Vec<u8>>();
+    let tail = |all: &[Vec<u8>], from: usize| all[from..].iter().map(code_of).collect::<Vec<_>>();
+    // One line behind the stretch may say the feed again.
+    assert_eq!(tail(&old, last + 1), tail(&new, last + 1 + added));
+    // The check of programs has nothing to say of the new one that it had not of the old one.
+    let judged = |program: &str| {
+        let args = ["verify", program, "--part", &model, "--tool", "run/job.resolved.toml", "--report", "found.json"];
+        bladewright(&args, dir.path());
+        let found = std::fs::read_to_string(dir.path().join("found.json")).expect("a report");
+        let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
+        let checks = found["checks"].as_array().expect("checks").clone();
+        checks.iter().filter(|c| c["passed"] == false).map(|c| c["id"].to_string()).collect::<Vec<_>>()
+    };
+    let (before, after) = (judged("theirs.h"), judged("new/theirs.h"));
+    assert!(after.iter().all(|c| before.contains(c)), "{before:?} {after:?}");
+    // What cannot be done leaves nothing.
+    let (code, said) = run("theirs.h", &model, ".", &[]);
+    assert!(code == Some(2) && said.contains("would take the place of theirs.h"), "{said}");
+    let other = root().join("models/prism.step").display().to_string();
+    let (code, said) = run("theirs.h", &other, "none", &[]);
+    assert!(code == Some(2) && said.contains("the part"), "{said}");
+    let (code, said) = run("theirs.h", &model, "none", &["--schedule", "quaternion"]);
+    assert!(code == Some(3) && said.contains("begins and ends at the program's angles"), "{said}");
+    assert!(!dir.path().join("none").exists());
+}

@@ -126,6 +126,7 @@ sessions! {
     models_run_as_printed: "docs/models.md";
     planning_runs_as_printed: "docs/planning.md";
     programs_run_as_printed: "docs/programs.md";
+    rescheduling_runs_as_printed: "docs/rescheduling.md";
     showing_runs_as_printed: "docs/showing.md";
 }
 

@@ -187,6 +187,7 @@ pub fn reschedule(
     validate(options)?;
     bench.tool.validate()?;
     let program = Program::read(text, bench)?;
+    one_ball(&program)?;
     let places = stretches::places(&program, &blade.part);
     let radius_mm = bench.tool.radius_mm;
     let stock_mm = options.stock_mm.unwrap_or_else(|| stretches::stock_mm(&places, radius_mm, options.contact_mm));
@@ -235,26 +236,61 @@ pub fn reschedule(
 }
 
 /// What the tool is to keep from the part, in the order in which it is tried: what the program
-/// keeps, halfway to what is asked for, and that. Where the program keeps no more it is the last.
+/// keeps, with what the check takes off such a distance and without, halfway to what is asked for, and that. Where the program keeps no more it is the last.
 fn clearances(asked: &ChannelSettings, before: &Audit) -> Vec<ChannelSettings> {
     let asked_mm = [asked.clearance_mm, asked.holder_clearance_mm];
     let own_mm = [CheckId::Clearance, CheckId::HolderClearance].map(|id| {
         let least = before.checks.iter().map(|c| &c.check).find(|c| c.id == id).map_or(0.0, |c| c.worst);
         least.min(AMPLE_MM)
     });
-    let at = |share: f64| {
-        let mm = [0, 1].map(|k| asked_mm[k] + share * (own_mm[k] - asked_mm[k]).max(0.0));
+    let at = |share: f64, more_mm: f64| {
+        let over = |k: usize| (own_mm[k] * (1.0 + more_mm) + more_mm - asked_mm[k]).max(0.0);
+        let mm = [0, 1].map(|k| asked_mm[k] + share * over(k));
         ChannelSettings { clearance_mm: mm[0], holder_clearance_mm: mm[1], ..asked.clone() }
     };
-    let mut out = vec![at(1.0), at(0.5), at(0.0)];
+    let mut out = vec![at(1.0, OFF), at(1.0, 0.0), at(0.5, 0.0), at(0.0, 0.0)];
     out.dedup();
     out
 }
 
+/// The check of a clearance takes so much off it, mm and as a share.
+const OFF: f64 = 0.016;
 /// Ridges are looked at in so many places.
 const RIDGES: usize = 10_000;
+/// Radii that differ by less are one ball's, mm.
+const SAME_BALL_MM: f64 = 1e-3;
 /// Farther from the part than this the tool is clear, however far it was, mm.
 const AMPLE_MM: f64 = 5.0;
+
+/// Another tool axis leaves the part as it is only where the tool is a ball, and only the given one
+/// is known.
+fn one_ball(program: &Program) -> Result<()> {
+    let radius_mm = program.bench.tool.radius_mm;
+    let bad = |m: String| Err(Error::usage(Stage::Verify, m));
+    for (line, [diameter, corner]) in &program.script.cutters {
+        let is_ball = *corner > 0.0 && (2.0 * corner - diameter).abs() <= SAME_BALL_MM;
+        if !is_ball {
+            return bad(format!(
+                "line {line} of the program: a cutter of {diameter} mm with a corner radius of {corner} mm is no ball: \
+                 another tool axis would cut another part"
+            ));
+        }
+        if (corner - radius_mm).abs() > SAME_BALL_MM {
+            return bad(format!(
+                "line {line} of the program: its ball has R {corner} mm, the tool has R {radius_mm} mm"
+            ));
+        }
+    }
+    let mut calls = program.script.calls.iter().filter_map(|c| Some((c.line, c.tool.as_ref()?))).filter(|c| c.1 != "0");
+    if let Some((_, first)) = calls.next()
+        && let Some((line, other)) = calls.find(|c| c.1 != first)
+    {
+        let what =
+            format!("line {line} of the program: it calls tool {other} after tool {first}; one tool is scheduled");
+        return Err(Error::usage(Stage::Verify, what).advise("give the part of the program that one tool runs"));
+    }
+    Ok(())
+}
 
 fn validate(options: &RescheduleOptions) -> Result<()> {
     options.schedule.check(Stage::Schedule)?;

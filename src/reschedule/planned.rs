@@ -19,7 +19,7 @@ use crate::verify::{self, VerifyOptions};
 
 /// Schedules whose time is found with the machine's jerk.
 const CLOSELY: usize = 2;
-/// A pass that turns by less about the blade axis goes along it, rad.
+/// A pass along which the normal turns by less about the blade axis has no sense of turning, rad.
 const ALONG_RAD: f64 = 0.2;
 /// A schedule begins and ends at the program's angles within this, rad.
 const SAME_RAD: f64 = 1e-7;
@@ -146,13 +146,12 @@ impl Scene<'_> {
         if let (true, Cones::Each(each)) = (backwards, &mut cones) {
             each.reverse();
         }
-        let azimuth = |p: &Place| p.stand.centre.z.atan2(p.stand.centre.y);
         let (mut turned, mut s_mm, mut turn_s_mm) = (0.0f64, 0.0, 0.0);
         let (mut turns, mut locations): (Vec<Turn>, Vec<CutterLocation>) = (Vec::new(), Vec::new());
         for (k, place) in places.iter().enumerate() {
             if let Some(before) = k.checked_sub(1).and_then(|b| places.get(b)) {
                 let way = (place.stand.centre - before.stand.centre).norm();
-                turned += within_half_turn(azimuth(place) - azimuth(before));
+                turned += normal_turned(before, place);
                 (s_mm, turn_s_mm) = (s_mm + way, turn_s_mm + way);
             }
             let turn = (turned.max(0.0) / std::f64::consts::TAU) as u32;
@@ -300,13 +299,20 @@ impl Scene<'_> {
     }
 }
 
-/// θ grows counter-clockwise about the blade axis: a pass that goes the other way is planned from
-/// its end. Along the blade the program's own θ decides.
+/// θ grows counter-clockwise about the blade axis: a pass along which the normal of the part turns
+/// the other way is planned from its end. Where the normal hardly turns, the program's own θ
+/// decides.
 fn runs_backwards(places: &[&Place]) -> bool {
-    let azimuth = |p: &Place| p.stand.centre.z.atan2(p.stand.centre.y);
-    let turned: f64 = places.windows(2).map(|w| within_half_turn(azimuth(w[1]) - azimuth(w[0]))).sum();
+    let turned: f64 = places.windows(2).map(|w| normal_turned(w[0], w[1])).sum();
     let (Some(first), Some(last)) = (places.first(), places.last()) else { return false };
     if turned.abs() > ALONG_RAD { turned < 0.0 } else { last.stand.theta < first.stand.theta }
+}
+
+/// By how much the normal of the part turns about the blade axis from one place to the next, rad.
+fn normal_turned(from: &Place, to: &Place) -> f64 {
+    let azimuth =
+        |p: &Place| p.at.as_ref().map_or(0.0, |c| (p.stand.centre.z - c.point.z).atan2(p.stand.centre.y - c.point.y));
+    within_half_turn(azimuth(to) - azimuth(from))
 }
 
 /// Angles by whole turns to where the channel counts them.

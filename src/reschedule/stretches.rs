@@ -4,18 +4,16 @@ use rayon::prelude::*;
 
 use super::Program;
 use crate::artifact::{Cone, Cones, Stand};
-use crate::geometry::Point;
 use crate::geometry::measured::Closest;
 use crate::geometry::part::Part;
-use crate::numerics::angle::within_half_turn;
 use crate::read::program::{Block, Course, Moved};
 
 /// Nearer to the part than this the stock is looked for, mm.
 const STOCK_MM: f64 = 5.0;
 /// Lines on which the lean differs by less are lines of one lean, rad: the words' rounding.
 const SAME_LEAN_RAD: f64 = 0.02 * std::f64::consts::PI / 180.0;
-/// A pass ends where the ball has come back by this about the blade axis, rad.
-const BACK_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
+/// A pass ends where the ball turns back by more than this, rad.
+const BACK_RAD: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 /// Ball centres nearer than this are one place, mm; θ that differs by more turns, rad.
 const SAME_MM: f64 = 1e-6;
 const TURNED_RAD: f64 = 1e-6;
@@ -127,34 +125,39 @@ pub(super) fn find(places: &[Place], stock_mm: f64, radius_mm: f64, within_mm: f
         open.push(to.clone());
     }
     out.push(open);
-    let passes = out.into_iter().flat_map(passes);
+    let passes = out.into_iter().filter(|p| !p.is_empty()).flat_map(|p| passes(p, radius_mm));
     passes.filter(|p| p.len() >= FEWEST).map(|places| Found { cones: cones(&places), places }).collect()
 }
 
-/// Cut where the ball turns back about the blade axis.
-fn passes(places: Vec<Place>) -> Vec<Vec<Place>> {
-    let azimuth = |c: &Point| c.z.atan2(c.y);
-    let mut turned = vec![0.0f64; places.len()];
-    for (i, w) in places.windows(2).enumerate() {
-        turned[i + 1] = turned[i] + within_half_turn(azimuth(&w[1].stand.centre) - azimuth(&w[0].stand.centre));
-    }
-    // Which way it goes, 0 while that is not known, and the farthest place that way; till then the
-    // farthest both ways.
-    let (mut cuts, mut way, mut farthest, mut both) = (Vec::new(), 0.0f64, 0, [0, 0]);
-    for (i, t) in turned.iter().enumerate() {
-        if way == 0.0 {
-            both = [if *t < turned[both[0]] { i } else { both[0] }, if *t > turned[both[1]] { i } else { both[1] }];
-            let [up, down] = [t - turned[both[0]], turned[both[1]] - t];
-            if up.max(down) > BACK_RAD {
-                (way, farthest) = (if up > down { 1.0 } else { -1.0 }, i);
-            }
-        } else if way * (t - turned[farthest]) >= 0.0 {
-            farthest = i;
-        } else if way * (turned[farthest] - t) > BACK_RAD {
-            cuts.push(farthest);
-            (way, farthest) = (-way, i);
+/// Cut where the ball turns back: where the chords of a length before and behind a place point
+/// against one another. Round an edge of the part a ball's centre has at least its own radius to
+/// turn on, so that with chords as long as that they do not.
+fn passes(places: Vec<Place>, chord_mm: f64) -> Vec<Vec<Place>> {
+    let centre = |k: usize| places[k].stand.centre;
+    let mut s = vec![0.0f64; places.len()];
+    (1..places.len()).for_each(|k| s[k] = s[k - 1] + (centre(k) - centre(k - 1)).norm());
+    let (mut behind, mut ahead) = (0, 0);
+    // Places at which it turns back, in runs of neighbours: of each the one with the sharpest bend.
+    let mut cuts: Vec<usize> = Vec::new();
+    let mut run: Option<(usize, f64)> = None;
+    for k in 0..places.len() {
+        while behind + 1 < k && s[k] - s[behind + 1] >= chord_mm {
+            behind += 1;
+        }
+        ahead = ahead.max(k);
+        while ahead + 1 < places.len() && s[ahead] - s[k] < chord_mm {
+            ahead += 1;
+        }
+        let (from, to) = (centre(k) - centre(behind), centre(ahead) - centre(k));
+        let is_long = (s[k] - s[behind]).min(s[ahead] - s[k]) >= 0.3 * chord_mm;
+        if is_long && from.angle(&to) > BACK_RAD {
+            let bend = (centre(k) - centre(k - 1)).angle(&(centre(k + 1) - centre(k)));
+            run = Some(run.filter(|(_, most)| *most >= bend).unwrap_or((k, bend)));
+        } else if let Some((at, _)) = run.take() {
+            cuts.push(at);
         }
     }
+    cuts.extend(run.map(|(at, _)| at));
     cuts.push(places.len().saturating_sub(1));
     let mut from = 0;
     let mut out = Vec::new();
@@ -179,6 +182,7 @@ fn cones(places: &[Place]) -> Cones {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::Point;
 
     fn at(deg: f64) -> Place {
         let (s, c) = deg.to_radians().sin_cos();
@@ -187,7 +191,7 @@ mod tests {
     }
 
     fn lengths(degrees: impl IntoIterator<Item = f64>) -> Vec<usize> {
-        passes(degrees.into_iter().map(at).collect()).iter().map(Vec::len).collect()
+        passes(degrees.into_iter().map(at).collect(), 3.0).iter().map(Vec::len).collect()
     }
 
     #[test]
@@ -198,10 +202,10 @@ mod tests {
         // Three passes share the places where they turn.
         let down = up().rev().skip(1);
         assert_eq!(lengths(up().chain(down).chain(up().skip(1))), [41, 41, 41]);
-        // Two turns of a helix.
+        // Two turns of a helix, wherever its axis is.
         assert_eq!(lengths((0..=100).map(|k| f64::from(k) * 7.2)), [101]);
         // A dent of four degrees is no pass.
         assert_eq!(lengths([0.0, 10.0, 20.0, 18.0, 16.0, 20.0, 30.0]), [7]);
-        assert_eq!(lengths([0.0, 2.0, 0.0, -20.0, -40.0, 0.0]), [5, 2]);
+        assert_eq!(lengths([0.0]), [1]);
     }
 }

@@ -17,7 +17,7 @@ use crate::read::program::Zero;
 use crate::sample;
 
 /// Feed of the programs, mm/min.
-const FEED: f64 = 6000.0;
+const FEED: f64 = 2500.0;
 /// Lean of the tool, as the sample's.
 const B: f64 = sample::B_RAD;
 
@@ -312,6 +312,20 @@ fn bad_input_is_one_sentence() {
     assert!(e.message.contains("contact"), "{}", e.message);
     let e = fails(&text, &RescheduleOptions { chord_mm: -1.0, ..optimal.clone() });
     assert!(e.message.contains("chord"), "{}", e.message);
+    // No ball, another ball, another tool.
+    let apt = |more: &str| {
+        let language = self::language(Grammar::Apt, Programmed::Tip);
+        run(&program(helix, 181, language).replace("RAPID\n", &format!("{more}\nRAPID\n")), language, &optimal)
+            .unwrap_err()
+    };
+    for (line, says) in [
+        ("CUTTER/32,6", "line 3 of the program: a cutter of 32 mm with a corner radius of 6 mm is no ball"),
+        ("CUTTER/12,6", "its ball has R 6 mm, the tool has R 5 mm"),
+        ("LOADTL/1\nLOADTL/2", "it calls tool 2 after tool 1"),
+    ] {
+        let e = apt(line);
+        assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{}", e.message);
+    }
     // Nothing swings: nothing is gained.
     fn even(f: f64) -> (Point, f64) {
         let (c, _) = helix(f);
