@@ -44,6 +44,15 @@ struct Edit {
     more: usize,
 }
 
+impl Edit {
+    /// Lets all its lines end as the line that it takes the place of.
+    fn ending_as(mut self, line: &str) -> Self {
+        let all = self.before.iter_mut().chain(self.text.iter_mut().flatten());
+        all.filter(|l| line.ends_with('\r') && !l.ends_with('\r')).for_each(|l| l.push('\r'));
+        self
+    }
+}
+
 impl Edits {
     /// How many lines say something else, and how many are new.
     pub fn count(&self) -> [usize; 2] {
@@ -110,6 +119,8 @@ struct Modal {
     /// What stands before and behind the number of a word.
     around: HashMap<String, [String; 2]>,
     feed: Feed,
+    /// The feed is said again: the stretch before may have left another.
+    says_feed: bool,
 }
 
 /// A place written: its words by name, and the columns that they come to.
@@ -173,14 +184,16 @@ impl<'a> Rewriter<'a> {
         let first = found.places.get(planned.first).ok_or("it has no lines")?;
         let columns = self.moved(first)?.to;
         let feed = self.block(first)?.feed;
-        let mut modal = Modal { columns, texts: HashMap::new(), around: HashMap::new(), feed };
+        let mut modal = Modal { columns, texts: HashMap::new(), around: HashMap::new(), feed, says_feed: true };
         let mut edits = Edits::default();
         let count = planned.schedule.theta.len();
         for k in planned.first + 1..planned.first + count {
             let (Some(before), Some(place)) = (found.places.get(k - 1), found.places.get(k)) else { continue };
             let block = self.block(place)?;
             let edit = self.line(block, [before, place], (planned, k), &mut modal);
-            edits.0.insert(block.line - 1, edit.map_err(|why| format!("line {}: {why}", block.line))?);
+            let edit = edit.map_err(|why| format!("line {}: {why}", block.line))?;
+            let line = self.lines.get(block.line - 1).copied().unwrap_or("");
+            edits.0.insert(block.line - 1, edit.ending_as(line));
         }
         let last = found.places.get(planned.first + count - 1).ok_or("it has no lines")?;
         let there = self.moved(last)?.to;
@@ -468,7 +481,7 @@ impl<'a> Rewriter<'a> {
             _ => return Ok(None),
         };
         let per_move = matches!(feed, Feed::PerMove(_));
-        if !always && !per_move && (now / was - 1.0).abs() <= FEED_SHARE {
+        if !always && !modal.says_feed && !per_move && (now / was - 1.0).abs() <= FEED_SHARE {
             return Ok(None);
         }
         let manner = self.feed_manner().ok_or("the program has no word of a feed")?;
@@ -478,6 +491,7 @@ impl<'a> Rewriter<'a> {
         if !(said > 0.0) {
             return Err("its feed is too low for the digits that the program has".into());
         }
+        modal.says_feed = false;
         modal.feed = if per_move { Feed::PerMove(said) } else { Feed::PerMinute(said) };
         Ok(Some(manner.text(value / unit)))
     }
