@@ -270,8 +270,10 @@ fn a_program_is_scheduled_anew_and_the_rest_of_it_stays() {
     let sets = ["schedule.kind=\"fixed\"", "path.scallop_mm=0.3", "post.control=[\"heidenhain\"]"];
     let sets: Vec<&str> = sets.iter().flat_map(|s| ["--set", s]).collect();
     let plan = bladewright(&[&["plan", &model, "-o", "run", "--force"], &sets[..]].concat(), dir.path());
-    assert!(plan.status.success(), "{}", String::from_utf8_lossy(&plan.stderr));
-    // As another system may write it: lines that end in CR LF, a comment in Latin letters, one feed.
+    // A fixed lead turns back, which is a finding.
+    assert_eq!(plan.status.code(), Some(1), "{}", String::from_utf8_lossy(&plan.stderr));
+    // As another system may write it: lines that end in CR LF, a comment in Latin letters, one
+    // feed.
     let text = std::fs::read_to_string(dir.path().join("run/program.h")).expect("readable");
     let word = |w: &str| match w.strip_prefix('F').and_then(|f| f.parse::<f64>().ok()) {
         Some(f) if (10.0..2500.0).contains(&f) => "F4000".to_owned(),

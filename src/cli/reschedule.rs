@@ -125,8 +125,15 @@ fn tell(made: &Rescheduled) {
         let [first, last] = stretch.lines;
         let what = match (&stretch.reason, stretch.reversals) {
             (Some(why), _) => format!("stays: {why}"),
-            (None, Some([a, b])) => format!("{}; θ turns back {a} times before, {b} after", title(stretch)),
-            (None, None) => title(stretch),
+            (None, Some([a, b])) => {
+                let [from, to] = stretch.new_lines.unwrap_or(stretch.lines);
+                let [before, after] = stretch.time_s.unwrap_or_default();
+                format!(
+                    "anew from {from} to {to}, {before:.2} s before, {after:.2} s after; \
+                     θ turns back {a} times before, {b} after"
+                )
+            }
+            (None, None) => String::new(),
         };
         sayln!("           lines {first} to {last} ({:.1} mm): {what}", stretch.length_mm);
     }

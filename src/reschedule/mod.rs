@@ -17,10 +17,10 @@
 //! **Guarantees**: the new text is read by the reader of programs, which shares nothing with what
 //! writes: each line of a stretch ends with the ball where it ended, but for the rounding of its
 //! words; all other lines end with the tool where it stood; no check of the audit fails that did
-//! not fail before, and the tool comes no nearer to the part than it did,
-//! or than the clearance that is asked for where no schedule keeps more. A stretch is replaced only where that takes the machine less time. Lines are
-//! put between two where θ turns so far that the ball would leave its way by more than half the
-//! chord tolerance, or by more than it did.
+//! not fail before, and the tool comes no nearer to the part than it did, or than the clearance that
+//! is asked for where no schedule keeps more. A stretch is replaced only where that takes the
+//! machine less time. Lines are put between two where θ turns so far that the ball would leave its
+//! way by more than half the chord tolerance, or by more than it did.
 //!
 //! **Limits**: lines that are run more than once, arcs, polynomials, steps and statements over
 //! several lines stay as they are. Times are those of each stretch by itself, from rest to rest.
@@ -236,7 +236,8 @@ pub fn reschedule(
 }
 
 /// What the tool is to keep from the part, in the order in which it is tried: what the program
-/// keeps, with what the check takes off such a distance and without, halfway to what is asked for, and that. Where the program keeps no more it is the last.
+/// keeps, with what the check takes off such a distance and without, halfway to what is asked for,
+/// and that. Where the program keeps no more it is the last.
 fn clearances(asked: &ChannelSettings, before: &Audit) -> Vec<ChannelSettings> {
     let asked_mm = [asked.clearance_mm, asked.holder_clearance_mm];
     let own_mm = [CheckId::Clearance, CheckId::HolderClearance].map(|id| {
