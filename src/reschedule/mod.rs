@@ -17,8 +17,8 @@
 //! **Guarantees**: the new text is read by the reader of programs, which shares nothing with what
 //! writes: each line of a stretch ends with the ball where it ended, but for the rounding of its
 //! words; all other lines end with the tool where it stood; no check of the audit fails that did
-//! not fail before, and the tool comes no nearer to the part than it did, or than the clearance that
-//! is asked for where no schedule keeps more. A stretch is replaced only where that takes the
+//! not fail before, and the tool comes no nearer to the part than it did, or than the clearance
+//! that is asked for where no schedule keeps more. A stretch is replaced only where that takes the
 //! machine less time. Lines are put between two where θ turns so far that the ball would leave its
 //! way by more than half the chord tolerance, or by more than it did.
 //!
