@@ -516,7 +516,7 @@ impl<'a> Rewriter<'a> {
             if let Some(k) = words.iter().position(|w| w.name == *name) {
                 new.push((k, number.clone()));
             } else if modal.texts.get(name) != Some(number) {
-                added.push_str(&self.word(name, number, modal, text));
+                added.push_str(&self.word(name, number, modal));
             }
         }
         let at = words.iter().position(|w| w.name == "F");
@@ -527,14 +527,14 @@ impl<'a> Rewriter<'a> {
             (Some(number), None) if self.program.bench.language.grammar == Grammar::Apt => {
                 feed_line = Some(self.feed_statement(&number)?);
             }
-            (Some(number), None) => added.push_str(&self.word("F", &number, modal, text)),
+            (Some(number), None) => added.push_str(&self.word("F", &number, modal)),
             (None, _) => {}
         }
         Ok((feed_line, line::written(text, words, &new, &added)))
     }
 
     /// A word to be added to a line.
-    fn word(&self, name: &str, number: &str, modal: &Modal, beside: &str) -> String {
+    fn word(&self, name: &str, number: &str, modal: &Modal) -> String {
         if self.program.bench.language.grammar == Grammar::Apt {
             return format!(",{number}");
         }
@@ -545,16 +545,14 @@ impl<'a> Rewriter<'a> {
             .get(name)
             .cloned()
             .unwrap_or_else(|| if is_klartext { [name.to_owned(), String::new()] } else { usual() });
-        let blank = if beside.trim().contains(char::is_whitespace) { " " } else { "" };
-        format!("{blank}{before}{number}{behind}")
+        format!(" {before}{number}{behind}")
     }
 
     /// A line of its own, and in files of cutter locations one before it that sets its feed.
     fn fresh(&self, written: &Written, feed: Feed, modal: &mut Modal, first: bool) -> Result<Vec<String>, String> {
         let per_move = matches!(feed, Feed::PerMove(_));
         let number = self.feed_text(feed, modal, first || per_move)?;
-        let all =
-            |words: &[(String, String)]| words.iter().map(|(n, t)| self.word(n, t, modal, "a b")).collect::<String>();
+        let all = |words: &[(String, String)]| words.iter().map(|(n, t)| self.word(n, t, modal)).collect::<String>();
         Ok(match self.program.bench.language.grammar {
             Grammar::Apt => {
                 let numbers: Vec<&str> = written.words.iter().map(|(_, t)| t.as_str()).collect();
@@ -568,7 +566,7 @@ impl<'a> Rewriter<'a> {
                     (Grammar::Heidenhain, false) => "0 L",
                     _ => "G1",
                 };
-                let feed = number.map(|n| self.word("F", &n, modal, "a b")).unwrap_or_default();
+                let feed = number.map(|n| self.word("F", &n, modal)).unwrap_or_default();
                 vec![format!("{begins}{}{feed}", all(&written.words))]
             }
         })
@@ -607,7 +605,7 @@ impl<'a> Rewriter<'a> {
         let form = || format!("line {} behind it has a form that is not written anew", next.line);
         let words = line::words(text, grammar).ok_or_else(form)?;
         if !words.iter().any(|w| w.name == "F") {
-            let added = self.word("F", &number, modal, text);
+            let added = self.word("F", &number, modal);
             edit.text = Some(vec![line::written(text, &words, &[], &added)]);
         }
         Ok(())

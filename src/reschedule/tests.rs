@@ -335,3 +335,73 @@ fn bad_input_is_one_sentence() {
     assert!(e.kind == ErrorKind::Infeasible, "{e:?}");
     assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoStretchGains { stretches: 1, .. })), "{e:?}");
 }
+
+#[test]
+fn damaged_programs_never_panic() {
+    // Marsaglia 2003: xorshift.
+    let mut state = 0x2545_f491_4f6c_dd1du64;
+    let mut random = move |most: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as usize % most.max(1)
+    };
+    let words = [
+        "G91", "G93", "G2 X1 I1", "X=IC(1)", "F0", "F1e9", "A=DC(3)", "M30", "G0", "TRAFOOF", "R1=5", "X=R1", "(",
+        "G20", "X1e300",
+    ];
+    let klartext =
+        ["0 LBL 1", "0 CALL LBL 1 REP 2", "0 M129", "0 L IX+1", "0 FMAX", "0 CC X+0 Y+0", "0 L X+1,5", "0 STOP M30"];
+    let apt = [
+        "UNITS/INCHES",
+        "RAPID",
+        "GODLTA/1",
+        "CUTTER/10,5",
+        "GOTO/1,2",
+        "FEDRAT/0",
+        "GOTO/1,2,3$",
+        "FINI",
+        "MSYS/1,2,3,1,0,0,0,1,0",
+    ];
+    let mut done = 0;
+    for (grammar, programmed, more) in [
+        (Grammar::Gcode, Programmed::Tip, &words[..]),
+        (Grammar::Gcode, Programmed::Machine, &words[..]),
+        (Grammar::Heidenhain, Programmed::Centre, &klartext[..]),
+        (Grammar::Apt, Programmed::Tip, &apt[..]),
+    ] {
+        let language = language(grammar, programmed);
+        let good: Vec<String> = program(helix, 61, language).lines().map(str::to_owned).collect();
+        for _ in 0..DAMAGED {
+            let mut lines = good.clone();
+            for _ in 0..1 + random(3) {
+                let at = random(lines.len());
+                match random(6) {
+                    0 => drop(lines.remove(at)),
+                    1 => lines.insert(at, lines[at].clone()),
+                    2 => lines.insert(at, more[random(more.len())].to_owned()),
+                    3 => lines.truncate(at.max(4)),
+                    4 => lines[at] = format!("{} {}", lines[at], more[random(more.len())]),
+                    _ => lines[at] = lines[at].replacen(char::from(b'0' + random(10) as u8), "7", 2),
+                }
+            }
+            if grammar == Grammar::Heidenhain {
+                let code = |l: &String| l.split_once(' ').map_or(String::new(), |(_, c)| c.to_owned());
+                lines = lines.iter().enumerate().map(|(k, l)| format!("{k} {}", code(l))).collect();
+            }
+            let text = lines.join("\n");
+            match run(&text, language, &options(ScheduleKind::Optimal)) {
+                Ok(made) => {
+                    done += 1;
+                    assert!(made.centre_off_mm <= made.centre_limit_mm);
+                }
+                // What writes is never at fault.
+                Err(e) => assert!(e.stage != Stage::Post, "{grammar:?} {programmed:?}: {}\n{text}", e.message),
+            }
+        }
+    }
+    assert!(done > DAMAGED / 2, "{done} were scheduled anew");
+}
+
+/// Damaged programs of each kind.
+const DAMAGED: usize = 40;
