@@ -9,7 +9,6 @@ use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
 use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
 use crate::channel::{self, ChannelOptions, ChannelSettings, Surroundings};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
-use crate::feed::FeedOptions;
 use crate::geometry::Vector;
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
@@ -261,19 +260,19 @@ impl Scene<'_> {
     /// Schedules within the channel, from end to end.
     fn schedules(&self, path: &Toolpath, channel: &Channel, ends: [f64; 2], most_mm_min: f64) -> Result<Vec<Schedule>> {
         let machine = self.program.bench.machine;
-        let feed = FeedOptions::new(most_mm_min, self.program.bench.tool.length_mm());
         let pace = Some(schedules::pace(machine, most_mm_min));
         let settings = self.options.schedule;
         let options = ScheduleOptions { settings, pace, ends_rad: Some(ends), ..ScheduleOptions::default() };
         let made = match settings.kind {
             ScheduleKind::Time => {
+                // Nothing is to stand still at the ends: there the program goes on.
                 let (own, rivals) = rayon::join(
-                    || schedules::paced(machine, &feed, path, channel, &options),
+                    || schedule::plan(ScheduleKind::Time, path, channel, &options, &Silent),
                     || schedules::rivals(path, channel, &options),
                 );
                 match own {
                     Err(e) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
-                    own => own.unwrap_or_default().into_iter().chain(rivals).collect(),
+                    own => own.into_iter().chain(rivals).collect(),
                 }
             }
             kind => vec![schedule::plan(kind, path, channel, &options, &Silent)?],
