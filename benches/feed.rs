@@ -18,7 +18,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
-use bladewright::artifact::schedule::{Measure, Quality, ScheduleKind};
+use bladewright::artifact::schedule::{Measure, ScheduleKind};
 use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind};
 use bladewright::artifact::{AxisMotion, Cones, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
@@ -57,7 +57,7 @@ fn ellipse(n: usize) -> (Toolpath, Schedule) {
             normal,
         });
     }
-    (along(locations), following(theta))
+    (along(locations), Schedule::of_angles(theta))
 }
 
 fn along(locations: Vec<CutterLocation>) -> Toolpath {
@@ -73,19 +73,6 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
         cones: Cones::about_blade(5f64.to_radians()),
         turns: Vec::new(),
         locations,
-    }
-}
-
-fn following(theta: Vec<f64>) -> Schedule {
-    Schedule {
-        kind: ScheduleKind::Fixed,
-        theta,
-        pieces: Vec::new(),
-        key_points: Vec::new(),
-        reversals: 0,
-        peak_rate: 0.0,
-        peak_acceleration: 0.0,
-        quality: Quality::default(),
     }
 }
 
@@ -125,7 +112,7 @@ fn rough_helix(n: usize, noise: &Noise) -> (Toolpath, Schedule) {
         let contact = Point::new(centre.x, 20.0 * phi.cos(), 20.0 * phi.sin());
         locations.push(CutterLocation { turn: 0, turn_s_mm: s_mm, s_mm, centre, contact, normal });
     }
-    (along(locations), following(theta))
+    (along(locations), Schedule::of_angles(theta))
 }
 
 /// Greatest memory that the process has held so far, MB, where the system tells.

@@ -59,7 +59,8 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     terminal.finish();
     let (audits, fit) = audit?;
     if let Some(file) = &args.report {
-        let json = match &fit::Fitted::all(&audits, fit.as_ref())[..] {
+        let fitted: Vec<fit::Fitted<Audit>> = audits.iter().map(|a| fit::Fitted::new(a, fit.as_ref())).collect();
+        let json = match &fitted[..] {
             [audit] => run::json(audit)?,
             all => run::json(&all)?,
         };

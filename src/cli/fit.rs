@@ -8,22 +8,21 @@ use crate::error::Result;
 use crate::observe::Observer;
 use crate::read::program::Bench;
 use crate::register::{self, Fit, FitOptions};
-use crate::verify::audit::Audit;
 
-/// An audit with the frame that it was made in, as the report has it.
+/// What a verb found with the frame that it was found in, as reports have it.
 #[derive(serde::Serialize)]
-pub struct Fitted<'a> {
+pub struct Fitted<'a, T> {
     #[serde(flatten)]
-    audit: &'a Audit,
+    found: &'a T,
     /// `None`: the frame was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     fit: Option<&'a Fit>,
 }
 
-impl<'a> Fitted<'a> {
-    /// Each of some audits with the frame of all.
-    pub fn all(audits: &'a [Audit], fit: Option<&'a Fit>) -> Vec<Self> {
-        audits.iter().map(|audit| Fitted { audit, fit }).collect()
+impl<'a, T> Fitted<'a, T> {
+    /// With the frame.
+    pub fn new(found: &'a T, fit: Option<&'a Fit>) -> Self {
+        Fitted { found, fit }
     }
 }
 

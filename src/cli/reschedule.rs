@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use super::args::Reschedule;
+use super::fit::{self, Fitted};
 use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
-use super::{fit, inspect, theirs};
+use super::{inspect, theirs};
 use crate::artifact::schedule::ThetaRow;
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
@@ -54,7 +55,7 @@ fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Reschedule
     let named = made.stretches.iter().map(|s| (title(s), &s.theta[..]));
     let svg = draw::rescheduled_svg(&named.collect::<Vec<(String, &[ThetaRow])>>());
     folder.add(&name, text.bytes(&made.text))?;
-    folder.add_json("reschedule.json", &made)?;
+    folder.add_json("reschedule.json", &Fitted::new(&made, fit.as_ref()))?;
     folder.add("reschedule.svg", svg)?;
     for file in folder.finish()? {
         sayln!("{}", file.display());
@@ -140,12 +141,15 @@ fn tell(made: &Rescheduled) {
     if made.stretches.len() > TOLD {
         sayln!("           and {} more", made.stretches.len() - TOLD);
     }
-    for peaks in made.stretches.iter().filter(|s| s.new_lines.is_some()).take(1).flat_map(|s| &s.peaks) {
-        let [v, w] = peaks.velocity;
-        let [a, b] = peaks.acceleration;
+    let written = made.stretches.iter().find_map(|s| s.peaks.as_ref());
+    for (was, is) in written.into_iter().flat_map(|[before, after]| before.iter().zip(after)) {
         sayln!(
-            "axis {}     velocity {v:.1} before, {w:.1} after; acceleration {a:.0} before, {b:.0} after",
-            peaks.axis
+            "axis {}     velocity {:.1} before, {:.1} after; acceleration {:.0} before, {:.0} after",
+            is.axis,
+            was.velocity,
+            is.velocity,
+            was.acceleration,
+            is.acceleration
         );
     }
     for check in made.after.checks.iter().map(|c| &c.check) {

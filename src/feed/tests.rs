@@ -5,7 +5,6 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artifact::Cones;
-use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, EndReason};
 use crate::error::ErrorKind;
 use crate::geometry::{Point, Vector};
@@ -38,17 +37,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         turns: Vec::new(),
         locations,
     };
-    let schedule = Schedule {
-        kind: ScheduleKind::Fixed,
-        theta,
-        pieces: Vec::new(),
-        key_points: Vec::new(),
-        reversals: 0,
-        peak_rate: 0.0,
-        peak_acceleration: 0.0,
-        quality: crate::artifact::schedule::Quality::default(),
-    };
-    (toolpath, schedule)
+    (toolpath, Schedule::of_angles(theta))
 }
 
 fn options(feed_mm_min: f64) -> FeedOptions {

@@ -73,6 +73,7 @@ mod config;
 mod file;
 mod kinematics;
 mod model;
+mod peaks;
 mod settings;
 #[cfg(test)]
 mod table_head;
@@ -85,5 +86,6 @@ pub use config::{
 };
 pub use kinematics::Pose;
 pub use model::Machine;
+pub use peaks::AxisPeak;
 pub use settings::{MachineKeys, MachineSettings};
 pub use travel::TravelFinding;

@@ -39,9 +39,11 @@ mod time;
 use serde::Serialize;
 
 use crate::artifact::schedule::ThetaRow;
-use crate::artifact::{Axes, AxisMotion, Blade, CheckId};
+use crate::artifact::{Blade, CheckId};
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Infeasible, Missed, Result, Stage};
+use crate::machine::AxisPeak;
+use crate::numerics::angle::nearest_turn;
 use crate::observe::{Observer, timed};
 use crate::read::program::{self, Bench, Block, Moved, Script};
 use crate::schedule::ScheduleSettings;
@@ -102,17 +104,16 @@ impl<'a> Program<'a> {
     fn blocks(&self) -> &[Block] {
         &self.script.blocks
     }
-}
 
-/// Peaks of an axis, mm or degrees and seconds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AxisPeak {
-    /// Name of the axis.
-    pub axis: String,
-    /// Greatest velocity before and after.
-    pub velocity: [f64; 2],
-    /// Greatest acceleration before and after.
-    pub acceleration: [f64; 2],
+    /// The number of the line that ends at a place, from 1.
+    fn line(&self, place: &Place) -> usize {
+        self.blocks().get(place.block).map_or(0, |b| b.line)
+    }
+
+    /// First and last line on the way through places: that of the first leads to it.
+    fn lines(&self, places: &[Place]) -> [usize; 2] {
+        [places.get(1), places.last()].map(|p| p.map_or(0, |p| self.line(p)))
+    }
 }
 
 /// What became of a stretch.
@@ -130,8 +131,8 @@ pub struct StretchReport {
     pub reversals: Option<[usize; 2]>,
     /// Time of the lines that are written anew, before and after, s.
     pub time_s: Option<[f64; 2]>,
-    /// Peaks of the axes in them.
-    pub peaks: Vec<AxisPeak>,
+    /// Peaks of the axes in them, before and after.
+    pub peaks: Option<[Vec<AxisPeak>; 2]>,
     /// What taper and shank, and the holder, keep from the part, mm.
     pub clearance_mm: Option<[f64; 2]>,
     /// Why it stays as it is.
@@ -378,7 +379,6 @@ fn made(
         let mut report = report(program, stretch);
         let better = planned.and_then(|p| {
             let [before, after] = p.motions.each_ref().map(|m| m.time_s);
-            report.time_s = Some([before, after]);
             if options.feed_mm_min.is_none() && after >= before {
                 return Err(format!("it would take {after:.3} s, it takes {before:.3} s"));
             }
@@ -400,16 +400,15 @@ fn made(
 
 /// A stretch as it is found.
 fn report(program: &Program, stretch: &Found) -> StretchReport {
-    let line = |p: Option<&Place>| p.and_then(|p| program.blocks().get(p.block)).map_or(0, |b| b.line);
     let lean = stretch.places.iter().map(|p| p.stand.cone.lean_rad.to_degrees());
     StretchReport {
-        lines: [line(stretch.places.get(1)), line(stretch.places.last())],
+        lines: program.lines(&stretch.places),
         new_lines: None,
         length_mm: stretch.places.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm()).sum(),
         lean_deg: lean.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]),
         reversals: None,
         time_s: None,
-        peaks: Vec::new(),
+        peaks: None,
         clearance_mm: None,
         reason: None,
         theta: Vec::new(),
@@ -420,11 +419,11 @@ fn report(program: &Program, stretch: &Found) -> StretchReport {
 fn replaced(report: &mut StretchReport, program: &Program, stretch: &Found, planned: &Planned) {
     let count = planned.schedule.theta.len();
     let places = stretch.places.get(planned.first..planned.first + count).unwrap_or_default();
-    let line = |p: Option<&Place>| p.and_then(|p| program.blocks().get(p.block)).map_or(0, |b| b.line);
-    report.new_lines = Some([line(places.get(1)), line(places.last())]);
+    report.new_lines = Some(program.lines(places));
+    report.time_s = Some(planned.motions.each_ref().map(|m| m.time_s));
     let before = |row: usize| planned.course.theta.get(row).copied().unwrap_or(0.0);
-    let turns = planned.schedule.theta.first().map_or(0.0, |t| t - before(0));
-    let shift = std::f64::consts::TAU * (turns / std::f64::consts::TAU).round();
+    // Whole turns to where the channel counts them.
+    let shift = planned.schedule.theta.first().map_or(0.0, |t| nearest_turn(before(0), *t) - before(0));
     report.clearance_mm = Some(planned.clearance_mm);
     report.reversals = Some([reversals(&planned.course.theta), planned.schedule.reversals]);
     let rows = planned.course.path.locations.iter().zip(&planned.channel.rows).zip(&planned.schedule.theta);
@@ -437,27 +436,7 @@ fn replaced(report: &mut StretchReport, program: &Program, stretch: &Found, plan
             after_deg: theta.to_degrees(),
         })
         .collect();
-    let axes = program.bench.machine.axes();
-    let peak = |motion: &AxisMotion, k: usize, of: &dyn Fn(&AxisMotion) -> Axes| of(motion)[k] * axes[k].scale();
-    let velocity = |m: &AxisMotion| greatest(&m.velocity, axes.len());
-    let acceleration = |m: &AxisMotion| greatest(&m.acceleration, axes.len());
-    report.peaks = axes
-        .iter()
-        .enumerate()
-        .map(|(k, axis)| AxisPeak {
-            axis: axis.name.clone(),
-            velocity: [0, 1].map(|i| peak(&planned.motions[i], k, &velocity)),
-            acceleration: [0, 1].map(|i| peak(&planned.motions[i], k, &acceleration)),
-        })
-        .collect();
-}
-
-fn greatest(rows: &crate::artifact::AxisRows, axes: usize) -> Axes {
-    let mut out: Axes = Axes::of_default(axes);
-    for row in rows {
-        out.iter_mut().zip(row).for_each(|(most, v)| *most = most.max(v.abs()));
-    }
-    out
+    report.peaks = Some(planned.motions.each_ref().map(|m| program.bench.machine.peaks(m)));
 }
 
 /// How often angles turn back, by more than the rounding of words.
@@ -525,12 +504,11 @@ impl Stays<'_> {
 
     /// Which blocks of the program are written anew.
     fn written(&self, found: &[Found], reports: &[StretchReport]) -> Vec<bool> {
-        let blocks = self.old.blocks();
-        let mut out = vec![false; blocks.len()];
+        let mut out = vec![false; self.old.blocks().len()];
         for (stretch, lines) in found.iter().zip(reports).filter_map(|(f, r)| Some((f, r.new_lines?))) {
             for place in &stretch.places {
-                let line = blocks.get(place.block).map_or(0, |b| b.line);
-                if let (true, Some(flag)) = ((lines[0]..=lines[1]).contains(&line), out.get_mut(place.block)) {
+                let written = (lines[0]..=lines[1]).contains(&self.old.line(place));
+                if let (true, Some(flag)) = (written, out.get_mut(place.block)) {
                     *flag = true;
                 }
             }

@@ -420,8 +420,8 @@ impl<'a> Rewriter<'a> {
         let machine = self.program.bench.machine;
         let mut rounded = *turned;
         for k in machine.rotary() {
-            let letter = format!("{:?}", machine.axes()[k].letter);
-            let Some(manner) = self.manners.get(&letter) else {
+            let letter = machine.axes()[k].letter.letter();
+            let Some(manner) = self.manners.get(letter) else {
                 if (turned[k] - near[k]).abs() > AS_READ {
                     return Err(format!("no line has a word {letter}"));
                 }
@@ -432,7 +432,7 @@ impl<'a> Rewriter<'a> {
             let way = ["A", "B", "C"].iter().position(|l| *l == letter).and_then(|w| block.ways.get(w));
             let is_within_turn = way == Some(&RotaryWay::Shorter);
             let shown = if is_within_turn { manner.rounded(deg).rem_euclid(360.0) } else { deg };
-            words.push((letter, manner.text(shown)));
+            words.push((letter.to_owned(), manner.text(shown)));
             rounded[k] = manner.rounded(deg).to_radians();
         }
         Ok(rounded)
@@ -512,10 +512,14 @@ impl<'a> Rewriter<'a> {
         modal: &mut Modal,
     ) -> Result<(Option<String>, String), String> {
         let (mut new, mut added) = (Vec::new(), String::new());
+        let differs = |name: &str, number: &String| modal.texts.get(name) != Some(number);
+        // A component that is left out is 0, or the next one's: of a vector all are said, or none.
+        let vector = self.vector_names();
+        let turns = written.words.iter().any(|(name, number)| vector.contains(&name.as_str()) && differs(name, number));
         for (name, number) in &written.words {
             if let Some(k) = words.iter().position(|w| w.name == *name) {
                 new.push((k, number.clone()));
-            } else if modal.texts.get(name) != Some(number) {
+            } else if differs(name, number) || turns && vector.contains(&name.as_str()) {
                 added.push_str(&self.word(name, number, modal));
             }
         }
@@ -550,8 +554,7 @@ impl<'a> Rewriter<'a> {
 
     /// A line of its own, and in files of cutter locations one before it that sets its feed.
     fn fresh(&self, written: &Written, feed: Feed, modal: &mut Modal, first: bool) -> Result<Vec<String>, String> {
-        let per_move = matches!(feed, Feed::PerMove(_));
-        let number = self.feed_text(feed, modal, first || per_move)?;
+        let number = self.feed_text(feed, modal, first)?;
         let all = |words: &[(String, String)]| words.iter().map(|(n, t)| self.word(n, t, modal)).collect::<String>();
         Ok(match self.program.bench.language.grammar {
             Grammar::Apt => {

@@ -150,7 +150,7 @@ pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result
     let figures = |schedule: &Schedule, motion: &AxisMotion, on: Option<&ProgrammedCurve>| {
         let peaks = feed::peaks_on(&plan.toolpath, schedule, on, &setup.machine, &setup.feed_options())?;
         let constant = [peaks.velocity[a], peaks.acceleration[a]];
-        Ok(summary::schedule_figures(plan, schedule, motion, constant, setup.machine.axes()))
+        Ok(summary::schedule_figures(plan, schedule, motion, constant, &setup.machine))
     };
     Ok(vec![
         figures(&plan.schedule, &plan.motion, plan.curve.as_ref())?,

@@ -4,21 +4,8 @@ use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::LimitFigures;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
-use crate::artifact::{AxisMotion, AxisRows, Channel, CheckReport, Plan, Schedule};
-use crate::machine::Axis;
-
-/// Greatest velocity, acceleration and jerk of one axis over the path.
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct AxisPeak {
-    /// Axis.
-    pub axis: String,
-    /// mm or degrees per second.
-    pub velocity: f64,
-    /// Per second squared.
-    pub acceleration: f64,
-    /// Per second cubed.
-    pub jerk: f64,
-}
+use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule};
+use crate::machine::{Axis, AxisPeak, Machine};
 
 /// A schedule's figures.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -212,20 +199,6 @@ pub struct Summary {
     pub passed: bool,
 }
 
-/// Peaks of every axis; rotary axes in degrees.
-pub fn axis_peaks(motion: &AxisMotion, axes: &[Axis]) -> Vec<AxisPeak> {
-    let greatest = |rows: &AxisRows, i: usize| rows.iter().map(|r| r[i].abs()).fold(0.0, f64::max);
-    axes.iter()
-        .enumerate()
-        .map(|(i, axis)| AxisPeak {
-            axis: axis.name.clone(),
-            velocity: axis.shown(greatest(&motion.velocity, i)),
-            acceleration: axis.shown(greatest(&motion.acceleration, i)),
-            jerk: axis.shown(greatest(&motion.jerk, i)),
-        })
-        .collect()
-}
-
 /// Figures of one schedule; `constant_feed` are the rotary axis' greatest velocity and
 /// acceleration, rad, at the programmed feed held constant.
 pub fn schedule_figures(
@@ -233,7 +206,7 @@ pub fn schedule_figures(
     schedule: &Schedule,
     motion: &AxisMotion,
     constant_feed: [f64; 2],
-    axes: &[Axis],
+    machine: &Machine,
 ) -> ScheduleFigures {
     let outside = schedule
         .theta
@@ -248,7 +221,7 @@ pub fn schedule_figures(
         theta_rate_peak_deg_per_mm: schedule.peak_rate.to_degrees(),
         theta_acceleration_peak_deg_per_mm2: schedule.peak_acceleration.to_degrees(),
         machining_time_s: motion.time_s,
-        axes: axis_peaks(motion, axes),
+        axes: machine.peaks(motion),
         a_velocity_at_constant_feed_deg_s: constant_feed[0].to_degrees(),
         a_acceleration_at_constant_feed_deg_s2: constant_feed[1].to_degrees(),
     }

@@ -82,17 +82,8 @@ fn turning(angles: &[f64]) -> (Channel, Schedule) {
         chains: 1,
         proven_at: Vec::new(),
     };
-    let schedule = Schedule {
-        kind: ScheduleKind::Optimal,
-        theta: angles.iter().map(|a| a + 0.3 * a.sin()).collect(),
-        pieces: Vec::new(),
-        key_points: Vec::new(),
-        reversals: 0,
-        peak_rate: 0.0,
-        peak_acceleration: 0.0,
-        quality: crate::artifact::schedule::Quality::default(),
-    };
-    (channel, schedule)
+    let theta = angles.iter().map(|a| a + 0.3 * a.sin()).collect();
+    (channel, Schedule { kind: ScheduleKind::Optimal, ..Schedule::of_angles(theta) })
 }
 
 fn smoothed(path: &Toolpath, angles: &[f64], options: &SmoothOptions) -> Result<Curve> {

@@ -21,8 +21,8 @@
 //! | `tool`, `tool-length`, `spindle`, `smoothing` | in feed moves at the part: other tools than the given one, a length offset that is off, another tool's or changed, the spindle off or turning the wrong way, a tolerance of the control's wider than the greater of gouge and scallop allowed | |
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
-//! **Limits**: rapids are taken as straight in whatever the block programs; arcs and splines are
-//! not read, polynomials of G code (`POLY`) are; the control's own smoothing is not known but for
+//! **Limits**: rapids are taken as straight in whatever the block programs; which forms of programs
+//! are read: [`crate::read::program`]; the control's own smoothing is not known but for
 //! its tolerance; accelerations are not judged, since the control slows down where it must. Moves
 //! before the program has said where every axis stands are not looked at, and counted. θ need not
 //! grow and nothing is asked of the order of passes.

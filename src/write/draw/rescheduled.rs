@@ -27,7 +27,8 @@ fn panel(title: &str, rows: &[ThetaRow]) -> Option<Chart> {
     };
     Some(Chart {
         title: title.into(),
-        x: "S, mm".into(),
+        // Charts show their titles where a pointer is: pictures of several need them in sight.
+        x: format!("S, mm. {title}"),
         y: "θ from the even turn, °".into(),
         curves: vec![
             ChartCurve::line("before", line(|r| r.before_deg), ORANGE, "5 3", 1.5),
