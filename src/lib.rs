@@ -41,6 +41,7 @@ pub mod machine;
 pub mod make;
 pub mod numerics;
 pub mod observe;
+pub mod orient;
 pub mod path;
 pub mod plan;
 pub mod read;

@@ -223,6 +223,7 @@ fn channel(theta: &[f64]) -> Channel {
         narrowest_row: theta.len() / 3,
         chains: 1,
         proven_at: Vec::new(),
+        sweep: Default::default(),
     }
 }
 

@@ -15,7 +15,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
     const WRITER: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine", "verify"];
     // All stages, and what they need, but no files.
     const PLANNER: &[&str] = &[
-        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel", "schedule",
         "smooth", "lead", "feed", "verify", "write", "job",
     ];
     // What a planner needs, and the planner's choice among schedules.
@@ -23,7 +23,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "numerics", "geometry", "artifact", "tool", "machine", "read", "channel", "schedule", "feed", "verify", "plan",
     ];
     const RUNNER: &[&str] = &[
-        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "channel", "schedule",
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel", "schedule",
         "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
     ];
     Some(match room {
@@ -32,7 +32,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
         "machine" => &["numerics", "geometry", "artifact", "tool"],
-        "section" | "path" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
+        "section" | "path" | "orient" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
         "verify" | "register" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
         "read" => READER,
         "make" => STAGE,

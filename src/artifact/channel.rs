@@ -59,6 +59,9 @@ pub struct ChannelRow {
 pub struct Channel {
     /// Tolerance of the ends, rad.
     pub tolerance_rad: f64,
+    /// How θ goes along the path.
+    #[serde(default, skip_serializing_if = "Sweep::is_round")]
+    pub sweep: Sweep,
     /// One row per cutter location.
     #[serde(with = "rows")]
     pub rows: Vec<ChannelRow>,
@@ -72,6 +75,25 @@ pub struct Channel {
     pub proven_at: Vec<usize>,
 }
 
+/// How θ goes along a path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sweep {
+    /// Round the axis of the cones with the surface normal, turn after turn, and never back.
+    #[default]
+    Round,
+    /// To and fro about the reference of the cones, within half a turn of it. The hulls are the
+    /// walls then.
+    Swing,
+}
+
+impl Sweep {
+    /// θ never turns back.
+    pub fn is_round(&self) -> bool {
+        *self == Sweep::Round
+    }
+}
+
 impl Channel {
     /// The monotone channel of schedules that begin and end at given angles, rad; `None` where no
     /// schedule that never turns back does. Where the ends leave room it is the same channel.
@@ -81,10 +103,11 @@ impl Channel {
         let last = out.rows.len().checked_sub(1)?;
         let holds =
             |row: usize, theta: f64| self.rows.get(row).is_some_and(|r| (r.hull_min..=r.hull_max).contains(&theta));
-        if !(start <= end && holds(0, start) && holds(last, end)) {
+        let in_order = start <= end || !self.sweep.is_round();
+        if !(in_order && holds(0, start) && holds(last, end)) {
             return None;
         }
-        for row in &mut out.rows {
+        for row in out.rows.iter_mut().filter(|_| self.sweep.is_round()) {
             (row.hull_min, row.hull_max) = (row.hull_min.max(start), row.hull_max.min(end));
         }
         for (row, theta) in [(0, start), (last, end)] {

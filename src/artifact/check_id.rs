@@ -59,6 +59,7 @@ checks! {
     "ridge" Ridge "ridges between neighbouring turns.",
     "clearance" Clearance "taper and shank to the part.",
     "holder-clearance" HolderClearance "the holder to the part.",
+    "obstacle-gouge" ObstacleGouge "the swept ball in a fixture, another blade or the hub.",
     "obstacle-clearance" ObstacleClearance "the tool to a fixture or the stock.",
     "lead-gouge" LeadGouge "the ball in the part on the leads.",
     "lead-clearance" LeadClearance "taper and shank to the part on the leads.",

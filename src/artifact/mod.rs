@@ -23,11 +23,12 @@ pub mod section;
 pub mod sphere;
 pub mod tool_part;
 pub mod toolpath;
+pub mod wheel;
 
 pub use axes::{Axes, AxisRows};
 pub use axis_motion::AxisMotion;
 pub use blade::Blade;
-pub use channel::Channel;
+pub use channel::{Channel, Sweep};
 pub use check_id::{AxisCheck, CheckId};
 pub use cone::{Cone, Cones};
 pub use curve::Curve;
@@ -42,6 +43,7 @@ pub use schedule::Schedule;
 pub use section::Section;
 pub use tool_part::ToolPart;
 pub use toolpath::Toolpath;
+pub use wheel::Wheel;
 
 /// The word by which files and the command line know a value: that of a variant without fields.
 fn word(value: &impl serde::Serialize) -> String {

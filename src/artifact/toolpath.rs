@@ -169,6 +169,14 @@ impl Toolpath {
         self.cones.at(row)
     }
 
+    /// Some of its locations, in order, with their cones; turns, and what was measured of the
+    /// whole path, stay as they are.
+    #[must_use]
+    pub fn at(&self, rows: &[usize]) -> Self {
+        let locations = rows.iter().filter_map(|k| self.locations.get(*k).copied()).collect();
+        Toolpath { locations, cones: self.cones.chosen(rows), ..self.clone() }
+    }
+
     /// The same path with other tool axes.
     #[must_use]
     pub fn with_cones(self, cones: Cones) -> Self {

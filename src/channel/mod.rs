@@ -67,6 +67,8 @@ mod track;
 mod tree;
 mod walls;
 
+use rayon::prelude::*;
+
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
@@ -121,7 +123,7 @@ impl<'a> Surroundings<'a> {
                 return bad("points that are not finite");
             }
         }
-        let trees = meshes.iter().map(|(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm)).collect();
+        let trees = meshes.par_iter().map(|(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm)).collect();
         Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
     }
 
@@ -219,7 +221,7 @@ pub fn intervals(
     check_input(tool, path, options)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = samples::along(path, f64::INFINITY);
+    let samples = samples::along(path, f64::INFINITY, options.sweep);
     let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
     let named = |f: &Free| FreeInterval {
         theta_min: f.lo,
@@ -261,7 +263,7 @@ pub fn plan_among(
     ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = samples::along(path, options.max_step_mm);
+    let samples = samples::along(path, options.max_step_mm, options.sweep);
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
     let layers = if options.settings.prove_moves {
@@ -286,11 +288,11 @@ pub fn plan_among(
         let i = samples.iter().position(|s| s.row == row).unwrap_or(0).min(chosen.len().saturating_sub(2));
         return Err(reporter.closed_between(chosen[i], chosen[i + 1], i));
     }
-    let azimuths = samples::azimuths(path);
+    let azimuths = samples::azimuths(path, options.sweep);
     for (row, (least, greatest)) in rows.iter_mut().zip(tangent::limits(path, tool.taper_deg.to_radians(), &azimuths)) {
         (row.tangent_min, row.tangent_max) = (least, greatest);
     }
-    let narrowest_row = walls::hulls(&mut rows).map_err(|crossing| reporter.crossing(&rows, crossing))?;
+    let narrowest_row = walls::hulls(&mut rows, options.sweep).map_err(|crossing| reporter.crossing(&rows, crossing))?;
     warn_if_narrow(&rows, narrowest_row, path, observer);
     if chain.count > 1 {
         let doubt = Doubt::SeveralChannels { count: chain.count };
@@ -298,6 +300,7 @@ pub fn plan_among(
     }
     Ok(Channel {
         tolerance_rad: options.settings.tolerance_deg.to_radians(),
+        sweep: options.sweep,
         rows,
         narrowest_row,
         chains: chain.count,

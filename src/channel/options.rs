@@ -1,6 +1,7 @@
 //! What the user may ask of the channel.
 
 use super::settings::ChannelSettings;
+use crate::artifact::Sweep;
 use crate::error::{Error, Result, Stage};
 use crate::settings::with_settings;
 
@@ -11,6 +12,9 @@ pub struct ChannelOptions {
     pub settings: ChannelSettings,
     /// Limits of θ from those of the rotary axis, rad, unwrapped; `None`: it turns without end.
     pub theta_limits_rad: Option<[f64; 2]>,
+    /// How θ goes along the path. Angles are unwrapped about the surface normal's on a path that
+    /// goes round, about 0 on one that swings.
+    pub sweep: Sweep,
     /// Locations, in order, whose moves to the next are proven even without `prove_moves`.
     pub prove_at: Vec<usize>,
     /// Greatest distance between ball centres that are looked at, mm: longer moves get locations
@@ -25,6 +29,7 @@ impl Default for ChannelOptions {
         ChannelOptions {
             settings: ChannelSettings::default(),
             theta_limits_rad: None,
+            sweep: Sweep::Round,
             prove_at: Vec::new(),
             max_step_mm: 1.5,
         }

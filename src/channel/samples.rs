@@ -1,7 +1,7 @@
 //! The places at which the channel is computed: all cutter locations, and places between them where
 //! moves are long or the surface turns fast.
 
-use crate::artifact::{Cone, Toolpath};
+use crate::artifact::{Cone, Sweep, Toolpath};
 use crate::geometry::{Point, Vector};
 use crate::numerics::angle::nearest_turn;
 
@@ -25,24 +25,25 @@ pub(super) struct Sample {
     pub normal: Vector,
     /// The tool axes that it allows.
     pub cone: Cone,
-    /// Angle θ of the normal, unwrapped over the path, rad.
+    /// The angle θ about which angles are unwrapped, rad: that of the normal, unwrapped over the
+    /// path, or 0 where θ swings.
     pub azimuth: f64,
 }
 
 impl Sample {
-    /// The tool there, seen in the frame in which the normal is at 0.
+    /// The tool there, seen in the frame in which the azimuth is at 0.
     pub fn view(&self) -> View {
         View { centre: self.centre, cone: self.cone, azimuth: self.azimuth, motion: EvenMove::none() }
     }
 }
 
 /// All places in order; azimuths unwrapped from the first one's, which lies within -π..=π.
-pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
+pub(super) fn along(path: &Toolpath, max_step_mm: f64, sweep: Sweep) -> Vec<Sample> {
     let mut out: Vec<Sample> = Vec::with_capacity(path.locations.len() * 2);
     let mut azimuth = 0.0;
     let mut push = |row: usize, fraction: f64, centre: Point, normal: Vector| {
         let cone = path.cones.between(row, fraction);
-        azimuth = unwrapped(azimuth, &normal, &cone);
+        azimuth = unwrapped(azimuth, &normal, &cone, sweep);
         out.push(Sample { row, fraction, centre, normal, cone, azimuth });
     };
     for (row, here) in path.locations.iter().enumerate() {
@@ -60,18 +61,21 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64) -> Vec<Sample> {
     out
 }
 
-/// Azimuth of the normal at every location, unwrapped over the path like those of the places.
-pub(super) fn azimuths(path: &Toolpath) -> Vec<f64> {
+/// The azimuth at every location, like those of the places.
+pub(super) fn azimuths(path: &Toolpath, sweep: Sweep) -> Vec<f64> {
     let mut azimuth = 0.0;
     let unwrap = |(row, l): (usize, &crate::artifact::toolpath::CutterLocation)| {
-        azimuth = unwrapped(azimuth, &l.normal, &path.cone(row));
+        azimuth = unwrapped(azimuth, &l.normal, &path.cone(row), sweep);
         azimuth
     };
     path.locations.iter().enumerate().map(unwrap).collect()
 }
 
 /// The angle θ of `normal` nearest to `last`; `last` itself where the normal is parallel to the
-/// cone's axis.
-fn unwrapped(last: f64, normal: &Vector, cone: &Cone) -> f64 {
+/// cone's axis. 0 where θ swings.
+fn unwrapped(last: f64, normal: &Vector, cone: &Cone, sweep: Sweep) -> f64 {
+    if sweep == Sweep::Swing {
+        return 0.0;
+    }
     cone.theta_of(normal, PARALLEL).map_or(last, |a| nearest_turn(a, last))
 }

@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn stretches_are_parts_of_the_path_with_its_own_angles() {
         let path = helix(&ellipse(20.0, 8.0), 4.0, 60, 12, 6.0, 0.4);
-        let all = samples::along(&path, f64::INFINITY);
+        let all = samples::along(&path, f64::INFINITY, Default::default());
         let parts = stretches(&path, &all, 240);
         assert_eq!(parts.len(), 3);
         assert_eq!(parts.iter().map(|p| p.path.locations.len()).collect::<Vec<_>>(), [75, 75, 60]);

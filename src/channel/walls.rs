@@ -1,6 +1,6 @@
 //! Rows of the channel and their monotone hulls.
 
-use crate::artifact::channel::{Binding, ChannelRow};
+use crate::artifact::channel::{Binding, ChannelRow, Sweep};
 
 use super::arcs::Witness;
 use super::forbidden::{Free, ObstacleScene};
@@ -70,19 +70,21 @@ fn row_of(f: &Free, scene: &ObstacleScene) -> ChannelRow {
     }
 }
 
-/// Fills in the hulls; returns the row where they are nearest to one another.
+/// Fills in the hulls: the walls themselves where θ swings. Returns the row where they are nearest
+/// to one another.
 ///
 /// # Errors
 /// [`Crossing`] where they cross.
-pub(super) fn hulls(rows: &mut [ChannelRow]) -> Result<usize, Crossing> {
+pub(super) fn hulls(rows: &mut [ChannelRow], sweep: Sweep) -> Result<usize, Crossing> {
+    let from = |last: f64, least: f64| if sweep.is_round() { last } else { least };
     let mut low = f64::NEG_INFINITY;
     for row in rows.iter_mut() {
-        low = low.max(row.theta_min);
+        low = from(low, f64::NEG_INFINITY).max(row.theta_min);
         row.hull_min = low;
     }
     let mut high = f64::INFINITY;
     for row in rows.iter_mut().rev() {
-        high = high.min(row.theta_max);
+        high = from(high, f64::INFINITY).min(row.theta_max);
         row.hull_max = high;
     }
     let (mut narrowest, mut width) = (0, f64::INFINITY);

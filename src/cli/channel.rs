@@ -10,7 +10,7 @@ use super::progress::Terminal;
 use crate::artifact::Toolpath;
 use crate::artifact::channel::{Binding, Width};
 use crate::channel::{self, FreeInterval, Leans};
-use crate::error::{Result, turn_number};
+use crate::error::{Error, Result, Stage, turn_number};
 use crate::geometry::Vector;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
@@ -39,6 +39,7 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     folder.add_job_of_study(&setup.job.to_toml()?)?;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
+    let toolpath = setup.oriented(toolpath, &around, observer)?;
     let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;
     folder.add("channel_intervals.csv", table(&toolpath, &intervals, &setup.blade.part))?;
     let planned = channel::plan_among(&around, tool, &toolpath, &options, observer);
@@ -147,6 +148,10 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let setup = Loaded::read(&draft_from(&args.input, &args.reading, &args.set)?, observer)?.setup;
+    if !setup.job.orientation.kind.goes_round() {
+        let message = "advise looks for a lean of the tool that stays the same, the job gives each location its own axes";
+        return Err(Error::usage(Stage::Channel, message).advise("leave out orientation.kind, or run `channel`"));
+    }
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let angles = setup.angles_b(ANGLES_DEG);

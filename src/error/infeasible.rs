@@ -373,6 +373,20 @@ pub enum Infeasible {
     },
     /// There is no schedule to choose from.
     NoSchedules,
+    /// No tool axis is free, or none near to those before.
+    NoToolAxis {
+        /// Where.
+        at: Along,
+    },
+    /// Neighbouring blades of a wheel are not apart.
+    BladesOverlap {
+        /// Number of blades.
+        blades: u32,
+        /// How deep the one is in the other, mm.
+        depth_mm: f64,
+        /// Where it is deepest, model frame, mm.
+        at_mm: [f64; 3],
+    },
     /// No schedule leads from one given angle to another.
     NoScheduleBetween {
         /// θ at the start, degrees.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
-use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings};
+use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, WheelSettings};
 use super::tool::{self, Chosen};
 use super::typed::JobFile;
 use crate::artifact::Blade;
@@ -12,6 +12,7 @@ use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::MachineSettings;
+use crate::orient::OrientationSettings;
 use crate::path::{self, PathKeys, PathSettings};
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
@@ -141,6 +142,8 @@ impl Draft {
             tool: chosen.tool.clone(),
             fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
+            wheel: t.wheel.map(|w| WheelSettings::default().with_typed(Some(w))),
+            orientation: OrientationSettings::default().with_typed(t.orientation),
             path,
             channel,
             schedule,

@@ -26,7 +26,7 @@ pub use load::{insert, parse, read_value};
 pub use resolved::Job;
 pub use sections::{
     FixtureKeys, FixtureSettings, LibraryEntry, ModelKeys, ModelSettings, RegionKeys, RegionReference, RegionSettings,
-    ToolKeys,
+    ToolKeys, WheelKeys, WheelSettings,
 };
 pub use tool::Chosen;
 pub use typed::JobFile;

@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::sections::{FixtureSettings, ModelSettings, RegionSettings};
+use super::sections::{FixtureSettings, ModelSettings, RegionSettings, WheelSettings};
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::MachineSettings;
+use crate::orient::OrientationSettings;
 use crate::path::PathSettings;
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
@@ -48,6 +49,12 @@ pub struct Job {
     /// none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stock: Option<FixtureSettings>,
+    /// The wheel that the blade belongs to. Default, left out: the blade stands alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<WheelSettings>,
+    /// Which tool axes there are to choose from. Default, left out: the one cone of a root.
+    #[serde(default, skip_serializing_if = "OrientationSettings::is_usual")]
+    pub orientation: OrientationSettings,
 }
 
 impl Job {
@@ -74,6 +81,17 @@ impl Job {
             f.check(Stage::Job)?;
         }
         self.tool.validate()?;
+        self.orientation.check(Stage::Job)?;
+        if let Some(wheel) = &self.wheel {
+            wheel.validate()?;
+        } else if !self.orientation.kind.goes_round() {
+            let message = "orientation.kind is not cone, but the job has no section wheel";
+            return Err(Error::usage(Stage::Job, message).advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
+        }
+        if self.feed.smooth && !self.orientation.kind.goes_round() {
+            let message = "feed.smooth makes one curve on one cone of tool axes, orientation.kind asks for one at each location";
+            return Err(Error::usage(Stage::Job, message).advise("leave out feed.smooth or orientation.kind"));
+        }
         if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {
             let (a, b) = (self.region.start_mm, self.region.end_mm.unwrap_or_default());
             return Err(Error::usage(

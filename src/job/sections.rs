@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::axis::AxisChoice;
 use crate::artifact::blade::Unit;
+use crate::error::{Error, Result, Stage};
 use crate::read::model::ModelOptions;
 use crate::settings::{TINY, section};
 use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM, HolderStage};
@@ -71,6 +72,22 @@ section! {
     }
 }
 
+section! {
+    /// `[wheel]`: the wheel that the blade belongs to. Its other blades and its hub are in the tool's way.
+    "wheel" WheelSettings, WheelKeys, s {
+        /// Number of blades, evenly spaced about the rotor axis. There is no default.
+        blades: u32 = 0, 2.0..=1000.0;
+        /// Direction of the rotor axis in the frame of the model. There is no default.
+        axis: [f64; 3] = [0.0; 3];
+        /// A point on the rotor axis in the frame of the model, mm.
+        origin_mm: [f64; 3] = [0.0; 3];
+        /// Contour of the hub: places along the rotor axis from `origin_mm`, rising, and the hub's radius there, mm; default: none but what the
+        /// model has.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        hub_mm: Vec<[f64; 2]> = Vec::new();
+    }
+}
+
 /// What heights of the region are measured from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -80,6 +97,31 @@ pub enum RegionReference {
     Blade,
     /// The top of the platform.
     Platform,
+}
+
+impl WheelSettings {
+    /// Checks what ranges of single numbers do not say.
+    ///
+    /// # Errors
+    /// `Usage` naming the key.
+    pub fn validate(&self) -> Result<()> {
+        self.check(Stage::Job)?;
+        let bad = |what: String| Err(Error::usage(Stage::Job, what));
+        let finite = |v: &[f64]| v.iter().all(|x| x.is_finite() && x.abs() <= 1e6);
+        if !(finite(&self.axis) && self.axis.iter().any(|v| v.abs() > 1e-9)) {
+            return bad("wheel.axis is missing or no direction: along what does the rotor turn, in the model's frame?".into());
+        }
+        if !finite(&self.origin_mm) {
+            return bad(format!("wheel.origin_mm is {:?}, three numbers of at most 1e6 mm are wanted", self.origin_mm));
+        }
+        if let Some(p) = self.hub_mm.iter().find(|p| !(finite(&p[..]) && p[1] >= 0.0)) {
+            return bad(format!("wheel.hub_mm has {p:?}, a place and a radius of at least 0 are wanted, in mm"));
+        }
+        if self.hub_mm.len() == 1 || self.hub_mm.windows(2).any(|w| w[1][0] <= w[0][0]) {
+            return bad("wheel.hub_mm must have two places or more, rising along the rotor axis".into());
+        }
+        Ok(())
+    }
 }
 
 /// `[region]`: heights of the ball centre along the blade axis. The helix runs from `start_mm` down to `end_mm`.

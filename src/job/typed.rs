@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::sections::{FixtureKeys, ModelKeys, RegionKeys, ToolKeys};
+use super::sections::{FixtureKeys, ModelKeys, RegionKeys, ToolKeys, WheelKeys};
 use crate::channel::ChannelKeys;
 use crate::feed::FeedKeys;
 use crate::machine::MachineKeys;
+use crate::orient::OrientationKeys;
 use crate::path::PathKeys;
 use crate::schedule::ScheduleKeys;
 use crate::section::SectionKeys;
@@ -32,9 +33,15 @@ pub struct JobFile {
     /// Material that is still to be cut away.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stock: Option<FixtureKeys>,
+    /// The wheel that the blade belongs to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<WheelKeys>,
     /// The helix.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathKeys>,
+    /// Which tool axes there are to choose from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<OrientationKeys>,
     /// What the tool axis may do.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub channel: Option<ChannelKeys>,

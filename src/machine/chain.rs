@@ -211,6 +211,15 @@ impl Head {
         head
     }
 
+    /// The same head with the blade clamped otherwise: blade frame to machine coordinates while all
+    /// axes read 0.
+    pub(super) fn with_mount(&self, mount: Rigid) -> Self {
+        let mut head = self.clone();
+        (head.mount, head.blade) = (mount, mount.inverse());
+        head.prepare();
+        head
+    }
+
     /// What follows from directions alone.
     fn prepare(&mut self) {
         let u = self.first.direction;

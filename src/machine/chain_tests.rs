@@ -251,3 +251,48 @@ fn axes_are_named_and_say_what_they_carry() {
     assert_eq!(said(&machine(FORK)), "X tool, Y tool, Z tool, C tool, A tool");
     assert_eq!(said(&Machine::demo().unwrap()), "X tool, Y tool, Z tool, A workpiece, B tool");
 }
+
+/// With a wheel on it the rotary axis nearest to the workpiece turns the tool about the rotor axis
+/// alone, on every machine with two rotary axes, and the file says the same place again.
+#[test]
+fn a_rotor_sits_on_the_first_rotary_axis() {
+    for (name, m, _) in all() {
+        let (axis, origin) = (Vector::new(0.2, -0.7, 1.1), Point::new(12.0, 5.0, -180.0));
+        let wheel = m.clone().with_rotor(&axis, &origin);
+        let row = Axes::from_fn(m.axes().len(), |k| 0.1 + 0.2 * k as f64);
+        let (k, turn) = (wheel.turning_axis(), 0.7);
+        let mut turned = row;
+        turned[k] += turn;
+        let about = nalgebra::Rotation3::from_axis_angle(&nalgebra::Unit::new_normalize(axis), turn);
+        let [p, q] = [row, turned].map(|r| wheel.forward(&r, 90.0));
+        let off = (about * p.axis - q.axis).norm().min((about.inverse() * p.axis - q.axis).norm());
+        assert!(off < 1e-9, "{name}: {off}");
+        // Points of the rotor axis stay on the axis of the machine.
+        assert!(wheel.head().off_axis_mm(&origin) < 1e-9, "{name}");
+        assert!(wheel.head().off_axis_mm(&(origin + axis * 77.0)) < 1e-9, "{name}");
+        let back = wheel.inverse(&p.centre, 0.3, 0.1, 90.0);
+        if back.iter().all(|v| v.is_finite()) {
+            assert!((wheel.forward(&back, 90.0).centre - p.centre).norm() < 1e-8, "{name}");
+        }
+        assert!(wheel.mount.along.is_some_and(|a| (Vector::from(a).norm() - 1.0).abs() < 1e-12), "{name}");
+        let again = wheel.clone().with_rotor(&axis, &origin);
+        let [a, b] = [&wheel, &again].map(|m| m.forward(&row, 90.0));
+        assert!((a.centre - b.centre).norm() < 1e-8 && (a.axis - b.axis).norm() < 1e-10, "{name}");
+    }
+}
+
+/// Where a wheel is clamped is a mount of the machine's file: read again it is the same place.
+#[test]
+fn the_mount_of_a_wheel_is_one_of_the_file() {
+    let wheel = machine(TRUNNION).with_rotor(&Vector::new(1.0, 0.1, 0.0), &Point::new(3.0, 0.0, -200.0));
+    let mount = wheel.mount;
+    let list = |v: [f64; 3]| format!("[{:?}, {:?}, {:?}]", v[0], v[1], v[2]);
+    let text = TRUNNION
+        .replace("offset_mm = [0.0, 0.0, 60.0]", &format!("offset_mm = {}", list(mount.offset_mm)))
+        .replace("along = [0.0, 0.0, 1.0]", &format!("along = {}", list(mount.along.unwrap())))
+        .replace("[axes.x]", &format!("clamping_deg = {:?}\n\n[axes.x]", mount.clamping_deg));
+    let read = machine(&text);
+    let row = Axes::from([10.0, -20.0, 30.0, 0.4, -0.3]);
+    let [a, b] = [&wheel, &read].map(|m| m.forward(&row, 90.0));
+    assert!((a.centre - b.centre).norm() < 1e-9 && (a.axis - b.axis).norm() < 1e-12);
+}

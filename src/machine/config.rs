@@ -3,7 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use nalgebra::UnitQuaternion;
+
 use super::axis::{AxisLimits, AxisName, Provenance};
+use crate::geometry::{Rigid, Vector};
 
 /// The built-in demo machine as its file.
 pub const DEMO_TOML: &str = include_str!("../../models/machines/demo_table_head.toml");
@@ -42,6 +45,27 @@ pub struct Mount {
     /// X by the shortest turn (straight back: by half a turn about Z).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub along: Option<[f64; 3]>,
+}
+
+impl Mount {
+    /// The mount of a blade frame that is there in machine coordinates.
+    pub(super) fn of(machine_from_blade: &Rigid) -> Self {
+        let turn = machine_from_blade.rotation;
+        let along = turn * Vector::x();
+        let clamping = brought(&along).inverse() * turn;
+        let about_x = clamping * Vector::y();
+        Mount {
+            offset_mm: machine_from_blade.translation.vector.into(),
+            clamping_deg: about_x.z.atan2(about_x.y).to_degrees(),
+            along: Some(along.into()),
+        }
+    }
+}
+
+/// The turn that brings X along a direction, unit: the shortest, straight back half a turn about Z.
+pub(super) fn brought(along: &Vector) -> UnitQuaternion<f64> {
+    UnitQuaternion::rotation_between(&Vector::x(), along)
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector::z_axis(), std::f64::consts::PI))
 }
 
 /// The spindle of a machine with a `chain`, while all axes read 0.

@@ -5,7 +5,7 @@ use nalgebra::{Unit, UnitQuaternion};
 use super::Machine;
 use super::axis::{Axis, AxisLimits, AxisName, Carries};
 use super::chain::Head;
-use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
+use super::config::{DEMO_TOML, brought, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::settings::in_words;
@@ -136,11 +136,8 @@ impl MachineFile {
     /// Blade frame to machine coordinates while all axes read 0; `None`: the blade points nowhere.
     fn blade_on_machine(&self) -> Option<Rigid> {
         let along = Vector::from(self.mount.along.unwrap_or([1.0, 0.0, 0.0])).try_normalize(1e-9)?;
-        // Straight back is half a turn about Z.
-        let placed = UnitQuaternion::rotation_between(&Vector::x(), &along)
-            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector::z_axis(), std::f64::consts::PI));
         let clamped = UnitQuaternion::from_axis_angle(&Vector::x_axis(), self.mount.clamping_deg.to_radians());
-        Some(Rigid::from_parts(Vector::from(self.mount.offset_mm).into(), placed * clamped))
+        Some(Rigid::from_parts(Vector::from(self.mount.offset_mm).into(), brought(&along) * clamped))
     }
 
     /// The gauge point and the tool axis while all axes read 0; `None`: the tool axis is no

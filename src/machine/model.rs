@@ -3,6 +3,8 @@
 use super::axis::{Axis, AxisLimits, Provenance};
 use super::chain::Head;
 use super::config::Mount;
+use crate::geometry::{Point, Rigid, Vector};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 /// A machine: a list of axes, and one head or more that share those which carry the workpiece. It
 /// is built from a [`MachineFile`](super::MachineFile), and has the numbers of its kinematics
@@ -82,6 +84,34 @@ impl Machine {
                 axis.direction = -axis.direction;
             }
         })
+    }
+
+    /// The same machine with the workpiece clamped otherwise: the rotor axis of a wheel, a direction
+    /// of the blade frame through a point of it (mm), along the rotary axis nearest to the workpiece.
+    /// While that axis reads 0 the blade axis points towards the spindle as nearly as it can. Along
+    /// the rotary axis the blade stays where it was.
+    #[must_use]
+    pub fn with_rotor(mut self, axis: &Vector, origin: &Point) -> Self {
+        let turning = &self.axes[self.turning_axis()];
+        let (u, point) = (turning.direction, turning.point);
+        let square = |v: &Vector, to: &Vector| (v - to * v.dot(to)).try_normalize(1e-6);
+        let any = |to: &Vector| {
+            // Of the coordinate axes the one that is farthest from it.
+            let k = (0..3).min_by(|a, b| to[*a].abs().total_cmp(&to[*b].abs())).unwrap_or(0);
+            square(&Vector::ith(k, 1.0), to).unwrap_or_else(Vector::x)
+        };
+        let rotor = axis.normalize();
+        let (radial, up) = (square(&Vector::x(), &rotor), square(self.heads[0].tool(), &u));
+        let (radial, up) = (radial.unwrap_or_else(|| any(&rotor)), up.unwrap_or_else(|| any(&u)));
+        let frame = |a: &Vector, b: &Vector| Matrix3::from_columns(&[*a, *b, a.cross(b)]);
+        let turn = frame(&u, &up) * frame(&rotor, &radial).transpose();
+        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(turn));
+        let along_mm = (Point::from(self.mount.offset_mm) - point).dot(&u) + (turn * origin.coords).dot(&u);
+        let at = point + u.into_inner() * along_mm;
+        let placed = Rigid::from_parts((at - turn * *origin).into(), turn);
+        self.mount = Mount::of(&placed);
+        self.heads.iter_mut().for_each(|head| *head = head.with_mount(placed));
+        self
     }
 
     fn changed(mut self, mut change: impl FnMut(usize, &mut Axis)) -> Self {

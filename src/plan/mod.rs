@@ -17,7 +17,7 @@ use crate::artifact::blade::Blade;
 use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, Obstacle, Plan, Program, Schedule};
+use crate::artifact::{AxisMotion, Obstacle, Plan, Program, Schedule, Sweep, Wheel};
 use crate::channel::ChannelOptions;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedOptions;
@@ -36,11 +36,13 @@ use crate::write::post::{self, Dialect, PostOptions};
 mod around;
 mod doubts;
 pub(crate) mod leads;
+mod orientation;
 pub(crate) mod paths;
 pub(crate) mod planning;
 pub(crate) mod schedules;
 pub(crate) mod sketch;
 pub(crate) mod smoothing;
+mod wheel;
 
 use planning::{Known, Reached};
 
@@ -60,16 +62,18 @@ pub struct Setup {
     pub end_faces: Vec<bool>,
     /// Own post files of the job.
     pub post_files: Vec<Dialect>,
-    /// Fixtures and stock.
+    /// Other blades of the wheel and its hub, fixtures and stock.
     pub obstacles: Vec<Obstacle>,
+    /// The wheel, where the job has one.
+    pub wheel: Option<Wheel>,
     /// BLAKE3 hash of the model's file, which programs name; empty where the model came from no
     /// file.
     pub part_hash: String,
 }
 
 impl Setup {
-    /// Completes the job for a blade and a machine. Obstacles, own post files and the model's hash
-    /// are left empty, for the caller to set.
+    /// Completes the job for a blade and a machine. Fixtures and stock, own post files and the
+    /// model's hash are left out, for the caller to add.
     ///
     /// # Errors
     /// Those of the job.
@@ -78,7 +82,14 @@ impl Setup {
         for doubt in &tool.warnings {
             observer.warn(Warning { stage: Stage::Job, doubt: doubt.clone() });
         }
-        machine.check_lean(job.machine.b_deg.to_radians())?;
+        let wheel = job.wheel.as_ref().map(|w| wheel::of(w, &blade)).transpose()?;
+        let machine = match &wheel {
+            Some(wheel) if !job.orientation.kind.goes_round() => machine.with_rotor(&wheel.axis, &wheel.origin),
+            _ => machine,
+        };
+        if job.orientation.kind.goes_round() {
+            machine.check_lean(job.machine.b_deg.to_radians())?;
+        }
         if let Some(doubt) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
             observer.warn(Warning { stage: Stage::Feed, doubt });
         }
@@ -90,8 +101,12 @@ impl Setup {
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
         let end_faces = named::faces_of(&job.region.end_faces, &blade.part)?;
-        let (post_files, obstacles, part_hash) = (Vec::new(), Vec::new(), String::new());
-        Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, part_hash })
+        let obstacles = match (&wheel, &job.wheel) {
+            (Some(wheel), Some(settings)) => wheel::bodies(wheel, settings, &blade, &job.channel)?,
+            _ => Vec::new(),
+        };
+        let (post_files, part_hash) = (Vec::new(), String::new());
+        Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, wheel, part_hash })
     }
 
     /// Options of the sections as the job has them.
@@ -115,8 +130,19 @@ impl Setup {
 
     /// Options of the channel as the job and the machine have them.
     pub fn channel_options(&self) -> ChannelOptions {
-        let theta_limits_rad = self.machine.theta_limits(self.job.machine.b_deg.to_radians());
-        ChannelOptions { settings: self.job.channel.clone(), theta_limits_rad, ..ChannelOptions::default() }
+        let (theta_limits_rad, settings) = (self.theta_limits(), self.job.channel.clone());
+        ChannelOptions { settings, theta_limits_rad, sweep: self.sweep(), ..ChannelOptions::default() }
+    }
+
+    /// How θ goes along the path.
+    fn sweep(&self) -> Sweep {
+        if self.job.orientation.kind.goes_round() { Sweep::Round } else { Sweep::Swing }
+    }
+
+    /// θ at the ends of travel of the axis that turns the blade, rad.
+    fn theta_limits(&self) -> Option<[f64; 2]> {
+        let lean_rad = self.job.machine.b_deg.to_radians();
+        self.machine.theta_limits(lean_rad).filter(|_| self.job.orientation.kind.goes_round())
     }
 
     /// Options of the schedule as the job and the machine have them.
@@ -171,9 +197,9 @@ impl Setup {
             start_mm: job.region.start_mm,
             end_mm: job.region.end_mm,
             max_lean_rad: p.max_lean_deg.to_radians(),
-            b_rad,
+            b_rad: self.job.orientation.kind.goes_round().then_some(b_rad),
             contact_rad: [c.contact_angle_min_deg, c.contact_angle_max_deg].map(f64::to_radians),
-            theta_limits_rad: self.machine.theta_limits(b_rad),
+            theta_limits_rad: self.theta_limits(),
             tolerance_rad: c.tolerance_deg.to_radians(),
             schedule: job.schedule.kind,
             feed_mm_min: job.feed.feed_mm_min,

@@ -51,6 +51,8 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;
     }
     let mut toolpath = match known.toolpath {
+        // The cones belong to the channel.
+        Some(t) if known.channel.is_some() && !setup.job.orientation.kind.goes_round() => t,
         // How turns lie does not depend on the lean: it may be another by now.
         Some(t) => t.with_cones(Cones::about_blade(setup.job.machine.b_deg.to_radians())),
         None => timed(observer, Stage::Path, || path_as_asked(setup, observer))?,
@@ -197,6 +199,13 @@ pub(crate) fn channel_as_far_as_it_goes(
 ) -> Result<Channel> {
     let (blade, options) = (&setup.blade, setup.channel_options());
     let around = timed(observer, Stage::Channel, || setup.surroundings())?;
+    if !setup.job.orientation.kind.goes_round() {
+        let path = toolpath.clone();
+        *toolpath = timed(observer, Stage::Channel, || setup.oriented(path, &around, observer))?;
+        return timed(observer, Stage::Channel, || {
+            channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
+        });
+    }
     let plan = |path: &Toolpath| channel::plan_among(&around, &setup.job.tool, path, &options, observer);
     let mut cut = None;
     let mut ended_mm = None;

@@ -120,7 +120,7 @@ pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptio
         .collect()
 }
 
-/// Never turns back and stays in the channel.
+/// Stays in the channel, and never turns back where it is not to.
 pub(crate) fn machinable(schedule: &Schedule, channel: &Channel) -> bool {
-    schedule.reversals == 0 && schedule.quality.outside_rad <= channel.tolerance_rad
+    (schedule.reversals == 0 || !channel.sweep.is_round()) && schedule.quality.outside_rad <= channel.tolerance_rad
 }

@@ -60,7 +60,7 @@ impl Loaded {
             model.path = setup.job.model.file.display().to_string();
             setup.part_hash = model.blake3.clone();
         }
-        setup.obstacles = obstacles(&setup.job, &setup.blade, &mut inputs, observer)?;
+        setup.obstacles.extend(obstacles(&setup.job, &setup.blade, &mut inputs, observer)?);
         setup.post_files = post_files;
         setup.check_program_names()?;
         Ok(Loaded { setup, inputs })

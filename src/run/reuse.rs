@@ -9,7 +9,7 @@
 //! | taken over | where these are the same |
 //! | --- | --- |
 //! | path | bytes and reading of the model, region, `[path]` but `compare`, ball radius; and the region's end was given, else the channel may have moved it |
-//! | path and channel | those, the whole tool, `[channel]` but `sweep_b`, the machine, B, fixtures and stock |
+//! | path and channel | those, the whole tool, `[channel]` but `sweep_b`, the machine, B, fixtures and stock, `[wheel]`, `[orientation]` |
 //! | schedule | those, `[schedule]`; for `time` the machine and the feed too |
 //! | feed, leads | those, the machine, the feed; `verify.gouge_mm` and `resolution_mm` too for the leads |
 //! | checks | those, `[verify]`; the places that the report and the preview show are measured again |
@@ -96,6 +96,7 @@ impl<'a> Earlier<'a> {
             return None;
         }
         let among = mine.obstacles == yours.obstacles && a.fixture == b.fixture && a.stock == b.stock;
+        let among = among && a.wheel == b.wheel && a.orientation == b.orientation;
         // The machine limits the rotary axis.
         let among = among && mine.machine == yours.machine;
         if !(among && a.tool == b.tool && same_channel(&a.channel, &b.channel) && a.machine.b_deg == b.machine.b_deg) {

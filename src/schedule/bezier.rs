@@ -109,6 +109,11 @@ pub(super) fn peak_third(piece: &BezierPiece) -> f64 {
     })
 }
 
+/// θ at increasing `s_mm` of a curve that never turns back where it is said to be `one_way`.
+pub(super) fn sample_as(one_way: bool, pieces: &[BezierPiece], s_mm: &[f64]) -> Vec<f64> {
+    if one_way { sample(pieces, s_mm.iter().copied()) } else { sample_freely(pieces, s_mm) }
+}
+
 /// θ at increasing `s_mm` of a curve that may turn back.
 pub(super) fn sample_freely(pieces: &[BezierPiece], s_mm: &[f64]) -> Vec<f64> {
     let mut k = 0;

@@ -31,8 +31,8 @@ pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: 
     for (k, pair) in joints.windows(2).enumerate() {
         let [a, b] = [pair[0], pair[1]];
         let end = joints.get(k + 2).copied().unwrap_or(last);
-        let part =
-            Corridor { s: walls.s[a..=end].to_vec(), lo: walls.lo[a..=end].to_vec(), hi: walls.hi[a..=end].to_vec() };
+        let [s, lo, hi] = [&walls.s, &walls.lo, &walls.hi].map(|v| v[a..=end].to_vec());
+        let part = Corridor { s, lo, hi, one_way: walls.one_way };
         let goal = match measure {
             Measure::PeakSecond | Measure::PeakThird => {
                 let borders = (a..end).map(|i| i + 1 == b).collect();

@@ -10,7 +10,7 @@ use crate::error::{Error, Infeasible, Result, Stage};
 /// Rounding that is no finding, rad.
 const ROUNDING: f64 = 1e-8;
 
-/// The curve has no gaps, never falls, and is inside the hull at all locations and half-way
+/// The curve has no gaps, never turns back where it is not to, and is inside the hull at all locations and half-way
 /// between.
 ///
 /// # Errors
@@ -24,7 +24,8 @@ pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, pat
     let row_at = |s: f64| hull.s.partition_point(|v| *v <= s).saturating_sub(1);
     for (i, p) in pieces.iter().enumerate() {
         let gap = i.checked_sub(1).and_then(|k| pieces.get(k)).is_some_and(|q| q[3] != p[0]);
-        if gap || p.windows(2).any(|w| !(w[1][0] >= w[0][0] && w[1][1] >= w[0][1] - ROUNDING)) {
+        let back = |w: &[[f64; 2]]| hull.one_way && w[1][1] < w[0][1] - ROUNDING;
+        if gap || p.windows(2).any(|w| w[1][0].is_nan() || w[1][0] < w[0][0] || w[1][1].is_nan() || back(w)) {
             return fail(row_at(p[0][0]), "has a gap or turns back".into());
         }
     }
@@ -32,7 +33,7 @@ pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, pat
         return fail(theta.len(), "does not cover the whole path".into());
     }
     let middle: Vec<f64> = hull.s.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
-    let between = bezier::sample(pieces, middle.iter().copied());
+    let between = bezier::sample_as(hull.one_way, pieces, &middle);
     for (i, at_row) in hull.s.iter().copied().zip(theta.iter().copied()).enumerate() {
         let after = middle.get(i).zip(between.get(i)).map(|(s, t)| (*s, *t));
         for (s, t) in [Some(at_row), after].into_iter().flatten() {
@@ -43,7 +44,7 @@ pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, pat
             }
         }
     }
-    if let Some(i) = theta.windows(2).position(|w| w[1] < w[0]) {
+    if let Some(i) = theta.windows(2).position(|w| hull.one_way && w[1] < w[0]) {
         return fail(i, "turns back".into());
     }
     Ok(())

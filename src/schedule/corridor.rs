@@ -1,5 +1,5 @@
-//! The walls between which a schedule runs: two piecewise linear functions of arc length that never
-//! fall.
+//! The walls between which a schedule runs: two piecewise linear functions of arc length. They never
+//! fall where θ is never to turn back.
 
 /// A point of the S–θ plane: arc length from the start of the path (mm) and angle (rad).
 pub(super) type PathAngle = [f64; 2];
@@ -15,6 +15,8 @@ pub(super) struct Corridor {
     pub s: Vec<f64>,
     pub lo: Vec<f64>,
     pub hi: Vec<f64>,
+    /// θ is never to turn back.
+    pub one_way: bool,
 }
 
 impl Corridor {
@@ -27,7 +29,7 @@ impl Corridor {
         let moved = |a: f64, b: f64| inset_rad.min(most * (b - a).max(0.0));
         let lo = self.lo.iter().zip(&self.hi).map(|(a, b)| a + moved(*a, *b)).collect();
         let hi = self.lo.iter().zip(&self.hi).map(|(a, b)| b - moved(*a, *b)).collect();
-        Corridor { s: self.s.clone(), lo, hi }
+        Corridor { s: self.s.clone(), lo, hi, one_way: self.one_way }
     }
 
     /// Walls that were moved inwards, moved back to those that they came from over these lengths at
@@ -39,6 +41,9 @@ impl Corridor {
             let share = share(first, s - s0).min(share(last, s1 - s));
             self.lo[i] = from.lo[i] + share * (self.lo[i] - from.lo[i]);
             self.hi[i] = from.hi[i] + share * (self.hi[i] - from.hi[i]);
+        }
+        if !self.one_way {
+            return self;
         }
         // Walls never fall.
         (1..self.lo.len()).for_each(|i| self.lo[i] = self.lo[i].max(self.lo[i - 1]));
@@ -62,7 +67,8 @@ impl Corridor {
     /// The walls at other places, in order.
     pub fn at_all(&self, s: &[f64]) -> Corridor {
         let walls: Vec<[f64; 2]> = s.iter().map(|s| self.at(*s)).collect();
-        Corridor { s: s.to_vec(), lo: walls.iter().map(|w| w[0]).collect(), hi: walls.iter().map(|w| w[1]).collect() }
+        let [lo, hi] = [0, 1].map(|k| walls.iter().map(|w| w[k]).collect());
+        Corridor { s: s.to_vec(), lo, hi, one_way: self.one_way }
     }
 
     /// Indices of the samples strictly between `a` and `b`.
@@ -82,7 +88,8 @@ impl Corridor {
             out.push(y);
             out
         };
-        Corridor { s: pick(&self.s, a, b), lo: pick(&self.lo, lo_a, lo_b), hi: pick(&self.hi, hi_a, hi_b) }
+        let [s, lo, hi] = [pick(&self.s, a, b), pick(&self.lo, lo_a, lo_b), pick(&self.hi, hi_a, hi_b)];
+        Corridor { s, lo, hi, one_way: self.one_way }
     }
 
     /// Least distance of the straight line `p q` from the lower and from the upper wall; negative:
@@ -130,7 +137,8 @@ impl Corridor {
         let (first_hi, last_lo) = (*self.hi.first()?, *self.lo.last()?);
         let (first_lo, last_hi) = (*self.lo.first()?, *self.hi.last()?);
         let length = s1 - s0;
-        let (mut a, mut b) = (((last_lo - first_hi) / length).max(0.0), ((last_hi - first_lo) / length).max(0.0));
+        let least = if self.one_way { 0.0 } else { f64::NEG_INFINITY };
+        let (mut a, mut b) = (((last_lo - first_hi) / length).max(least), ((last_hi - first_lo) / length).max(least));
         for _ in 0..100 {
             let (m1, m2) = (a + (b - a) / 3.0, b - (b - a) / 3.0);
             if h(m1) <= h(m2) {
@@ -153,7 +161,7 @@ mod tests {
 
     fn ramp() -> Corridor {
         let s: Vec<f64> = (0..=10).map(f64::from).collect();
-        Corridor { lo: s.clone(), hi: s.iter().map(|v| v + 1.0).collect(), s }
+        Corridor { lo: s.clone(), hi: s.iter().map(|v| v + 1.0).collect(), s, one_way: true }
     }
 
     #[test]

@@ -191,6 +191,7 @@ pub(super) fn true_walls(s_mm: Vec<f64>, channel: &Channel) -> Corridor {
         s: s_mm,
         lo: channel.rows.iter().map(|r| r.theta_min).collect(),
         hi: channel.rows.iter().map(|r| r.theta_max).collect(),
+        one_way: false,
     }
 }
 
@@ -221,10 +222,10 @@ mod tests {
     fn a_bulge_between_samples_is_outside() {
         // The greatest value 2 at s = −1, between the joints −2 and −0.7 and the walls' samples −2
         // and 0.
-        let walls = |hi: f64| Corridor { s: vec![-2.0, 0.0, 2.0], lo: vec![-3.0; 3], hi: vec![hi; 3] };
+        let walls = |hi: f64| Corridor { s: vec![-2.0, 0.0, 2.0], lo: vec![-3.0; 3], hi: vec![hi; 3], one_way: true };
         assert!(outside(&wave(), &walls(2.0)) < 1e-12);
         assert!((outside(&wave(), &walls(1.5)) - 0.5).abs() < 1e-12);
-        let low = Corridor { s: vec![-2.0, 0.5, 2.0], lo: vec![-2.0, -2.0, -1.7], hi: vec![9.0; 3] };
+        let low = Corridor { s: vec![-2.0, 0.5, 2.0], lo: vec![-2.0, -2.0, -1.7], hi: vec![9.0; 3], one_way: true };
         assert!(outside(&wave(), &low) > 0.05);
     }
 }

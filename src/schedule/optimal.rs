@@ -66,7 +66,7 @@ pub(super) fn plan(
         }
     };
     observer.progress(Room::Schedule, 1, 1);
-    let theta = bezier::sample(&pieces, hull.s.iter().copied());
+    let theta = bezier::sample_as(hull.one_way, &pieces, &hull.s);
     check::inside(&pieces, &theta, &hull, path)?;
     let mut out = curve::schedule(kind, pieces, theta, &hull);
     let prove = |measure, whole: bool| {
@@ -293,7 +293,8 @@ fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
     let mut out = Vec::with_capacity(n);
     for i in 0..n {
         // Rows of walls and slope come first, see `stage`.
-        let before = if i + 1 == n { 3 } else { 8 };
+        let [walled, sloped] = if i + 1 == n { [2, 1] } else { [6, 2] };
+        let before = walled + if walls.one_way { sloped } else { 0 };
         let [up, down] = [0, 1].map(|k| found.multipliers.get(at + before + k).copied().unwrap_or(0.0));
         let length = walls.s[(i + 1).min(n - 1)] - walls.s[i.saturating_sub(1)];
         out.push((up - down) / length);
@@ -428,7 +429,7 @@ impl<'a> Interval<'a> {
         ]
     }
 
-    /// The control points are between the walls, and θ only grows.
+    /// The control points are between the walls, and θ only grows where it is to.
     fn keep_within_walls(&self, rows: &mut Vec<Row<V>>) {
         let Interval { walls, scale, i, h, .. } = *self;
         let u = scale.second;
@@ -444,9 +445,13 @@ impl<'a> Interval<'a> {
         if !self.last {
             between([1.0, h / 3.0, 0.0, 0.0, 0.0, 0.0], 1.0 / 3.0);
             between([1.0, 2.0 * h / 3.0, u * h * h / 6.0, 0.0, 0.0, 0.0], 2.0 / 3.0);
+        }
+        if walls.one_way && !self.last {
             rows.push(Row { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most });
         }
-        rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most });
+        if walls.one_way {
+            rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most });
+        }
     }
 
     /// γ is at least 1 and as much as θ' and θ'' exceed what the pace allows; near the ends of the
@@ -455,11 +460,14 @@ impl<'a> Interval<'a> {
         let Interval { walls, scale, i, .. } = *self;
         let [rate, second] = [1.0 / (scale.length * pace.rate), scale.second / (scale.length.powi(2) * pace.second)];
         let [rate, second, base] = [rate / unit, second / unit, scale.base[1] / (pace.rate * unit)];
-        rows.push(Row { g: [0.0, rate, 0.0, -1.0, 0.0, 0.0], most: -base });
         let to_end = (walls.s[i] - walls.s[0]).min(walls.s[walls.s.len() - 1] - walls.s[i]);
-        if to_end < pace.standing_mm {
-            let g = [0.0, rate, 0.0, 0.0, 0.0, 0.0];
-            rows.push(Row { g, most: STANDING / unit - base });
+        // Where θ never turns back its slope has one sign.
+        for sign in if walls.one_way { &[1.0][..] } else { &[1.0, -1.0] } {
+            rows.push(Row { g: [0.0, sign * rate, 0.0, -1.0, 0.0, 0.0], most: -sign * base });
+            if to_end < pace.standing_mm {
+                let g = [0.0, sign * rate, 0.0, 0.0, 0.0, 0.0];
+                rows.push(Row { g, most: STANDING / unit - sign * base });
+            }
         }
         rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
         rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use super::tests::{blade_like, channel, path};
 use super::*;
+use crate::artifact::Sweep;
 use crate::artifact::schedule::{Measure, Scope};
 use crate::error::{ErrorKind, Infeasible};
 use crate::observe::Silent;
@@ -225,4 +226,66 @@ fn a_machine_that_is_too_slow_by_far_changes_the_least_time_by_a_factor_only() {
         let apart = paced(share).iter().zip(&known).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(apart < 1e-3, "{share}: {apart}");
     }
+}
+
+/// Second derivatives do not know a straight line: a corridor to and fro, and the same on a slope
+/// on which nothing could turn back, have the same least peak.
+#[test]
+fn to_and_fro_is_the_same_as_on_a_slope() {
+    let p = path(3, 80);
+    let waves = |slope: f64| -> Vec<[f64; 2]> {
+        let middle = |i: usize| 0.8 * (0.13 * i as f64).sin() + 0.3 * (0.041 * i as f64).cos() + slope * i as f64;
+        let width = |i: usize| 0.12 + 0.08 * (0.31 * i as f64).sin();
+        (0..=240).map(|i| [middle(i) - width(i), middle(i) + width(i)]).collect()
+    };
+    let swinging = |measure| {
+        let limits = waves(0.0);
+        let mut walls = channel(&limits);
+        walls.sweep = Sweep::Swing;
+        for (row, [lo, hi]) in walls.rows.iter_mut().zip(&limits) {
+            (row.hull_min, row.hull_max) = (*lo, *hi);
+        }
+        plan(ScheduleKind::Optimal, &p, &walls, &options(measure), &Silent).unwrap()
+    };
+    for measure in MEASURES {
+        let (to_and_fro, sloping) = (swinging(measure), optimal(&p, &waves(0.5), measure));
+        assert!(to_and_fro.reversals > 5 && to_and_fro.quality.outside_rad < 1e-8);
+        let value = |s: &Schedule| s.quality.measure.unwrap();
+        let ((_, a, bound), (_, b, other)) = (value(&to_and_fro), value(&sloping));
+        assert!((a - b).abs() < 5e-3 * b, "{measure:?} {a} {b}");
+        assert!(bound <= a * (1.0 + 1e-9) && bound > 0.95 * a, "{measure:?} {a} {bound} {other}");
+    }
+}
+
+/// The rate counts in both senses where the axis swings: for the least time it turns no faster
+/// there than back.
+#[test]
+fn paced_schedules_count_both_senses() {
+    let p = path(2, 100);
+    let limits: Vec<[f64; 2]> = (0..=200)
+        .map(|i| {
+            let saw = ((i % 100) as f64 - 30.0).max(0.0) / 70.0;
+            [saw.sqrt() - 0.1, saw.sqrt() + 0.1]
+        })
+        .collect();
+    let mut walls = channel(&limits);
+    walls.sweep = Sweep::Swing;
+    for (row, [lo, hi]) in walls.rows.iter_mut().zip(&limits) {
+        (row.hull_min, row.hull_max) = (*lo, *hi);
+    }
+    let pace = Some(Pace { rate: 1e-3, second: 1.0, standing_mm: 0.0 });
+    let plan = |walls: &Channel| {
+        plan(ScheduleKind::Time, &p, walls, &ScheduleOptions { pace, ..options(Measure::PeakSecond) }, &Silent).unwrap()
+    };
+    let mirrored = {
+        let mut walls = walls.clone();
+        for row in &mut walls.rows {
+            (row.hull_min, row.hull_max) = (-row.hull_max, -row.hull_min);
+            (row.theta_min, row.theta_max) = (-row.theta_max, -row.theta_min);
+        }
+        walls
+    };
+    let (a, b) = (plan(&walls), plan(&mirrored));
+    let off = a.theta.iter().zip(&b.theta).map(|(x, y)| (x + y).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-3, "{off}");
 }

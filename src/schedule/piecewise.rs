@@ -34,6 +34,10 @@ pub(super) fn plan(
     options: &ScheduleOptions,
     observer: &dyn Observer,
 ) -> Result<Schedule> {
+    if !channel.sweep.is_round() {
+        let message = "a schedule of kind piecewise goes round the blade and never turns back; here the tool axis swings";
+        return Err(Error::usage(Stage::Schedule, message).advise("take schedule.kind time, optimal or quaternion"));
+    }
     let (hull, walls) = walls_with_margin(path, channel, options, observer)?;
     let (keys, pieces) = match walls.straight() {
         Some([p, q]) => (vec![p, q], vec![bezier::straight(p, q)]),
@@ -82,7 +86,7 @@ pub(super) fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
         if !(r.hull_min.is_finite() && r.hull_max.is_finite()) {
             return Err(Error::usage(Stage::Schedule, format!("the channel is not a number at {}", place(path, i))));
         }
-        if i > 0 && (r.hull_min < rows[i - 1].hull_min || r.hull_max < rows[i - 1].hull_max) {
+        if i > 0 && channel.sweep.is_round() && (r.hull_min < rows[i - 1].hull_min || r.hull_max < rows[i - 1].hull_max) {
             return Err(Error::usage(
                 Stage::Schedule,
                 format!("the channel's monotone hull falls at {}", place(path, i)),
@@ -98,6 +102,7 @@ pub(super) fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
         s: path.locations.iter().map(|l| l.s_mm).collect(),
         lo: rows.iter().map(|r| r.hull_min).collect(),
         hi: rows.iter().map(|r| r.hull_max).collect(),
+        one_way: channel.sweep.is_round(),
     })
 }
 

@@ -75,7 +75,7 @@ mod tests {
         let s: Vec<f64> = (0..=10).map(f64::from).collect();
         let lo = s.iter().map(|s| if *s < 6.0 { -1.0 } else { 4.0 }).collect();
         let hi = s.iter().map(|s| if *s <= 4.0 { 1.0 } else { 9.0 }).collect();
-        let c = Corridor { s, lo, hi };
+        let c = Corridor { s, lo, hi, one_way: true };
         assert_eq!(string(&c, 0.0, 5.0), vec![[0.0, 0.0], [4.0, 1.0], [6.0, 4.0], [10.0, 5.0]]);
         assert_eq!(string(&c, 1.0, 4.5), vec![[0.0, 1.0], [4.0, 1.0], [6.0, 4.0], [10.0, 4.5]]);
         assert_eq!(string(&c, 1.0, 4.5).len(), 4);
@@ -85,7 +85,7 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(500))]
         #[test]
         fn inside_monotone_and_taut(steps in prop::collection::vec((0.01..1.0f64, 0.0..1.0f64, 0.0..1.0f64), 3..60), f in 0.0..1.0f64) {
-            let mut c = Corridor { s: vec![0.0], lo: vec![0.0], hi: vec![1.0] };
+            let mut c = Corridor { s: vec![0.0], lo: vec![0.0], hi: vec![1.0], one_way: true };
             for (ds, a, b) in &steps {
                 c.s.push(c.s[c.s.len() - 1] + ds);
                 c.lo.push(c.lo[c.lo.len() - 1] + a);

@@ -69,7 +69,7 @@ pub(super) fn channel(limits: &[[f64; 2]]) -> Channel {
         let k = rows.len() - 1 - i;
         rows[k].hull_max = rows[k].hull_max.min(rows[k + 1].hull_max);
     }
-    Channel { tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new() }
+    Channel { tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new(), sweep: Default::default() }
 }
 
 /// A blade's turn: θ runs fast round two edges and slowly along two sides; `dip` makes the forward

@@ -81,6 +81,7 @@ fn turning(angles: &[f64]) -> (Channel, Schedule) {
         narrowest_row: 0,
         chains: 1,
         proven_at: Vec::new(),
+        sweep: Default::default(),
     };
     let theta = angles.iter().map(|a| a + 0.3 * a.sin()).collect();
     (channel, Schedule { kind: ScheduleKind::Optimal, ..Schedule::of_angles(theta) })

@@ -54,7 +54,9 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
     number("path.stock_mm", path.stock_mm, asked.stock_mm);
     number("path.chord_mm", path.chord_mm, asked.chord_mm);
     let lean_rad = path.cones.same().filter(Cone::is_about_blade).map_or(f64::NAN, |c| c.lean_rad);
-    number("machine.b_deg", lean_rad.to_degrees(), asked.b_rad.to_degrees());
+    if let Some(b_rad) = asked.b_rad {
+        number("machine.b_deg", lean_rad.to_degrees(), b_rad.to_degrees());
+    }
     number("channel.tolerance_deg", channel.tolerance_rad.to_degrees(), asked.tolerance_rad.to_degrees());
     if path.kind != asked.kind {
         wrong.push(format!("path.kind is {} in plan.json, the job asks for {}", path.kind.name(), asked.kind.name()));

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckId};
+use crate::artifact::{Blade, CheckId, Obstacle};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 
@@ -182,6 +182,38 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
         ..Check::at_most(CheckId::Gouge, quantity, bound, options.settings.gouge_mm, "mm", note)
     };
     (check, g)
+}
+
+/// The check `obstacle-gouge`: the ball in what stands about the part, but for the stock; `None`
+/// where nothing does. What triangles lie off their bodies is added.
+pub(super) fn check_obstacles(
+    blade: &Blade,
+    obstacles: &[Obstacle],
+    sweep: &Sweep,
+    options: &VerifyOptions,
+) -> Option<Check> {
+    let one = |o: &Obstacle| {
+        let part = Allowed::new(&o.part, 0.0);
+        let start = sweep.centres[0];
+        let mut g = measure(&part, sweep, options.settings.resolution_mm);
+        if part.inside(&start) {
+            let d = part.closest(&start, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
+            g = Gouge { found_mm: sweep.radius_mm + d, bound_mm: sweep.radius_mm + d, segment: 0, centre: start };
+        }
+        (g.bound_mm.max(g.found_mm) + o.part.deflection_mm, g)
+    };
+    let solid = obstacles.iter().filter(|o| !o.cut_by_the_tool);
+    let all = solid.map(|o| (o, one(o)));
+    let (o, (depth, g)) = all.reduce(|a, b| if b.1.0 > a.1.0 { b } else { a })?;
+    let point = o.part.closest(&g.centre, f64::INFINITY).map(|c| blade.model_from_blade * c.point);
+    let note = format!("nearest is {}; {:.6} mm of that for its triangles", o.name, o.part.deflection_mm);
+    let quantity = "depth of the swept ball in other bodies, between locations too; negative: room";
+    Some(Check {
+        row: Some(g.segment),
+        turn: sweep.turns.get(g.segment).copied(),
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        ..Check::at_most(CheckId::ObstacleGouge, quantity, depth, 0.0, "mm", note)
+    })
 }
 
 #[cfg(test)]

@@ -106,6 +106,10 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
         }
     }
     for a in room.apart() {
+        // Whether it comes too near is a much cheaper question than how near it comes.
+        if clearance::short_stands(&way.stands, &a, 0.0, room.options).is_empty() {
+            continue;
+        }
         let limit_mm = room.options.least_clearance(a.asked_mm);
         let kept = way.least(&a, limit_mm, room);
         if kept.least_mm < limit_mm {

@@ -8,6 +8,7 @@
 //! | check | measured | bound between samples |
 //! | --- | --- | --- |
 //! | `gouge` | ball radius less distance to the part, along the straight moves | concavity of `d² − x²`: exact |
+//! | `obstacle-gouge` | the same among fixtures, the other blades of a wheel and its hub | likewise |
 //! | `gouge-surface` | the same from the part's side, at surface samples | none: samples |
 //! | `scallop` | height at which the normal of a surface sample meets the swept ball (capsules) | none: samples |
 //! | `ridge` | lowest point of the circle in which neighbouring passes meet, over the part | none: samples |
@@ -136,6 +137,7 @@ pub fn check_among(
     // What is told is what was proven, not the best that was measured.
     report.gouge_mm = check.worst;
     report.checks.push(check);
+    report.checks.extend(gouge::check_obstacles(blade, obstacles, &sweep, options));
     step(1)?;
     if let Some(doubt) = scallop::check(&plan, blade, &part, &sweep, options, &mut report) {
         observer.warn(Warning { stage: Stage::Verify, doubt });

@@ -25,8 +25,9 @@ pub struct Asked {
     pub end_mm: Option<f64>,
     /// Greatest lean of the wall, rad.
     pub max_lean_rad: f64,
-    /// Angle of the head, rad.
-    pub b_rad: f64,
+    /// Lean of the one cone about the blade axis that all locations have, rad; `None`: each has its
+    /// own.
+    pub b_rad: Option<f64>,
     /// Least and greatest angle between tool axis and surface normal, rad.
     pub contact_rad: [f64; 2],
     /// Limits of θ from those of the rotary axis, rad; `None`: it turns without end.

@@ -31,5 +31,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Vec<
         if worst > limit { format!("between {:?} and {:?}", binds.binds_min, binds.binds_max) } else { String::new() };
     let quantity = "how far θ lies outside the channel, degrees";
     let channel = Check::at_most(CheckId::ThetaChannel, quantity, worst, limit, "deg", note);
-    vec![reversal, channel.at_location(row, plan, blade)]
+    // An axis that swings turns back.
+    let reversal = plan.channel.sweep.is_round().then_some(reversal);
+    reversal.into_iter().chain([channel.at_location(row, plan, blade)]).collect()
 }

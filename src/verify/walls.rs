@@ -38,12 +38,12 @@ pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], asked: &Asked) 
 
 /// What of all rows can be told without the part.
 fn rows(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
-    let rows = &plan.channel.rows;
+    let (rows, round) = (&plan.channel.rows, plan.channel.sweep.is_round());
     let mut wrong: Vec<(usize, String)> = Vec::new();
     let low: Vec<f64> = rows
         .iter()
         .scan(f64::NEG_INFINITY, |m, r| {
-            *m = m.max(r.theta_min);
+            *m = if round { m.max(r.theta_min) } else { r.theta_min };
             Some(*m)
         })
         .collect();
@@ -51,7 +51,7 @@ fn rows(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
         .iter()
         .rev()
         .scan(f64::INFINITY, |m, r| {
-            *m = m.min(r.theta_max);
+            *m = if round { m.min(r.theta_max) } else { r.theta_max };
             Some(*m)
         })
         .collect();

@@ -1,0 +1,62 @@
+//! The wheel that a blade belongs to.
+
+use std::f64::consts::TAU;
+
+use crate::geometry::{Point, Rigid, Vector};
+use nalgebra::{Unit, UnitQuaternion};
+
+/// A wheel of equal blades, evenly spaced about its rotor axis; blade frame of the blade in hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wheel {
+    /// Rotor axis, unit.
+    pub axis: Unit<Vector>,
+    /// A point on it, mm.
+    pub origin: Point,
+    /// Number of blades.
+    pub blades: u32,
+}
+
+impl Wheel {
+    /// The turn about the rotor axis that brings the blade in hand, number 1, to another one.
+    pub fn turn_to(&self, blade: u32) -> Rigid {
+        let angle = TAU * f64::from(blade.saturating_sub(1)) / f64::from(self.blades.max(1));
+        self.turned(angle)
+    }
+
+    /// A turn about the rotor axis by an angle, rad, right-hand rule.
+    pub fn turned(&self, angle_rad: f64) -> Rigid {
+        let turn = UnitQuaternion::from_axis_angle(&self.axis, angle_rad);
+        Rigid::from_parts((self.origin - turn * self.origin).into(), turn)
+    }
+
+    /// The point of the rotor axis nearest to a point.
+    pub fn foot(&self, p: &Point) -> Point {
+        self.origin + self.axis.into_inner() * (p - self.origin).dot(&self.axis)
+    }
+
+    /// Distance of a point from the rotor axis, mm.
+    pub fn radius_mm(&self, p: &Point) -> f64 {
+        (p - self.foot(p)).norm()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn all_turns_together_come_back() {
+        let wheel =
+            Wheel { axis: Unit::new_normalize(Vector::new(1.0, 0.2, -0.3)), origin: Point::new(3.0, -2.0, 9.0), blades: 7 };
+        let p = Point::new(100.0, 4.0, 30.0);
+        let mut q = p;
+        for _ in 0..7 {
+            q = wheel.turn_to(2) * q;
+            assert!((wheel.radius_mm(&q) - wheel.radius_mm(&p)).abs() < 1e-9);
+        }
+        assert!((q - p).norm() < 1e-9);
+        assert!((wheel.turn_to(1) * p - p).norm() < 1e-12);
+        assert!((wheel.turn_to(3) * p - wheel.turn_to(2) * (wheel.turn_to(2) * p)).norm() < 1e-9);
+    }
+}

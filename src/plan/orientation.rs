@@ -1,0 +1,174 @@
+//! Cones for each location of a path, where the job asks for more than the one of a root: what
+//! `orient/` needs of the channel, and the curves that latitude and longitude follow.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::Setup;
+use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::{Cone, Cones, Toolpath, Wheel};
+use crate::channel::{self, ChannelOptions, Surroundings};
+use crate::error::{Error, Infeasible, Result, Stage, turn_number};
+use crate::geometry::{Point, Vector};
+use crate::observe::{Observer, Silent};
+use crate::orient::{self, Grid, OrientationKind};
+use crate::schedule::{self, ScheduleOptions};
+
+/// Stations of the search: the ball centre and the normal go no farther from one to the next.
+const STATION_MM: f64 = 4.0;
+const STATION_RAD: f64 = 0.12;
+/// Latitudes and longitudes either side of the radial direction that are looked at, rad: at 90°
+/// of latitude the tool is along the rotor axis, and the rotary axis about that places nothing.
+const MOST_RAD: [f64; 2] = [1.31, 1.75];
+/// Cells are free where the arc on their latitude goes on by this either side, as a share of a
+/// cell; where it is narrow, by a share of it.
+const INSIDE: f64 = 0.5;
+/// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
+/// quarter of the width: at a wall of the one the other has no room.
+const KEEP_DEG: f64 = 10.0;
+
+impl Setup {
+    /// The path with the cones that the job asks for.
+    ///
+    /// # Errors
+    /// Kind `Infeasible` where no tool axis is free, or none that is reached from the others, with
+    /// the place; those of the channel.
+    pub(crate) fn oriented(&self, path: Toolpath, around: &Surroundings, observer: &dyn Observer) -> Result<Toolpath> {
+        let Some(wheel) = self.wheel.as_ref() else { return Ok(path) };
+        match self.job.orientation.kind {
+            OrientationKind::Cone => Ok(path),
+            OrientationKind::ReferencePlane => {
+                let radial = radial(wheel, self.blade.part.mesh.aabb().map(|b| nalgebra::center(&b.min, &b.max)));
+                let cones = orient::reference_planes(&path, &radial).ok_or_else(|| no_plane(&path))?;
+                Ok(path.with_cones(cones))
+            }
+            OrientationKind::FiveAxis => five_axis(self, wheel, path, around, observer),
+        }
+    }
+}
+
+/// From the rotor axis towards the middle of the blade, unit: the virtual axis of the paper.
+fn radial(wheel: &Wheel, middle: Option<Point>) -> Vector {
+    let out = middle.and_then(|m| (m - wheel.foot(&m)).try_normalize(1e-9));
+    out.unwrap_or_else(Vector::x)
+}
+
+fn no_plane(path: &Toolpath) -> Error {
+    let at = |row: usize| schedule_place(path, row);
+    let message = "the surface normal is along the radial direction all along the path: there is no reference plane";
+    Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at: at(0) })
+        .advise("take orientation.kind five-axis")
+}
+
+fn schedule_place(path: &Toolpath, row: usize) -> crate::error::Along {
+    let l = path.locations.get(row).or(path.locations.last());
+    let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
+    crate::error::Along { location: row, turn, turn_s_mm, height_mm }
+}
+
+/// Tool axes in the middle of what is free.
+fn five_axis(
+    setup: &Setup,
+    wheel: &Wheel,
+    path: Toolpath,
+    around: &Surroundings,
+    observer: &dyn Observer,
+) -> Result<Toolpath> {
+    let step_rad = setup.job.orientation.grid_deg.to_radians();
+    let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
+    let grid = Grid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
+    let stations = orient::stations(&path, STATION_MM, STATION_RAD);
+    let few = path.at(&stations);
+    let free = free_cells(setup, &grid, &few, around, observer)?;
+    let s_mm: Vec<f64> = few.locations.iter().map(|l| l.s_mm).collect();
+    let way = orient::least_way(&grid, &s_mm, &free).map_err(|k| closed(&path, stations[k], free[k].contains(&true)))?;
+    observer.check(Stage::Channel)?;
+    let latitude: Vec<f64> = way.iter().map(|[_, latitude]| *latitude).collect();
+    let latitude = orient::between_stations(&path, &stations, &latitude);
+    // Longitude on the latitudes of the way, then latitude on the longitudes found.
+    let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
+    let longitude = curve(setup, &path, (parallels(&latitude), MOST_RAD[1]), around, observer)?;
+    let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
+    let latitude = curve(setup, &path, (Cones::along(meridians), MOST_RAD[0]), around, observer)?;
+    let cones = parallels(&latitude);
+    Ok(path.with_cones(cones))
+}
+
+/// What of the grid is free at each station, and within the machine's reach.
+fn free_cells(
+    setup: &Setup,
+    grid: &Grid,
+    few: &Toolpath,
+    around: &Surroundings,
+    observer: &dyn Observer,
+) -> Result<Vec<orient::FreeCells>> {
+    let options = setup.channel_options();
+    let mut by_station: Vec<Vec<Vec<[f64; 2]>>> = vec![Vec::with_capacity(grid.latitudes.len()); few.locations.len()];
+    let done = AtomicUsize::new(0);
+    let circle = |latitude: &f64| {
+        observer.check(Stage::Channel)?;
+        let circle = few.clone().with_cones(Cones::Same(grid.parallel(*latitude)));
+        let found = channel::intervals(around, &setup.job.tool, &circle, &options, &Silent)?;
+        observer.progress(Stage::Channel, done.fetch_add(1, Ordering::Relaxed) + 1, grid.latitudes.len());
+        Ok(found)
+    };
+    for found in grid.latitudes.par_iter().map(circle).collect::<Result<Vec<_>>>()? {
+        for (station, free) in by_station.iter_mut().zip(found) {
+            station.push(free.iter().map(|f| [f.theta_min, f.theta_max]).collect());
+        }
+    }
+    let reached = reached(setup, grid);
+    let margin_rad = INSIDE * setup.job.orientation.grid_deg.to_radians();
+    let cells = by_station.iter().map(|intervals| {
+        let mut cells = orient::free_cells(grid, intervals, margin_rad);
+        cells.iter_mut().zip(&reached).for_each(|(c, r)| *c &= r);
+        cells
+    });
+    Ok(cells.collect())
+}
+
+/// Directions of the grid that the machine's rotary axes reach within their travel.
+fn reached(setup: &Setup, grid: &Grid) -> Vec<bool> {
+    let machine = &setup.machine;
+    let near = crate::artifact::Axes::of_default(machine.axes().len());
+    let within = |axis: &Vector| {
+        machine.rotary_of_axis(axis, &near).is_some_and(|row| {
+            machine.rotary().all(|k| machine.axes()[k].limits.travel.is_none_or(|[lo, hi]| (lo..=hi).contains(&row[k])))
+        })
+    };
+    let directions = grid.latitudes.iter().flat_map(|latitude| {
+        let cone = grid.parallel(*latitude);
+        grid.longitudes.iter().map(move |longitude| cone.tool_axis(*longitude))
+    });
+    directions.map(|axis| within(&axis)).collect()
+}
+
+/// The smooth curve of the angle along these cones, within `most_rad` either side and well inside
+/// what is free: least square of its second derivative.
+fn curve(
+    setup: &Setup,
+    path: &Toolpath,
+    (cones, most_rad): (Cones, f64),
+    around: &Surroundings,
+    observer: &dyn Observer,
+) -> Result<Vec<f64>> {
+    let path = path.clone().with_cones(cones);
+    let options = ChannelOptions { theta_limits_rad: Some([-most_rad, most_rad]), ..setup.channel_options() };
+    let walls = channel::plan_among(around, &setup.job.tool, &path, &options, observer)?;
+    let options = ScheduleOptions::default().with(|s| {
+        s.measure = Measure::SquareSecond;
+        s.margin_deg = KEEP_DEG;
+    });
+    schedule::plan(ScheduleKind::Optimal, &path, &walls, &options, &Silent).map(|s| s.theta)
+}
+
+/// The error at a station to which no way leads.
+fn closed(path: &Toolpath, row: usize, any_free: bool) -> Error {
+    let at = schedule_place(path, row);
+    let place = format!("turn {}, S = {:.2} mm", turn_number(at.turn), at.turn_s_mm);
+    let what = if any_free { "no tool axis that is free is near to those before it" } else { "no tool axis is free" };
+    let message = format!("{what} at {place}, {:.3} mm along the blade axis", at.height_mm);
+    Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at })
+        .advise("let the region end above, take a smaller ball, or a longer or more slender tool")
+}

@@ -1,0 +1,169 @@
+//! The wheel that a blade belongs to: what of it is in the tool's way.
+
+use rayon::prelude::*;
+
+use nalgebra::Unit;
+
+use crate::artifact::{Blade, Obstacle, Wheel};
+use crate::channel::ChannelSettings;
+use crate::error::{Error, Infeasible, Result, Stage};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
+use crate::geometry::{Point, Vector};
+use crate::job::WheelSettings;
+
+/// A rotor axis nearer to the blade axis than this leaves the blade no radial direction (sine).
+const ALONG_BLADE: f64 = 0.2;
+/// Facets of the hub round its axis. They go round it: at a radius of 200 mm the hub is thicker by
+/// at most 8 µm.
+const FACETS: usize = 360;
+/// Blades that share their ends, as sectors cut out of a wheel do, overlap by rounding, mm.
+const SHARED_MM: f64 = 0.01;
+
+/// The wheel of a job, in the blade frame.
+///
+/// # Errors
+/// Kind `Usage` where the rotor axis is along the blade.
+pub(super) fn of(settings: &WheelSettings, blade: &Blade) -> Result<Wheel> {
+    settings.validate()?;
+    let blade_from_model = blade.model_from_blade.inverse();
+    let axis = Unit::new_normalize(blade_from_model * Vector::from(settings.axis));
+    if axis.cross(&Vector::x()).norm() < ALONG_BLADE {
+        let angle = axis.angle(&Vector::x()).to_degrees();
+        let angle = angle.min(180.0 - angle);
+        return Err(Error::usage(
+            Stage::Job,
+            format!("wheel.axis is {angle:.1}° from the blade axis: blades of a wheel stand away from its axis"),
+        )
+        .advise("give the direction of the rotor axis in the model's frame; `inspect` prints the blade axis"));
+    }
+    Ok(Wheel { axis, origin: blade_from_model * Point::from(settings.origin_mm), blades: settings.blades })
+}
+
+/// The other blades and the hub, which keep the room of the channel from the tool.
+///
+/// # Errors
+/// Kind `Infeasible` where neighbouring blades overlap.
+pub(super) fn bodies(
+    wheel: &Wheel,
+    settings: &WheelSettings,
+    blade: &Blade,
+    channel: &ChannelSettings,
+) -> Result<Vec<Obstacle>> {
+    apart(wheel, blade)?;
+    let body = |name: String, mesh: Mesh, deflection_mm: f64| {
+        let mut part = Part::from_mesh(mesh);
+        part.deflection_mm = deflection_mm;
+        let [clearance_mm, holder_clearance_mm] = [channel.clearance_mm, channel.holder_clearance_mm];
+        Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool: false }
+    };
+    let off_mm = blade.part.deflection_mm;
+    let other = |k: u32| blade.part.mesh.clone().moved(&wheel.turn_to(k));
+    let others = (2..=wheel.blades).into_par_iter().map(other).collect::<Vec<_>>();
+    // One body: how near the tool comes to the nearest of them is one question, and the far ones
+    // then cost nothing.
+    let mut out = vec![body("the other blades".into(), together(&others), off_mm)];
+    if !settings.hub_mm.is_empty() {
+        out.push(body("hub".into(), hub(wheel, &settings.hub_mm), 0.0));
+    }
+    Ok(out)
+}
+
+/// Several meshes as one, without faces: its groups are the meshes.
+fn together(meshes: &[Mesh]) -> Mesh {
+    let mut out = Mesh::default();
+    for (group, mesh) in (0..).zip(meshes) {
+        let first = out.points.len() as u32;
+        out.points.extend_from_slice(&mesh.points);
+        out.triangles.extend(mesh.triangles.iter().map(|t| t.map(|k| first + k)));
+        out.face_of.extend(std::iter::repeat_n(group, mesh.triangles.len()));
+    }
+    out
+}
+
+/// The blade and the next one do not overlap.
+fn apart(wheel: &Wheel, blade: &Blade) -> Result<()> {
+    let back = wheel.turn_to(2).inverse();
+    let mesh = &blade.part.mesh;
+    // Points of the next blade, seen from this one as if it were in the other's place.
+    let depth = |p: &Point| {
+        let q = back * p;
+        let near = blade.part.closest_on_mesh(&q, f64::INFINITY)?;
+        let own = blade.part.inside(&q).then_some(near.distance_mm).filter(|d| *d > SHARED_MM)?;
+        Some((own, *p))
+    };
+    let bounds = mesh.aabb();
+    let may_be = |p: &&Point| {
+        let q = back * *p;
+        bounds.as_ref().is_some_and(|b| (0..3).all(|k| b.min[k] <= q[k] && q[k] <= b.max[k]))
+    };
+    let deepest = mesh.points.par_iter().filter(may_be).filter_map(depth).max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((depth_mm, at)) = deepest else { return Ok(()) };
+    let at: [f64; 3] = (blade.model_from_blade * at).into();
+    let [x, y, z] = at;
+    let message = format!(
+        "neighbouring blades overlap: at ({x:.3}, {y:.3}, {z:.3}) mm of the model the blade is {depth_mm:.3} mm inside \
+         the next one of {}",
+        wheel.blades
+    );
+    let since = Infeasible::BladesOverlap { blades: wheel.blades, depth_mm, at_mm: at };
+    Err(Error::infeasible(Stage::Model, message, since)
+        .advise("give the true wheel.blades, wheel.axis and wheel.origin_mm of the model's frame"))
+}
+
+/// The body of revolution of a hub's contour, closed towards the rotor axis; blade frame.
+fn hub(wheel: &Wheel, contour: &[[f64; 2]]) -> Mesh {
+    let along = wheel.axis.into_inner();
+    let across = (Vector::x() - along * along.x).normalize();
+    let third = along.cross(&across);
+    let outside = 1.0 / (std::f64::consts::PI / FACETS as f64).cos();
+    let mut points = Vec::with_capacity(contour.len() * FACETS + 2);
+    for [x, radius] in contour {
+        for k in 0..FACETS {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / FACETS as f64).sin_cos();
+            points.push(wheel.origin + along * *x + (across * c + third * s) * (radius * outside));
+        }
+    }
+    let ends = [contour.first(), contour.last()].map(|p| p.map_or(0.0, |p| p[0]));
+    points.extend(ends.map(|x| wheel.origin + along * x));
+    let [first, last] = [contour.len() * FACETS, contour.len() * FACETS + 1].map(|k| k as u32);
+    let at = |ring: usize, k: usize| (ring * FACETS + k % FACETS) as u32;
+    let mut triangles = Vec::with_capacity(2 * contour.len() * FACETS);
+    for k in 0..FACETS {
+        triangles.push([first, at(0, k + 1), at(0, k)]);
+        for ring in 1..contour.len() {
+            let [a, b, c, d] = [at(ring - 1, k), at(ring - 1, k + 1), at(ring, k + 1), at(ring, k)];
+            triangles.push([a, b, c]);
+            triangles.push([a, c, d]);
+        }
+        triangles.push([last, at(contour.len() - 1, k), at(contour.len() - 1, k + 1)]);
+    }
+    Mesh { points, triangles, ..Mesh::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    #[test]
+    fn a_hub_is_a_closed_body_round_its_contour() {
+        let wheel = Wheel { axis: Vector::z_axis(), origin: Point::new(1.0, 2.0, 3.0), blades: 5 };
+        let mesh = hub(&wheel, &[[-10.0, 40.0], [0.0, 50.0], [20.0, 30.0]]);
+        assert!(crate::geometry::mesh::topology(&mesh).closed());
+        // Two frusta; the facets go round them.
+        let frustum = |h: f64, a: f64, b: f64| std::f64::consts::PI * h * (a * a + a * b + b * b) / 3.0;
+        let exact = frustum(10.0, 40.0, 50.0) + frustum(20.0, 50.0, 30.0);
+        let volume = mesh.volume_mm3();
+        assert!(volume > exact && volume < exact * (1.0 + 1e-4), "{volume} {exact}");
+        let least = |x: f64, r: f64| {
+            let on = |k: usize| {
+                let (s, c) = (0.01 + 0.02 * k as f64).sin_cos();
+                Point::new(1.0 + r * c, 2.0 + r * s, 3.0 + x)
+            };
+            let part = Part::from_mesh(mesh.clone());
+            (0..300).all(|k| part.inside(&on(k)) || part.closest_on_mesh(&on(k), 1.0).unwrap().distance_mm < 1e-9)
+        };
+        assert!(least(5.0, 45.0) && least(-5.0, 45.0));
+    }
+}

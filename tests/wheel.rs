@@ -1,0 +1,132 @@
+//! A blade among the others of its wheel: five axes find the way, programs carry it, and what
+//! cannot be is refused with its place.
+
+use std::path::Path;
+
+use bladewright::artifact::check_id::CheckId;
+use bladewright::artifact::program::Control;
+use bladewright::artifact::{Cones, Sweep};
+use bladewright::error::{Error, ErrorKind, Infeasible, Result};
+use bladewright::machine::Machine;
+use bladewright::observe::Silent;
+use bladewright::plan::{self, Setup};
+use bladewright::read::model::{self, ModelOptions};
+use bladewright::verify::Verdict;
+use bladewright::write::post::Dialect;
+use bladewright::{job, make};
+
+/// A coarse helix round a prism of 60 mm height whose neighbours stand a few ball radii away.
+const JOB: &str = "
+[model]
+file = 'prism.step'
+
+[wheel]
+blades = 24
+axis = [1, 0, 0]
+origin_mm = [0, 0, -130]
+
+[orientation]
+kind = 'five-axis'
+
+[path]
+scallop_mm = 0.2
+
+[region]
+start_mm = 40
+end_mm = 32
+
+[tool]
+radius_mm = 3
+taper_deg = 3
+shank_radius_mm = 5
+stickout_mm = 70
+holder = [{ radius_mm = 15, length_mm = 40 }]
+";
+
+fn setup(changes: &[&str], machine: Machine) -> Result<Setup> {
+    let step = make::step_text(&make::build(&make::presets::prism())?)?;
+    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent)?;
+    let mut typed = job::parse(JOB, "the job")?;
+    changes.iter().try_for_each(|c| typed.set(c))?;
+    Setup::of(&job::resolve(typed, Path::new(""))?, blade, machine, &Silent)
+}
+
+fn refused(changes: &[&str]) -> Error {
+    match setup(changes, Machine::demo().expect("the demo machine")) {
+        Err(e) => e,
+        Ok(_) => panic!("{changes:?} was not refused"),
+    }
+}
+
+fn machine(name: &str) -> Machine {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
+    Machine::from_toml(&std::fs::read_to_string(file).expect("a machine file"), name).expect("a machine")
+}
+
+/// Planned, checked, written for two controls and read back, on a table with a head and on two
+/// tables.
+#[test]
+fn a_blade_of_a_wheel_is_planned_and_posted() {
+    for name in ["demo_table_head.toml", "trunnion_ac.toml"] {
+        let setup = setup(&["machine.b_deg=0"], machine(name)).expect("a setup");
+        assert_eq!(setup.obstacles.len(), 1);
+        let verdict = plan::plan(&setup, &Silent).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let Verdict::Passed(verified) = verdict else { panic!("{name}: the plan fails its checks") };
+        let made = verified.value();
+        assert_eq!(made.channel.sweep, Sweep::Swing);
+        assert!(matches!(made.toolpath.cones, Cones::Each(_)), "{name}");
+        for control in [Control::Siemens, Control::LinuxCnc] {
+            let (program, checks) =
+                setup.program(&Dialect::built_in(control).expect("a dialect"), &verified).expect("a program");
+            assert!(program.text.lines().count() > 100);
+            let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+            assert!(failed.is_empty(), "{name} {control}: {failed:?}");
+        }
+    }
+}
+
+/// The plan of a blade that stands alone runs into its neighbours: the checks say so.
+#[test]
+fn a_plan_that_knows_no_neighbours_fails_among_them() {
+    let demo = || Machine::demo().expect("the demo machine");
+    let among = setup(&["wheel.blades=30"], demo()).expect("a setup");
+    let alone = Setup { obstacles: Vec::new(), ..setup(&["wheel.blades=30"], demo()).expect("a setup") };
+    let Ok(Verdict::Passed(free)) = plan::plan(&alone, &Silent) else { panic!("alone it has a plan") };
+    let Ok(Verdict::Failed(rejected)) = among.verdict(free.value().clone(), &Silent) else {
+        panic!("among the others it passes")
+    };
+    let failed: Vec<CheckId> = rejected.report().checks.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect();
+    assert!(
+        failed.iter().any(|id| [CheckId::ObstacleClearance, CheckId::ObstacleGouge].contains(id)),
+        "{failed:?}"
+    );
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_its_place() {
+    let overlap = refused(&["wheel.blades=200"]);
+    assert_eq!(overlap.kind, ErrorKind::Infeasible);
+    assert!(overlap.message.contains("neighbouring blades overlap: at ("), "{overlap}");
+    let since = overlap.infeasible.as_deref();
+    assert!(matches!(since, Some(Infeasible::BladesOverlap { blades: 200, .. })), "{since:?}");
+    let along = refused(&["wheel.axis=[0, 0, 1]"]);
+    assert!(along.message.contains("wheel.axis is 0.0° from the blade axis"), "{along}");
+    for (change, says) in [
+        ("wheel.axis=[0, 0, 0]", "wheel.axis is missing or no direction"),
+        ("wheel.blades=1", "wheel.blades is 1"),
+        ("wheel.hub_mm=[[0, 40]]", "two places or more"),
+        ("wheel.hub_mm=[[0, 40], [1, -3]]", "a radius of at least 0"),
+        ("feed.smooth=true", "feed.smooth makes one curve"),
+        ("orientation.grid_deg=0.1", "orientation.grid_deg"),
+    ] {
+        let e = refused(&[change]);
+        assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{change}: {e}");
+    }
+    let mut lonely = job::parse(JOB, "the job").expect("a job");
+    lonely.wheel = None;
+    let step = make::step_text(&make::build(&make::presets::prism()).expect("a prism")).expect("a text");
+    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent);
+    let draft = job::resolve(lonely, Path::new("")).expect("a draft");
+    let e = draft.settle(&blade.expect("a blade")).map(|_| ()).expect_err("no wheel");
+    assert!(e.message.contains("the job has no section wheel"), "{e}");
+}
