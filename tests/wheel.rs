@@ -15,15 +15,15 @@ use bladewright::verify::Verdict;
 use bladewright::write::post::Dialect;
 use bladewright::{job, make};
 
-/// A coarse helix round a prism of 60 mm height whose neighbours stand a few ball radii away.
+/// A coarse helix round a prism whose neighbours stand some ball radii away.
 const JOB: &str = "
 [model]
 file = 'prism.step'
 
 [wheel]
-blades = 24
+blades = 30
 axis = [1, 0, 0]
-origin_mm = [0, 0, -130]
+origin_mm = [0, 0, -300]
 
 [orientation]
 kind = 'five-axis'
@@ -58,9 +58,11 @@ fn refused(changes: &[&str]) -> Error {
     }
 }
 
+/// A machine of the repository with room for a wheel of 760 mm.
 fn machine(name: &str) -> Machine {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
-    Machine::from_toml(&std::fs::read_to_string(file).expect("a machine file"), name).expect("a machine")
+    let text = std::fs::read_to_string(file).expect("a machine file");
+    Machine::from_toml(&text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1"), name).expect("a machine")
 }
 
 /// Planned, checked, written for two controls and read back, on a table with a head and on two
@@ -88,9 +90,9 @@ fn a_blade_of_a_wheel_is_planned_and_posted() {
 /// The plan of a blade that stands alone runs into its neighbours: the checks say so.
 #[test]
 fn a_plan_that_knows_no_neighbours_fails_among_them() {
-    let demo = || Machine::demo().expect("the demo machine");
-    let among = setup(&["wheel.blades=30"], demo()).expect("a setup");
-    let alone = Setup { obstacles: Vec::new(), ..setup(&["wheel.blades=30"], demo()).expect("a setup") };
+    let one = || setup(&[], machine("demo_table_head.toml")).expect("a setup");
+    let among = one();
+    let alone = Setup { obstacles: Vec::new(), ..one() };
     let Ok(Verdict::Passed(free)) = plan::plan(&alone, &Silent) else { panic!("alone it has a plan") };
     let Ok(Verdict::Failed(rejected)) = among.verdict(free.value().clone(), &Silent) else {
         panic!("among the others it passes")

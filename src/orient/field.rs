@@ -58,7 +58,7 @@ impl Grid {
     }
 
     /// From one longitude to the next, rad.
-    fn step(&self) -> f64 {
+    pub fn step_rad(&self) -> f64 {
         self.longitudes.windows(2).next().map_or(0.0, |w| w[1] - w[0])
     }
 
@@ -94,7 +94,7 @@ pub fn free_cells(grid: &Grid, intervals: &[Vec<[f64; 2]>], margin_rad: f64) -> 
             let middle = 0.5 * (lo + hi);
             let off = |column: &usize| (grid.longitudes[*column] - middle).abs();
             let nearest = (0..grid.longitudes.len()).min_by(|a, b| off(a).total_cmp(&off(b)));
-            if let Some(column) = nearest.filter(|k| !any && off(k) <= margin_rad.max(0.5 * grid.step())) {
+            if let Some(column) = nearest.filter(|k| !any && off(k) <= margin_rad.max(0.5 * grid.step_rad())) {
                 out[grid.cell(row, column)] = true;
             }
         }

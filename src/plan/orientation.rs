@@ -9,7 +9,7 @@ use super::Setup;
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Cone, Cones, Toolpath, Wheel};
 use crate::channel::{self, ChannelOptions, Surroundings};
-use crate::error::{Error, Infeasible, Result, Stage, turn_number};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
 use crate::observe::{Observer, Silent};
 use crate::orient::{self, Grid, OrientationKind};
@@ -43,10 +43,23 @@ impl Setup {
                 let cones = orient::reference_planes(&path, &radial).ok_or_else(|| no_plane(&path))?;
                 Ok(path.with_cones(cones))
             }
-            OrientationKind::FiveAxis => five_axis(self, wheel, path, around, observer),
+            OrientationKind::FiveAxis => {
+                let mut grid_deg = self.job.orientation.grid_deg;
+                loop {
+                    let found = five_axis(self, wheel, &path, (around, grid_deg), observer);
+                    let finer = 0.5 * grid_deg >= FINEST_DEG && grid_deg > 0.3 * self.job.orientation.grid_deg;
+                    match found {
+                        Err(e) if e.kind == ErrorKind::Infeasible && finer => grid_deg *= 0.5,
+                        found => return found,
+                    }
+                }
+            }
         }
     }
 }
+
+/// No finer grid is tried, degrees.
+const FINEST_DEG: f64 = 1.0;
 
 /// From the rotor axis towards the middle of the blade, unit: the virtual axis of the paper.
 fn radial(wheel: &Wheel, middle: Option<Point>) -> Vector {
@@ -67,32 +80,33 @@ fn schedule_place(path: &Toolpath, row: usize) -> crate::error::Along {
     crate::error::Along { location: row, turn, turn_s_mm, height_mm }
 }
 
-/// Tool axes in the middle of what is free.
+/// Tool axes in the middle of what is free, among which there is a channel.
 fn five_axis(
     setup: &Setup,
     wheel: &Wheel,
-    path: Toolpath,
-    around: &Surroundings,
+    path: &Toolpath,
+    (around, grid_deg): (&Surroundings, f64),
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let step_rad = setup.job.orientation.grid_deg.to_radians();
+    let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = Grid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
-    let stations = orient::stations(&path, STATION_MM, STATION_RAD);
+    let stations = orient::stations(path, STATION_MM, STATION_RAD);
     let few = path.at(&stations);
     let free = free_cells(setup, &grid, &few, around, observer)?;
     let s_mm: Vec<f64> = few.locations.iter().map(|l| l.s_mm).collect();
-    let way = orient::least_way(&grid, &s_mm, &free).map_err(|k| closed(&path, stations[k], free[k].contains(&true)))?;
+    let way = orient::least_way(&grid, &s_mm, &free).map_err(|k| closed(path, stations[k], free[k].contains(&true)))?;
     observer.check(Stage::Channel)?;
     let latitude: Vec<f64> = way.iter().map(|[_, latitude]| *latitude).collect();
-    let latitude = orient::between_stations(&path, &stations, &latitude);
+    let latitude = orient::between_stations(path, &stations, &latitude);
     // Longitude on the latitudes of the way, then latitude on the longitudes found.
     let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
-    let longitude = curve(setup, &path, (parallels(&latitude), MOST_RAD[1]), around, observer)?;
+    let longitude = curve(setup, path, (parallels(&latitude), MOST_RAD[1]), around, observer)?;
     let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
-    let latitude = curve(setup, &path, (Cones::along(meridians), MOST_RAD[0]), around, observer)?;
-    let cones = parallels(&latitude);
-    Ok(path.with_cones(cones))
+    let latitude = curve(setup, path, (Cones::along(meridians), MOST_RAD[0]), around, observer)?;
+    let path = path.clone().with_cones(parallels(&latitude));
+    channel::plan_among(around, &setup.job.tool, &path, &setup.channel_options(), &Silent)?;
+    Ok(path)
 }
 
 /// What of the grid is free at each station, and within the machine's reach.
@@ -119,7 +133,7 @@ fn free_cells(
         }
     }
     let reached = reached(setup, grid);
-    let margin_rad = INSIDE * setup.job.orientation.grid_deg.to_radians();
+    let margin_rad = INSIDE * grid.step_rad();
     let cells = by_station.iter().map(|intervals| {
         let mut cells = orient::free_cells(grid, intervals, margin_rad);
         cells.iter_mut().zip(&reached).for_each(|(c, r)| *c &= r);
