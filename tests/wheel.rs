@@ -77,7 +77,7 @@ fn a_blade_of_a_wheel_is_planned_and_posted() {
         let made = verified.value();
         assert_eq!(made.channel.sweep, Sweep::Swing);
         assert!(matches!(made.toolpath.cones, Cones::Each(_)), "{name}");
-        for control in [Control::Siemens, Control::LinuxCnc] {
+        for control in [Control::Siemens, Control::Linuxcnc] {
             let (program, checks) =
                 setup.program(&Dialect::built_in(control).expect("a dialect"), &verified).expect("a program");
             assert!(program.text.lines().count() > 100);
