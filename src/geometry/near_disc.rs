@@ -1,11 +1,11 @@
 //! The point of a part that is nearest to a disc.
 //!
-//! In: a part, a disc, how closely. Out: the nearest points of both, and a distance that no point of
-//! the part is nearer than.
+//! In: a part, a disc, how closely. Out: the nearest points of both, and a distance that no point
+//! of the part is nearer than.
 //!
 //! The distance from the disc is a convex function of the point ([`super::disc`]), so its tangent
-//! plane at one place bounds it over a box, and over the hull of a piece's control points. Boxes and
-//! pieces that cannot hold a nearer point by more than the tolerance are left out, others are
+//! plane at one place bounds it over a box, and over the hull of a piece's control points. Boxes
+//! and pieces that cannot hold a nearer point by more than the tolerance are left out, others are
 //! halved: on exact faces by [`super::exact::pieces`], on meshes by the tree over their triangles,
 //! each of which has its nearest point in closed form.
 //!
@@ -14,8 +14,8 @@
 //! point is sought by Broyden's method (*A class of methods for solving nonlinear simultaneous
 //! equations*, 1965), and by the plain map where a step would lead farther away.
 //!
-//! **Guarantees.** The distance found is that of two points, one of the part and one of the disc. No
-//! other point of the part is nearer by more than the tolerance, but beside edges, where what is
+//! **Guarantees.** The distance found is that of two points, one of the part and one of the disc.
+//! No other point of the part is nearer by more than the tolerance, but beside edges, where what is
 //! known of the faces is known to 10⁻⁴ mm ([`super::exact::pieces`]). The bounds hold for faces
 //! whose pieces have control points; others are bounded by samples.
 

@@ -1,14 +1,16 @@
 //! Where a cutter with a corner stands that touches a part.
 //!
-//! The cutter is a disc of radius `R` with a ball of radius `r` rolled over it ([`crate::geometry::disc`]):
-//! a bull-nose or flat end mill of radius `R + r`, and with `R = 0` a ball. It touches a surface at
-//! a contact `p` with outward normal `n` where the point of the disc farthest against `n` is
-//! `p + r n`. With the tool axis `a` at the angle `α` from `n` that is on the disc's rim, so
+//! The cutter is a disc of radius `R` with a ball of radius `r` rolled over it
+//! ([`crate::geometry::disc`]): a bull-nose or flat end mill of radius `R + r`, and with `R = 0` a
+//! ball. It touches a surface at a contact `p` with outward normal `n` where the point of the disc
+//! farthest against `n` is `p + r n`. With the tool axis `a` at the angle `α` from `n` that is on
+//! the disc's rim, so
 //! ```text
 //! centre of the disc = p + r n + R (n − a cos α) / sin α
 //! tip of the cutter  = centre − r a
 //! ```
-//! Where `a` is along `n` the whole bottom touches, and any point of the disc may be the one over `p`.
+//! Where `a` is along `n` the whole bottom touches, and any point of the disc may be the one over
+//! `p`.
 
 use super::Tool;
 use crate::geometry::disc::Disc;
@@ -35,9 +37,9 @@ impl Tool {
     }
 
     /// Centre of the disc of a cutter that touches a surface at `contact` with the unit outward
-    /// `normal`, its unit `axis` from tip to spindle, mm. `aside`, of any length, says on which side
-    /// of the contact the middle lies where the axis is along the normal; `None` where that is not
-    /// given then, or the axis leans away from the surface by more than a right angle.
+    /// `normal`, its unit `axis` from tip to spindle, mm. `aside`, of any length, says on which
+    /// side of the contact the middle lies where the axis is along the normal; `None` where that is
+    /// not given then, or the axis leans away from the surface by more than a right angle.
     pub fn centre_at(&self, contact: &Point, normal: &Vector, axis: &Vector, aside: Option<&Vector>) -> Option<Point> {
         let (over, disc_mm) = (contact + normal * self.corner_mm(), self.disc_radius_mm());
         if disc_mm == 0.0 {
@@ -91,7 +93,8 @@ impl Tool {
                     let secant = low.0 + (h.0 - low.0) * low.1 / (low.1 - h.1);
                     secant.clamp(low.0 + 0.01 * (h.0 - low.0), h.0 - 0.01 * (h.0 - low.0))
                 }
-                // What is left falls no faster than the cutter moves: such a step goes past nothing.
+                // What is left falls no faster than the cutter moves: such a step goes past
+                // nothing.
                 None if low.1 > NEAR_MM => low.0 + low.1,
                 None => low.0 + low.1 * steeper,
             };

@@ -5,10 +5,10 @@
 //! to the shank radius, goes on as a cylinder up to the stick-out and is followed by the holder's
 //! stages.
 //!
-//! A bull-nose or flat cutter of radius `R` has a corner of radius `r < R` instead of a ball: a disc
-//! of radius `R − r` with a ball of radius `r` rolled over it ([`contact`]). Its heights run from
-//! the disc's centre, which lies `r` over the tip; the cone leaves the corner at `z = r sin τ` with
-//! radius `R − r + r cos τ`. What is called ball centre elsewhere is the disc's.
+//! A bull-nose or flat cutter of radius `R` has a corner of radius `r < R` instead of a ball: a
+//! disc of radius `R − r` with a ball of radius `r` rolled over it ([`contact`]). Its heights run
+//! from the disc's centre, which lies `r` over the tip; the cone leaves the corner at `z = r sin τ`
+//! with radius `R − r + r cos τ`. What is called ball centre elsewhere is the disc's.
 
 pub mod catalogue;
 pub mod contact;

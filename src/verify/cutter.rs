@@ -4,15 +4,15 @@
 //! ([`crate::geometry::near_disc`]). Between two places nothing is missed. A point `y` of the disc
 //! goes along `x(t)`, `t` from 0 to 1, no faster than `V` and with no more acceleration than `A`.
 //! The square of its distance from a point `p` of the part has the second derivative
-//! `2 |x'|² + 2 (x − p)·x''`. Where the disc is nearest to the part on the way, that is between some
-//! `y` and `p`, no farther apart than `d0 + 2V` anywhere on it, so that there
+//! `2 |x'|² + 2 (x − p)·x''`. Where the disc is nearest to the part on the way, that is between
+//! some `y` and `p`, no farther apart than `d0 + 2V` anywhere on it, so that there
 //! ```text
 //! d²(t) ≥ (1 − t) d0² + t d1² − t (1 − t) L²,   L² = V² + (d0 + 2V) A
 //! ```
 //! whatever the part looks like. Where the axis stands still `A` is 0 and `V` the length of the
-//! move: then this is the bound of balls ([`super::gouge`]). Where it turns by the angles `ωᵢ` about
-//! axes that turn with one another, `V = |c'| + R Σωᵢ` and `A = R (Σωᵢ)²`, `R` the disc's radius. A
-//! move is halved until the bound is within the resolution of what has been measured.
+//! move: then this is the bound of balls ([`super::gouge`]). Where it turns by the angles `ωᵢ`
+//! about axes that turn with one another, `V = |c'| + R Σωᵢ` and `A = R (Σωᵢ)²`, `R` the disc's
+//! radius. A move is halved until the bound is within the resolution of what has been measured.
 
 use rayon::prelude::*;
 

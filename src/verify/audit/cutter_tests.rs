@@ -126,7 +126,8 @@ fn sound_programs_pass_and_their_ridges_are_measured() {
         assert!(find(&rows, CheckId::Scallop).check.passed && find(&rows, CheckId::Contact).check.passed);
         assert!(find(&rows, CheckId::Clearance).check.passed && find(&rows, CheckId::HolderClearance).check.passed);
         assert!(((rows.scallop_max_mm / ridge).sqrt() - 1.0).abs() < 0.01, "{pitch}: {} {ridge}", rows.scallop_max_mm);
-        // Stepovers go with the root of the ridge. Along the feed the cylinder is round, across it as flat as the block.
+        // Stepovers go with the root of the ridge. Along the feed the cylinder is round, across it
+        // as flat as the block.
         let turns = judged(&helix(pitch, SOUND), &round(), &tool, ridge);
         let gouge = &find(&turns, CheckId::Gouge).check;
         assert!(gouge.passed && gouge.worst < 0.001, "{gouge:?}");

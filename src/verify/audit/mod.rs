@@ -22,8 +22,8 @@
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
 //! A cutter with a corner is judged by the same checks, with [`super::cutter`] in the place of
-//! [`super::gouge`]: it is what the corner leaves that is called the ball's. Its ridges are those of
-//! [`ridges`].
+//! [`super::gouge`]: it is what the corner leaves that is called the ball's. Its ridges are those
+//! of [`ridges`].
 //!
 //! **Limits**: rapids are taken as straight in whatever the block programs; which forms of programs
 //! are read: [`crate::read::program`]; the control's own smoothing is not known but for
@@ -310,8 +310,8 @@ impl AuditScene<'_> {
         self.sweep_of(self.legs.of(kind))
     }
 
-    /// The deepest gouge of moves, measured to `resolution_mm`; distances to the part are told up to
-    /// `reach_mm` at least.
+    /// The deepest gouge of moves, measured to `resolution_mm`; distances to the part are told up
+    /// to `reach_mm` at least.
     fn deepest(&self, wanted: Vec<bool>, resolution_mm: f64, reach_mm: f64) -> Gouge {
         if self.bench.tool.is_ball() {
             return gouge::measure_within(&self.part, &self.sweep_of(wanted), resolution_mm, reach_mm);

@@ -7,8 +7,8 @@
 //! times, less the corner radius; with the axis turning that is sought by golden section, so that
 //! heights are samples, not bounds.
 //!
-//! The cutter's centre does not tell beside which passes a place lies: the disc reaches far over it.
-//! So contacts do, the places where the part is nearest to the disc at the ends of each leg.
+//! The cutter's centre does not tell beside which passes a place lies: the disc reaches far over
+//! it. So contacts do, the places where the part is nearest to the disc at the ends of each leg.
 //!
 //! What no cutter could reach is not told apart: on hollow ground it counts as left standing.
 
