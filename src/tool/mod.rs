@@ -13,6 +13,7 @@
 pub mod catalogue;
 pub mod contact;
 pub mod scallop;
+pub mod stepover;
 
 use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
