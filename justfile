@@ -35,6 +35,11 @@ corpus-table:
 fuzz length="600" formats="all":
     cargo run --release --example fuzz_readers -- {{length}} {{formats}}
 
+# Bull-nose and flat cutters on triangles beside OpenCAMLib: Python (PYTHON=...) with `pip install opencamlib`
+opencamlib places="2000":
+    cargo build --release --example drop_cutter
+    "${PYTHON:-python3}" tests/opencamlib/compare.py target/release/examples/drop_cutter {{places}}
+
 # Closest points, inside, area and volume beside OpenCASCADE: Python (PYTHON=...) with `pip install cadquery-ocp numpy`
 occ points="10000" *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples --bins

@@ -144,6 +144,7 @@ fn turned(count: usize, wobbling: bool) -> Cones {
 fn tool() -> Tool {
     Tool {
         radius_mm: RADIUS_MM,
+        corner_radius_mm: None,
         taper_deg: 3.0,
         shank_radius_mm: 6.0,
         stickout_mm: 45.0,

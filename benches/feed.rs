@@ -231,6 +231,7 @@ fn table(out: &mut String, model: &Path) -> Result<(), String> {
     let blade = model::load(model, &ModelOptions::default(), &Silent).map_err(|e| e.message)?;
     let tool = Tool {
         radius_mm: 8.0,
+        corner_radius_mm: None,
         taper_deg: 3.0,
         shank_radius_mm: 12.0,
         stickout_mm: 100.0,

@@ -77,6 +77,7 @@ fn main() -> Result<()> {
     let radius_mm = number("--radius=").unwrap_or(3.0);
     let tool = Tool {
         radius_mm,
+        corner_radius_mm: None,
         taper_deg: number("--taper=").unwrap_or(3.0),
         shank_radius_mm: number("--shank=").unwrap_or(2.0 * radius_mm),
         stickout_mm: number("--stickout=").unwrap_or(100.0),

@@ -232,7 +232,14 @@ impl Shop {
     /// None that the built-in machine file does not have.
     pub fn new() -> Result<Self> {
         let holder = vec![HolderStage { radius_mm: 20.0, length_mm: 40.0 }];
-        let tool = Tool { radius_mm: 3.0, taper_deg: 3.0, shank_radius_mm: 6.0, stickout_mm: 50.0, holder };
+        let tool = Tool {
+            radius_mm: 3.0,
+            corner_radius_mm: None,
+            taper_deg: 3.0,
+            shank_radius_mm: 6.0,
+            stickout_mm: 50.0,
+            holder,
+        };
         Ok(Shop { machine: Machine::demo()?, tool })
     }
 

@@ -39,6 +39,7 @@ pub const B_RAD: f64 = 0.087_266_462_599_716_47;
 pub fn tool() -> Tool {
     Tool {
         radius_mm: 5.0,
+        corner_radius_mm: None,
         taper_deg: 3.0,
         shank_radius_mm: 8.0,
         stickout_mm: 70.0,

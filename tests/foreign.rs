@@ -71,7 +71,14 @@ fn excerpts(family: &str) -> Vec<Excerpt> {
 }
 
 fn tool() -> Tool {
-    Tool { radius_mm: 5.0, taper_deg: 3.0, shank_radius_mm: 8.0, stickout_mm: 70.0, holder: Vec::new() }
+    Tool {
+        radius_mm: 5.0,
+        corner_radius_mm: None,
+        taper_deg: 3.0,
+        shank_radius_mm: 8.0,
+        stickout_mm: 70.0,
+        holder: Vec::new(),
+    }
 }
 
 fn moves(excerpt: &Excerpt, tool: &Tool, machine: &Machine) -> bladewright::error::Result<(Vec<Block>, Vec<Moved>)> {

@@ -36,7 +36,7 @@ fn blade(file: &str) -> Blade {
 
 fn tool() -> Tool {
     let holder = vec![HolderStage { radius_mm: 12.0, length_mm: 40.0 }];
-    Tool { radius_mm: R, taper_deg: 4.0, shank_radius_mm: 6.0, stickout_mm: 60.0, holder }
+    Tool { radius_mm: R, corner_radius_mm: None, taper_deg: 4.0, shank_radius_mm: 6.0, stickout_mm: 60.0, holder }
 }
 
 fn toolpath(blade: &Blade) -> Toolpath {

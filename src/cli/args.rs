@@ -488,7 +488,7 @@ pub struct Manner {
     #[arg(long, value_name = "FILE", requires = "part", conflicts_with = "control")]
     pub post_file: Option<PathBuf>,
     /// What X Y Z are: the tool tip, the ball centre, or positions of the machine's axes; default:
-    /// as the control has it.
+    /// as the control has it, and the tip where the tool is no ball.
     #[arg(long, value_parser = words::parser::<Programmed>(), requires = "part")]
     pub programmed: Option<Programmed>,
     /// Zero of the program, mm: in the blade frame under tool-centre-point control, else what is
@@ -558,9 +558,9 @@ pub struct Verify {
     /// The part that the program is for: a model.
     #[arg(long, value_name = "MODEL", requires = "tool")]
     pub part: Option<PathBuf>,
-    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder;
-    /// job.resolved.toml of a run will do. Given more than once: the tools that the program calls
-    /// (M6, TOOL CALL, LOADTL), in that order.
+    /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder, and
+    /// corner_radius_mm where it is no ball; job.resolved.toml of a run will do. Given more than
+    /// once: the tools that the program calls (M6, TOOL CALL, LOADTL), in that order.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub tool: Vec<PathBuf>,
     /// The machine (TOML); default: the built-in demo machine.

@@ -28,6 +28,7 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
     let text = theirs::text(&args.what)?;
     let (language, why) = theirs::language(&args.what, &args.manner, &text)?;
     let tools = args.tool.iter().map(|t| inputs::tool(t)).collect::<Result<Vec<_>>>()?;
+    let (language, why) = theirs::with_tools(language, why, &args.manner, &tools);
     let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);

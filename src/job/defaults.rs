@@ -65,6 +65,7 @@ fn early_checks(typed: &JobFile) -> Result<()> {
     }
     let number = |key: &str, value: &dyn Number, range| check(Stage::Job, key, value, &range);
     number("tool.radius_mm", &tool.radius_mm, TINY..=1000.0)?;
+    super::tool::balls_only(&tool)?;
     number("tool.shank_radius_mm", &tool.shank_radius_mm, TINY..=1000.0)?;
     number("tool.stickout_mm", &tool.stickout_mm, TINY..=10_000.0)?;
     // Twice: a number that is no height at all has a message of its own.

@@ -194,6 +194,9 @@ pub struct ToolKeys {
     /// Ball radius, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<f64>,
+    /// Radius of the corner of a bull-nose or flat cutter, mm; left out, or equal to radius_mm: a ball. Programs of others are checked with such cutters; plans are made for balls only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner_radius_mm: Option<f64>,
     /// Half angle of the cone behind the ball, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub taper_deg: Option<f64>,

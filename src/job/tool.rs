@@ -108,9 +108,31 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     }
     let holder: Vec<HolderStage> =
         keys.holder.clone().unwrap_or_else(|| catalogue.chuck_for(2.0 * shank_radius_mm).stages());
-    let tool = Tool { radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder };
+    let tool = Tool { radius_mm, corner_radius_mm: None, taper_deg, shank_radius_mm, stickout_mm, holder };
     tool.validate()?;
     Ok(Chosen { tool, why, warnings })
+}
+
+/// Refuses cutters with a corner, for which nothing is planned yet.
+///
+/// # Errors
+/// `Usage`: what is wrong with the corner, or that it is one.
+pub(super) fn balls_only(keys: &ToolKeys) -> Result<()> {
+    let Some(corner) = keys.corner_radius_mm else { return Ok(()) };
+    let Some(radius_mm) = keys.radius_mm else {
+        return Err(Error::usage(Stage::Job, "tool.corner_radius_mm is given without tool.radius_mm")
+            .advise("give the radius of the cutter too; a ball has no corner"));
+    };
+    let tool = Tool {
+        radius_mm,
+        corner_radius_mm: Some(corner),
+        taper_deg: 0.0,
+        shank_radius_mm: radius_mm,
+        stickout_mm: 2.0 * radius_mm,
+        holder: Vec::new(),
+    };
+    tool.validate()?;
+    tool.ball_only("plans are made")
 }
 
 /// The cutter that the part's shape asks for, and why.

@@ -126,6 +126,7 @@ pub struct Fit {
 pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, observer: &dyn Observer) -> Result<Fit> {
     for bench in benches {
         bench.tool.validate()?;
+        bench.tool.ball_only("frames of programs are found")?;
     }
     let (script, benches, words) = read(text, benches, options)?;
     let step = |done| observer.progress(Stage::Verify, done, 4);

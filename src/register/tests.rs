@@ -22,7 +22,14 @@ fn blade(file: &str) -> Blade {
 }
 
 fn tool(radius_mm: f64) -> Tool {
-    Tool { radius_mm, taper_deg: 3.0, shank_radius_mm: 2.0 * radius_mm, stickout_mm: 60.0, holder: vec![] }
+    Tool {
+        radius_mm,
+        corner_radius_mm: None,
+        taper_deg: 3.0,
+        shank_radius_mm: 2.0 * radius_mm,
+        stickout_mm: 60.0,
+        holder: vec![],
+    }
 }
 
 /// A ball centre at the part, and the tool axis.

@@ -187,6 +187,7 @@ pub fn reschedule(
 ) -> Result<Rescheduled> {
     validate(options)?;
     bench.tool.validate()?;
+    bench.tool.ball_only("programs are scheduled anew")?;
     let program = Program::read(text, bench)?;
     one_ball(&program)?;
     let places = stretches::places(&program, &blade.part);

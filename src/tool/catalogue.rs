@@ -137,6 +137,7 @@ mod tests {
                 assert_eq!(chuck.shank_diameter_mm, *shank, "R {} has a shank without a chuck", cutter.radius_mm);
                 let tool = Tool {
                     radius_mm: cutter.radius_mm,
+                    corner_radius_mm: None,
                     taper_deg: cutter.taper_deg,
                     shank_radius_mm: 0.5 * shank,
                     stickout_mm: MOST_SLENDER * shank,

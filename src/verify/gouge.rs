@@ -44,17 +44,17 @@ pub(super) struct Gouge {
 }
 
 impl Gouge {
-    fn none() -> Self {
+    pub fn none() -> Self {
         Gouge { found_mm: f64::NEG_INFINITY, bound_mm: f64::NEG_INFINITY, segment: 0, centre: Point::origin() }
     }
-    fn and(self, other: Self) -> Self {
+    pub fn and(self, other: Self) -> Self {
         let bound_mm = self.bound_mm.max(other.bound_mm);
         if other.found_mm > self.found_mm { Gouge { bound_mm, ..other } } else { Gouge { bound_mm, ..self } }
     }
 }
 
 /// Least of `(1 − t) d0² + t d1² − t (1 − t) L²` over `0 ≤ t ≤ 1`, as a distance.
-fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
+pub(super) fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
     let (a, b, l2) = (d0 * d0, d1 * d1, length * length);
     if l2 == 0.0 {
         return d0.min(d1);

@@ -40,6 +40,7 @@ mod asked;
 pub mod audit;
 mod clearance;
 mod curve;
+mod cutter;
 mod deviation;
 mod gouge;
 mod height;

@@ -60,6 +60,7 @@ fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
 fn tool() -> Tool {
     Tool {
         radius_mm: BALL,
+        corner_radius_mm: None,
         taper_deg: 0.0,
         shank_radius_mm: BALL,
         stickout_mm: 60.0,
@@ -441,6 +442,7 @@ fn figures_do_not_depend_on_the_number_of_threads() {
 fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
     let segments = tool::Tool {
         radius_mm: BALL,
+        corner_radius_mm: None,
         taper_deg: 0.0,
         shank_radius_mm: BALL,
         stickout_mm: 60.0,

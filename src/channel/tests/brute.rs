@@ -37,6 +37,7 @@ pub fn any_tool() -> impl Strategy<Value = Tool> {
     (0.8..5.0f64, 0.0..20.0f64, 1.0..2.5f64, 4.0..30.0f64, stages).prop_map(|(r, taper, shank, stickout, stages)| {
         Tool {
             radius_mm: r,
+            corner_radius_mm: None,
             taper_deg: if taper < 3.0 { 0.0 } else { taper },
             shank_radius_mm: shank * r,
             stickout_mm: r + stickout,

@@ -14,6 +14,7 @@ use crate::tool::{HolderStage, Tool};
 pub fn tool(radius_mm: f64, taper_deg: f64) -> Tool {
     Tool {
         radius_mm,
+        corner_radius_mm: None,
         taper_deg,
         shank_radius_mm: if taper_deg > 0.0 { 1.5 * radius_mm } else { radius_mm },
         stickout_mm: 8.0 * radius_mm,

@@ -98,6 +98,11 @@ fn sortable(key: f64) -> i64 {
     bits ^ (((bits >> 63) as u64) >> 1) as i64
 }
 
+/// The key of a [`sortable`] integer.
+fn from_sortable(key: i64) -> f64 {
+    f64::from_bits((key ^ (((key >> 63) as u64) >> 1) as i64) as u64)
+}
+
 /// Shows the pieces of one part, question after question; what it cut for one it keeps for the
 /// next. Answers do not depend on that.
 pub struct Walker<'a> {
@@ -132,7 +137,8 @@ impl<'a> Walker<'a> {
         self.count = 0;
         self.enter(visitor);
         let mut cuts = 0;
-        while let Some(Reverse((_, _, k, state))) = self.open.pop() {
+        while let Some(next) = self.open.pop() {
+            let Reverse((_, _, k, state)) = next;
             if state != visitor.state() && visitor.presses(&self.kept[k as usize].piece()).is_none() {
                 continue;
             }
@@ -145,6 +151,7 @@ impl<'a> Walker<'a> {
                 return false;
             }
             if o.depth >= DEEPEST || cuts >= most_cuts {
+                self.open.push(next);
                 return false;
             }
             cuts += 1;
@@ -155,6 +162,12 @@ impl<'a> Walker<'a> {
             }
         }
         true
+    }
+
+    /// How pressing the most pressing piece is that a visit which was not done with all has left
+    /// open; `None`: it has left none.
+    pub fn left_open(&self) -> Option<f64> {
+        self.open.peek().map(|Reverse((key, ..))| from_sortable(*key))
     }
 
     /// Goes down the tree.
@@ -332,6 +345,13 @@ mod tests {
             assert!(!radius(&[p(1.0), p(bad), p(2.0)], &p(0.0)).is_finite(), "{bad}");
             assert!(!radius(&[p(1.0), p(2.0)], &p(bad)).is_finite(), "{bad}");
         }
+    }
+
+    #[test]
+    fn keys_sort_as_their_numbers_and_come_back() {
+        let keys = [f64::NEG_INFINITY, -3.5, -1e-300, 0.0, 2e-9, 7.25, f64::INFINITY];
+        assert!(keys.windows(2).all(|w| sortable(w[0]) < sortable(w[1])));
+        assert!(keys.iter().all(|k| from_sortable(sortable(*k)) == *k));
     }
 
     /// The farthest point of a can in any direction lies on the rim of one of its caps, whose

@@ -113,7 +113,7 @@ mod tests {
 
     fn tool() -> Tool {
         let holder = vec![HolderStage { radius_mm: 20.0, length_mm: 60.0 }];
-        Tool { radius_mm: 4.0, taper_deg: 0.0, shank_radius_mm: 4.0, stickout_mm: 50.0, holder }
+        Tool { radius_mm: 4.0, corner_radius_mm: None, taper_deg: 0.0, shank_radius_mm: 4.0, stickout_mm: 50.0, holder }
     }
 
     #[test]

@@ -164,8 +164,8 @@ impl<'a> Follower<'a> {
         let tip = |x: f64, y: f64, z: f64| {
             let mut axes = Axes::of_default(machine.axes().len());
             let [i, j, k] = machine.linear();
-            (axes[i], axes[j], axes[k]) = (x, y, z + tool.length_mm() + tool.radius_mm);
-            machine.forward(&axes, tool.length_mm()).tip(tool.radius_mm)
+            (axes[i], axes[j], axes[k]) = (x, y, z + tool.length_mm() + tool.corner_mm());
+            machine.forward(&axes, tool.length_mm()).tip(tool.corner_mm())
         };
         let origin = tip(0.0, 0.0, 0.0);
         let columns = [tip(1.0, 0.0, 0.0), tip(0.0, 1.0, 0.0), tip(0.0, 0.0, 1.0)].map(|p| p - origin);
@@ -251,7 +251,7 @@ impl<'a> Follower<'a> {
         let frame = if block.machine { Rigid::identity() } else { block.frame };
         let turned = frame.rotation != nalgebra::UnitQuaternion::identity();
         // G43 adds the length to the tip along Z of the machine, however the head leans.
-        let length = if block.tool_length { tool.length_mm() + tool.radius_mm } else { 0.0 };
+        let length = if block.tool_length { tool.length_mm() + tool.corner_mm() } else { 0.0 };
         let added: [f64; 3] = std::array::from_fn(|i| {
             let zero = if block.machine { 0.0 } else { zero.axes_mm[i] + frame.translation.vector[i] };
             zero + if i == 2 { length } else { 0.0 }
@@ -309,7 +309,7 @@ impl<'a> Follower<'a> {
             Some((here, frame)) => (block.frame.inverse() * frame * Point::from(here)).into(),
             None => {
                 let pose = machine.forward(&self.stands, tool.length_mm());
-                let point = if words == Programmed::Tip { pose.tip(tool.radius_mm) } else { pose.centre };
+                let point = if words == Programmed::Tip { pose.tip(tool.corner_mm()) } else { pose.centre };
                 (blade_from_program.inverse() * point).into()
             }
         };

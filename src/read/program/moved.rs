@@ -79,7 +79,7 @@ fn pose(words: Programmed, at: &[f64], tool: &Tool, machine: &Machine) -> Pose {
     }
     let axis = machine.axis_at(at);
     let point = machine.linear().map(|k| at[k]);
-    let lift = if words == Programmed::Tip { tool.radius_mm } else { 0.0 };
+    let lift = if words == Programmed::Tip { tool.corner_mm() } else { 0.0 };
     Pose { centre: Point::from(point) + axis * lift, axis }
 }
 

@@ -5,9 +5,10 @@ use super::report::{Limit, LineCheck, WorstMove};
 use super::{AuditScene, MovesSource};
 use crate::artifact::program::Programmed;
 use crate::artifact::{AxisCheck, CheckId};
+use crate::geometry::part::Part;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
-use crate::verify::gouge::{self, Gouge};
+use crate::verify::gouge::Gouge;
 use crate::verify::read_back;
 use crate::verify::sweep::Sweep;
 
@@ -28,7 +29,10 @@ pub(super) fn contact(scene: &AuditScene, passes: &Sweep) -> LineCheck {
     let share = along.len() as f64 / cut.iter().filter(|c| **c).count().max(1) as f64;
     let limit = Limit {
         id: CheckId::Contact,
-        quantity: "share of the feed legs in which the ball is at the part, greater than the limit".into(),
+        quantity: format!(
+            "share of the feed legs in which the {} is at the part, greater than the limit",
+            scene.end_name()
+        ),
         limit: 0.0,
         unit: "",
         passed: share > 0.0,
@@ -38,19 +42,19 @@ pub(super) fn contact(scene: &AuditScene, passes: &Sweep) -> LineCheck {
     scene.judged(limit, &scene.on_leg(share, first, point), format!("{} legs", along.len()))
 }
 
-/// The deepest cut of the ball.
-pub(super) fn gouge(scene: &AuditScene, sweep: &Sweep) -> LineCheck {
+/// The deepest cut of the ball, or of the cutter's corner.
+pub(super) fn gouge(scene: &AuditScene) -> LineCheck {
     let options = scene.options;
     let found = match inside(scene) {
         Some((leg, depth)) => {
             Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.stands[leg].centre }
         }
-        None => gouge::measure(&scene.part, sweep, options.resolution_mm),
+        None => scene.deepest(scene.legs.of(LegKind::Cut), options.resolution_mm, 0.0),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
     let limit = Limit {
         id: CheckId::Gouge,
-        quantity: "depth of the swept ball in the part at a feed".into(),
+        quantity: format!("depth of the swept {} in the part at a feed", scene.end_name()),
         limit: options.gouge_mm,
         unit: "mm",
         passed: bound <= options.gouge_mm,
@@ -60,7 +64,8 @@ pub(super) fn gouge(scene: &AuditScene, sweep: &Sweep) -> LineCheck {
     let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", found.found_mm.max(0.0));
     let mut check = scene.judged(limit, &scene.on_leg(bound, found.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
-        scene.tell_spans(&mut check, &gouge::deeper_than(&scene.part, sweep, options.gouge_mm), found.segment);
+        let deeper = scene.deeper_than(scene.legs.of(LegKind::Cut), options.gouge_mm);
+        scene.tell_spans(&mut check, &deeper, found.segment);
     }
     check
 }
@@ -73,7 +78,7 @@ fn inside(scene: &AuditScene) -> Option<(usize, f64)> {
     (0..legs.len()).filter(begins).find_map(|i| {
         let c = &scene.legs.stands[i].centre;
         let depth = || scene.part.closest(c, f64::INFINITY).map_or(0.0, |f| f.distance_mm);
-        scene.part.inside(c).then(|| (i, scene.bench.tool.radius_mm + depth()))
+        scene.part.inside(c).then(|| (i, scene.bench.tool.corner_mm() + depth()))
     })
 }
 
@@ -84,27 +89,39 @@ impl AuditScene<'_> {
 
     /// Least distance of segments of the tool, what is known of the part taken off; and its check.
     fn clearance(&self, limit: Limit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
-        let (deflection, resolution) = (self.blade.part.deflection_mm, self.options.clearance_resolution_mm);
-        let track = self.track(wanted);
-        let (near, bound) = clearance::measure_track(track, &self.blade.part, segments, resolution);
-        let worst = bound - deflection;
+        let (track, resolution) = (self.track(wanted), self.options.clearance_resolution_mm);
+        let measure = |on: &Part| {
+            let (near, bound) = clearance::measure_track(track, on, segments, resolution);
+            (near, bound - on.deflection_mm)
+        };
+        let mut on = &self.blade.part;
+        let (mut near, mut worst) = measure(on);
+        // Just over a small corner the mesh may be too coarse to tell.
+        if !self.bench.tool.is_ball()
+            && worst < 0.0
+            && let Some(sharper) = self.blade.part.sharper()
+        {
+            on = sharper;
+            (near, worst) = measure(on);
+        }
+        let deflection = on.deflection_mm;
         let limit = Limit { passed: worst >= 0.0, ..limit };
         let note = format!(
             "{}; measured {:.6}, part known to {deflection:.6}, nowhere less than {worst:.6}",
-            who(self, segments, &near),
+            who(self, on, segments, &near),
             near.found_mm
         );
         let mut check = self.judged(limit, &self.on_leg(worst, near.row, Some(near.point)), note);
         if !check.check.passed {
-            self.tell_spans(&mut check, &clearance::below(track, &self.blade.part, segments, deflection), near.row);
+            self.tell_spans(&mut check, &clearance::below(track, on, segments, deflection), near.row);
         }
         check
     }
 }
 
-fn who(scene: &AuditScene, segments: &[Segment], near: &Nearest) -> String {
+fn who(scene: &AuditScene, on: &Part, segments: &[Segment], near: &Nearest) -> String {
     let name = segments.get(near.segment).map_or_else(String::new, |s| s.part.to_string());
-    let mesh = &scene.blade.part.mesh;
+    let mesh = &on.mesh;
     match near.triangle {
         u32::MAX => "nothing near".into(),
         t => format!("{name} to {}", scene.part.face_name(mesh.face(t as usize))),
@@ -143,19 +160,18 @@ pub(super) fn rapid(scene: &AuditScene) -> Option<LineCheck> {
         passed: false,
     };
     let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted);
-    let sweep = scene.sweep(LegKind::Rapid);
-    let ball = gouge::measure_within(&scene.part, &sweep, scene.options.clearance_resolution_mm, FAR_MM);
+    let ball = scene.deepest(wanted.clone(), scene.options.clearance_resolution_mm, FAR_MM);
     let least = -ball.bound_mm.max(ball.found_mm);
     if upper.check.worst <= least || !least.is_finite() {
         return Some(upper);
     }
     let at = scene.part.closest(&ball.centre, f64::INFINITY);
     let face = at.map(|c| scene.part.face_name(c.face)).unwrap_or_default();
-    let note = format!("ball to {face}; measured {:.6}, nowhere less than {least:.6}", -ball.found_mm);
+    let note = format!("{} to {face}; measured {:.6}, nowhere less than {least:.6}", scene.end_name(), -ball.found_mm);
     let limit = Limit { passed: least >= 0.0, ..limit() };
     let mut check = scene.judged(limit, &scene.on_leg(least, ball.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
-        scene.tell_spans(&mut check, &gouge::deeper_than(&scene.part, &sweep, 0.0), ball.segment);
+        scene.tell_spans(&mut check, &scene.deeper_than(wanted, 0.0), ball.segment);
     }
     Some(check)
 }
@@ -303,7 +319,7 @@ pub(super) fn share_bad(scene: &AuditScene) -> f64 {
     let mut few = vec![false; scene.legs.legs.len()];
     cuts.iter().step_by(cuts.len().div_ceil(A_FEW).max(1)).for_each(|i| few[*i] = true);
     let looked = few.iter().filter(|w| **w).count();
-    let mut bad = gouge::deeper_than(&scene.part, &scene.sweep_of(few.clone()), scene.options.gouge_mm);
+    let mut bad = scene.deeper_than(few.clone(), scene.options.gouge_mm);
     bad.extend(clearance::below(scene.track(&few), &scene.blade.part, &scene.bench.tool.segments(), 0.0));
     bad.sort_unstable();
     bad.dedup();
@@ -322,6 +338,6 @@ pub(super) fn clean(scene: &AuditScene) -> bool {
     if share_bad(scene) > 0.0 || !contact(scene, &scene.passes()).check.passed {
         return false;
     }
-    let gouge = gouge::measure(&scene.part, &scene.sweep(LegKind::Cut), scene.options.resolution_mm);
+    let gouge = scene.deepest(wanted, scene.options.resolution_mm, 0.0);
     gouge.bound_mm <= limit && clearances(scene).iter().all(|c| c.check.passed)
 }

@@ -107,7 +107,7 @@ impl Legs {
 
     /// Turns about the blade axis at each place, counted from the first place at a feed that
     /// `touches`, where there is one.
-    pub fn turns(&self, touches: impl Fn(&Point) -> bool) -> Vec<u32> {
+    pub fn turns(&self, touches: impl Fn(&Stand) -> bool) -> Vec<u32> {
         let angle = |c: &Point| c.z.atan2(c.y);
         let mut turned = vec![0.0f64; self.stands.len()];
         for (i, w) in self.stands.windows(2).enumerate() {
@@ -115,7 +115,7 @@ impl Legs {
             turned[i + 1] = turned[i] + within_half_turn(step);
         }
         let cuts = |i: &usize| self.legs.get(*i).is_some_and(|l| l.kind == LegKind::Cut);
-        let first = (0..self.stands.len()).filter(cuts).find(|i| touches(&self.stands[*i].centre)).unwrap_or(0);
+        let first = (0..self.stands.len()).filter(cuts).find(|i| touches(&self.stands[*i])).unwrap_or(0);
         let from = turned.get(first).copied().unwrap_or(0.0);
         let count = |(i, t): (usize, &f64)| if i < first { 0 } else { ((t - from).abs() / TAU + 1e-9) as u32 };
         turned.iter().enumerate().map(count).collect()

@@ -21,6 +21,10 @@
 //! | `tool`, `tool-length`, `spindle`, `smoothing` | in feed moves at the part: other tools than the given one, a length offset that is off, another tool's or changed, the spindle off or turning the wrong way, a tolerance of the control's wider than the greater of gouge and scallop allowed | |
 //! | `b-sign`, `a-sense` | only after a gouge, a touch or no contact: whether all would be well with the other sign of B, or of A | |
 //!
+//! A cutter with a corner is judged by the same checks, with [`super::cutter`] in the place of
+//! [`super::gouge`]: it is what the corner leaves that is called the ball's. Its ridges are those
+//! of [`ridges`].
+//!
 //! **Limits**: rapids are taken as straight in whatever the block programs; which forms of programs
 //! are read: [`crate::read::program`]; the control's own smoothing is not known but for
 //! its tolerance; accelerations are not judged, since the control slows down where it must. Moves
@@ -29,25 +33,34 @@
 
 mod blame;
 mod checks;
+#[cfg(test)]
+mod cutter_tests;
 mod legs;
 mod report;
+mod ridges;
 mod scallop;
 #[cfg(test)]
 mod tests;
 
 pub use report::{Audit, LineCheck, Span};
 
+use std::cell::RefCell;
+
 use rayon::prelude::*;
 
+use super::cutter::{self, SweptCutter};
 use super::deviation::{self, ToolCut};
+use super::gouge::{self, Gouge};
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
+use crate::geometry::near_disc::DiscSearch;
 use crate::observe::Observer;
 use crate::read::program::{self, Bench, Block, Script};
+use crate::tool::Tool;
 use legs::{LegKind, Legs};
 
 /// Limits and sampling of [`audit`]. Lengths in mm.
@@ -129,12 +142,32 @@ pub fn audit(
     options: &AuditOptions,
     observer: &dyn Observer,
 ) -> Result<Audit> {
-    bench.tool.validate()?;
+    can_judge(bench.tool, options)?;
     let script = program::read(text, bench.language)?;
     let moves = program::follow(&script.blocks, bench)?;
     let source = MovesSource { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
     let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
     Ok(Audit { map: map(blade, options, &[cut]), ..audit })
+}
+
+/// Whether what is asked for can be judged with a tool.
+///
+/// # Errors
+/// `Usage`: the tool is none; with a cutter that is no ball a map, or gouges as deep as its corner.
+fn can_judge(tool: &Tool, options: &AuditOptions) -> Result<()> {
+    tool.validate()?;
+    if tool.is_ball() {
+        return Ok(());
+    }
+    if options.map_mm.is_some() {
+        tool.ball_only("deviation maps are made")?;
+    }
+    let corner = tool.corner_mm();
+    if !(options.gouge_mm < corner) {
+        let what = format!("gouges of {} mm are allowed, the corner of the cutter is {corner} mm", options.gouge_mm);
+        return Err(Error::usage(Stage::Verify, what).advise("allow less than the corner radius"));
+    }
+    Ok(())
 }
 
 /// What all cuts together leave.
@@ -158,7 +191,7 @@ pub fn audit_each(
     observer: &dyn Observer,
 ) -> Result<Vec<Audit>> {
     for bench in benches {
-        bench.tool.validate()?;
+        can_judge(bench.tool, options)?;
     }
     let Some(first) = benches.first() else {
         return Err(Error::usage(Stage::Verify, "a program needs a tool to be judged"));
@@ -199,11 +232,19 @@ fn audit_moves(
             .advise("its first moves must say X, Y and Z"));
     }
     let part = Allowed::new(&blade.part, options.stock_mm);
-    let turns = legs.turns(|c| part.closest(c, bench.tool.radius_mm + legs::NEAR_MM).is_some());
+    let search = RefCell::new(DiscSearch::new(&part));
+    let reach = bench.tool.corner_mm() + part.stock_mm + legs::NEAR_MM;
+    let turns = legs.turns(|s| match bench.tool.is_ball() {
+        true => part.closest(&s.centre, bench.tool.radius_mm + legs::NEAR_MM).is_some(),
+        false => {
+            let disc = bench.tool.disc(s.centre, s.axis());
+            search.borrow_mut().closest(&disc, reach, 0.1 * legs::NEAR_MM).is_some()
+        }
+    });
     let scene = AuditScene { blade, part, bench, options, text, moves, legs: &legs, turns };
     let cutting = scene.sweep(LegKind::Cut);
     let passes = scene.passes();
-    let mut checks = vec![checks::contact(&scene, &passes), checks::gouge(&scene, &cutting)];
+    let mut checks = vec![checks::contact(&scene, &passes), checks::gouge(&scene)];
     step(1)?;
     checks.extend(checks::clearances(&scene));
     step(2)?;
@@ -269,12 +310,42 @@ impl AuditScene<'_> {
         self.sweep_of(self.legs.of(kind))
     }
 
+    /// The deepest gouge of moves, measured to `resolution_mm`; distances to the part are told up
+    /// to `reach_mm` at least.
+    fn deepest(&self, wanted: Vec<bool>, resolution_mm: f64, reach_mm: f64) -> Gouge {
+        if self.bench.tool.is_ball() {
+            return gouge::measure_within(&self.part, &self.sweep_of(wanted), resolution_mm, reach_mm);
+        }
+        cutter::measure_within(&self.part, &self.swept(&wanted), resolution_mm, reach_mm)
+    }
+
+    /// The moves among these that cut deeper than `limit_mm` at an end or in the middle.
+    fn deeper_than(&self, wanted: Vec<bool>, limit_mm: f64) -> Vec<usize> {
+        if self.bench.tool.is_ball() {
+            return gouge::deeper_than(&self.part, &self.sweep_of(wanted), limit_mm);
+        }
+        cutter::deeper_than(&self.part, &self.swept(&wanted), limit_mm)
+    }
+
+    fn swept<'a>(&'a self, wanted: &'a [bool]) -> SweptCutter<'a> {
+        SweptCutter { stands: &self.legs.stands, wanted, tool: self.bench.tool }
+    }
+
+    /// What the end of the tool is called.
+    fn end_name(&self) -> &'static str {
+        if self.bench.tool.is_ball() { "ball" } else { "cutter" }
+    }
+
     /// The ball swept over the feed moves along the part: without approach and retract, which are
     /// no passes.
     fn passes(&self) -> Sweep {
-        let reach = self.bench.tool.radius_mm + legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
-        let touching: Vec<bool> =
-            self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect();
+        let near = legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
+        let touching: Vec<bool> = if self.bench.tool.is_ball() {
+            let reach = self.bench.tool.radius_mm + near;
+            self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect()
+        } else {
+            cutter::touching(&self.part, &self.legs.stands, self.bench.tool, near)
+        };
         let wanted = self.legs.of(LegKind::Cut).into_iter().zip(touching.windows(2));
         self.sweep_of(wanted.map(|(cut, ends)| cut && ends[0] && ends[1]).collect())
     }

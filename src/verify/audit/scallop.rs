@@ -12,9 +12,9 @@
 
 use rayon::prelude::*;
 
-use super::AuditScene;
 use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
+use super::{AuditScene, ridges};
 use crate::artifact::CheckId;
 use crate::geometry::Point;
 use crate::verify::height::{REACH_SLACK, lift};
@@ -22,16 +22,17 @@ use crate::verify::samples::{self, Sample};
 use crate::verify::sweep::Sweep;
 
 /// Passes as far apart as so many stepovers are still neighbours: a turn that is missing is seen.
-const REACH_STEPOVERS: f64 = 2.5;
+pub(super) const REACH_STEPOVERS: f64 = 2.5;
 /// Least reach, mm.
-const LEAST_REACH_MM: f64 = 0.4;
+pub(super) const LEAST_REACH_MM: f64 = 0.4;
 /// Two places are on two sides where the cosine of their directions is less than this.
 const OPPOSITE: f64 = -0.8;
 /// Turns with fewer samples are not judged by themselves.
 const FEWEST: usize = 40;
 /// Passes this many times as far apart as usual: one is missing between them.
 const MISSING: f64 = 1.6;
-/// Where no scallop is asked for, the greatest that is looked for, as a share of the ball radius.
+/// Where no scallop is asked for, the greatest that is looked for, as a share of
+/// the radius of ball or corner.
 const WIDEST: f64 = 0.02;
 
 /// A height between two passes.
@@ -63,27 +64,34 @@ fn percentile(sorted: &[Height], q: f64) -> Option<&Height> {
 
 /// The scallop that reaches are measured by, mm.
 pub(super) fn widest_mm(scene: &AuditScene) -> f64 {
-    scene.options.scallop_mm.unwrap_or(WIDEST * scene.bench.tool.radius_mm)
+    scene.options.scallop_mm.unwrap_or(WIDEST * scene.bench.tool.corner_mm())
 }
 
 /// Measures.
 pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
+    if !scene.bench.tool.is_ball() {
+        return ridges::heights(scene, sweep);
+    }
     let radius = sweep.radius_mm;
     let widest = widest_mm(scene);
     let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
     let ends = near_ends(sweep, reach + (2.0 * radius * NEAR_MM).sqrt());
     let height = |s: &Sample| {
         let q = s.point + s.normal * radius;
-        let (leg, gap_mm) = between(sweep, &q, reach, &ends)?;
+        let (leg, gap_mm) = between(sweep, &q, reach, |leg, _| ends.get(leg) == Some(&false))?;
         let raw = sweep.entry(&s.point, &s.normal, reach)?;
         // What no ball of this radius could reach is no fault of the passes.
         let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
         Some(Height { height_mm: raw.min((raw - up).max(0.0)), point: s.point, leg, gap_mm })
     };
     let all = samples::near_path(&scene.part, sweep, reach, scene.options.surface_samples);
-    let mut sorted: Vec<Height> = all.points.par_iter().filter_map(height).collect();
-    sorted.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.leg.cmp(&b.leg)));
-    Heights { sorted }
+    sorted(all.points.par_iter().filter_map(height).collect())
+}
+
+/// Heights in their order.
+pub(super) fn sorted(mut heights: Vec<Height>) -> Heights {
+    heights.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.leg.cmp(&b.leg)));
+    Heights { sorted: heights }
 }
 
 /// Legs within so much way of the beginning or the end of a pass: there the ball comes down or goes
@@ -105,17 +113,21 @@ fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
 }
 
 /// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its
-/// two sides are apart; `None` where one of them is near the end of a pass.
-fn between(sweep: &Sweep, q: &Point, reach_mm: f64, ends: &[bool]) -> Option<(usize, f64)> {
+/// two sides are apart; `None` where one of them is not `inside` a pass: near its end.
+pub(super) fn between(
+    sweep: &Sweep,
+    q: &Point,
+    reach_mm: f64,
+    inside: impl Fn(usize, &Point) -> bool,
+) -> Option<(usize, f64)> {
     let mut near: Vec<(f64, usize, Point)> =
         sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let (d, leg, c) = *near.first()?;
     let side = c - q;
     let across = |(e, _, other): &&(f64, usize, Point)| (other - q).dot(&side) <= OPPOSITE * d * e;
-    let (e, other, _) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
-    let inside = |leg: usize| ends.get(leg) == Some(&false);
-    (inside(leg) && inside(*other)).then_some((leg, d + e))
+    let (e, other, at) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
+    (inside(leg, &c) && inside(*other, at)).then_some((leg, d + e))
 }
 
 /// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
@@ -205,7 +217,7 @@ mod tests {
         let wanted = (0..81).map(|i| i != 40).collect();
         let sweep = Sweep::of(rows.clone(), rows, vec![0; 82], 1.0, Some(wanted));
         let ends = near_ends(&sweep, 3.0);
-        let q = |x: f64| between(&sweep, &Point::new(x, 0.4, 0.0), 2.0, &ends);
+        let q = |x: f64| between(&sweep, &Point::new(x, 0.4, 0.0), 2.0, |leg, _| !ends[leg]);
         assert!(q(20.5).is_some_and(|(_, gap)| (gap - 1.0).abs() < 1e-9));
         assert_eq!((q(1.5), q(39.2)), (None, None));
     }

@@ -95,12 +95,12 @@ fn end(m: &Moved, share: f64, tool: &Tool, machine: &Machine) -> Option<End> {
     let linear = machine.linear();
     let rotary: Vec<usize> = machine.rotary().collect();
     let at = m.at(share);
-    let (centre, radius) = (linear.map(|k| words[k]), tool.radius_mm);
+    let (centre, lift) = (linear.map(|k| words[k]), tool.corner_mm());
     let centre: [Vector; 3] = match m.words {
         Programmed::Centre => [1, 2, 3].map(|n| term(&centre, n)),
         Programmed::Tip => {
             let axis = tool_axis(&words, &rotary, &at, machine)?;
-            [1, 2, 3].map(|n| term(&centre, n) + axis[n - 1] * radius)
+            [1, 2, 3].map(|n| term(&centre, n) + axis[n - 1] * lift)
         }
         // Positions of the axes are not written as polynomials on a curve.
         Programmed::Machine => return None,

@@ -147,7 +147,7 @@ fn tools(id: CheckId, script: &Script, blocks: &[Block], asked: Option<u32>, too
     // A file of several operations says several.
     let cutter = |b: &Block| script.cutters.iter().rev().find(|c| c.0 < b.line).copied();
     let other = at_feed(blocks).filter_map(cutter).filter_map(|(line, [d, r])| {
-        let same = (d - 2.0 * tool.radius_mm).abs() <= CUTTER_MM && (r - tool.radius_mm).abs() <= CUTTER_MM;
+        let same = (d - 2.0 * tool.radius_mm).abs() <= CUTTER_MM && (r - tool.corner_mm()).abs() <= CUTTER_MM;
         (!same).then(|| (line, format!("the file was computed for a cutter of diameter {d} and corner radius {r} mm")))
     });
     counted(id, "lines with another tool than the one that is given", wrong.chain(other))

@@ -27,10 +27,18 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
         children.push(mesh_node(glb, name, vec![shown], json!({ "part_of": "tool" })));
     }
     children.push(super::machine::head(glb, plan, scene)?);
-    let note = json!({
-        "origin": "ball centre", "z": "towards the spindle", "ball_radius_mm": tool.radius_mm,
-        "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
-    });
+    let note = if tool.is_ball() {
+        json!({
+            "origin": "ball centre", "z": "towards the spindle", "ball_radius_mm": tool.radius_mm,
+            "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
+        })
+    } else {
+        json!({
+            "origin": "centre of the disc that the corner rolls over", "z": "towards the spindle",
+            "radius_mm": tool.radius_mm, "corner_radius_mm": tool.corner_mm(),
+            "taper_half_angle_deg": tool.taper_deg, "stickout_mm": tool.stickout_mm,
+        })
+    };
     let node = super::group(glb, "tool", children, &note);
     if let Some(stand) = plan.stand(0) {
         let q = scene.blade.model_from_blade.rotation * super::motion::attitude(&stand);
@@ -40,10 +48,11 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
     Ok(node)
 }
 
-/// Ball, taper, shank and holder stages as rings.
+/// Ball or corner, taper, shank and holder stages as rings.
 fn parts(tool: &Tool) -> Vec<(String, Vec<ProfileRing>)> {
-    let mut parts: Vec<(String, Vec<ProfileRing>)> = vec![("ball".into(), ball(tool))];
-    let mut before = tool.radius_mm * tool.taper_deg.to_radians().cos();
+    let name = if tool.is_ball() { "ball" } else { "corner" };
+    let mut parts: Vec<(String, Vec<ProfileRing>)> = vec![(name.into(), end(tool))];
+    let mut before = tool.disc_radius_mm() + tool.corner_mm() * tool.taper_deg.to_radians().cos();
     for s in tool.segments() {
         let slope = (s.r1 - s.r0).atan2(s.z1 - s.z0);
         let (nz, nr) = (-slope.sin(), slope.cos());
@@ -64,21 +73,41 @@ fn parts(tool: &Tool) -> Vec<(String, Vec<ProfileRing>)> {
     parts
 }
 
-fn ball(tool: &Tool) -> Vec<ProfileRing> {
-    let end = tool.taper_deg.to_radians();
-    (0..=BALL)
-        .map(|i| {
-            let angle = -FRAC_PI_2 + (end + FRAC_PI_2) * f64::from(i) / f64::from(BALL);
-            let (s, c) = angle.sin_cos();
-            [tool.radius_mm * s, tool.radius_mm * c.max(0.0), c.max(0.0), s]
-        })
-        .collect()
+/// The ball, or the flat bottom and the corner.
+fn end(tool: &Tool) -> Vec<ProfileRing> {
+    let (end, disc, corner) = (tool.taper_deg.to_radians(), tool.disc_radius_mm(), tool.corner_mm());
+    let arc = (0..=BALL).map(|i| {
+        let angle = -FRAC_PI_2 + (end + FRAC_PI_2) * f64::from(i) / f64::from(BALL);
+        let (s, c) = angle.sin_cos();
+        [corner * s, disc + corner * c.max(0.0), c.max(0.0), s]
+    });
+    let bottom = (!tool.is_ball()).then_some([-corner, 0.0, 0.0, -1.0]);
+    bottom.into_iter().chain(arc).collect()
 }
 
 fn look(name: &str) -> [f32; 3] {
     match name {
-        "ball" => [0.80, 0.25, 0.02],
+        "ball" | "corner" => [0.80, 0.25, 0.02],
         "taper" | "shank" => [0.70, 0.45, 0.05],
         _ => [0.10, 0.25, 0.42],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From the middle of the flat bottom over the corner to where the cone begins, without a step.
+    #[test]
+    fn a_corner_has_a_flat_bottom() {
+        let bull = Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), ..crate::sample::tool() };
+        let parts = parts(&bull);
+        assert_eq!(parts[0].0, "corner");
+        let rings = &parts[0].1;
+        assert_eq!(rings[0], [-2.0, 0.0, 0.0, -1.0]);
+        assert!((rings[1][0] + 2.0).abs() < 1e-12 && (rings[1][1] - 6.0).abs() < 1e-12, "{:?}", rings[1]);
+        let (last, next) = (rings[rings.len() - 1], parts[1].1[0]);
+        assert!((last[0] - next[0]).abs() < 1e-12 && (last[1] - next[1]).abs() < 1e-12, "{last:?} {next:?}");
+        assert_eq!(super::parts(&crate::sample::tool())[0].0, "ball");
     }
 }

@@ -38,7 +38,12 @@ pub(super) fn figures(input: &ReportInput) -> String {
         number(t.stickout_mm),
         holder.collect::<Vec<_>>().join(", ")
     );
-    card(&mut cards, "Tool", &format!("ball R {} mm", number(t.radius_mm)), &note);
+    let end = if t.is_ball() {
+        format!("ball R {} mm", number(t.radius_mm))
+    } else {
+        format!("cutter R {} mm, corner R {} mm", number(t.radius_mm), number(t.corner_mm()))
+    };
+    card(&mut cards, "Tool", &end, &note);
     format!("<section id=\"figures\"><h2>Figures</h2><dl class=\"cards\">{cards}</dl></section>\n")
 }
 

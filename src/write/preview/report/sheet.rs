@@ -91,18 +91,23 @@ fn zero(input: &ReportInput) -> String {
 
 fn tool(input: &ReportInput) -> String {
     let (t, asked) = (input.tool, input.program.and_then(|p| p.asked.first()));
+    let centre = if t.is_ball() { "ball centre" } else { "centre of the corner's arc" };
     let mut rows = vec![
         ("Number", asked.map(|a| format!("T{}", a.tool_number)).unwrap_or_default()),
         ("Spindle", asked.map(|a| format!("{} 1/min", number(a.spindle_rpm))).unwrap_or_default()),
-        ("Ball end", format!("R {} mm", number(t.radius_mm))),
+        if t.is_ball() {
+            ("Ball end", format!("R {} mm", number(t.radius_mm)))
+        } else {
+            ("Cutter", format!("R {} mm, corner R {} mm", number(t.radius_mm), number(t.corner_mm())))
+        },
         ("Taper", format!("{}° half angle", number(t.taper_deg))),
         ("Shank", format!("R {} mm", number(t.shank_radius_mm))),
         (
             "Stick-out",
             format!(
-                "{} mm from the ball centre, {} from the tip",
+                "{} mm from the {centre}, {} from the tip",
                 number(t.stickout_mm),
-                number(t.stickout_mm + t.radius_mm)
+                number(t.stickout_mm + t.corner_mm())
             ),
         ),
     ];
@@ -111,9 +116,9 @@ fn tool(input: &ReportInput) -> String {
     rows.push((
         "Gauge length",
         format!(
-            "{} mm from the ball centre, {} from the tip",
+            "{} mm from the {centre}, {} from the tip",
             number(t.length_mm()),
-            number(t.length_mm() + t.radius_mm)
+            number(t.length_mm() + t.corner_mm())
         ),
     ));
     format!("{}{}", list("Tool", &rows), drawing(t))
@@ -123,8 +128,7 @@ fn tool(input: &ReportInput) -> String {
 fn drawing(tool: &Tool) -> String {
     let segments = tool.segments();
     let widest = segments.iter().map(|s| s.r0.max(s.r1)).fold(tool.radius_mm, f64::max);
-    let (r, taper) = (tool.radius_mm, tool.taper_deg.to_radians());
-    let [x, y] = [-r * taper.sin(), r * taper.cos()];
+    let (r, disc, taper) = (tool.corner_mm(), tool.disc_radius_mm(), tool.taper_deg.to_radians());
     let side = |sign: f64| -> Vec<String> {
         segments
             .iter()
@@ -134,14 +138,21 @@ fn drawing(tool: &Tool) -> String {
     };
     let mut below = side(1.0);
     below.reverse();
-    // The ball from below the axis over the tip, which lies at −R, and up both sides.
-    let path = format!(
-        "M{x:.3} {y:.3}A{r:.3} {r:.3} 0 0 1 {:.3} 0A{r:.3} {r:.3} 0 0 1 {x:.3} {:.3}L{}L{}Z",
-        -r,
-        -y,
-        side(-1.0).join("L"),
-        below.join("L")
-    );
+    // From below the axis over the tip, which lies a ball's or corner's radius to the left, and up
+    // both sides.
+    let end = if tool.is_ball() {
+        let [x, y] = [-r * taper.sin(), r * taper.cos()];
+        format!("M{x:.3} {y:.3}A{r:.3} {r:.3} 0 0 1 {:.3} 0A{r:.3} {r:.3} 0 0 1 {x:.3} {:.3}", -r, -y)
+    } else {
+        let [x, y] = [r * taper.sin(), disc + r * taper.cos()];
+        format!(
+            "M{x:.3} {y:.3}A{r:.3} {r:.3} 0 0 1 {tip:.3} {disc:.3}L{tip:.3} {:.3}A{r:.3} {r:.3} 0 0 1 {x:.3} {:.3}",
+            -disc,
+            -y,
+            tip = -r
+        )
+    };
+    let path = format!("{end}L{}L{}Z", side(-1.0).join("L"), below.join("L"));
     let (length, margin) = (tool.length_mm(), 0.06 * widest);
     format!(
         "<svg class=\"tool\" role=\"img\" aria-label=\"Outline of the tool in its holder, to scale\" viewBox=\"{:.3} {:.3} {:.3} {:.3}\">\
@@ -153,8 +164,8 @@ fn drawing(tool: &Tool) -> String {
         2.0 * (widest + margin),
         -widest,
         widest,
-        -r,
-        r,
+        -tool.radius_mm,
+        tool.radius_mm,
         s = tool.stickout_mm,
     )
 }
@@ -195,5 +206,11 @@ mod tests {
         let widest = tool.holder.iter().map(|h| h.radius_mm).fold(tool.shank_radius_mm, f64::max);
         assert!(text.contains(&format!("L{:.3} {:.3}L", tool.length_mm(), -widest)), "{text}");
         assert!(!text.contains("NaN"));
+        // A flat bottom between two arcs that end where the cone begins.
+        let bull = Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), ..tool };
+        let first = bull.segments().remove(0);
+        let begins =
+            format!("M{z:.3} {r:.3}A2.000 2.000 0 0 1 -2.000 6.000L-2.000 -6.000A", z = first.z0, r = first.r0);
+        assert!(drawing(&bull).contains(&begins), "{}", drawing(&bull));
     }
 }

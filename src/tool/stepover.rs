@@ -1,0 +1,181 @@
+//! How far apart passes of any cutter may lie: the curvatures of cutter and part at the contact.
+//!
+//! Let `T` be the second fundamental form of the cutter at the contact and `S` that of the part,
+//! both positive where convex, and `K = T + S`. The gap between them grows as `½ xᵀKx` from the
+//! contact, so `K` must be positive definite: else the cutter cuts the part beside it. Where the
+//! contacts run along the unit vector `t`, the gap left at a place `D` beside them is the least
+//! over all places of the cutter on its way, `½ D² det K / tᵀKt` (the Schur complement of `K` along
+//! `t`). Passes that leave the ridge `h` between them are twice that far apart:
+//! ```text
+//! W = 2 sqrt(2 h tᵀKt / det K)
+//! ```
+//! For a ball, `T = I/R`, this is [`super::scallop`]'s width to the first order in `h`. A cutter
+//! with a corner of radius `r` round a disc of radius `R`, its axis leaning by `α` from the normal,
+//! has
+//! ```text
+//! T = m mᵀ / r + p pᵀ sin α / (R + r sin α)
+//! ```
+//! `m` along the axis' projection on the tangent plane and `p` across it: the principal curvatures
+//! of a torus. With the lead along the feed its strip is that of a ball of `R / sin α + r`.
+//!
+//! The formula holds while the strip is narrow beside the radii of curvature, and least where the
+//! bottom is nearly flat on the part. A cutter that leans aside leaves more on one side of a pass
+//! than on the other; the ridge is the mean of both.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::Tool;
+use crate::geometry::Vector;
+use crate::geometry::nurbs::Principal;
+
+/// Flatter on the part than this, sine, a bottom has no curvature there.
+const FLAT: f64 = 1e-9;
+
+/// Distance across passes that leave the ridge `scallop_mm` between them, mm, where the curvatures
+/// of cutter and part add up to `both` (1/mm, positive convex) and contacts run along `way`, of any
+/// length, in the same frame. `None` where the cutter does not fit, or an argument is none.
+pub fn width_mm(both: &Matrix2<f64>, way: &Vector2<f64>, scallop_mm: f64) -> Option<f64> {
+    let t = way.try_normalize(0.0)?;
+    let (along, det) = (t.dot(&(both * t)), both.determinant());
+    // Positive definite: by the determinant and one diagonal entry.
+    let fits = det > 0.0 && both[(0, 0)] > 0.0 && scallop_mm > 0.0;
+    let width = 2.0 * (2.0 * scallop_mm * along / det).sqrt();
+    (fits && width.is_finite()).then_some(width)
+}
+
+/// Curvatures of a cutter at a contact, 1/mm, in the frame of two unit vectors across the unit
+/// `normal`, with the unit `axis` from tip to spindle. `None` where a flat bottom lies on the part:
+/// then it has none.
+pub fn curvature_of_cutter(tool: &Tool, axis: &Vector, normal: &Vector, frame: &[Vector; 2]) -> Option<Matrix2<f64>> {
+    let (corner, disc) = (tool.corner_mm(), tool.disc_radius_mm());
+    if disc == 0.0 {
+        return Some(Matrix2::identity() / corner);
+    }
+    let lean = axis - normal * axis.dot(normal);
+    let sine = lean.norm();
+    if !(sine > FLAT) {
+        return None;
+    }
+    let m = Vector2::new(lean.dot(&frame[0]), lean.dot(&frame[1])) / sine;
+    let p = Vector2::new(-m.y, m.x);
+    Some(m * m.transpose() / corner + p * p.transpose() * (sine / (disc + corner * sine)))
+}
+
+/// As [`width_mm`], on a part of these principal curvatures (negative where convex, with their
+/// directions) and its unit outward `normal`; `way` is the direction of the line of contacts.
+pub fn width_on_part_mm(
+    tool: &Tool,
+    axis: &Vector,
+    (normal, bend): (&Vector, &Principal),
+    way: &Vector,
+    scallop_mm: f64,
+) -> Option<f64> {
+    let cutter = curvature_of_cutter(tool, axis, normal, &bend.direction)?;
+    let part = Matrix2::from_diagonal(&Vector2::new(-bend.curvature[0], -bend.curvature[1]));
+    let way = Vector2::new(way.dot(&bend.direction[0]), way.dot(&bend.direction[1]));
+    width_mm(&(cutter + part), &way, scallop_mm)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::geometry::Point;
+    use crate::tool::scallop;
+    use proptest::prelude::*;
+
+    fn tool(radius_mm: f64, corner: f64) -> Tool {
+        Tool {
+            radius_mm,
+            corner_radius_mm: Some(corner),
+            taper_deg: 0.0,
+            shank_radius_mm: radius_mm,
+            stickout_mm: 60.0,
+            holder: Vec::new(),
+        }
+    }
+
+    fn bend(k1: f64, k2: f64) -> Principal {
+        Principal { curvature: [-k1, -k2], direction: [Vector::x(), Vector::y()] }
+    }
+
+    proptest! {
+        #[test]
+        fn for_a_ball_it_is_the_width_of_balls(
+            radius in 0.5..10.0f64, k1 in -0.8..3.0f64, k2 in -0.8..3.0f64, turn in 0.0..6.0f64,
+        ) {
+            let (ball, h, bend) = (tool(radius, radius), 1e-6 * radius, bend(k1 / radius, k2 / radius));
+            // Contacts run along t, balls along K t.
+            let t = Vector::new(turn.cos(), turn.sin(), 0.0);
+            let ways = Vector::new(t.x * (1.0 + k1), t.y * (1.0 + k2), 0.0);
+            let width = width_on_part_mm(&ball, &Vector::z(), (&Vector::z(), &bend), &t, h).unwrap();
+            let known = scallop::width_on_part_mm(radius, h, &bend, &ways).unwrap();
+            prop_assert!((width / known - 1.0).abs() < 1e-4, "{width} {known}");
+        }
+
+        /// Two passes of a leaning bull-nose on a plane, a cylinder and a saddle, each swept by
+        /// many places of its disc. A cutter that leans aside leaves more on one side and less on
+        /// the other, the ridge between passes is between the two.
+        #[test]
+        fn ridges_of_swept_cutters(
+            kind in 0usize..3, share in 0.1..0.6f64, alpha in 0.15..0.3f64, lean in 0.0..6.0f64, part in 1e-5..1e-4f64,
+        ) {
+            let radius = 8.0;
+            let (tool, h) = (tool(radius, share * radius), part * radius);
+            let [k1, k2] = [[0.0, 0.0], [0.0, 1.0 / 40.0], [1.0 / 60.0, -1.0 / 900.0]][kind];
+            // Heights of the part, z = −½ (k1 x² + k2 y²), near the origin; passes run along x.
+            let height = |x: f64, y: f64| -0.5 * (k1 * x * x + k2 * y * y);
+            let normal = |x: f64, y: f64| Vector::new(k1 * x, k2 * y, 1.0).normalize();
+            let axis = |n: &Vector| {
+                let e = Vector::new(lean.cos(), lean.sin(), 0.0);
+                let e = (e - n * e.dot(n)).normalize();
+                n * alpha.cos() + e * alpha.sin()
+            };
+            let up = Vector::z();
+            let width = width_on_part_mm(&tool, &axis(&up), (&up, &bend(k1, k2)), &Vector::x(), h).unwrap();
+            // What the passes with their contacts on the lines y = ±W/2 leave over the place
+            // midway.
+            let place = Point::origin();
+            let left = |x: f64, side: f64| {
+                let (y, n) = (0.5 * side * width, normal(x, 0.5 * side * width));
+                let contact = Point::new(x, y, height(x, y));
+                let centre = tool.centre_at(&contact, &n, &axis(&n), None).unwrap();
+                let disc = tool.disc(centre, axis(&n));
+                // Height at which the upright meets the cutter, from below.
+                let mut t = 0.0;
+                for _ in 0..200 {
+                    let more = disc.distance_mm(&(place + up * t)) - tool.corner_mm();
+                    if more < 1e-10 { break; }
+                    t += more;
+                }
+                t
+            };
+            let ridge = 0.5 * [-1.0, 1.0].into_iter().map(|side| {
+                let (mut a, mut b) = (-3.0 * width, 3.0 * width);
+                for _ in 0..60 {
+                    let (c, d) = (a + 0.382 * (b - a), a + 0.618 * (b - a));
+                    if left(c, side) < left(d, side) { b = d } else { a = c }
+                }
+                left(0.5 * (a + b), side)
+            }).sum::<f64>();
+            // The width goes with the root of the ridge.
+            prop_assert!(((ridge / h).sqrt() - 1.0).abs() < 0.003, "{kind}: {ridge} {h}, {width} wide");
+        }
+    }
+
+    #[test]
+    fn a_lead_makes_the_strip_as_wide_as_that_of_a_much_greater_ball() {
+        let (bull, alpha, flat) = (tool(16.0, 6.0), 5.0f64.to_radians(), bend(0.0, 0.0));
+        let axis = Vector::new(alpha.sin(), 0.0, alpha.cos());
+        let width = |way: Vector| width_on_part_mm(&bull, &axis, (&Vector::z(), &flat), &way, 0.01).unwrap();
+        let effective = 10.0 / alpha.sin() + 6.0;
+        assert!((width(Vector::x()) - 2.0 * (0.02f64 * effective).sqrt()).abs() < 1e-12);
+        assert!((width(Vector::y()) - 2.0 * (0.02f64 * 6.0).sqrt()).abs() < 1e-12);
+        // On hollow ground rounder than that the heel cuts.
+        let hollow = bend(0.0, -1.01 / effective);
+        assert!(width_on_part_mm(&bull, &axis, (&Vector::z(), &hollow), &Vector::x(), 0.01).is_none());
+        assert!(width_on_part_mm(&bull, &Vector::z(), (&Vector::z(), &flat), &Vector::x(), 0.01).is_none());
+        assert!(width_mm(&Matrix2::identity(), &Vector2::zeros(), 0.01).is_none());
+        assert!(width_mm(&Matrix2::identity(), &Vector2::x(), f64::NAN).is_none());
+    }
+}
