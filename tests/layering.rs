@@ -15,16 +15,16 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
     const WRITER: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine", "verify"];
     // All stages, and what they need, but no files.
     const PLANNER: &[&str] = &[
-        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel", "schedule",
-        "smooth", "lead", "feed", "verify", "write", "job",
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel",
+        "schedule", "smooth", "lead", "feed", "verify", "write", "job",
     ];
     // What a planner needs, and the planner's choice among schedules.
     const RESCHEDULER: &[&str] = &[
         "numerics", "geometry", "artifact", "tool", "machine", "read", "channel", "schedule", "feed", "verify", "plan",
     ];
     const RUNNER: &[&str] = &[
-        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel", "schedule",
-        "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel",
+        "schedule", "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
     ];
     Some(match room {
         "numerics" | "error" | "observe" | "settings" | "files" => &[],

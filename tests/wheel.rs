@@ -87,21 +87,17 @@ fn a_blade_of_a_wheel_is_planned_and_posted() {
     }
 }
 
-/// The plan of a blade that stands alone runs into its neighbours: the checks say so.
+/// The plan of a wheel with few blades runs into the neighbours of one with many: the checks say so.
 #[test]
 fn a_plan_that_knows_no_neighbours_fails_among_them() {
-    let one = || setup(&[], machine("demo_table_head.toml")).expect("a setup");
-    let among = one();
-    let alone = Setup { obstacles: Vec::new(), ..one() };
-    let Ok(Verdict::Passed(free)) = plan::plan(&alone, &Silent) else { panic!("alone it has a plan") };
+    let wheel = |blades: &str| setup(&[blades], machine("demo_table_head.toml")).expect("a setup");
+    let (few, among) = (wheel("wheel.blades=4"), wheel("wheel.blades=30"));
+    let Ok(Verdict::Passed(free)) = plan::plan(&few, &Silent) else { panic!("with few blades there is a plan") };
     let Ok(Verdict::Failed(rejected)) = among.verdict(free.value().clone(), &Silent) else {
         panic!("among the others it passes")
     };
     let failed: Vec<CheckId> = rejected.report().checks.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect();
-    assert!(
-        failed.iter().any(|id| [CheckId::ObstacleClearance, CheckId::ObstacleGouge].contains(id)),
-        "{failed:?}"
-    );
+    assert!(failed.iter().any(|id| [CheckId::ObstacleClearance, CheckId::ObstacleGouge].contains(id)), "{failed:?}");
 }
 
 #[test]

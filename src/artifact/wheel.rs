@@ -47,8 +47,11 @@ mod tests {
 
     #[test]
     fn all_turns_together_come_back() {
-        let wheel =
-            Wheel { axis: Unit::new_normalize(Vector::new(1.0, 0.2, -0.3)), origin: Point::new(3.0, -2.0, 9.0), blades: 7 };
+        let wheel = Wheel {
+            axis: Unit::new_normalize(Vector::new(1.0, 0.2, -0.3)),
+            origin: Point::new(3.0, -2.0, 9.0),
+            blades: 7,
+        };
         let p = Point::new(100.0, 4.0, 30.0);
         let mut q = p;
         for _ in 0..7 {

@@ -292,7 +292,8 @@ pub fn plan_among(
     for (row, (least, greatest)) in rows.iter_mut().zip(tangent::limits(path, tool.taper_deg.to_radians(), &azimuths)) {
         (row.tangent_min, row.tangent_max) = (least, greatest);
     }
-    let narrowest_row = walls::hulls(&mut rows, options.sweep).map_err(|crossing| reporter.crossing(&rows, crossing))?;
+    let narrowest_row =
+        walls::hulls(&mut rows, options.sweep).map_err(|crossing| reporter.crossing(&rows, crossing))?;
     warn_if_narrow(&rows, narrowest_row, path, observer);
     if chain.count > 1 {
         let doubt = Doubt::SeveralChannels { count: chain.count };

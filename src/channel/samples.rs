@@ -55,7 +55,8 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64, sweep: Sweep) -> Vec<Samp
         let length = (next.centre - here.centre).norm();
         let turn = here.normal.angle(&next.normal);
         let lean = (path.cone(row + 1).lean_rad - path.cone(row).lean_rad).abs();
-        let parts = (length / max_step_mm).max(turn / MAX_TURN_RAD).max(lean / MAX_LEAN).ceil().clamp(1.0, 1000.0) as usize;
+        let parts =
+            (length / max_step_mm).max(turn / MAX_TURN_RAD).max(lean / MAX_LEAN).ceil().clamp(1.0, 1000.0) as usize;
         for k in 1..parts {
             let f = k as f64 / parts as f64;
             let normal = here.normal.lerp(&next.normal, f).try_normalize(1e-9).unwrap_or(here.normal);

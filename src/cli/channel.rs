@@ -149,7 +149,8 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let setup = Loaded::read(&draft_from(&args.input, &args.reading, &args.set)?, observer)?.setup;
     if !setup.job.orientation.kind.goes_round() {
-        let message = "advise looks for a lean of the tool that stays the same, the job gives each location its own axes";
+        let message =
+            "advise looks for a lean of the tool that stays the same, the job gives each location its own axes";
         return Err(Error::usage(Stage::Channel, message).advise("leave out orientation.kind, or run `channel`"));
     }
     let toolpath = setup.path(observer)?;

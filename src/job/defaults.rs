@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
-use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, WheelSettings};
+use super::sections::{
+    FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, WheelSettings,
+};
 use super::tool::{self, Chosen};
 use super::typed::JobFile;
 use crate::artifact::Blade;

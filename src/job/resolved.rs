@@ -86,10 +86,12 @@ impl Job {
             wheel.validate()?;
         } else if !self.orientation.kind.goes_round() {
             let message = "orientation.kind is not cone, but the job has no section wheel";
-            return Err(Error::usage(Stage::Job, message).advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
+            return Err(Error::usage(Stage::Job, message)
+                .advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
         }
         if self.feed.smooth && !self.orientation.kind.goes_round() {
-            let message = "feed.smooth makes one curve on one cone of tool axes, orientation.kind asks for one at each location";
+            let message =
+                "feed.smooth makes one curve on one cone of tool axes, orientation.kind asks for one at each location";
             return Err(Error::usage(Stage::Job, message).advise("leave out feed.smooth or orientation.kind"));
         }
         if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {

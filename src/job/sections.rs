@@ -109,7 +109,9 @@ impl WheelSettings {
         let bad = |what: String| Err(Error::usage(Stage::Job, what));
         let finite = |v: &[f64]| v.iter().all(|x| x.is_finite() && x.abs() <= 1e6);
         if !(finite(&self.axis) && self.axis.iter().any(|v| v.abs() > 1e-9)) {
-            return bad("wheel.axis is missing or no direction: along what does the rotor turn, in the model's frame?".into());
+            return bad(
+                "wheel.axis is missing or no direction: along what does the rotor turn, in the model's frame?".into()
+            );
         }
         if !finite(&self.origin_mm) {
             return bad(format!("wheel.origin_mm is {:?}, three numbers of at most 1e6 mm are wanted", self.origin_mm));

@@ -5,7 +5,7 @@ use nalgebra::{Unit, UnitQuaternion};
 use super::Machine;
 use super::axis::{Axis, AxisLimits, AxisName, Carries};
 use super::chain::Head;
-use super::config::{DEMO_TOML, brought, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle};
+use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, brought};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::settings::in_words;

@@ -86,7 +86,8 @@ pub fn free_cells(grid: &Grid, intervals: &[Vec<[f64; 2]>], margin_rad: f64) -> 
         for [lo, hi] in free {
             let margin = margin_rad.min(NARROW * (hi - lo));
             // A free circle is an interval with whole turns in it.
-            let inside = |at: f64| [0.0, 2.0 * PI, -2.0 * PI].iter().any(|t| at + t - lo >= margin && hi - at - t >= margin);
+            let inside =
+                |at: f64| [0.0, 2.0 * PI, -2.0 * PI].iter().any(|t| at + t - lo >= margin && hi - at - t >= margin);
             let mut any = false;
             for (column, _) in grid.longitudes.iter().enumerate().filter(|(_, at)| inside(**at)) {
                 (out[grid.cell(row, column)], any) = (true, true);
@@ -238,9 +239,7 @@ mod tests {
                 sum
             };
             // Reach is as wide as the grid but for its longitudes' ends.
-            let joined = |p: usize, q: usize| {
-                (p % g.longitudes.len()).abs_diff(q % g.longitudes.len()) <= REACH
-            };
+            let joined = |p: usize, q: usize| (p % g.longitudes.len()).abs_diff(q % g.longitudes.len()) <= REACH;
             let mut least = f64::INFINITY;
             let all = 0..g.cells();
             for a in all.clone().filter(|c| free[0][*c]) {
@@ -253,10 +252,7 @@ mod tests {
                 }
             }
             let found = least_way(&g, &s, &free).unwrap();
-            let cells: Vec<usize> = found
-                .iter()
-                .map(|p| (0..g.cells()).find(|c| at(*c) == *p).unwrap())
-                .collect();
+            let cells: Vec<usize> = found.iter().map(|p| (0..g.cells()).find(|c| at(*c) == *p).unwrap()).collect();
             assert!(cells.iter().zip(&free).all(|(c, f)| f[*c]));
             assert!((price(&cells) - least).abs() < 1e-9, "{} {least}", price(&cells));
         }

@@ -210,8 +210,12 @@ mod tests {
     fn a_parabola_between_tight_walls_proves_its_own_second_derivative() {
         let s: Vec<f64> = (0..=100).map(f64::from).collect();
         let theta: Vec<f64> = s.iter().map(|s| 0.001 * s * s).collect();
-        let walls =
-            Corridor { lo: theta.iter().map(|t| t - 1e-6).collect(), hi: theta.iter().map(|t| t + 1e-6).collect(), s, one_way: true };
+        let walls = Corridor {
+            lo: theta.iter().map(|t| t - 1e-6).collect(),
+            hi: theta.iter().map(|t| t + 1e-6).collect(),
+            s,
+            one_way: true,
+        };
         let y: Vec<f64> = (0..=100).map(|i| f64::from(i.min(100 - i))).collect();
         let peak = prove(Measure::PeakSecond, &walls, &y);
         assert!(peak <= 0.002 && peak > 0.00199, "{peak}");

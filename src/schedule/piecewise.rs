@@ -35,7 +35,8 @@ pub(super) fn plan(
     observer: &dyn Observer,
 ) -> Result<Schedule> {
     if !channel.sweep.is_round() {
-        let message = "a schedule of kind piecewise goes round the blade and never turns back; here the tool axis swings";
+        let message =
+            "a schedule of kind piecewise goes round the blade and never turns back; here the tool axis swings";
         return Err(Error::usage(Stage::Schedule, message).advise("take schedule.kind time, optimal or quaternion"));
     }
     let (hull, walls) = walls_with_margin(path, channel, options, observer)?;
@@ -86,7 +87,8 @@ pub(super) fn hull(path: &Toolpath, channel: &Channel) -> Result<Corridor> {
         if !(r.hull_min.is_finite() && r.hull_max.is_finite()) {
             return Err(Error::usage(Stage::Schedule, format!("the channel is not a number at {}", place(path, i))));
         }
-        if i > 0 && channel.sweep.is_round() && (r.hull_min < rows[i - 1].hull_min || r.hull_max < rows[i - 1].hull_max) {
+        if i > 0 && channel.sweep.is_round() && (r.hull_min < rows[i - 1].hull_min || r.hull_max < rows[i - 1].hull_max)
+        {
             return Err(Error::usage(
                 Stage::Schedule,
                 format!("the channel's monotone hull falls at {}", place(path, i)),

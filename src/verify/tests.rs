@@ -123,7 +123,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             narrowest_row: 0,
             chains: 1,
             proven_at: Vec::new(),
-        sweep: Default::default(),
+            sweep: Default::default(),
         },
         schedule: Schedule {
             kind: ScheduleKind::Fixed,
