@@ -98,42 +98,43 @@ fn find(audit: &Audit, id: CheckId) -> &LineCheck {
     audit.checks.iter().find(|c| c.check.id == id).unwrap()
 }
 
-/// Height of the ridge between rows on a plane: across the feed the disc is seen as an ellipse, and
-/// the corner as its parallel curve.
-fn ridge_on_a_plane(pitch: f64) -> f64 {
-    let (wide, high) = (RADIUS - CORNER, (RADIUS - CORNER) * LEAD.sin());
-    let at = |phi: f64| {
-        let (s, c) = phi.sin_cos();
-        let n = nalgebra::Vector2::new(s / wide, c / high).normalize();
-        [wide * s + CORNER * n.x, (high - high * c) + CORNER * (1.0 - n.y)]
+/// Height of the ridge between passes: the balls of the corner go with the rim of the disc, and
+/// seen across the feed each leaves the deepest place of its circle. On the round part the balls
+/// beside the contact run behind it, and so farther from the axis.
+fn ridge(pitch: f64, is_round: bool) -> f64 {
+    let (disc, (s, c)) = (RADIUS - CORNER, LEAD.sin_cos());
+    let height = |phi: f64| {
+        let (aside, back) = (disc * phi.sin(), disc * (1.0 - phi.cos()));
+        let up = CORNER + back * s;
+        let over = if is_round { (TOP + up).hypot(back * c) - TOP } else { up };
+        over - (CORNER * CORNER - (0.5 * pitch - aside).powi(2)).max(0.0).sqrt()
     };
-    let (mut low, mut top) = (0.0, 1.5);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + top);
-        if at(middle)[0] < 0.5 * pitch { low = middle } else { top = middle }
+    let (mut low, mut high) = (0.0, 0.6);
+    for _ in 0..80 {
+        let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
+        if height(a) < height(b) { high = b } else { low = a }
     }
-    at(low)[1]
+    height(0.5 * (low + high))
 }
 
 #[test]
 fn sound_programs_pass_and_their_ridges_are_measured() {
     let tool = tool(CORNER);
     for pitch in [2.0, 3.0] {
-        let ridge = ridge_on_a_plane(pitch);
+        let [ridge, on_round] = [ridge(pitch, false), ridge(pitch, true)];
         let rows = judged(&rows(pitch, SOUND), &flat(), &tool, ridge);
         let gouge = &find(&rows, CheckId::Gouge).check;
         assert!(gouge.passed && gouge.worst < 0.0006, "{gouge:?}");
         assert!(find(&rows, CheckId::Scallop).check.passed && find(&rows, CheckId::Contact).check.passed);
         assert!(find(&rows, CheckId::Clearance).check.passed && find(&rows, CheckId::HolderClearance).check.passed);
         assert!(((rows.scallop_max_mm / ridge).sqrt() - 1.0).abs() < 0.01, "{pitch}: {} {ridge}", rows.scallop_max_mm);
-        // Stepovers go with the root of the ridge. Along the feed the cylinder is round, across it
-        // as flat as the block.
-        let turns = judged(&helix(pitch, SOUND), &round(), &tool, ridge);
+        // Stepovers go with the root of the ridge.
+        let turns = judged(&helix(pitch, SOUND), &round(), &tool, on_round);
         let gouge = &find(&turns, CheckId::Gouge).check;
         assert!(gouge.passed && gouge.worst < 0.001, "{gouge:?}");
         assert!(
-            ((turns.scallop_max_mm / ridge).sqrt() - 1.0).abs() < 0.01,
-            "{pitch}: {} {ridge}",
+            ((turns.scallop_max_mm / on_round).sqrt() - 1.0).abs() < 0.01,
+            "{pitch}: {} {on_round}",
             turns.scallop_max_mm
         );
         assert!(turns.turns >= 3 && find(&turns, CheckId::Scallop).check.passed);
@@ -192,7 +193,7 @@ fn another_corner_is_found() {
     let text = rows(1.2, SOUND);
     let sharp = find(&judged(&text, &flat(), &tool(CORNER - 0.1), 0.01), CheckId::Gouge).clone();
     assert!(!sharp.check.passed && (sharp.check.worst - by).abs() < 0.0008, "{by} {sharp:?}");
-    let ridge = ridge_on_a_plane(1.2);
+    let ridge = ridge(1.2, false);
     let blunt = judged(&text, &flat(), &tool(CORNER + 0.1), ridge);
     assert!(find(&blunt, CheckId::Gouge).check.passed);
     let scallop = find(&blunt, CheckId::Scallop);
