@@ -87,7 +87,7 @@ fn a_blade_of_a_wheel_is_planned_and_posted() {
     }
 }
 
-/// The plan of a wheel with few blades runs into the neighbours of one with many: the checks say so.
+/// The plan of a wheel with few blades runs into the neighbours of one with many, and fails.
 #[test]
 fn a_plan_that_knows_no_neighbours_fails_among_them() {
     let wheel = |blades: &str| setup(&[blades], machine("demo_table_head.toml")).expect("a setup");

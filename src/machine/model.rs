@@ -86,10 +86,10 @@ impl Machine {
         })
     }
 
-    /// The same machine with the workpiece clamped otherwise: the rotor axis of a wheel, a direction
-    /// of the blade frame through a point of it (mm), along the rotary axis nearest to the workpiece.
-    /// While that axis reads 0 the blade axis points towards the spindle as nearly as it can. Along
-    /// the rotary axis the blade stays where it was.
+    /// The same machine with the workpiece clamped otherwise: the rotor axis of a wheel along the
+    /// rotary axis nearest to the workpiece. The rotor axis is a direction of the blade frame
+    /// through a point of it (mm). While the rotary axis reads 0 the blade axis points towards the
+    /// spindle as nearly as it can. Along the rotary axis the blade stays where it was.
     #[must_use]
     pub fn with_rotor(mut self, axis: &Vector, origin: &Point) -> Self {
         let turning = &self.axes[self.turning_axis()];

@@ -27,9 +27,9 @@ pub use field::{FreeCells, Grid, free_cells, least_way};
 pub use planes::reference_planes;
 pub use settings::{OrientationKeys, OrientationKind, OrientationSettings};
 
-/// Rows of a path that stand for it: the first, the last, and between them as many that neither the
-/// ball centre goes farther than `step_mm` nor the normal turns more than `turn_rad` from one to the
-/// next, where locations are that near.
+/// Rows of a path that stand for it: the first, the last, and some between. From one to the next
+/// the ball centre goes no farther than `step_mm` and the normal turns no more than `turn_rad`,
+/// where locations are that near.
 pub fn stations(path: &Toolpath, step_mm: f64, turn_rad: f64) -> Vec<usize> {
     let mut out = vec![0];
     let Some(last) = path.locations.len().checked_sub(1) else { return Vec::new() };

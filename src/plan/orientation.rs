@@ -9,7 +9,7 @@ use super::Setup;
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Cone, Cones, Toolpath, Wheel};
 use crate::channel::{self, ChannelOptions, Surroundings};
-use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
+use crate::error::{Along, Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
 use crate::observe::{Observer, Silent};
 use crate::orient::{self, Grid, OrientationKind};
@@ -68,16 +68,16 @@ fn radial(wheel: &Wheel, middle: Option<Point>) -> Vector {
 }
 
 fn no_plane(path: &Toolpath) -> Error {
-    let at = |row: usize| schedule_place(path, row);
+    let at = along(path, 0);
     let message = "the surface normal is along the radial direction all along the path: there is no reference plane";
-    Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at: at(0) })
-        .advise("take orientation.kind five-axis")
+    Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at }).advise("take orientation.kind five-axis")
 }
 
-fn schedule_place(path: &Toolpath, row: usize) -> crate::error::Along {
+/// A row of the path as a place.
+fn along(path: &Toolpath, row: usize) -> Along {
     let l = path.locations.get(row).or(path.locations.last());
     let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
-    crate::error::Along { location: row, turn, turn_s_mm, height_mm }
+    Along { location: row, turn, turn_s_mm, height_mm }
 }
 
 /// Tool axes in the middle of what is free, among which there is a channel.
@@ -179,7 +179,7 @@ fn curve(
 
 /// The error at a station to which no way leads.
 fn closed(path: &Toolpath, row: usize, any_free: bool) -> Error {
-    let at = schedule_place(path, row);
+    let at = along(path, row);
     let place = format!("turn {}, S = {:.2} mm", turn_number(at.turn), at.turn_s_mm);
     let what = if any_free { "no tool axis that is free is near to those before it" } else { "no tool axis is free" };
     let message = format!("{what} at {place}, {:.3} mm along the blade axis", at.height_mm);

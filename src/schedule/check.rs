@@ -10,8 +10,8 @@ use crate::error::{Error, Infeasible, Result, Stage};
 /// Rounding that is no finding, rad.
 const ROUNDING: f64 = 1e-8;
 
-/// The curve has no gaps, never turns back where it is not to, and is inside the hull at all locations and half-way
-/// between.
+/// The curve has no gaps, never turns back where it is not to, and is inside the hull at all
+/// locations and half-way between.
 ///
 /// # Errors
 /// Kind `Infeasible`, with turn and S.

@@ -1,5 +1,5 @@
-//! The walls between which a schedule runs: two piecewise linear functions of arc length. They never
-//! fall where θ is never to turn back.
+//! The walls between which a schedule runs: two piecewise linear functions of arc length. They
+//! never fall where θ is never to turn back.
 
 /// A point of the S–θ plane: arc length from the start of the path (mm) and angle (rad).
 pub(super) type PathAngle = [f64; 2];
