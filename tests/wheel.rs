@@ -58,11 +58,12 @@ fn refused(changes: &[&str]) -> Error {
     }
 }
 
-/// A machine of the repository with room for a wheel of 760 mm.
+/// A machine of the repository with room and travel for a wheel of 760 mm.
 fn machine(name: &str) -> Machine {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
     let text = std::fs::read_to_string(file).expect("a machine file");
-    Machine::from_toml(&text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1"), name).expect("a machine")
+    let wider = text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1").replace("330.0", "500.0");
+    Machine::from_toml(&wider, name).expect("a machine")
 }
 
 /// Planned, checked, written for two controls and read back, on a table with a head and on two
@@ -90,7 +91,8 @@ fn a_blade_of_a_wheel_is_planned_and_posted() {
 /// The plan of a wheel with few blades runs into the neighbours of one with many, and fails.
 #[test]
 fn a_plan_that_knows_no_neighbours_fails_among_them() {
-    let wheel = |blades: &str| setup(&[blades], machine("demo_table_head.toml")).expect("a setup");
+    let wheel =
+        |blades: &str| setup(&[blades, "schedule.kind=\"optimal\""], machine("demo_table_head.toml")).expect("a setup");
     let (few, among) = (wheel("wheel.blades=4"), wheel("wheel.blades=30"));
     let Ok(Verdict::Passed(free)) = plan::plan(&few, &Silent) else { panic!("with few blades there is a plan") };
     let Ok(Verdict::Failed(rejected)) = among.verdict(free.value().clone(), &Silent) else {
