@@ -2,7 +2,7 @@
 //! one cone of a blade root.
 //!
 //! **In** a [`Toolpath`], the rotor axis and the radial direction of the blade, and what is free of
-//! the part and the other blades on circles of tool axes (from `channel/`). **Out** [`Cones`], one
+//! the part and the other blades on circles of tool axes (from `channel/`). **Out** cones, one
 //! for each location.
 //!
 //! **Method.**
