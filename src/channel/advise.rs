@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
-use crate::artifact::channel::{Sweep, Width};
+use crate::artifact::channel::Width;
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
 use crate::tool::Tool;
@@ -83,14 +83,8 @@ struct WidthSearch<'a> {
 }
 
 impl<'a> WidthSearch<'a> {
-    fn new(
-        around: &'a Surroundings<'a>,
-        path: &Toolpath,
-        places: usize,
-        sweep: Sweep,
-        observer: &'a dyn Observer,
-    ) -> Self {
-        let samples = samples::along(path, f64::INFINITY, sweep);
+    fn new(around: &'a Surroundings<'a>, path: &Toolpath, places: usize, observer: &'a dyn Observer) -> Self {
+        let samples = samples::along(path, f64::INFINITY);
         let stretches = stretches(path, &samples, places);
         WidthSearch { around, stretches, observer, closed: AtomicUsize::new(0) }
     }
@@ -184,7 +178,7 @@ impl<'a> WidthSearch<'a> {
         let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k).copied()).collect();
         let mut rows = walls::rows(samples, &chosen, &scene);
         let narrowest_deg = rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).reduce(f64::min);
-        let _ = walls::hulls(&mut rows, options.sweep);
+        let _ = walls::hulls(&mut rows);
         let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
         let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         let (turn, turn_s_mm) = at(row);
@@ -226,7 +220,7 @@ pub fn sweep_b(
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
     check_input(tool, path, options)?;
-    WidthSearch::new(around, path, leans.places, options.sweep, observer).sweep(tool, options, leans.b_deg)
+    WidthSearch::new(around, path, leans.places, observer).sweep(tool, options, leans.b_deg)
 }
 
 /// What would open a channel; `b_deg` are the angles to look at, rising.
@@ -242,7 +236,7 @@ pub fn advise(
     observer: &dyn Observer,
 ) -> Result<Advice> {
     check_input(tool, path, options)?;
-    let look = WidthSearch::new(around, path, PLACES, options.sweep, observer);
+    let look = WidthSearch::new(around, path, PLACES, observer);
     let widths = look.sweep(tool, options, b_deg)?;
     let at_b = |b: f64| look.leaning(b.to_radians()).is_open(tool, options);
     let with = |tool: &Tool| look.is_open(tool, options);

@@ -184,27 +184,36 @@ pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &Veri
     (check, g)
 }
 
-/// The check `obstacle-gouge`: the ball in what stands about the part, but for the stock; `None`
-/// where nothing does. What triangles lie off their bodies is added.
+/// The deepest cut of the ball into what stands about the part, but for the stock: the body, how
+/// deep at most, mm, with what its triangles lie off it, and where. Negative: room. `None` where
+/// nothing stands there.
+pub(super) fn in_obstacles<'o>(
+    obstacles: &'o [Obstacle],
+    sweep: &Sweep,
+    resolution_mm: f64,
+) -> Option<(&'o Obstacle, f64, Gouge)> {
+    let one = |o: &'o Obstacle| {
+        let part = Allowed::new(&o.part, 0.0);
+        let start = sweep.centres[0];
+        let mut g = measure(&part, sweep, resolution_mm);
+        if part.inside(&start) {
+            let d = part.closest(&start, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
+            g = Gouge { found_mm: sweep.radius_mm + d, bound_mm: sweep.radius_mm + d, segment: 0, centre: start };
+        }
+        (o, g.bound_mm.max(g.found_mm) + o.part.deflection_mm, g)
+    };
+    let solid = obstacles.iter().filter(|o| !o.cut_by_the_tool);
+    solid.map(one).reduce(|a, b| if b.1 > a.1 { b } else { a })
+}
+
+/// The check `obstacle-gouge`: the ball in what stands about the part; `None` where nothing does.
 pub(super) fn check_obstacles(
     blade: &Blade,
     obstacles: &[Obstacle],
     sweep: &Sweep,
     options: &VerifyOptions,
 ) -> Option<Check> {
-    let one = |o: &Obstacle| {
-        let part = Allowed::new(&o.part, 0.0);
-        let start = sweep.centres[0];
-        let mut g = measure(&part, sweep, options.settings.resolution_mm);
-        if part.inside(&start) {
-            let d = part.closest(&start, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
-            g = Gouge { found_mm: sweep.radius_mm + d, bound_mm: sweep.radius_mm + d, segment: 0, centre: start };
-        }
-        (g.bound_mm.max(g.found_mm) + o.part.deflection_mm, g)
-    };
-    let solid = obstacles.iter().filter(|o| !o.cut_by_the_tool);
-    let all = solid.map(|o| (o, one(o)));
-    let (o, (depth, g)) = all.reduce(|a, b| if b.1.0 > a.1.0 { b } else { a })?;
+    let (o, depth, g) = in_obstacles(obstacles, sweep, options.settings.resolution_mm)?;
     let point = o.part.closest(&g.centre, f64::INFINITY).map(|c| blade.model_from_blade * c.point);
     let note = format!("nearest is {}; {:.6} mm of that for its triangles", o.name, o.part.deflection_mm);
     let quantity = "depth of the swept ball in other bodies, between locations too; negative: room";

@@ -72,12 +72,21 @@ impl LeadWay {
         clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
 
-    fn gouge(&self, room: &Room) -> gouge::Gouge {
+    /// The way of the ball.
+    fn sweep(&self, room: &Room) -> Sweep {
         let centres: Vec<Point> = self.stands.iter().map(|s| s.centre).collect();
         let turns = vec![0; centres.len()];
-        let sweep = Sweep::of(centres.clone(), centres, turns, room.tool.radius_mm, None);
+        Sweep::of(centres.clone(), centres, turns, room.tool.radius_mm, None)
+    }
+
+    fn gouge(&self, room: &Room) -> gouge::Gouge {
         let part = Allowed::new(&room.blade.part, room.stock_mm);
-        gouge::measure(&part, &sweep, room.options.settings.resolution_mm)
+        gouge::measure(&part, &self.sweep(room), room.options.settings.resolution_mm)
+    }
+
+    /// The deepest cut of the ball into other bodies: see [`gouge::in_obstacles`].
+    fn in_obstacles<'a>(&self, room: &Room<'a>) -> Option<(&'a Obstacle, f64, gouge::Gouge)> {
+        gouge::in_obstacles(room.obstacles, &self.sweep(room), room.options.settings.resolution_mm)
     }
 }
 
@@ -98,6 +107,9 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
     if depth > room.options.settings.gouge_mm {
         let face = part.closest(&found.centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
         return Some(format!("the ball would cut {depth:.3} mm into {face}"));
+    }
+    if let Some((body, depth, _)) = way.in_obstacles(room).filter(|found| found.1 > 0.0) {
+        return Some(format!("the ball would cut {depth:.3} mm into {}", body.name));
     }
     if let Some(outer) = way.stands.iter().rev().nth(1).map(|s| s.centre).filter(|_| lead.is_arc()) {
         let height = room.tool.radius_mm + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
@@ -131,11 +143,12 @@ fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
     })
 }
 
-/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for each
-/// fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
+/// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for the
+/// ball and for the rest of the tool with each fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
 pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];
+    out.extend(among_obstacles(&ways, plan, room));
     out.extend(room.apart().iter().map(|a| nearest(&ways, a, plan, room)));
     if plan.leads.iter().any(Lead::is_arc) {
         out.extend([placed(plan, room), within_travel(plan, room), within_limits(plan, room)]);
@@ -167,6 +180,15 @@ fn deepest(ways: &[(&str, usize, LeadWay)], plan: &Plan, room: &Room) -> Check {
     let quantity = "depth of the ball in the part on the ways onto the path and off it";
     let check = Check::at_most(CheckId::LeadGouge, quantity, bound, limit, "mm", name.to_owned());
     at(check, row, centre, plan, room.blade)
+}
+
+fn among_obstacles(ways: &[(&str, usize, LeadWay)], plan: &Plan, room: &Room) -> Option<Check> {
+    let found = ways.iter().filter_map(|(name, row, way)| Some((*name, *row, way.in_obstacles(room)?)));
+    let (name, row, (body, depth, g)) = found.reduce(|a, b| if b.2.1 > a.2.1 { b } else { a })?;
+    let quantity = "depth of the ball in other bodies on the ways onto the path and off it; negative: room";
+    let note = format!("{name}: nearest is {}", body.name);
+    let check = Check::at_most(CheckId::LeadObstacle, quantity, depth, 0.0, "mm", note);
+    Some(at(check, row, Some(g.centre), plan, room.blade))
 }
 
 fn nearest(ways: &[(&str, usize, LeadWay)], a: &Apart, plan: &Plan, room: &Room) -> Check {

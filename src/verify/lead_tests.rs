@@ -111,6 +111,37 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     assert!(why.contains("the clamp"), "{why}");
 }
 
+/// A pin that only the ball meets on its way onto the path, on the side that the tool leans away
+/// from: no lead is laid through it, and the checks find it in one that is.
+#[test]
+fn the_ball_of_a_lead_keeps_clear_of_other_bodies() {
+    let plan = plan();
+    let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
+    let options = VerifyOptions::default().with(|s| s.gouge_mm = 0.004);
+    let tip = plan.leads[0].centres[2] - Vector::x() * (tool.radius_mm - 0.3);
+    let corners = [Vector::zeros(), Vector::x(), Vector::y(), Vector::z()].map(|v| tip - Vector::x() * 0.1 + v * 0.1);
+    let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    let pin = Obstacle {
+        name: "the pin".into(),
+        part: Part::from_mesh(Mesh { points: corners.to_vec(), triangles, ..Mesh::default() }),
+        clearance_mm: 0.0,
+        holder_clearance_mm: 0.0,
+        cut_by_the_tool: false,
+    };
+    let failing = |obstacles: &[Obstacle]| {
+        let room = Room { blade: &blade, stock_mm: 0.0, obstacles, tool: &tool, machine: &machine, options: &options };
+        let why = obstructed(&plan.leads[0], plan.stand(0).unwrap(), true, &room);
+        (why, check(&plan, &room).into_iter().filter(|c| !c.passed).collect::<Vec<_>>())
+    };
+    let (why, found) = failing(std::slice::from_ref(&pin));
+    let why = why.unwrap();
+    assert!(why.starts_with("the ball would cut 0.") && why.ends_with("mm into the pin"), "{why}");
+    let found = only(&found, CheckId::LeadObstacle);
+    assert!((0.2..0.5).contains(&found.worst) && found.note == "lead-in: nearest is the pin", "{found:?}");
+    // The cutter may go through stock.
+    assert_eq!(failing(&[Obstacle { cut_by_the_tool: true, ..pin }]), (None, Vec::new()));
+}
+
 #[test]
 fn what_is_left_of_a_plan_keeps_its_evidence_and_a_new_lead_is_checked() {
     use crate::verify::{Verdict, Verified, restart};
