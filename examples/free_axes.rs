@@ -16,55 +16,36 @@ use std::time::Instant;
 
 use bladewright::artifact::region::Extent;
 use bladewright::artifact::toolpath::PathKind;
-use bladewright::artifact::{Blade, Cone, Cones, Obstacle, Toolpath};
+use bladewright::artifact::{Blade, Obstacle, Wheel};
 use bladewright::channel::{self, ChannelOptions, Surroundings};
 use bladewright::error::Result;
 use bladewright::geometry::part::Part;
-use bladewright::geometry::{Point, Rigid, Vector};
+use bladewright::geometry::{Point, Vector};
 use bladewright::observe::Silent;
+use bladewright::orient;
 use bladewright::path::{self, PathOptions};
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM, HolderStage, Tool};
 use bladewright::write::draw::sphere_svg;
 use bladewright::{Error, Stage};
-use nalgebra::{Translation3, Unit, UnitQuaternion};
+use nalgebra::Unit;
 
 /// Locations that the table shows.
 const ROWS: usize = 12;
 /// Locations that are looked at.
 const PLACES: f64 = 400.0;
 
-/// The other blades of the wheel about an axis of the model through its origin, in the blade frame.
-fn other_blades(blade: &Blade, count: usize, wheel: &Vector) -> Vec<Obstacle> {
-    let blade_from_model = blade.model_from_blade.inverse();
-    let axis = Unit::new_normalize(blade_from_model * wheel);
-    let origin = blade_from_model * Point::origin();
-    (1..count)
-        .map(|k| {
-            let turn = UnitQuaternion::from_axis_angle(&axis, std::f64::consts::TAU * k as f64 / count as f64);
-            let about = Translation3::from(origin.coords) * turn * Translation3::from(-origin.coords);
-            let moved = Rigid::from_parts(about.translation, about.rotation);
-            Obstacle {
-                name: format!("blade {}", k + 1),
-                part: Part::from_mesh(blade.part.mesh.clone().moved(&moved)),
-                clearance_mm: CLEARANCE_MM + blade.part.deflection_mm,
-                holder_clearance_mm: HOLDER_CLEARANCE_MM + blade.part.deflection_mm,
-                cut_by_the_tool: false,
-            }
+/// The other blades of the wheel, in the blade frame.
+fn other_blades(blade: &Blade, wheel: &Wheel) -> Vec<Obstacle> {
+    (2..=wheel.blades)
+        .map(|k| Obstacle {
+            name: format!("blade {k}"),
+            part: Part::from_mesh(blade.part.mesh.clone().moved(&wheel.turn_to(k))),
+            clearance_mm: CLEARANCE_MM + blade.part.deflection_mm,
+            holder_clearance_mm: HOLDER_CLEARANCE_MM + blade.part.deflection_mm,
+            cut_by_the_tool: false,
         })
         .collect()
-}
-
-/// The path with the cones of its reference planes.
-fn on_reference_planes(path: &Toolpath) -> Toolpath {
-    let plane = |normal: &Vector| Cone::new(Vector::x().cross(normal), Vector::x(), 0.0);
-    let mut last = Cone::about_blade(0.0);
-    let cones = path.locations.iter().map(|l| {
-        last = plane(&l.normal).unwrap_or(last);
-        last
-    });
-    let cones = Cones::along(cones.collect());
-    path.clone().with_cones(cones)
 }
 
 fn main() -> Result<()> {
@@ -83,7 +64,7 @@ fn main() -> Result<()> {
         stickout_mm: number("--stickout=").unwrap_or(100.0),
         holder: vec![HolderStage { radius_mm: number("--holder=").unwrap_or(20.0), length_mm: 50.0 }],
     };
-    let count = number("--blades=").map_or(1, |n| n as usize);
+    let count = number("--blades=").map_or(1, |n| n as u32);
     let wheel: Vec<f64> = value("--wheel=").unwrap_or("1,0,0").split(',').filter_map(|x| x.parse().ok()).collect();
     let [x, y, z] = wheel[..] else { return Err(usage("--wheel wants three numbers")) };
     let finest_deg = number("--finest=").unwrap_or(1.0);
@@ -95,7 +76,10 @@ fn main() -> Result<()> {
     let places = number("--places=").unwrap_or(PLACES).max(1.0) as usize;
     path.locations = path.locations.iter().step_by(path.locations.len().div_ceil(places)).copied().collect();
 
-    let (alone, others) = (Vec::new(), other_blades(&blade, count, &Vector::new(x, y, z)));
+    let blade_from_model = blade.model_from_blade.inverse();
+    let axis = Unit::new_normalize(blade_from_model * Vector::new(x, y, z));
+    let wheel = Wheel { axis, origin: blade_from_model * Point::origin(), blades: count };
+    let (alone, others) = (Vec::new(), other_blades(&blade, &wheel));
     let channel_options = ChannelOptions::default();
     let mut found = Vec::new();
     for bodies in [&alone, &others] {
@@ -106,7 +90,8 @@ fn main() -> Result<()> {
         let triangles = blade.part.mesh.triangles.len() * (bodies.len() + 1);
         println!("{triangles} triangles: {:.0} spheres a second", spheres.len() as f64 / seconds);
         let start = Instant::now();
-        let planes = on_reference_planes(&path);
+        let cones = orient::reference_planes(&path, &Vector::x()).ok_or_else(|| usage("no normal names a plane"))?;
+        let planes = path.clone().with_cones(cones);
         let arcs = channel::intervals(&surroundings, &tool, &planes, &channel_options, &Silent)?;
         println!("  reference planes: {:.0} a second", arcs.len() as f64 / start.elapsed().as_secs_f64());
         let empty = arcs.iter().zip(&spheres).filter(|(a, s)| a.is_empty() && s.shares()[0] > 0.0).count();

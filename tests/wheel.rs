@@ -116,7 +116,8 @@ fn what_cannot_be_is_refused_with_its_place() {
         ("wheel.blades=1", "wheel.blades is 1"),
         ("wheel.hub_mm=[[0, 40]]", "two places or more"),
         ("wheel.hub_mm=[[0, 40], [1, -3]]", "a radius of at least 0"),
-        ("feed.smooth=true", "feed.smooth makes one curve"),
+        ("feed.smooth=true", "feed.smooth is for one cone"),
+        ("channel.sweep_b=true", "channel.sweep_b is for one cone"),
         ("orientation.grid_deg=0.1", "orientation.grid_deg"),
     ] {
         let e = refused(&[change]);

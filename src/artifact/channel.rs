@@ -103,11 +103,10 @@ impl Channel {
         let last = out.rows.len().checked_sub(1)?;
         let holds =
             |row: usize, theta: f64| self.rows.get(row).is_some_and(|r| (r.hull_min..=r.hull_max).contains(&theta));
-        let in_order = start <= end || !self.sweep.is_round();
-        if !(in_order && holds(0, start) && holds(last, end)) {
+        if !(start <= end && holds(0, start) && holds(last, end)) {
             return None;
         }
-        for row in out.rows.iter_mut().filter(|_| self.sweep.is_round()) {
+        for row in &mut out.rows {
             (row.hull_min, row.hull_max) = (row.hull_min.max(start), row.hull_max.min(end));
         }
         for (row, theta) in [(0, start), (last, end)] {

@@ -1,5 +1,6 @@
 //! Cutter locations of one continuous helix.
 use super::{Cone, Cones};
+use crate::error::Along;
 use crate::geometry::{Point, Vector};
 
 /// Greatest scallop between turns where nobody asks for another, mm.
@@ -169,12 +170,24 @@ impl Toolpath {
         self.cones.at(row)
     }
 
-    /// Some of its locations, in order, with their cones; turns, and what was measured of the
-    /// whole path, stay as they are.
+    /// Some of its locations, in rising order, with their cones and their turns; what was measured
+    /// of the whole path stays as it is.
     #[must_use]
     pub fn at(&self, rows: &[usize]) -> Self {
         let locations = rows.iter().filter_map(|k| self.locations.get(*k).copied()).collect();
-        Toolpath { locations, cones: self.cones.chosen(rows), ..self.clone() }
+        let turn = |t: &Turn| {
+            let first = rows.partition_point(|k| *k < t.first);
+            Turn { first, count: rows.partition_point(|k| *k < t.first + t.count) - first, ..*t }
+        };
+        let (turns, cones) = (self.turns.iter().map(turn).collect(), self.cones.chosen(rows));
+        Toolpath { turns, locations, cones, ..self.clone() }
+    }
+
+    /// A location as a place for errors; beyond the last, that.
+    pub fn along(&self, row: usize) -> Along {
+        let l = self.locations.get(row).or(self.locations.last());
+        let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
+        Along { location: row, turn, turn_s_mm, height_mm }
     }
 
     /// The same path with other tool axes.

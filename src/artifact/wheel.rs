@@ -20,23 +20,13 @@ impl Wheel {
     /// The turn about the rotor axis that brings the blade in hand, number 1, to another one.
     pub fn turn_to(&self, blade: u32) -> Rigid {
         let angle = TAU * f64::from(blade.saturating_sub(1)) / f64::from(self.blades.max(1));
-        self.turned(angle)
-    }
-
-    /// A turn about the rotor axis by an angle, rad, right-hand rule.
-    pub fn turned(&self, angle_rad: f64) -> Rigid {
-        let turn = UnitQuaternion::from_axis_angle(&self.axis, angle_rad);
+        let turn = UnitQuaternion::from_axis_angle(&self.axis, angle);
         Rigid::from_parts((self.origin - turn * self.origin).into(), turn)
     }
 
     /// The point of the rotor axis nearest to a point.
     pub fn foot(&self, p: &Point) -> Point {
         self.origin + self.axis.into_inner() * (p - self.origin).dot(&self.axis)
-    }
-
-    /// Distance of a point from the rotor axis, mm.
-    pub fn radius_mm(&self, p: &Point) -> f64 {
-        (p - self.foot(p)).norm()
     }
 }
 
@@ -53,10 +43,11 @@ mod tests {
             blades: 7,
         };
         let p = Point::new(100.0, 4.0, 30.0);
+        let radius = |p: &Point| (p - wheel.foot(p)).norm();
         let mut q = p;
         for _ in 0..7 {
             q = wheel.turn_to(2) * q;
-            assert!((wheel.radius_mm(&q) - wheel.radius_mm(&p)).abs() < 1e-9);
+            assert!((radius(&q) - radius(&p)).abs() < 1e-9);
         }
         assert!((q - p).norm() < 1e-9);
         assert!((wheel.turn_to(1) * p - p).norm() < 1e-12);

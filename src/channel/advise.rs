@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
-use crate::artifact::channel::Width;
+use crate::artifact::channel::{Sweep, Width};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
 use crate::tool::Tool;
@@ -84,7 +84,7 @@ struct WidthSearch<'a> {
 
 impl<'a> WidthSearch<'a> {
     fn new(around: &'a Surroundings<'a>, path: &Toolpath, places: usize, observer: &'a dyn Observer) -> Self {
-        let samples = samples::along(path, f64::INFINITY);
+        let samples = samples::along(path, f64::INFINITY, Sweep::Round);
         let stretches = stretches(path, &samples, places);
         WidthSearch { around, stretches, observer, closed: AtomicUsize::new(0) }
     }
@@ -178,7 +178,7 @@ impl<'a> WidthSearch<'a> {
         let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k).copied()).collect();
         let mut rows = walls::rows(samples, &chosen, &scene);
         let narrowest_deg = rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).reduce(f64::min);
-        let _ = walls::hulls(&mut rows);
+        let _ = walls::hulls(&mut rows, Sweep::Round);
         let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
         let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         let (turn, turn_s_mm) = at(row);

@@ -12,7 +12,7 @@ use super::region::EvenMove;
 const MAX_TURN_RAD: f64 = 0.1;
 
 /// What the lean of the cone may change by likewise, rad.
-const MAX_LEAN: f64 = 0.02;
+const MAX_LEAN_RAD: f64 = 0.02;
 
 /// A normal with less than this square to the axis of its cone has no angle about it.
 const PARALLEL: f64 = 1e-6;
@@ -56,7 +56,7 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64, sweep: Sweep) -> Vec<Samp
         let turn = here.normal.angle(&next.normal);
         let lean = (path.cone(row + 1).lean_rad - path.cone(row).lean_rad).abs();
         let parts =
-            (length / max_step_mm).max(turn / MAX_TURN_RAD).max(lean / MAX_LEAN).ceil().clamp(1.0, 1000.0) as usize;
+            (length / max_step_mm).max(turn / MAX_TURN_RAD).max(lean / MAX_LEAN_RAD).ceil().clamp(1.0, 1000.0) as usize;
         for k in 1..parts {
             let f = k as f64 / parts as f64;
             let normal = here.normal.lerp(&next.normal, f).try_normalize(1e-9).unwrap_or(here.normal);

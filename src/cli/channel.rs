@@ -14,6 +14,7 @@ use crate::error::{Error, Result, Stage, turn_number};
 use crate::geometry::Vector;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
+use crate::plan::Setup;
 use crate::run::{self, Loaded, RunFolder};
 use crate::write::draw;
 
@@ -39,7 +40,10 @@ fn study(args: &Channel, observer: &dyn Observer) -> Result<u8> {
     folder.add_job_of_study(&setup.job.to_toml()?)?;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
-    let toolpath = setup.oriented(toolpath, &around, observer)?;
+    if args.sweep_b.is_some() {
+        for_one_cone(&setup, "--sweep-b")?;
+    }
+    let (toolpath, _) = setup.oriented(toolpath, &around, observer)?;
     let intervals = channel::intervals(&around, tool, &toolpath, &options, observer)?;
     folder.add("channel_intervals.csv", table(&toolpath, &intervals, &setup.blade.part))?;
     let planned = channel::plan_among(&around, tool, &toolpath, &options, observer);
@@ -138,6 +142,16 @@ fn print_widths(widths: &[Width]) {
     }
 }
 
+/// Refuses what looks at leans of one cone where the job gives each location its own.
+fn for_one_cone(setup: &Setup, what: &str) -> Result<()> {
+    if setup.job.orientation.kind.goes_round() {
+        return Ok(());
+    }
+    let message = format!("{what} looks for a lean that stays the same, the job gives each location its own tool axes");
+    Err(Error::usage(Stage::Channel, message)
+        .advise("leave out orientation.kind, or run `channel` without `--sweep-b`"))
+}
+
 /// Runs `advise`; the exit code.
 pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
@@ -148,11 +162,7 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let setup = Loaded::read(&draft_from(&args.input, &args.reading, &args.set)?, observer)?.setup;
-    if !setup.job.orientation.kind.goes_round() {
-        let message =
-            "advise looks for a lean of the tool that stays the same, the job gives each location its own axes";
-        return Err(Error::usage(Stage::Channel, message).advise("leave out orientation.kind, or run `channel`"));
-    }
+    for_one_cone(&setup, "advise")?;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
     let angles = setup.angles_b(ANGLES_DEG);

@@ -89,10 +89,12 @@ impl Job {
             return Err(Error::usage(Stage::Job, message)
                 .advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
         }
-        if self.feed.smooth && !self.orientation.kind.goes_round() {
-            let message =
-                "feed.smooth makes one curve on one cone of tool axes, orientation.kind asks for one at each location";
-            return Err(Error::usage(Stage::Job, message).advise("leave out feed.smooth or orientation.kind"));
+        for (key, is_set) in [("feed.smooth", self.feed.smooth), ("channel.sweep_b", self.channel.sweep_b)] {
+            if is_set && !self.orientation.kind.goes_round() {
+                let message =
+                    format!("{key} is for one cone of tool axes, orientation.kind asks for one at each location");
+                return Err(Error::usage(Stage::Job, message).advise(format!("leave out {key} or orientation.kind")));
+            }
         }
         if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {
             let (a, b) = (self.region.start_mm, self.region.end_mm.unwrap_or_default());

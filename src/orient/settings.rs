@@ -33,8 +33,8 @@ section! {
         kind: OrientationKind = OrientationKind::Cone;
         /// Angle between the directions that kind `five-axis` tries at a place, degrees.
         /// The free axes of a wheel are some tens of degrees wide: a tenth of that finds the ways
-        /// through. Where it finds none, half of it is tried, and half of that, down to 1°. What is
-        /// tried only guides the search, the channel is proven afterwards.
+        /// through. Where it finds none, half of it is tried, and so on down to 1°. What is tried
+        /// only guides the search, the channel is proven afterwards.
         grid_deg: f64 = 3.0, 1.0..=15.0;
     }
 }

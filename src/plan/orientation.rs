@@ -7,9 +7,9 @@ use rayon::prelude::*;
 
 use super::Setup;
 use crate::artifact::schedule::{Measure, ScheduleKind};
-use crate::artifact::{Cone, Cones, Toolpath, Wheel};
+use crate::artifact::{Channel, Cone, Cones, Toolpath, Wheel};
 use crate::channel::{self, ChannelOptions, Surroundings};
-use crate::error::{Along, Error, ErrorKind, Infeasible, Result, Stage, turn_number};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
 use crate::observe::{Observer, Silent};
 use crate::orient::{self, Grid, OrientationKind};
@@ -27,39 +27,42 @@ const INSIDE: f64 = 0.5;
 /// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
 /// quarter of the width: at a wall of the one the other has no room.
 const KEEP_DEG: f64 = 10.0;
+/// No finer grid is tried, degrees.
+const FINEST_DEG: f64 = 1.0;
 
 impl Setup {
-    /// The path with the cones that the job asks for.
+    /// The path with the cones that the job asks for, and its channel where that was planned on the
+    /// way.
     ///
     /// # Errors
     /// Kind `Infeasible` where no tool axis is free, or none that is reached from the others, with
     /// the place; those of the channel.
-    pub(crate) fn oriented(&self, path: Toolpath, around: &Surroundings, observer: &dyn Observer) -> Result<Toolpath> {
-        let Some(wheel) = self.wheel.as_ref() else { return Ok(path) };
+    pub(crate) fn oriented(
+        &self,
+        path: Toolpath,
+        around: &Surroundings,
+        observer: &dyn Observer,
+    ) -> Result<(Toolpath, Option<Channel>)> {
+        let Some(wheel) = self.wheel.as_ref() else { return Ok((path, None)) };
         match self.job.orientation.kind {
-            OrientationKind::Cone => Ok(path),
+            OrientationKind::Cone => Ok((path, None)),
             OrientationKind::ReferencePlane => {
                 let radial = radial(wheel, self.blade.part.mesh.aabb().map(|b| nalgebra::center(&b.min, &b.max)));
                 let cones = orient::reference_planes(&path, &radial).ok_or_else(|| no_plane(&path))?;
-                Ok(path.with_cones(cones))
+                Ok((path.with_cones(cones), None))
             }
             OrientationKind::FiveAxis => {
                 let mut grid_deg = self.job.orientation.grid_deg;
                 loop {
-                    let found = five_axis(self, wheel, &path, (around, grid_deg), observer);
-                    let finer = 0.5 * grid_deg >= FINEST_DEG && grid_deg > 0.3 * self.job.orientation.grid_deg;
-                    match found {
-                        Err(e) if e.kind == ErrorKind::Infeasible && finer => grid_deg *= 0.5,
-                        found => return found,
+                    match five_axis(self, wheel, &path, (around, grid_deg), observer) {
+                        Err(e) if e.kind == ErrorKind::Infeasible && 0.5 * grid_deg >= FINEST_DEG => grid_deg *= 0.5,
+                        found => return found.map(|(path, channel)| (path, Some(channel))),
                     }
                 }
             }
         }
     }
 }
-
-/// No finer grid is tried, degrees.
-const FINEST_DEG: f64 = 1.0;
 
 /// From the rotor axis towards the middle of the blade, unit: the virtual axis of the paper.
 fn radial(wheel: &Wheel, middle: Option<Point>) -> Vector {
@@ -68,26 +71,19 @@ fn radial(wheel: &Wheel, middle: Option<Point>) -> Vector {
 }
 
 fn no_plane(path: &Toolpath) -> Error {
-    let at = along(path, 0);
+    let at = path.along(0);
     let message = "the surface normal is along the radial direction all along the path: there is no reference plane";
     Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at }).advise("take orientation.kind five-axis")
 }
 
-/// A row of the path as a place.
-fn along(path: &Toolpath, row: usize) -> Along {
-    let l = path.locations.get(row).or(path.locations.last());
-    let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
-    Along { location: row, turn, turn_s_mm, height_mm }
-}
-
-/// Tool axes in the middle of what is free, among which there is a channel.
+/// The path with cones through the middle of what is free, and the channel along them.
 fn five_axis(
     setup: &Setup,
     wheel: &Wheel,
     path: &Toolpath,
     (around, grid_deg): (&Surroundings, f64),
     observer: &dyn Observer,
-) -> Result<Toolpath> {
+) -> Result<(Toolpath, Channel)> {
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = Grid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
@@ -105,8 +101,8 @@ fn five_axis(
     let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
     let latitude = curve(setup, path, (Cones::along(meridians), MOST_RAD[0]), around, observer)?;
     let path = path.clone().with_cones(parallels(&latitude));
-    channel::plan_among(around, &setup.job.tool, &path, &setup.channel_options(), &Silent)?;
-    Ok(path)
+    let channel = channel::plan_among(around, &setup.job.tool, &path, &setup.channel_options(), observer)?;
+    Ok((path, channel))
 }
 
 /// What of the grid is free at each station, and within the machine's reach.
@@ -179,7 +175,7 @@ fn curve(
 
 /// The error at a station to which no way leads.
 fn closed(path: &Toolpath, row: usize, any_free: bool) -> Error {
-    let at = along(path, row);
+    let at = path.along(row);
     let place = format!("turn {}, S = {:.2} mm", turn_number(at.turn), at.turn_s_mm);
     let what = if any_free { "no tool axis that is free is near to those before it" } else { "no tool axis is free" };
     let message = format!("{what} at {place}, {:.3} mm along the blade axis", at.height_mm);

@@ -201,10 +201,10 @@ pub(crate) fn channel_as_far_as_it_goes(
     let around = timed(observer, Stage::Channel, || setup.surroundings())?;
     if !setup.job.orientation.kind.goes_round() {
         let path = toolpath.clone();
-        *toolpath = timed(observer, Stage::Channel, || setup.oriented(path, &around, observer))?;
-        return timed(observer, Stage::Channel, || {
-            channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer)
-        });
+        let (path, planned) = timed(observer, Stage::Channel, || setup.oriented(path, &around, observer))?;
+        *toolpath = path;
+        let plan = || channel::plan_among(&around, &setup.job.tool, toolpath, &options, observer);
+        return planned.map_or_else(|| timed(observer, Stage::Channel, plan), Ok);
     }
     let plan = |path: &Toolpath| channel::plan_among(&around, &setup.job.tool, path, &options, observer);
     let mut cut = None;

@@ -8,7 +8,6 @@
 use super::Setup;
 use super::schedules;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::Turn;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::observe::Silent;
 use crate::schedule::{self, ScheduleOptions};
@@ -20,7 +19,7 @@ const PLACES: usize = 1000;
 /// cannot be made.
 pub(crate) fn sketch(kind: ScheduleKind, setup: &Setup, path: &Toolpath, channel: &Channel) -> Option<Schedule> {
     let kept = places(path);
-    let (few, narrow) = (thinned(path, &kept)?, of(channel, &kept)?);
+    let (few, narrow) = (path.at(&kept), of(channel, &kept)?);
     let options = setup.schedule_options();
     let made = match kind {
         ScheduleKind::Time => {
@@ -41,16 +40,6 @@ fn places(path: &Toolpath) -> Vec<usize> {
     kept.extend(path.locations.len().checked_sub(1));
     kept.dedup();
     kept
-}
-
-fn thinned(path: &Toolpath, kept: &[usize]) -> Option<Toolpath> {
-    let locations = kept.iter().map(|k| path.locations.get(*k).copied()).collect::<Option<Vec<_>>>()?;
-    let turn = |t: &Turn| {
-        let first = kept.partition_point(|k| *k < t.first);
-        Turn { first, count: kept.partition_point(|k| *k < t.first + t.count) - first, ..*t }
-    };
-    let cones = path.cones.chosen(kept);
-    Some(Toolpath { turns: path.turns.iter().map(turn).collect(), locations, cones, ..path.clone() })
 }
 
 fn of(channel: &Channel, kept: &[usize]) -> Option<Channel> {
@@ -85,7 +74,7 @@ mod tests {
         let (path, channel) = (&plan.toolpath, &plan.channel);
         let kept = places(path);
         assert!((600..=PLACES + 4).contains(&kept.len()) && kept.windows(2).all(|w| w[0] < w[1]), "{}", kept.len());
-        let (few, narrow) = (thinned(path, &kept).unwrap(), of(channel, &kept).unwrap());
+        let (few, narrow) = (path.at(&kept), of(channel, &kept).unwrap());
         assert_eq!((few.locations.len(), narrow.rows.len()), (kept.len(), kept.len()));
         for (a, b) in few.turns.iter().zip(&path.turns) {
             assert_eq!(few.locations[a.first], path.locations[b.first]);

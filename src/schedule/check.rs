@@ -2,7 +2,7 @@
 
 use super::bezier;
 use super::corridor::Corridor;
-use super::piecewise::{along, place};
+use super::piecewise::place;
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::BezierPiece;
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-8;
 /// Kind `Infeasible`, with turn and S.
 pub(super) fn inside(pieces: &[BezierPiece], theta: &[f64], hull: &Corridor, path: &Toolpath) -> Result<()> {
     let fail = |row: usize, what: String| {
-        let since = Infeasible::ScheduleFails { at: along(path, row) };
+        let since = Infeasible::ScheduleFails { at: path.along(row) };
         Err(Error::infeasible(Stage::Schedule, format!("the schedule made {what} at {}", place(path, row)), since)
             .advise("lower schedule.margin_deg or give schedule.level_stretch_mm"))
     };

@@ -11,7 +11,7 @@ use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Along, Error, Infeasible, Result, Stage, turn_number};
+use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 use crate::observe::{Doubt, Observer, Warning};
 
 /// Insets of the base points from the walls that are tried, rad.
@@ -60,13 +60,6 @@ pub(super) fn plan(
 pub(super) fn place(path: &Toolpath, row: usize) -> String {
     let l = path.locations.get(row);
     l.map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", turn_number(l.turn), l.turn_s_mm))
-}
-
-/// A row of the path as a place.
-pub(super) fn along(path: &Toolpath, row: usize) -> Along {
-    let l = path.locations.get(row).or(path.locations.last());
-    let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
-    Along { location: row, turn, turn_s_mm, height_mm }
 }
 
 fn describe(binding: &Binding) -> String {
@@ -127,10 +120,10 @@ fn closed(path: &Toolpath, channel: &Channel, row: usize) -> Error {
             place(path, upper),
         ),
         Infeasible::HullClosed {
-            at: along(path, row),
+            at: path.along(row),
             short_deg: (r.hull_min - r.hull_max).to_degrees(),
-            lower_at: along(path, lower),
-            upper_at: along(path, upper),
+            lower_at: path.along(lower),
+            upper_at: path.along(upper),
         },
     )
     .advise(
@@ -240,7 +233,7 @@ fn decoupled(
                 describe(&r.binds_max)
             ),
             Infeasible::NoRoomToTurn {
-                at: along(path, row),
+                at: path.along(row),
                 width_deg: (r.hull_max - r.hull_min).to_degrees(),
                 margin_deg: options.settings.margin_deg,
             },

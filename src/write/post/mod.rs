@@ -56,7 +56,7 @@ pub use settings::{PostKeys, PostSettings};
 use std::borrow::Cow;
 
 use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
-use crate::error::{Along, Error, Infeasible, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::machine::Machine;
 use crate::settings::with_settings;
@@ -290,7 +290,6 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
         let up = at.normal.dot(&axis);
         if up < -1e-6 && outer.is_none() {
             let above_equator_deg = up.clamp(-1.0, 1.0).asin().abs().to_degrees();
-            let (turn, turn_s_mm, height_mm) = (at.turn, at.turn_s_mm, at.centre.x);
             return Err(Error::infeasible(
                 Stage::Post,
                 format!(
@@ -299,7 +298,7 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
                 ),
                 Infeasible::CannotLeave {
                     end: name.into(),
-                    at: Along { location: row, turn, turn_s_mm, height_mm },
+                    at: plan.toolpath.along(row),
                     above_equator_deg,
                 },
             )
