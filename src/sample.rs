@@ -239,6 +239,7 @@ fn schedule(theta: &[f64], ds: f64) -> Schedule {
         peak_rate: (theta[1] - theta[0]) / ds,
         peak_acceleration: 0.0,
         quality: crate::artifact::schedule::Quality::default(),
+        rates: Vec::new(),
     }
 }
 
@@ -313,6 +314,7 @@ pub fn report() -> CheckReport {
         },
         gouge_mm: 0.0005,
         clearance_mm: 2.0,
+        turning: None,
     }
 }
 

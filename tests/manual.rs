@@ -128,6 +128,7 @@ sessions! {
     programs_run_as_printed: "docs/programs.md";
     rescheduling_runs_as_printed: "docs/rescheduling.md";
     showing_runs_as_printed: "docs/showing.md";
+    turning_runs_as_printed: "docs/turning.md";
     wheels_run_as_printed: "docs/wheels.md";
 }
 

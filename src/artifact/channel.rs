@@ -26,6 +26,11 @@ pub enum Binding {
     },
     /// A limit of the rotary axis.
     AxisLimit,
+    /// Travel of a linear axis.
+    Travel {
+        /// Its name.
+        axis: String,
+    },
     /// The permitted range of contact angle on the ball.
     ContactAngle,
     /// Nothing does: the whole circle is free, the interval was cut open opposite to the surface

@@ -3,6 +3,7 @@
 pub mod along;
 pub mod axes;
 pub mod axis_motion;
+pub mod axis_travel;
 pub mod blade;
 pub mod channel;
 pub mod check_id;
@@ -27,6 +28,7 @@ pub mod wheel;
 
 pub use axes::{Axes, AxisRows};
 pub use axis_motion::AxisMotion;
+pub use axis_travel::AxisTravel;
 pub use blade::Blade;
 pub use channel::{Channel, Sweep};
 pub use check_id::{AxisCheck, CheckId};

@@ -171,6 +171,38 @@ pub struct CheckReport {
     pub gouge_mm: f64,
     /// Least clearance between tool (without ball) and part, mm.
     pub clearance_mm: f64,
+    /// What axes, times and contacts say of turn-milling, where the job asks for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turning: Option<TurningFigures>,
+}
+
+/// Turn-milling in figures: by axis positions, times and contacts alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct TurningFigures {
+    /// Least and greatest offset of the tool from the blade axis, mm.
+    pub offset_mm: [f64; 2],
+    /// Least and greatest mean speed of turning of a turn between the first and the last, 1/min,
+    /// where the blade is to turn evenly; `None`: none is judged.
+    pub turning_per_min: Option<[f64; 2]>,
+    /// Share by which the speed leaves the mean of its turn there.
+    pub ripple: Option<f64>,
+    /// What each tooth does, where the job says how many there are.
+    pub tooth: Option<ToothFigures>,
+}
+
+/// What each tooth cuts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct ToothFigures {
+    /// Greatest feed per tooth of the contact, mm.
+    pub feed_mm: f64,
+    /// Thickest chip, mm; `None`: the job says no depth.
+    pub chip_mm: Option<f64>,
+    /// Highest marks along the feed, mm.
+    pub mark_mm: f64,
+    /// Share of the time below the least feed per tooth.
+    pub below_least: f64,
+    /// Least cutting speed at the contact, m/min.
+    pub least_speed_m_min: f64,
 }
 
 impl CheckReport {

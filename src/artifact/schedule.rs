@@ -17,6 +17,10 @@ pub enum ScheduleKind {
     Optimal,
     /// The least machining time found, θ(S) and feed together.
     Time,
+    /// The tool at one offset from the blade axis all along: a lathe's Y stands still.
+    Eccentric,
+    /// The blade turns at one speed all through each turn.
+    Even,
     /// Along the lower wall of the channel: to try the channel, not to machine.
     LowerWall,
     /// Along the upper wall of the channel: to try the channel, not to machine.
@@ -110,6 +114,9 @@ pub struct Schedule {
     /// How good it is.
     #[serde(default)]
     pub quality: Quality,
+    /// Greatest rate at which θ grows in each turn, rad/s; empty: whatever the axes can do.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rates: Vec<f64>,
 }
 
 impl Schedule {
@@ -124,6 +131,7 @@ impl Schedule {
             peak_rate: 0.0,
             peak_acceleration: 0.0,
             quality: Quality::default(),
+            rates: Vec::new(),
         }
     }
 

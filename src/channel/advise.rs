@@ -1,9 +1,10 @@
 //! What would open a channel, or open it wider: another B, a longer tool, a slimmer holder.
 //!
 //! All of it looks at some turns of the path ([`super::stretches`]), not at all and not at the
-//! moves between locations: a plan with the values found is what proves them. Stick-out and holder
-//! are found by bisection: a longer shank in place of holder, or a slimmer holder, never takes room
-//! away.
+//! moves between locations: a plan with the values found is what proves them. Only the least travel
+//! of Y (`offset` module) is found from all locations. The travel of linear axes limits none of the
+//! other values: it changes with lean and tool. Stick-out and holder are found by bisection: a
+//! longer shank in place of holder, or a slimmer holder, never takes room away.
 
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -15,6 +16,7 @@ use crate::observe::{Observer, Silent};
 use crate::tool::Tool;
 
 use super::forbidden::Free;
+use super::offset::{self, LeastTravel};
 use super::stretches::{PathPart, stretches};
 use super::{ChannelOptions, Surroundings, chain, check_input, check_lean, report, samples, walls};
 
@@ -48,6 +50,9 @@ pub struct Advice {
     pub shank_radius_mm: Option<f64>,
     /// Where no B opens it: which B leads farthest.
     pub farthest: Option<Farthest>,
+    /// The least travel of Y with which a schedule exists at the job's B with the tool as it is, at
+    /// all locations; none: not even without a limit of it.
+    pub least_travel: Option<LeastTravel>,
     /// Locations of the path that were looked at.
     pub places: usize,
 }
@@ -220,6 +225,7 @@ pub fn sweep_b(
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
     check_input(tool, path, options)?;
+    let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };
     WidthSearch::new(around, path, leans.places, observer).sweep(tool, options, leans.b_deg)
 }
 
@@ -236,7 +242,10 @@ pub fn advise(
     observer: &dyn Observer,
 ) -> Result<Advice> {
     check_input(tool, path, options)?;
+    // Travel of linear axes changes with lean and stick-out: what is advised is without it.
+    let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };
     let look = WidthSearch::new(around, path, PLACES, observer);
+    let free = super::intervals(around, tool, path, options, observer)?;
     let widths = look.sweep(tool, options, b_deg)?;
     let at_b = |b: f64| look.leaning(b.to_radians()).is_open(tool, options);
     let with = |tool: &Tool| look.is_open(tool, options);
@@ -254,6 +263,7 @@ pub fn advise(
         holder_radii_mm: thickest_holder(tool, with)?,
         shank_radius_mm: thickest_shank(tool, with)?,
         farthest: if best.is_none() { farthest(&widths, path) } else { None },
+        least_travel: offset::least_travel(path, &free, observer)?,
         places: look.places(),
     })
 }

@@ -18,6 +18,8 @@ pub(super) enum Witness {
     Contact,
     /// A limit of the rotary axis.
     Axis,
+    /// Travel of a linear axis: its index in the options.
+    Travel(u8),
     /// The cut of the circle, not a limit.
     Cut,
 }

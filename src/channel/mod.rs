@@ -12,7 +12,8 @@
 //! form (`forbidden`), also when the tool's profile is inflated (`profile`); a tree of spheres and
 //! boxes over the triangles and branch and bound give the union of arcs (`forbidden`, and `clear`
 //! for triangles that the tool nearly touches along their plane). What is left are free intervals;
-//! the permitted range of the contact angle `acos(a·n)` and the rotary axis' limits narrow them.
+//! the permitted range of the contact angle `acos(a·n)`, the rotary axis' limits and the travel of
+//! linear axes ([`crate::artifact::axis_travel`]) narrow them.
 //! What cannot bind is carried from place to place (`track`). Free intervals that overlap from
 //! place to place are joined to chains, and the chain whose least overlap is greatest is taken
 //! (`chain`). Between places, if `prove_moves` asks for it, the same search runs over the whole
@@ -35,8 +36,8 @@
 //! **All axes**: at one place the free axes all over the sphere, not only on a cone: `sphere`.
 //!
 //! **Not looked at**: the ball against the part (the path's own promise; against fixtures it is:
-//! `ball`), machine parts other than the holder, linear axes' limits. The contact angle is held at
-//! the places, not between.
+//! `ball`), machine parts other than the holder. The contact angle and the travel of linear axes
+//! are held at the places, not between.
 //!
 //! **Fails** with kind `Infeasible` where no chain leads round the path, or where the hulls cross;
 //! the message names the turn, S, the point, the part of the tool and the face of the part.
@@ -51,6 +52,7 @@ mod forbidden;
 mod front;
 mod lanes;
 mod moves;
+mod offset;
 mod options;
 mod pending;
 mod profile;
@@ -72,10 +74,12 @@ use rayon::prelude::*;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::Point;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::tool::Tool;
 
 pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
+pub use offset::{LeastTravel, least_travel};
 pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
 pub use sphere::{sphere, spheres};
@@ -152,7 +156,7 @@ impl<'a> Surroundings<'a> {
         options.clone().with(|s| s.tolerance_deg *= self.share(options))
     }
 
-    /// Free intervals of all places within the rotary axis' limits: of the exact faces where that
+    /// Free intervals of all places within the axes' limits: of the exact faces where that
     /// is asked for.
     fn layers(
         &self,
@@ -170,7 +174,7 @@ impl<'a> Surroundings<'a> {
             let ends = tighten::ExactEnds { part: &self.blade.part, profile, tolerance };
             ends.tighten(scene, (samples, path), &mut layers, observer)?;
         }
-        within_axis(options, &mut layers);
+        within_axes(options, samples, &mut layers);
         Ok(layers)
     }
 
@@ -309,26 +313,45 @@ pub fn plan_among(
     })
 }
 
-/// Free intervals of all places within the rotary axis' limits, of the index with what it lies off
+/// Free intervals of all places within the axes' limits, of the index with what it lies off
 /// the part as room.
 fn layers(scene: &ObstacleScene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
-    within_axis(scene.options, &mut layers);
+    within_axes(scene.options, samples, &mut layers);
     Ok(layers)
 }
 
-/// Cuts off what the rotary axis does not reach.
-fn within_axis(options: &ChannelOptions, layers: &mut [Vec<Free>]) {
-    let Some([least, greatest]) = options.theta_limits_rad else { return };
-    for f in layers.iter_mut().flatten() {
-        if f.lo < least {
-            (f.lo, f.lo_by) = (least, Witness::Axis);
+/// Cuts off what the rotary axis does not reach, and where a linear axis would be beyond its
+/// travel.
+fn within_axes(options: &ChannelOptions, samples: &[Sample], layers: &mut [Vec<Free>]) {
+    if let Some([least, greatest]) = options.theta_limits_rad {
+        for f in layers.iter_mut().flatten() {
+            if f.lo < least {
+                (f.lo, f.lo_by) = (least, Witness::Axis);
+            }
+            if f.hi > greatest {
+                (f.hi, f.hi_by) = (greatest, Witness::Axis);
+            }
         }
-        if f.hi > greatest {
-            (f.hi, f.hi_by) = (greatest, Witness::Axis);
+        layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
+    }
+    for (k, travel) in (0u8..).zip(&options.travel) {
+        let cut = |f: &Free, centre: &Point| {
+            let (f, by) = (*f, Witness::Travel(k));
+            let left = travel.left_of(centre, [f.lo, f.hi]).into_iter();
+            left.map(move |([lo, hi], [lo_is_own, hi_is_own])| Free {
+                lo,
+                hi,
+                lo_by: if lo_is_own { f.lo_by } else { by },
+                hi_by: if hi_is_own { f.hi_by } else { by },
+            })
+        };
+        for (sample, layer) in samples.iter().zip(layers.iter_mut()) {
+            if travel.forbidden(&sample.centre).next().is_some() {
+                *layer = layer.iter().flat_map(|f| cut(f, &sample.centre)).collect();
+            }
         }
     }
-    layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
 }
 
 fn check_input(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result<()> {

@@ -1,7 +1,7 @@
 //! What the user may ask of the channel.
 
 use super::settings::ChannelSettings;
-use crate::artifact::Sweep;
+use crate::artifact::{AxisTravel, Sweep};
 use crate::error::{Error, Result, Stage};
 use crate::settings::with_settings;
 
@@ -12,6 +12,8 @@ pub struct ChannelOptions {
     pub settings: ChannelSettings,
     /// Limits of θ from those of the rotary axis, rad, unwrapped; `None`: it turns without end.
     pub theta_limits_rad: Option<[f64; 2]>,
+    /// Travel of linear axes that limits θ where the tool goes round with one lean.
+    pub travel: Vec<AxisTravel>,
     /// How θ goes along the path. Angles are unwrapped about the surface normal's on a path that
     /// goes round, about 0 on one that swings.
     pub sweep: Sweep,
@@ -29,6 +31,7 @@ impl Default for ChannelOptions {
         ChannelOptions {
             settings: ChannelSettings::default(),
             theta_limits_rad: None,
+            travel: Vec::new(),
             sweep: Sweep::Round,
             prove_at: Vec::new(),
             max_step_mm: 1.5,
@@ -47,6 +50,13 @@ impl ChannelOptions {
         let (lo, hi) = (self.settings.contact_angle_min_deg, self.settings.contact_angle_max_deg);
         if lo >= hi {
             return bad(format!("the contact angle must lie within {lo}° to {hi}°, an empty or impossible range"));
+        }
+        if let Some([least, greatest]) = self.settings.offset_mm
+            && !(least <= greatest && (greatest - least).is_finite())
+        {
+            return bad(format!(
+                "channel.offset_mm is [{least}, {greatest}], the second must not be less than the first"
+            ));
         }
         if !(self.max_step_mm > 1e-3 && self.max_step_mm.is_finite()) {
             return bad(format!("the channel's step is {} mm, it must be over 0.001 mm", self.max_step_mm));

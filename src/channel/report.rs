@@ -1,7 +1,7 @@
 //! Where and why there is no channel, in words.
 
 use crate::artifact::channel::{Binding, ChannelRow};
-use crate::artifact::{Blade, ToolPart, Toolpath};
+use crate::artifact::{AxisTravel, Blade, ToolPart, Toolpath};
 use crate::error::{At, Bound, Error, Infeasible, Stage, turn_number};
 use crate::geometry::Point;
 use crate::geometry::part::Part;
@@ -160,6 +160,7 @@ impl Reporter<'_> {
             }
             Binding::Fixture { name, tool, .. } => Some(Bound::Fixture { tool: tool.to_string(), name: name.clone() }),
             Binding::AxisLimit => Some(Bound::AxisLimit),
+            Binding::Travel { axis } => Some(Bound::Travel { axis: axis.clone() }),
             Binding::ContactAngle => Some(Bound::ContactAngle),
             Binding::Free => None,
         };
@@ -196,6 +197,7 @@ impl Reporter<'_> {
             }
             Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
             Binding::AxisLimit => "a limit of the rotary axis".into(),
+            Binding::Travel { axis } => format!("the travel of {axis}"),
             Binding::ContactAngle => "the permitted range of contact angle".into(),
             Binding::Free => "nothing".into(),
         }
@@ -208,7 +210,6 @@ impl Reporter<'_> {
         let mut ends = Vec::new();
         let mut wide = self.scene.options.clone();
         (wide.settings.contact_angle_min_deg, wide.settings.contact_angle_max_deg) = (0.0, 180.0);
-        wide.theta_limits_rad = None;
         let parts = self.scene.bodies.first().map(|b| b.profile.parts.clone()).unwrap_or_default();
         for &part in &parts {
             if self.free_with(sample, &|p| p != part, self.scene.options).is_empty() {
@@ -219,8 +220,13 @@ impl Reporter<'_> {
             said.push(format!("without the {part} there would be room ({})", self.blame(&b)));
             ends.push(b);
         }
-        if !self.free_with(sample, &|_| true, &wide).is_empty() {
-            said.push("with a wider range of contact angle, or of the rotary axis, there would be room".into());
+        // What axes cut off comes after all else is free.
+        if !self.free_with(sample, &|_| true, self.scene.options).is_empty() {
+            ends = self.axes_short(sample);
+            let words: Vec<String> = ends.iter().map(|b| self.blame(b)).collect();
+            said = vec![format!("{} leaves none of what is free of all bodies", words.join(", or "))];
+        } else if !self.free_with(sample, &|_| true, &wide).is_empty() {
+            said.push("with a wider range of contact angle there would be room".into());
             ends.push(Binding::ContactAngle);
         }
         if said.is_empty() {
@@ -228,6 +234,14 @@ impl Reporter<'_> {
             said.push(format!("{} together take it", parts.join(", ")));
         }
         (said.join("; "), ends)
+    }
+
+    /// The axes whose limits forbid an angle at a sample.
+    fn axes_short(&self, sample: &Sample) -> Vec<Binding> {
+        let options = self.scene.options;
+        let short = |t: &&AxisTravel| t.forbidden(&sample.centre).next().is_some();
+        let of_travel = options.travel.iter().filter(short).map(|t| Binding::Travel { axis: t.name.clone() });
+        options.theta_limits_rad.map(|_| Binding::AxisLimit).into_iter().chain(of_travel).collect()
     }
 
     /// What ends the free intervals at a sample if the tool had only the parts that `keep` lets
@@ -267,6 +281,7 @@ pub(super) fn short(b: &Binding, part: &Part) -> String {
         Binding::Part { tool, face, .. } => format!("{tool} against {}", part.face_name(*face)),
         Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
         Binding::AxisLimit => "rotary axis".into(),
+        Binding::Travel { axis } => format!("travel of {axis}"),
         Binding::ContactAngle => "contact angle".into(),
         Binding::Free => "nothing".into(),
     }
@@ -290,6 +305,9 @@ fn advice_for(ends: &[Binding]) -> String {
             Binding::Part { .. } => add("take a slimmer or longer shank, or less clearance"),
             Binding::AxisLimit => {
                 add("clamp the part turned by another angle, or take a machine whose table turns farther")
+            }
+            Binding::Travel { .. } => {
+                add("move the blade on the machine (mount.offset_mm), or take a machine with more travel");
             }
             Binding::ContactAngle => add("widen the range of contact angle"),
             Binding::Free => {}

@@ -21,6 +21,10 @@ section! {
         /// Greatest angle between tool axis and surface normal, degrees.
         /// Over 90° the ball would cut with its upper half.
         contact_angle_max_deg: f64 = 90.0, s.contact_angle_min_deg..=180.0;
+        /// Least and greatest offset of the tool from the blade axis, mm: the Y of the ball centre where the blade axis is X and the tool comes from +Z.
+        /// Default: what the machine's travel leaves. For a lathe with little travel of Y.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        offset_mm: [f64; 2] as Option<[f64; 2]> = None;
         /// Tolerance of the channel's ends, degrees.
         /// Always on the safe side. The default is well below what a rotary table repeats.
         tolerance_deg: f64 = 0.01, 1e-4..=5.0;

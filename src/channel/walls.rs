@@ -19,6 +19,10 @@ pub(super) fn binding(by: Witness, scene: &ObstacleScene) -> Binding {
     match by {
         Witness::Contact => Binding::ContactAngle,
         Witness::Axis => Binding::AxisLimit,
+        Witness::Travel(k) => {
+            let axis = scene.options.travel.get(usize::from(k)).map_or_else(String::new, |t| t.name.clone());
+            Binding::Travel { axis }
+        }
         Witness::Cut => Binding::Free,
         Witness::Tool { segment, body, leaf } => {
             let Some(b) = scene.bodies.get(usize::from(body)) else { return Binding::Free };

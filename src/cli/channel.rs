@@ -122,6 +122,7 @@ fn name(b: &Binding, part: &Part) -> String {
         }
         Binding::Fixture { name, tool, triangle } => format!("{tool} / {} / triangle {triangle}", plain(name)),
         Binding::AxisLimit => "rotary axis".into(),
+        Binding::Travel { axis } => format!("travel of {}", plain(axis)),
         Binding::ContactAngle => "contact angle".into(),
         Binding::Free => "nothing".into(),
     }
@@ -199,6 +200,11 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     );
     let now_mm = format!(" (now {:.2} mm)", tool.shank_radius_mm);
     row("thickest shank that opens it", mm(found.shank_radius_mm, 2, "none, not even as thin as the ball") + &now_mm);
+    let travel = found.least_travel.map_or_else(
+        || "none, not even without limit".into(),
+        |t| format!("±{:.3} mm about {:.3} mm (no less than ±{:.3} mm)", t.half_mm, t.middle_mm, t.bound_mm),
+    );
+    row("least travel of Y that opens it", travel);
     if let Some(f) = &found.farthest {
         row(
             "leads farthest",

@@ -7,6 +7,7 @@ use super::args::{Faces, Job, Plan, Reading, RegionHeights};
 use super::out::sayln;
 use super::progress::Terminal;
 use crate::artifact::program::CycleTime;
+use crate::artifact::report::TurningFigures;
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::files;
 use crate::job::{Draft, JobFile};
@@ -158,6 +159,9 @@ fn print_summary(s: &Summary) {
     row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
     print_channel(s.channel_width_min_deg, s.channel_narrowest_row, s.channel_monotone_min_deg);
+    if let Some(turning) = &s.turning {
+        print_turning(turning);
+    }
     if let [used, fixed, ..] = &s.schedules[..] {
         sayln!("  {:<34} {:>14} {:>14}", "", format!("{:?}", used.kind).to_lowercase(), "fixed lead");
         let pair = |name: &str, f: &dyn Fn(&ScheduleFigures) -> String| {
@@ -168,6 +172,22 @@ fn print_summary(s: &Summary) {
         pair("reversals", &|x| x.reversals.to_string());
         pair("locations outside the channel", &|x| x.outside_channel.to_string());
         pair("time within the machine's limits", &|x| minutes(x.machining_time_s));
+    }
+}
+
+/// Turn-milling.
+fn print_turning(t: &TurningFigures) {
+    let [least, greatest] = t.offset_mm;
+    row("offset from the blade axis", format!("{least:.3} to {greatest:.3} mm"));
+    if let Some(([least, greatest], ripple)) = t.turning_per_min.zip(t.ripple) {
+        row("blade turns at", format!("{least:.3} to {greatest:.3} 1/min, within a turn by {:.3} %", 100.0 * ripple));
+    }
+    if let Some(tooth) = &t.tooth {
+        let chip = tooth.chip_mm.map_or_else(String::new, |chip| format!(", chip {chip:.4} mm"));
+        row("feed per tooth, at most", format!("{:.4} mm{chip}", tooth.feed_mm));
+        row("  time below the least", format!("{:.2} %", 100.0 * tooth.below_least));
+        row("  marks along the feed", format!("{:.5} mm", tooth.mark_mm));
+        row("  cutting speed, at least", format!("{:.1} m/min", tooth.least_speed_m_min));
     }
 }
 

@@ -163,6 +163,11 @@ pub enum Bound {
     },
     /// A limit of the rotary axis.
     AxisLimit,
+    /// Travel of a linear axis.
+    Travel {
+        /// Its name.
+        axis: String,
+    },
     /// The permitted range of the contact angle.
     ContactAngle,
 }
@@ -370,6 +375,40 @@ pub enum Infeasible {
     ScheduleFails {
         /// Where.
         at: Along,
+    },
+    /// No offset of the tool from the blade axis is within the channel everywhere.
+    NoOffset {
+        /// Where it must be at least…
+        low_at: Along,
+        /// … this, mm.
+        low_mm: f64,
+        /// Where it may be at most…
+        high_at: Along,
+        /// … this, mm.
+        high_mm: f64,
+    },
+    /// The offset that is asked for is not within the channel.
+    OffsetOutside {
+        /// It, mm.
+        asked_mm: f64,
+        /// What the channel allows, mm.
+        range_mm: [f64; 2],
+    },
+    /// The machine has none of the offsets that the channel allows.
+    OffsetBeyondTravel {
+        /// What the channel allows, mm.
+        channel_mm: [f64; 2],
+        /// What the machine has, mm.
+        travel_mm: [f64; 2],
+    },
+    /// No speed of turning that stays the same all through a turn is within the channel.
+    NoEvenSpeed {
+        /// Where θ is at least on its lower wall…
+        from: Along,
+        /// … and with that speed beyond its upper wall, or the other way round.
+        to: Along,
+        /// The ball would be slower than it is to be; else faster than it can be.
+        too_slow: bool,
     },
     /// There is no schedule to choose from.
     NoSchedules,

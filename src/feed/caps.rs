@@ -3,11 +3,50 @@
 
 use super::FeedOptions;
 use super::curve::choose;
+use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
 
 /// Slopes are taken over at least this many ball radii: contacts on facets jump.
 const SPAN: f64 = 0.05;
+
+/// Greatest speeds by what does not depend on the machine.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Caps {
+    /// Greatest ṡ² in each interval between locations, mm²/s².
+    pub squares: Vec<f64>,
+    /// An axis by its index, and its greatest velocity in each interval where that is less than its
+    /// own limit, rad/s.
+    pub turning: Option<(usize, Vec<f64>)>,
+}
+
+impl Caps {
+    /// The velocity that an axis may have in an interval.
+    pub fn velocity(&self, interval: usize, axis: usize, limit: f64) -> f64 {
+        let own = self.turning.as_ref().filter(|(k, _)| *k == axis);
+        own.and_then(|(_, of)| of.get(interval)).map_or(limit, |v| v.min(limit))
+    }
+
+    /// Greatest ṡ² in an interval.
+    pub fn square(&self, interval: usize) -> f64 {
+        self.squares.get(interval).copied().unwrap_or(f64::INFINITY)
+    }
+}
+
+impl From<Vec<f64>> for Caps {
+    fn from(squares: Vec<f64>) -> Self {
+        Caps { squares, turning: None }
+    }
+}
+
+/// The rates that a schedule lets the turning axis have, in each interval; `None` where it says
+/// nothing.
+pub(super) fn rates(path: &Toolpath, schedule: &Schedule) -> Option<Vec<f64>> {
+    let of = |turn: u32| schedule.rates.get(turn as usize).copied().unwrap_or(f64::INFINITY);
+    // Between turns the slower one counts.
+    let between = |w: &[CutterLocation]| of(w[0].turn).min(of(w[1].turn));
+    (!schedule.rates.is_empty()).then(|| path.locations.windows(2).map(between).collect())
+}
 
 /// No feed takes less along the path, whatever the schedule and the machine, s: every length at the
 /// greatest speed that the programmed feed and the contact allow.
@@ -42,7 +81,8 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
         let ds = l[b].s_mm - l[a].s_mm;
         let mut most = feed;
         if options.limit_contact && ds > 0.0 {
-            most = most.min(feed * ds / (l[b].contact - l[a].contact).norm().max(1e-3 * ds));
+            let contact = options.contact_mm_s.map_or(feed, |own| own.min(feed));
+            most = most.min(contact * ds / (l[b].contact - l[a].contact).norm().max(1e-3 * ds));
         }
         if a < i && i < b {
             let (p, q) = (tips[i] - tips[a], tips[b] - tips[i]);

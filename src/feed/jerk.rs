@@ -33,6 +33,7 @@
 use rayon::prelude::*;
 
 use super::PER_THREAD;
+use super::caps::Caps;
 use super::curve::AxisCurve;
 use crate::observe::Observer;
 
@@ -67,16 +68,16 @@ pub(super) struct Smooth {
     pub gap: f64,
 }
 
-/// See the module's page. `cap`: greatest ṡ² in each interval of the curve. `None` where
+/// See the module's page. `None` where
 /// derivatives of the curve are too great for numbers, or when the user has asked to stop.
 pub(super) fn fastest(
     curve: &AxisCurve,
     limits: &Limits,
     feed: f64,
-    cap: &[f64],
+    cap: &Caps,
     observer: &dyn Observer,
 ) -> Option<Smooth> {
-    let grid = cells::grid(curve.abscissae());
+    let grid = cells::grid(curve, cap);
     let units = Units::of(&grid, feed, limits);
     let mut room = cells::derivatives(&grid, limits.len());
     let cells = cells::cells(curve, &grid, cap, (limits, units), &mut room);
@@ -86,7 +87,7 @@ pub(super) fn fastest(
     let inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?;
     let begin = start::profile(inner, ends, &scaled)?;
     let problem = Problem { inner, ends, limits: &scaled };
-    let found = search::fastest(&problem, &begin, observer)?;
+    let found = search::fastest(&problem, &begin, cap.turning.is_some(), observer)?;
     let mut out = assemble(&grid, &cells, &found, units);
     slow_down(&mut out, inner, &scaled, units);
     out.t.iter().chain(&out.x).all(|v| v.is_finite()).then_some(out)

@@ -69,6 +69,7 @@ use crate::machine::Machine;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::settings::with_settings;
 
+use caps::Caps;
 use curve::{AxisCurve, Programmed};
 
 pub use caps::least_time;
@@ -97,6 +98,9 @@ pub struct FeedOptions {
     pub period_s: f64,
     /// Keep the contact point's speed over the part within the programmed feed, too.
     pub limit_contact: bool,
+    /// Greatest speed of the contact point over the part where that is less than the programmed
+    /// feed, mm/s: what the chip allows.
+    pub contact_mm_s: Option<f64>,
 }
 
 with_settings!(FeedOptions, FeedSettings);
@@ -111,6 +115,7 @@ impl FeedOptions {
             chord_mm: CHORD_MM,
             period_s: 0.002,
             limit_contact: true,
+            contact_mm_s: None,
         }
     }
 
@@ -179,9 +184,11 @@ pub fn plan_with_bound(
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, Option<f64>)> {
     let (curve, rates) = axis_curve(path, schedule, on, machine, options)?;
-    let mut caps = caps::of_path(path, schedule, options);
+    let mut squares = caps::of_path(path, schedule, options);
     // Of the ball centre's speed; by the parameter it goes a little faster or slower.
-    caps.iter_mut().zip(&rates).for_each(|(cap, rate)| *cap /= rate * rate);
+    squares.iter_mut().zip(&rates).for_each(|(cap, rate)| *cap /= rate * rate);
+    let turning = caps::rates(path, schedule).map(|of| (machine.turning_axis(), of));
+    let caps = Caps { squares, turning };
     let (motion, gap) = fastest(&curve, &caps, machine, options, observer)?;
     Ok((if rates.is_empty() { motion } else { with_feeds(motion, path) }, gap))
 }
@@ -205,21 +212,21 @@ pub fn plan_at(
     let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
     let options = FeedOptions { limit_contact: false, ..options.with(|s| s.feed_mm_min = most_mm_min) };
     let (curve, _) = axis_curve(path, schedule, None, machine, &options)?;
-    let mut caps = caps::of_path(path, schedule, &options);
-    caps.iter_mut().zip(speeds_mm_s).for_each(|(cap, speed)| *cap = cap.min(speed * speed));
-    fastest(&curve, &caps, machine, &options, observer).map(|(motion, _)| motion)
+    let mut squares = caps::of_path(path, schedule, &options);
+    squares.iter_mut().zip(speeds_mm_s).for_each(|(cap, speed)| *cap = cap.min(speed * speed));
+    fastest(&curve, &squares.into(), machine, &options, observer).map(|(motion, _)| motion)
 }
 
-/// The fastest motion along a curve, its speed in each interval capped (mm²/s²), and within jerk
+/// The fastest motion along a curve, its speed in each interval capped, and within jerk
 /// what its bound leaves open.
 fn fastest(
     curve: &AxisCurve,
-    caps: &[f64],
+    caps: &Caps,
     machine: &Machine,
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, Option<f64>)> {
-    let (axes, count) = (machine.axes(), caps.len() + 1);
+    let (axes, count) = (machine.axes(), caps.squares.len() + 1);
     observer.check(Stage::Feed)?;
     observer.progress(Stage::Feed, 0, count);
     if options.limit_jerk {

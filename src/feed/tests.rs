@@ -50,7 +50,7 @@ fn assert_within_limits(p: &Toolpath, s: &Schedule, machine: &Machine, o: &FeedO
     let limits: Vec<_> = machine.axes().iter().map(|a| [a.limits.velocity, a.limits.acceleration]).collect();
     let feed = o.settings.feed_mm_min / 60.0;
     let at_s = curve.abscissae();
-    let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()], &Silent).unwrap();
+    let profile = topp::fastest(&curve, &limits, &vec![feed * feed; at_s.len()].into(), &Silent).unwrap();
     for i in 0..at_s.len() - 1 {
         let h = at_s[i + 1] - at_s[i];
         for k in 0..=8 {
@@ -478,7 +478,7 @@ fn every_limit_is_kept_between_locations_of_a_curve() {
         });
         let speed = feed / 60.0;
         let caps: Vec<f64> = rates.iter().map(|r| (speed / r).powi(2)).collect();
-        let p = jerk::fastest(&curve, &limits, speed, &caps, &Silent).unwrap();
+        let p = jerk::fastest(&curve, &limits, speed, &caps.into(), &Silent).unwrap();
         assert!((0.0..0.06).contains(&p.gap), "{}", p.gap);
         let s = curve.abscissae();
         let mut reached = [0.0f64; 3];

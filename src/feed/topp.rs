@@ -7,6 +7,7 @@
 
 use rayon::prelude::*;
 
+use super::caps::{Caps, of_velocity};
 use super::curve::{AxisCurve, bernstein};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
@@ -79,12 +80,12 @@ struct Range {
 }
 
 impl<'a> Strips<'a> {
-    /// Of interval `i`. `limits`: velocity and acceleration of each axis; `most`: greatest ṡ² in
-    /// each interval; `rows`: [`OF_AXIS`] for each axis, to be filled.
-    fn new(curve: &AxisCurve, i: usize, limits: &[[f64; 2]], most: &[f64], rows: &'a mut [Strip]) -> Self {
+    /// Of interval `i`. `limits`: velocity and acceleration of each axis; `rows`: [`OF_AXIS`] for
+    /// each axis, to be filled.
+    fn new(curve: &AxisCurve, i: usize, limits: &[[f64; 2]], most: &Caps, rows: &'a mut [Strip]) -> Self {
         let s = curve.abscissae();
         let h = s[i + 1] - s[i];
-        let own = most.get(i).copied().unwrap_or(f64::INFINITY);
+        let own = most.square(i);
         let mut caps = [own; 2];
         let of_axis = rows.len() / limits.len().max(1);
         for (k, ([velocity, acceleration], rows)) in
@@ -93,7 +94,7 @@ impl<'a> Strips<'a> {
             rows.fill(Strip::WITHOUT_END);
             if let Some(quintic) = curve.quintic(i, k) {
                 let (q1, q2, _) = bernstein(quintic, 0.0, h);
-                let line = super::caps::of_velocity(&q1, *velocity, own);
+                let line = of_velocity(&q1, most.velocity(i, k, *velocity), own);
                 caps = [caps[0].min(line[0]), caps[1].min(line[1])];
                 // q' + 2t q'' and q'', both of degree 4.
                 for (j, row) in rows.iter_mut().enumerate() {
@@ -108,7 +109,7 @@ impl<'a> Strips<'a> {
             // q' = b + 2ct + 3dt², q'' = 2c + 6dt, q' + 2t q'' = b + 6ct + 15dt².
             let [_, b, c, d] = curve.cubic(i, k);
             let (c, d) = (c * h, d * h * h);
-            let line = super::caps::of_velocity(&[b, b + c, b + 2.0 * c + 3.0 * d], *velocity, own);
+            let line = of_velocity(&[b, b + c, b + 2.0 * c + 3.0 * d], most.velocity(i, k, *velocity), own);
             caps = [caps[0].min(line[0]), caps[1].min(line[1])];
             let of_u = [b, b + 3.0 * c, b + 6.0 * c + 15.0 * d];
             let of_x = [2.0 * c, 2.0 * c + 3.0 * d, 2.0 * c + 6.0 * d].map(|v| v / h);
@@ -162,14 +163,8 @@ impl<'a> Strips<'a> {
     }
 }
 
-/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis; `most`:
-/// greatest ṡ² in each interval.
-pub(super) fn fastest(
-    curve: &AxisCurve,
-    limits: &[[f64; 2]],
-    most: &[f64],
-    observer: &dyn Observer,
-) -> Result<Profile> {
+/// The fastest profile from rest to rest. `limits`: velocity and acceleration of each axis.
+pub(super) fn fastest(curve: &AxisCurve, limits: &[[f64; 2]], most: &Caps, observer: &dyn Observer) -> Result<Profile> {
     let n = curve.abscissae().len();
     let of_axis = if curve.is_bent() { OF_BENT_AXIS } else { OF_AXIS };
     let of_interval = (of_axis * limits.len()).max(1);

@@ -19,6 +19,7 @@ use crate::path::{self, PathKeys, PathSettings};
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
 use crate::settings::{Number, TINY, check};
+use crate::tool::CutSettings;
 use crate::verify::VerifySettings;
 use crate::write::post::PostSettings;
 
@@ -61,6 +62,11 @@ const LEAST_SCALLOP_MM: f64 = 2.5e-4;
 /// Values that are wrong on any blade are refused before the model is read.
 fn early_checks(typed: &JobFile) -> Result<()> {
     let (tool, path) = (typed.tool.clone().unwrap_or_default(), typed.path.clone().unwrap_or_default());
+    let spindle = typed.post.as_ref().and_then(|p| p.spindle_rpm);
+    if typed.cut.is_some() && spindle.is_none() {
+        return Err(Error::usage(Stage::Job, "the job has a section cut, but post.spindle_rpm is missing")
+            .advise("name the spindle speed that the teeth turn at"));
+    }
     if tool.library.is_some() || tool.entry.is_some() || tool.unit.is_some() {
         return Err(Error::usage(Stage::Job, "tool.library, entry and unit name a tool in a file, which was not read")
             .advise("in the library, read it with run::inputs::draft"));
@@ -147,6 +153,7 @@ impl Draft {
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
             wheel: t.wheel.map(|w| WheelSettings::default().with_typed(Some(w))),
             orientation: OrientationSettings::default().with_typed(t.orientation),
+            cut: t.cut.map(|c| CutSettings::default().with_typed(Some(c))),
             path,
             channel,
             schedule,

@@ -12,7 +12,7 @@ use crate::path::PathSettings;
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
 use crate::settings::{Number, TINY, check};
-use crate::tool::Tool;
+use crate::tool::{Chip, CutSettings, Tool};
 use crate::verify::VerifySettings;
 use crate::write::post::PostSettings;
 
@@ -52,6 +52,9 @@ pub struct Job {
     /// The wheel that the blade belongs to. Default, left out: the blade stands alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wheel: Option<WheelSettings>,
+    /// What each tooth cuts. Default, left out: not looked at.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut: Option<CutSettings>,
     /// Which tool axes there are to choose from. Default, left out: the one cone of a root.
     #[serde(default, skip_serializing_if = "OrientationSettings::is_usual")]
     pub orientation: OrientationSettings,
@@ -81,6 +84,7 @@ impl Job {
             f.check(Stage::Job)?;
         }
         self.tool.validate()?;
+        self.chip()?;
         self.orientation.check(Stage::Job)?;
         if let Some(wheel) = &self.wheel {
             wheel.validate()?;
@@ -109,6 +113,14 @@ impl Job {
             return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
         }
         Ok(())
+    }
+
+    /// What the teeth may cut; `None` where the job says nothing of it.
+    ///
+    /// # Errors
+    /// `Usage` naming key, value and limits.
+    pub fn chip(&self) -> Result<Option<Chip>> {
+        self.cut.map(|cut| Chip::of(&cut, self.tool.radius_mm, self.post.spindle_rpm)).transpose()
     }
 
     /// The job as the text of a job file.

@@ -11,6 +11,7 @@ use crate::orient::OrientationKeys;
 use crate::path::PathKeys;
 use crate::schedule::ScheduleKeys;
 use crate::section::SectionKeys;
+use crate::tool::CutKeys;
 use crate::verify::VerifyKeys;
 use crate::write::post::PostKeys;
 
@@ -54,6 +55,9 @@ pub struct JobFile {
     /// How fast.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed: Option<FeedKeys>,
+    /// What each tooth cuts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut: Option<CutKeys>,
     /// Programs to write.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub post: Option<PostKeys>,

@@ -1,9 +1,15 @@
 //! Travel and swing against the machine's limits.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use super::{Axis, Machine};
-use crate::artifact::AxisMotion;
+use crate::artifact::axis_travel::Affine;
+use crate::artifact::{AxisMotion, AxisTravel};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
+
+/// Distance between points by which affine functions are found, mm.
+const UNIT_MM: f64 = 100.0;
 
 /// The worst position of one axis outside its travel.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +59,37 @@ impl Machine {
             out.extend(worst);
         }
         out
+    }
+
+    /// The linear axes' travel as limits of θ at one lean, for a gauge length, mm; empty where more
+    /// than one rotary axis moves while the tool goes round the blade.
+    pub fn travels(&self, lean_rad: f64, gauge_length_mm: f64) -> Vec<AxisTravel> {
+        if !self.turns_the_blade() {
+            return Vec::new();
+        }
+        let corners = [
+            Point::origin(),
+            Point::new(UNIT_MM, 0.0, 0.0),
+            Point::new(0.0, UNIT_MM, 0.0),
+            Point::new(0.0, 0.0, UNIT_MM),
+        ];
+        let one = |k: usize| -> Option<AxisTravel> {
+            let axis = &self.axes()[k];
+            let limits_mm = axis.limits.travel?;
+            let at = |corner: &Point, theta: f64| self.inverse(corner, theta, lean_rad, gauge_length_mm)[k];
+            let waves = corners.map(|c| {
+                let (ahead, beside, back) = (at(&c, 0.0), at(&c, FRAC_PI_2), at(&c, PI));
+                let mean = 0.5 * (ahead + back);
+                [mean, 0.5 * (ahead - back), beside - mean]
+            });
+            let [mean, cos, sin] = [0, 1, 2].map(|w| -> Affine {
+                let [origin, x, y, z] = waves.map(|v| v[w]);
+                [origin, (x - origin) / UNIT_MM, (y - origin) / UNIT_MM, (z - origin) / UNIT_MM]
+            });
+            let finite = [mean, cos, sin].as_flattened().iter().all(|v| v.is_finite());
+            finite.then(|| AxisTravel { name: format!("axis {}", axis.name), limits_mm, mean, cos, sin })
+        };
+        self.linear().into_iter().filter_map(one).collect()
     }
 
     /// Whether a part of these points (blade frame, mm) turns freely.
@@ -109,6 +146,37 @@ mod tests {
         assert_eq!((found[0].axis.name.as_str(), found[0].row, found[0].excess), ("Y", 2, 10.0));
         assert_eq!((found[1].axis.name.as_str(), found[1].row), ("B", 3));
         assert!(found[0].to_string().contains("Y is at -340.000 mm at location 2, 10.000 mm past"));
+    }
+
+    #[test]
+    fn travel_as_a_limit_of_the_angle_is_that_of_the_kinematics() {
+        use crate::artifact::axis_travel::offset_mm;
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines");
+        let mut chains = 0;
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+            let m = Machine::from_toml(&text, "machine").unwrap();
+            let lean = if m.leans(0.2) { 0.2 } else { 0.0 };
+            let travels = m.travels(lean, 130.0);
+            assert_eq!(travels.is_empty(), !m.turns_the_blade(), "{}", m.name);
+            for (travel, k) in travels.iter().zip(m.linear()) {
+                for i in 0..50 {
+                    let f = f64::from(i);
+                    let c = Point::new(30.0 * f, 40.0 * (0.3 * f).sin(), 25.0 * (0.7 * f).cos());
+                    let q = m.inverse(&c, 0.9 * f, lean, 130.0)[k];
+                    assert!((travel.at(&c, 0.9 * f) - q).abs() < 1e-9, "{} {}", m.name, travel.name);
+                }
+                chains += 1;
+            }
+        }
+        assert!(chains >= 9);
+        // The offset is the Y of the demo machine.
+        let m = Machine::demo().unwrap();
+        let c = Point::new(5.0, 12.0, -7.0);
+        for theta in [-2.0, 0.1, 1.4, 9.0] {
+            let y = m.inverse(&c, theta, 0.1, 130.0)[1];
+            assert!((y - offset_mm(&c, theta)).abs() < 1e-9);
+        }
     }
 
     #[test]

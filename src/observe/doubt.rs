@@ -126,6 +126,22 @@ pub enum Doubt {
         /// Why.
         reason: String,
     },
+    /// Single teeth leave high marks along the feed.
+    FeedMarks {
+        /// Their height, mm.
+        mark_mm: f64,
+        /// Height without a warning, mm.
+        most_mm: f64,
+        /// Feed per tooth that leaves it, mm.
+        fz_mm: f64,
+        /// Feed that has it, mm/min.
+        feed_mm_min: f64,
+    },
+    /// The blade cannot turn at one speed all through each turn.
+    NotEven {
+        /// Greatest share by which it is slower than the rest of its turn.
+        share: f64,
+    },
     /// The helix ends before the height that the job asks for.
     HelixEndsEarly {
         /// Where it ends, mm.
@@ -364,6 +380,17 @@ impl fmt::Display for Doubt {
             Doubt::NoPathToCompare { kind, reason } => {
                 write!(f, "no {kind} path over the same region to compare with: {reason}")
             }
+            Doubt::FeedMarks { mark_mm, most_mm, fz_mm, feed_mm_min } => write!(
+                f,
+                "single teeth leave marks of {mark_mm:.5} mm along the feed, over {most_mm:.5} mm: {fz_mm:.4} mm per tooth would \
+                 do, {feed_mm_min:.0} mm/min"
+            ),
+            Doubt::NotEven { share } => write!(
+                f,
+                "the blade does not turn evenly: the linear axes hold it up by {:.2} % of its speed in some places, however \
+                 slowly it turns",
+                100.0 * share
+            ),
             Doubt::HelixEndsEarly { height_mm, asked_mm, reason } => write!(
                 f,
                 "the helix ends at height {height_mm:.3} mm instead of region.end_mm = {asked_mm} mm: {reason}"

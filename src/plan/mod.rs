@@ -16,9 +16,10 @@ use std::path::Path;
 use crate::artifact::blade::Blade;
 use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
+use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, Obstacle, Plan, Program, Schedule, Sweep, Wheel};
-use crate::channel::ChannelOptions;
+use crate::artifact::{AxisMotion, AxisTravel, Obstacle, Plan, Program, Schedule, Sweep, Wheel};
+use crate::channel::{ChannelOptions, ChannelSettings};
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedOptions;
 use crate::job::{Chosen, Draft, Job};
@@ -30,11 +31,13 @@ use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
 use crate::smooth::SmoothOptions;
+use crate::tool::Chip;
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions, Workspace};
 use crate::write::post::{self, Dialect, PostOptions};
 
 mod around;
 mod doubts;
+mod even;
 pub(crate) mod leads;
 mod orientation;
 pub(crate) mod paths;
@@ -130,13 +133,48 @@ impl Setup {
 
     /// Options of the channel as the job and the machine have them.
     pub fn channel_options(&self) -> ChannelOptions {
-        let (theta_limits_rad, settings) = (self.theta_limits(), self.job.channel.clone());
-        ChannelOptions { settings, theta_limits_rad, sweep: self.sweep(), ..ChannelOptions::default() }
+        let contact_angle_min_deg = self.least_contact_deg();
+        let settings = ChannelSettings { contact_angle_min_deg, ..self.job.channel.clone() };
+        let theta_limits_rad = self.theta_limits();
+        let (travel, sweep) = (self.travel(), self.sweep());
+        ChannelOptions { settings, theta_limits_rad, travel, sweep, ..ChannelOptions::default() }
     }
 
     /// How θ goes along the path.
     fn sweep(&self) -> Sweep {
         if self.job.orientation.kind.goes_round() { Sweep::Round } else { Sweep::Swing }
+    }
+
+    /// Travel of linear axes as limits of θ, where the tool goes round with one lean: the range of
+    /// offsets that the job asks for, and the machine's. An offset that stays is chosen within the
+    /// range of the axis that then stands still, which may be one place.
+    fn travel(&self) -> Vec<AxisTravel> {
+        let stays = self.job.schedule.kind == ScheduleKind::Eccentric;
+        let asked = self.job.channel.offset_mm.map(|range| AxisTravel::of_offset("Y (channel.offset_mm)", range));
+        let all = asked.into_iter().chain(self.machine_travel());
+        all.filter(|t| self.job.orientation.kind.goes_round() && !(stays && t.as_offsets().is_some())).collect()
+    }
+
+    fn machine_travel(&self) -> Vec<AxisTravel> {
+        self.machine.travels(self.job.machine.b_deg.to_radians(), self.job.tool.length_mm())
+    }
+
+    /// Offsets of the tool from the blade axis that job and machine allow, mm.
+    fn offset_range_mm(&self) -> Option<[f64; 2]> {
+        let machine = self.machine_travel().iter().find_map(AxisTravel::as_offsets);
+        let both = self.job.channel.offset_mm.into_iter().chain(machine);
+        both.reduce(|a, b| [a[0].max(b[0]), a[1].min(b[1])])
+    }
+
+    /// What the teeth may cut; the job has been checked.
+    fn chip(&self) -> Option<Chip> {
+        self.job.chip().ok().flatten()
+    }
+
+    /// The least contact angle by the channel and by the cutting speed, degrees.
+    fn least_contact_deg(&self) -> f64 {
+        let own = self.job.channel.contact_angle_min_deg;
+        self.chip().map_or(own, |chip| own.max(chip.least_angle_rad.to_degrees()))
     }
 
     /// θ at the ends of travel of the axis that turns the blade, rad.
@@ -148,7 +186,8 @@ impl Setup {
     /// Options of the schedule as the job and the machine have them.
     pub fn schedule_options(&self) -> ScheduleOptions {
         let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
-        ScheduleOptions { settings: self.job.schedule, pace, ..ScheduleOptions::default() }
+        let offset_range_mm = self.offset_range_mm();
+        ScheduleOptions { settings: self.job.schedule, pace, offset_range_mm, ..ScheduleOptions::default() }
     }
 
     /// Options of the smooth curve as the job has them: at most a third of the limit of gouges.
@@ -168,7 +207,8 @@ impl Setup {
     /// Options of the feed as the job has them.
     pub fn feed_options(&self) -> FeedOptions {
         let usual = FeedOptions::new(self.job.feed.feed_mm_min, self.job.tool.length_mm());
-        FeedOptions { settings: self.job.feed, chord_mm: self.job.path.chord_mm, ..usual }
+        let contact_mm_s = self.chip().map(|chip| chip.contact_mm_s[1]).filter(|most| most.is_finite());
+        FeedOptions { settings: self.job.feed, chord_mm: self.job.path.chord_mm, contact_mm_s, ..usual }
     }
 
     /// Limits of the checks, as the job has them.
@@ -198,12 +238,14 @@ impl Setup {
             end_mm: job.region.end_mm,
             max_lean_rad: p.max_lean_deg.to_radians(),
             b_rad: self.job.orientation.kind.goes_round().then_some(b_rad),
-            contact_rad: [c.contact_angle_min_deg, c.contact_angle_max_deg].map(f64::to_radians),
+            contact_rad: [self.least_contact_deg(), c.contact_angle_max_deg].map(f64::to_radians),
             theta_limits_rad: self.theta_limits(),
             tolerance_rad: c.tolerance_deg.to_radians(),
             schedule: job.schedule.kind,
             feed_mm_min: job.feed.feed_mm_min,
             lead_radius_mm: job.feed.lead_radius_mm,
+            offset_mm: c.offset_mm,
+            chip: self.chip(),
         }
     }
 

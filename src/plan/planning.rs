@@ -1,6 +1,6 @@
 //! The planning stages, one after another.
 
-use super::{Baseline, Setup, leads, schedules, smoothing};
+use super::{Baseline, Setup, even, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
@@ -117,6 +117,9 @@ fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn O
     match setup.job.schedule.kind {
         ScheduleKind::Time => {
             schedules::least_time(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
+        }
+        ScheduleKind::Even => {
+            even::even(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
         }
         kind => Ok((schedule::plan(kind, path, channel, &setup.schedule_options(), observer)?, None)),
     }

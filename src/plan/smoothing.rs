@@ -551,6 +551,7 @@ fn along(path: &Toolpath, before: &Schedule, theta: Vec<f64>, curve: &Programmed
         theta,
         pieces: Vec::new(),
         key_points: before.key_points.clone(),
+        rates: before.rates.clone(),
         peak_rate: rate,
         peak_acceleration: second,
         quality: Quality { peak_third: whole.then_some(third), curvature_continuous: whole, ..Quality::default() },

@@ -99,11 +99,18 @@ impl<'a> Earlier<'a> {
         let among = among && a.wheel == b.wheel && a.orientation == b.orientation;
         // The machine limits the rotary axis.
         let among = among && mine.machine == yours.machine;
-        if !(among && a.tool == b.tool && same_channel(&a.channel, &b.channel) && a.machine.b_deg == b.machine.b_deg) {
+        if !(among
+            && same_travel(a, b)
+            && a.tool == b.tool
+            && same_channel(&a.channel, &b.channel)
+            && same_chip(a, b)
+            && a.machine.b_deg == b.machine.b_deg)
+        {
             return b.region.end_mm.is_some().then_some(Stage::Path);
         }
         let machine = mine.machine == yours.machine && a.feed == b.feed;
-        let timed = b.schedule.kind == ScheduleKind::Time;
+        let machine = machine && same_chip(a, b);
+        let timed = matches!(b.schedule.kind, ScheduleKind::Time | ScheduleKind::Even);
         if a.schedule != b.schedule || (timed && !machine) {
             return Some(Stage::Channel);
         }
@@ -123,7 +130,10 @@ impl<'a> Earlier<'a> {
             post: b.post.clone(),
             ..job.clone()
         };
-        [GOOD, FINDINGS].contains(&self.before.status.as_str()) && mine == yours && bare(a) == bare(b)
+        [GOOD, FINDINGS].contains(&self.before.status.as_str())
+            && same_chip(a, b)
+            && mine == yours
+            && bare(a) == bare(b)
     }
 
     /// A file of that run as it left it; `None` where it has been changed since.
@@ -148,6 +158,17 @@ impl<'a> Earlier<'a> {
         report.checks.retain(|c| !c.id.is_of_program() && !c.id.is_of_files());
         Some(Checks { report, seal: self.before.seal.clone()? })
     }
+}
+
+/// An offset that stays is not limited by the channel.
+fn same_travel(a: &Job, b: &Job) -> bool {
+    let stays = |job: &Job| job.schedule.kind == ScheduleKind::Eccentric;
+    stays(a) == stays(b)
+}
+
+/// The teeth may cut the same: spindle speed is of the programs alone where nobody asks for a chip.
+fn same_chip(a: &Job, b: &Job) -> bool {
+    a.cut == b.cut && (a.cut.is_none() || a.post.spindle_rpm == b.post.spindle_rpm)
 }
 
 /// Hashes of a run's input files.

@@ -1,7 +1,7 @@
 //! `summary.json`: the figures of a run.
 
 use crate::artifact::program::{CycleTime, Program};
-use crate::artifact::report::LimitFigures;
+use crate::artifact::report::{LimitFigures, TurningFigures};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{PathKind, Toolpath};
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule};
@@ -192,6 +192,9 @@ pub struct Summary {
     /// below.
     #[serde(default)]
     pub limits_assumed: Vec<String>,
+    /// Turn-milling, where the job asks for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turning: Option<TurningFigures>,
     /// Programs, with where their time goes.
     #[serde(default)]
     pub programs: Vec<ProgramFigures>,
@@ -326,6 +329,7 @@ pub fn summary(
         schedules,
         smooth: smooth_figures(plan, axes),
         limits_assumed: Vec::new(),
+        turning: report.turning,
         programs: Vec::new(),
         passed: report.passed(),
     }

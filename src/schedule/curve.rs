@@ -162,6 +162,7 @@ pub(super) fn schedule(kind: ScheduleKind, pieces: Vec<BezierPiece>, theta: Vec<
         theta,
         pieces,
         key_points: Vec::new(),
+        rates: Vec::new(),
         peak_rate,
         peak_acceleration,
     }

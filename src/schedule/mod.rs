@@ -22,6 +22,9 @@
 //!   ([`Pace`]). Where [`Pace::standing_mm`] asks for it, the axis nearly stands still while the
 //!   ball gains and loses its feed. The pipeline, which knows the machine, compares the candidates
 //!   with the other kinds.
+//! * `eccentric`: the tool at one offset from the blade axis all along, so that a lathe's Y stands
+//!   still (`eccentric` module).
+//! * `even`: the blade turns at one speed all through each turn (`even` module).
 //! * `piecewise`: piecewise decoupled re-scheduling for four-axis blade milling. In order:
 //!   1. *Walls*: the monotone hull of the channel, straight between cutter locations, moved inwards
 //!      by a margin.
@@ -79,6 +82,8 @@ mod by_turn;
 mod check;
 mod corridor;
 mod curve;
+mod eccentric;
+mod even;
 mod fixed;
 mod keys;
 mod optimal;
@@ -95,6 +100,7 @@ use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::Observer;
 
+pub use even::{Speeds, even};
 pub use options::{Pace, ScheduleOptions};
 pub use settings::{ScheduleKeys, ScheduleSettings};
 
@@ -131,6 +137,8 @@ pub fn plan(
     let options = &given;
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
+        ScheduleKind::Even => bad("a schedule of kind even needs the speeds that the ball can have: see even()".into()),
+        ScheduleKind::Eccentric => eccentric::plan(path, channel, options, observer),
         ScheduleKind::Quaternion => quaternion::plan(path, channel, options, observer),
         ScheduleKind::Optimal | ScheduleKind::Time => {
             optimal::plan(kind, path, pinned.as_ref().unwrap_or(channel), options, observer)

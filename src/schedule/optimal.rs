@@ -29,6 +29,8 @@ pub(super) const V: usize = 6;
 const SPARE: f64 = 1e-3;
 /// Weight of the mean square against the mean of the turns' peaks in the second round.
 const ROUND: f64 = 3e-3;
+/// Parts of a turn over which bands of slopes change.
+const PARTS: f64 = 20.0;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
 /// Share of the slope that full feed allows which counts as standing still.
@@ -154,6 +156,15 @@ impl SolverUnits {
         }
     }
 
+    /// For slopes within bands: what they change by, over a part of a turn.
+    pub fn of_slopes(walls: &Corridor, turns: usize, slopes: &[[f64; 2]]) -> SolverUnits {
+        let usual = SolverUnits::of(walls, turns);
+        let [least, greatest] =
+            slopes.iter().map(|s| s[0]).fold([f64::INFINITY, 0.0], |[a, b], v| [f64::min(a, v), f64::max(b, v)]);
+        let change = ((greatest - least) * usual.length).clamp(1e-2, 1e3);
+        SolverUnits { second: change * PARTS, third: PARTS, ..usual }
+    }
+
     pub fn line(&self, walls: &Corridor, i: usize) -> f64 {
         self.base[0] + self.base[1] * (walls.s[i] - self.from)
     }
@@ -167,6 +178,9 @@ pub(super) enum Goal {
     Turns { third: bool, cap: f64, borders: Vec<bool> },
     /// The integral of the square.
     Square { third: bool },
+    /// The integral of the square of the third derivative, with θ' within limits in each interval
+    /// between samples, rad/mm.
+    Even { slopes: Vec<[f64; 2]> },
     /// The mean over blocks of the factor γ ≥ 1 by which θ' and θ'' exceed what the pace allows.
     /// Solved for γ / `unit`.
     Pace { pace: Pace, unit: f64, borders: Vec<bool> },
@@ -280,9 +294,14 @@ fn solve(
             (found, vec![weight])
         }
     };
-    let slope = last.v.iter().map(|v| scale.base[1] + v[1] / scale.length).collect();
-    let theta = last.v.iter().enumerate().map(|(i, v)| scale.line(walls, i) + v[0]).collect();
+    let (theta, slope) = values(walls, &scale, &last);
     Ok(Solved { walls: walls.clone(), theta, slope, weights })
+}
+
+/// θ, rad, and θ', rad/mm, at the samples of the walls.
+pub(super) fn values(walls: &Corridor, scale: &SolverUnits, found: &Solution<X, V>) -> (Vec<f64>, Vec<f64>) {
+    let theta = found.v.iter().enumerate().map(|(i, v)| scale.line(walls, i) + v[0]);
+    (theta.collect(), found.v.iter().map(|v| scale.base[1] + v[1] / scale.length).collect())
 }
 
 /// The multipliers of `|θ''| ≤ γ` per length: the other form of the weight, better where walls
@@ -388,6 +407,10 @@ fn stage(walls: &Corridor, scale: &SolverUnits, goal: &Goal, i: usize) -> Stage<
     match goal {
         Goal::Pace { pace, unit, .. } => interval.keep_pace(pace, *unit, &mut out.rows),
         Goal::Peak { third } | Goal::Turns { third, .. } => interval.keep_below_peak(*third, &mut out.rows),
+        Goal::Even { slopes } => {
+            interval.keep_slopes(slopes, &mut out.rows);
+            out.hessian[3][3] = interval.h.max(1e-9);
+        }
         // γ is not used; something must hold it.
         Goal::Square { .. } => out.hessian[3][3] = interval.h.max(1e-9),
     }
@@ -454,6 +477,29 @@ impl<'a> Interval<'a> {
         }
     }
 
+    /// The control points of θ' are within the limits of the interval, and where it begins within
+    /// those of the one before.
+    fn keep_slopes(&self, slopes: &[[f64; 2]], rows: &mut Vec<Row<V>>) {
+        let Interval { scale, i, h, .. } = *self;
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        let own = slopes.get(i).copied().unwrap_or(free);
+        let before = i.checked_sub(1).and_then(|k| slopes.get(k)).copied().unwrap_or(free);
+        let both = [own[0].max(before[0]), own[1].min(before[1])];
+        let mut within = |g: [f64; V], [least, most]: [f64; 2]| {
+            let rise = |slope: f64| (slope - scale.base[1]) * scale.length;
+            if most.is_finite() {
+                rows.push(Row { g, most: rise(most) });
+            }
+            if least.is_finite() {
+                rows.push(Row { g: g.map(|v| -v), most: -rise(least) });
+            }
+        };
+        within([0.0, 1.0, 0.0, 0.0, 0.0, 0.0], both);
+        if !self.last {
+            within([0.0, 1.0, 0.5 * scale.second * h, 0.0, 0.0, 0.0], own);
+        }
+    }
+
     /// γ is at least 1 and as much as θ' and θ'' exceed what the pace allows; near the ends of the
     /// path θ all but stands.
     fn keep_pace(&self, pace: &Pace, unit: f64, rows: &mut Vec<Row<V>>) {
@@ -489,7 +535,7 @@ impl<'a> Interval<'a> {
     /// What γ costs, how much it may be, and where it may begin anew.
     fn weigh_peak(&self, goal: &Goal, out: &mut Stage<X, V>) {
         let borders = match goal {
-            Goal::Square { .. } => return,
+            Goal::Square { .. } | Goal::Even { .. } => return,
             Goal::Peak { .. } => &[][..],
             Goal::Turns { borders, .. } | Goal::Pace { borders, .. } => borders,
         };
@@ -511,6 +557,7 @@ impl<'a> Interval<'a> {
             Goal::Peak { third } => (*third, 0.0),
             Goal::Turns { third, .. } => (*third, ROUND),
             Goal::Square { third } => (*third, 1.0),
+            Goal::Even { .. } => (true, 1.0),
             Goal::Pace { .. } => (false, ROUND),
         };
         let weight = square * self.h / self.whole;

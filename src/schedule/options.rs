@@ -16,6 +16,9 @@ pub struct ScheduleOptions {
     /// θ at both ends of the path, where it is given, rad: kinds `optimal`, `time` and `piecewise`
     /// keep to it. No margin is kept from the walls then, since an end may be on one.
     pub ends_rad: Option<[f64; 2]>,
+    /// Least and greatest offset of the tool from the blade axis that the machine has for kind
+    /// `eccentric`, mm; `None`: any.
+    pub offset_range_mm: Option<[f64; 2]>,
     /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise`
     /// chooses by it.
     pub pace: Option<Pace>,

@@ -68,6 +68,7 @@ fn describe(binding: &Binding) -> String {
         Binding::Part { tool, .. } => format!("the tool's {tool} against the part"),
         Binding::Fixture { name, tool, .. } => format!("the tool's {tool} against {name}"),
         Binding::AxisLimit => "a limit of the rotary axis".into(),
+        Binding::Travel { axis } => format!("the travel of {axis}"),
         Binding::ContactAngle => "the permitted contact angle on the ball".into(),
         Binding::Free => "the cut through a free circle".into(),
     }

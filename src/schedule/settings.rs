@@ -27,6 +27,10 @@ section! {
         /// The default is in the middle of what CAM systems offer for ball-end finishing: it keeps
         /// the tip off the surface.
         lead_deg: f64 = 15.0, -85.0..=85.0;
+        /// Offset of the tool from the blade axis that kind `eccentric` keeps, mm: the Y of the ball centre where the blade axis is X and the tool comes from +Z.
+        /// Default: the offset with most room in the channel.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        offset_mm: f64 as Option<f64> = None, -1e4..=1e4;
         /// How far outside the channel the kinds `lower-wall` and `upper-wall` run, degrees; for trying the channel.
         #[serde(skip_serializing_if = "is_zero")]
         beyond_wall_deg: f64 = 0.0, 0.0..=45.0;

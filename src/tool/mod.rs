@@ -11,9 +11,12 @@
 //! with radius `R − r + r cos τ`. What is called ball centre elsewhere is the disc's.
 
 pub mod catalogue;
+pub mod chip;
 pub mod contact;
 pub mod scallop;
 pub mod stepover;
+
+pub use chip::{Chip, CutKeys, CutSettings};
 
 use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};

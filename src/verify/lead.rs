@@ -144,7 +144,8 @@ fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
 }
 
 /// The checks `lead-gouge`, `lead-clearance`, `lead-holder-clearance`, and `lead-obstacle` for the
-/// ball and for the rest of the tool with each fixture, over both ways; and `lead-axes`, `lead-travel`, `lead-limits` where there are arcs.
+/// ball and for the rest of the tool with each fixture, over both ways; and `lead-axes`,
+/// `lead-travel`, `lead-limits` where there are arcs.
 pub(super) fn check(plan: &Plan, room: &Room) -> Vec<Check> {
     let ways = ways(plan, room);
     let mut out = vec![deepest(&ways, plan, room)];

@@ -111,15 +111,16 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
     assert!(why.contains("the clamp"), "{why}");
 }
 
-/// A pin that only the ball meets on its way onto the path, on the side that the tool leans away
-/// from: no lead is laid through it, and the checks find it in one that is.
+/// A pin below the tip of the ball on its way onto the path, where no other part of the tool
+/// comes: no lead is laid through it, and the checks find it in one that is.
 #[test]
 fn the_ball_of_a_lead_keeps_clear_of_other_bodies() {
     let plan = plan();
     let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
     let options = VerifyOptions::default().with(|s| s.gouge_mm = 0.004);
-    let tip = plan.leads[0].centres[2] - Vector::x() * (tool.radius_mm - 0.3);
-    let corners = [Vector::zeros(), Vector::x(), Vector::y(), Vector::z()].map(|v| tip - Vector::x() * 0.1 + v * 0.1);
+    let stand = plan.leads[0].stands(plan.toolpath.cone(0)).nth(2).unwrap();
+    let tip = stand.centre - stand.axis() * (tool.radius_mm - 0.3);
+    let corners = [Vector::zeros(), Vector::x(), Vector::y(), Vector::z()].map(|v| tip - stand.axis() * 0.1 + v * 0.05);
     let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     let pin = Obstacle {
         name: "the pin".into(),
@@ -135,9 +136,10 @@ fn the_ball_of_a_lead_keeps_clear_of_other_bodies() {
     };
     let (why, found) = failing(std::slice::from_ref(&pin));
     let why = why.unwrap();
-    assert!(why.starts_with("the ball would cut 0.") && why.ends_with("mm into the pin"), "{why}");
-    let found = only(&found, CheckId::LeadObstacle);
-    assert!((0.2..0.5).contains(&found.worst) && found.note == "lead-in: nearest is the pin", "{found:?}");
+    assert!(why.starts_with("the ball would cut ") && why.ends_with("mm into the pin"), "{why}");
+    let deepest = found.iter().find(|c| c.quantity.starts_with("depth of the ball")).unwrap();
+    assert!(deepest.id == CheckId::LeadObstacle && deepest.worst > 0.2, "{deepest:?}");
+    assert_eq!(deepest.note, "lead-in: nearest is the pin");
     // The cutter may go through stock.
     assert_eq!(failing(&[Obstacle { cut_by_the_tool: true, ..pin }]), (None, Vec::new()));
 }

@@ -19,6 +19,7 @@
 //! | `x-travel` … `b-acceleration`, `time` | difference quotients of axis positions | means of the true values |
 //! | `axes-centre`, `axes-direction` | forward kinematics against cutter location and `a(θ)` | rows |
 //! | `job`, `job-region`, `job-feed` | the plan against what its job asks for ([`Asked`]) | none |
+//! | `turn-offset`, `turn-rate`, `tooth-feed` | turn-milling: see the page of `turning.rs` | rows |
 //! | `plan-turns`, `plan-contacts`, `plan-motion`, `plan-channel`, `channel-clear` | the plan against itself, and its channel against the part | rows |
 //!
 //! A plan with a programmed curve is judged along that too: `curve-gouge` … `curve-joints`, see the
@@ -60,6 +61,7 @@ mod solid;
 mod sweep;
 #[cfg(test)]
 mod tests;
+mod turning;
 mod uncut;
 mod verdict;
 mod walls;
@@ -74,6 +76,7 @@ pub use options::{Asked, VerifyOptions};
 pub use restart::restart;
 pub use ridge::{RidgeAt, ridges, ridges_p99};
 pub use settings::{VerifyKeys, VerifySettings};
+pub(crate) use turning::{BLEND_S, inner_turns};
 pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
@@ -156,6 +159,11 @@ pub fn check_among(
     report.checks.extend(curve::check(&plan, blade, &part, &apart, options));
     if let Some(asked) = &options.asked {
         report.checks.extend(asked::check(&plan, blade, asked, options));
+        if let Some((checks, figures, doubt)) = turning::check(&plan, blade, tool, machine, asked) {
+            report.checks.extend(checks);
+            report.turning = Some(figures);
+            doubt.into_iter().for_each(|doubt| observer.warn(Warning { stage: Stage::Verify, doubt }));
+        }
         report.checks.extend(whole::check(&plan, blade, machine));
         report.checks.extend(walls::check(&plan, blade, &apart, asked));
     }

@@ -4,7 +4,7 @@ use super::settings::VerifySettings;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{Direction, PathKind, SCALLOP_MM};
 use crate::settings::with_settings;
-use crate::tool::{CLEARANCE_MM, HOLDER_CLEARANCE_MM};
+use crate::tool::{CLEARANCE_MM, Chip, HOLDER_CLEARANCE_MM};
 
 /// What a plan holds of its job. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +40,10 @@ pub struct Asked {
     pub feed_mm_min: f64,
     /// Radius of the leads; 0: straight.
     pub lead_radius_mm: f64,
+    /// Least and greatest offset of the tool from the blade axis; `None`: any.
+    pub offset_mm: Option<[f64; 2]>,
+    /// What the teeth may cut; `None`: not looked at.
+    pub chip: Option<Chip>,
 }
 
 /// Limits and sampling of [`super::check`]. Lengths in mm.

@@ -134,6 +134,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             peak_rate: 0.0,
             peak_acceleration: 0.0,
             quality: crate::artifact::schedule::Quality::default(),
+            rates: Vec::new(),
         },
         motion: AxisMotion {
             t_s: s.iter().map(|s| s / 30.0).collect(),

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::artifact::Axes;
 use crate::feed::PER_THREAD;
-use crate::feed::caps::of_velocity;
+use crate::feed::caps::{Caps, of_velocity};
 use crate::feed::curve::{AxisCurve, bernstein, choose};
 
 /// Cells at least.
@@ -16,6 +16,12 @@ const LEAST_CELLS: usize = 24;
 const OUTER_PARTS: [usize; 5] = [8, 4, 3, 2, 2];
 /// The end cell takes this share of the outermost interval's parts.
 const END_SHARE: f64 = 0.5;
+
+/// Over a cell the slope of an axis whose velocity is to stay may change by this share, and its
+/// coefficient between by this one from the mean; and parts of an interval for that at most.
+const CHANGE: f64 = 0.03;
+const BULGE: f64 = 4e-4;
+const MOST_BY_RATE: f64 = 16.0;
 
 /// Limits of all axes: velocity, acceleration, jerk.
 pub(in crate::feed) type Limits = Axes<[f64; 3]>;
@@ -123,15 +129,29 @@ impl Units {
     }
 }
 
+/// Parts of an interval of the curve, so that the velocity that an axis is to keep is lost by
+/// little: the caps are straight lines of ṡ² over a part, below what Bernstein coefficients of its
+/// slope allow, which bulge beyond the slope itself.
+fn parts_by_rate(curve: &AxisCurve, caps: &Caps, i: usize) -> usize {
+    let Some((axis, _)) = &caps.turning else { return 1 };
+    let h = curve.abscissae()[i + 1] - curve.abscissae()[i];
+    let ([_, here, bend], [_, there, _]) = (curve.at(i, *axis, 0.0), curve.at(i, *axis, h));
+    let middle = here + 0.5 * h * bend;
+    let size = greatest(&[here, middle, there]).max(f64::MIN_POSITIVE);
+    let (change, bulge) = ((there - here).abs() / size, (middle - 0.5 * (here + there)).abs() / size);
+    (change / CHANGE).max((bulge / BULGE).sqrt()).ceil().clamp(1.0, MOST_BY_RATE) as usize
+}
+
 /// The joints of the curve with so many between that cells are short where speed changes fast: (arc
 /// length, interval of the curve).
-pub(super) fn grid(s: &[f64]) -> Vec<(f64, usize)> {
+pub(super) fn grid(curve: &AxisCurve, caps: &Caps) -> Vec<(f64, usize)> {
+    let s = curve.abscissae();
     let n = s.len() - 1;
     let least = LEAST_CELLS.div_ceil(n);
     let mut out = Vec::with_capacity(n * least + 40);
     for i in 0..n {
         let outer = OUTER_PARTS.get(i.min(n - 1 - i)).copied().unwrap_or(1);
-        let parts = least.max(outer);
+        let parts = least.max(outer).max(parts_by_rate(curve, caps, i));
         let kept = |f: f64| (i > 0 || f == 0.0 || f >= END_SHARE) && (i + 1 < n || f <= 1.0 - END_SHARE);
         let shares = (0..parts).map(|j| j as f64 / parts as f64).filter(|f| kept(*f));
         out.extend(shares.map(|f| (s[i] + (s[i + 1] - s[i]) * f, i)));
@@ -145,12 +165,11 @@ pub(super) fn derivatives(grid: &[(f64, usize)], axes: usize) -> Vec<Derivatives
     vec![Derivatives::default(); grid.len().saturating_sub(1) * axes]
 }
 
-/// The cells between the points of the grid. `cap`: greatest ṡ² (mm²/s²) in every interval of the
-/// curve; `room`: [`derivatives`].
+/// The cells between the points of the grid. `room`: [`derivatives`].
 pub(super) fn cells<'a>(
     curve: &AxisCurve,
     grid: &[(f64, usize)],
-    cap: &[f64],
+    cap: &Caps,
     (limits, units): (&Limits, Units),
     room: &'a mut [Derivatives],
 ) -> Vec<Cell<'a>> {
@@ -161,19 +180,19 @@ pub(super) fn cells<'a>(
 fn cell<'a>(
     curve: &AxisCurve,
     w: &[(f64, usize)],
-    cap: &[f64],
+    caps: &Caps,
     (limits, units): (&Limits, Units),
     axes: &'a mut [Derivatives],
 ) -> Cell<'a> {
     let (from, i) = w[0];
     let (start, l) = (curve.abscissae()[i], units.length);
     let (a, h) = (from - start, w[1].0 - from);
-    let own = cap.get(i).copied().unwrap_or(f64::INFINITY).min(units.speed * units.speed);
+    let own = caps.square(i).min(units.speed * units.speed);
     let mut cap = [own; 2];
     for (k, axis) in axes.iter_mut().enumerate() {
         if let Some(quintic) = curve.quintic(i, k) {
             let (q1, q2, q3) = bernstein(quintic, a, h);
-            let line = of_velocity(&q1, limits[k][0], own);
+            let line = of_velocity(&q1, caps.velocity(i, k, limits[k][0]), own);
             cap = [cap[0].min(line[0]), cap[1].min(line[1])];
             *axis = Derivatives {
                 q1: q1.map(|v| v * l),
@@ -195,7 +214,7 @@ fn cell<'a>(
             q3: [6.0 * d * l * l * l, 0.0, 0.0],
             is_bent: false,
         };
-        let line = of_velocity(&q1, limits[k][0], own);
+        let line = of_velocity(&q1, caps.velocity(i, k, limits[k][0]), own);
         cap = [cap[0].min(line[0]), cap[1].min(line[1])];
     }
     Cell { h: h / l, axes, cap: cap.map(|c| c / (units.speed * units.speed)) }

@@ -32,9 +32,9 @@ proptest! {
         noise in 0.0..0.01f64, size in 1e-6..0.1f64, ties in -0.1..0.1f64, step in 1.0..9.0f64,
     ) {
         let (curve, feed) = (curve(120, noise), 30.0);
-        let grid = cells::grid(curve.abscissae());
+        let caps = vec![feed * feed; 119].into();
+        let grid = cells::grid(&curve, &caps);
         let units = Units::of(&grid, feed, &limits());
-        let caps = vec![feed * feed; 119];
         let mut room = cells::derivatives(&grid, limits().len());
         let cells = cells::cells(&curve, &grid, &caps, (&limits(), units), &mut room);
         let scaled = units.scaled(&limits());
@@ -42,7 +42,7 @@ proptest! {
         let inner = &cells[1..cells.len() - 1];
         let problem = Problem { inner, ends, limits: &scaled };
         let start = start::profile(inner, ends, &scaled).unwrap();
-        let found = search::fastest(&problem, &start, &Silent).unwrap();
+        let found = search::fastest(&problem, &start, false, &Silent).unwrap();
         let (n, v) = (inner.len(), &found.v[..inner.len()]);
         let time = problem.time(0, v);
         prop_assert!(found.least <= 1.0 && found.least > 0.5, "{}", found.least);

@@ -60,6 +60,7 @@ fn limits(plan: &Plan) -> String {
             Binding::Part { tool, .. } => format!("{tool} against the part"),
             Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
             Binding::AxisLimit => "rotary axis".into(),
+            Binding::Travel { axis } => format!("travel of {axis}"),
             Binding::ContactAngle => "contact angle".into(),
             Binding::Free => "nothing".into(),
         };

@@ -1,0 +1,173 @@
+//! Travel of a linear axis as a limit of the angle θ.
+//!
+//! While the lean stays, the rotary axis turns the blade under the tool, or the tool round the
+//! blade. For a ball centre `c` every linear axis then stands at
+//!
+//! ```text
+//! q(θ) = mean(c) + cos(c) cos θ + sin(c) sin θ
+//! ```
+//!
+//! with three affine functions of `c`: where the axis may not be is an arc of θ or two.
+
+use std::f64::consts::TAU;
+
+use crate::geometry::Point;
+
+/// Less than this is rounding where arcs meet, rad.
+const SLIVER: f64 = 1e-12;
+
+/// Factors that differ by less are the same.
+const SAME: f64 = 1e-9;
+
+/// An affine function of a point: a constant and a factor for each coordinate.
+pub type Affine = [f64; 4];
+
+/// A linear axis, where it stands, and where it may be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisTravel {
+    /// Its name in messages.
+    pub name: String,
+    /// Least and greatest position, mm.
+    pub limits_mm: [f64; 2],
+    /// Mean of its position over a turn, mm.
+    pub mean: Affine,
+    /// Factor of `cos θ`, mm.
+    pub cos: Affine,
+    /// Factor of `sin θ`, mm.
+    pub sin: Affine,
+}
+
+impl AxisTravel {
+    /// Offset of the plane of tool axes from the blade axis, limited: see [`offset_mm`].
+    pub fn of_offset(name: &str, limits_mm: [f64; 2]) -> Self {
+        AxisTravel {
+            name: name.into(),
+            limits_mm,
+            mean: [0.0; 4],
+            cos: [0.0, 0.0, 0.0, -1.0],
+            sin: [0.0, 0.0, 1.0, 0.0],
+        }
+    }
+
+    /// The range of offsets ([`offset_mm`]) that it leaves, mm, where the axis stands still as long
+    /// as the offset does: a lathe's Y.
+    pub fn as_offsets(&self) -> Option<[f64; 2]> {
+        let sense = self.sin[2];
+        let same = |a: &Affine, b: Affine| a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME);
+        let is_offset = (sense.abs() - 1.0).abs() < SAME
+            && same(&self.sin, [0.0, 0.0, sense, 0.0])
+            && same(&self.cos, [0.0, 0.0, 0.0, -sense])
+            && same(&self.mean, [self.mean[0], 0.0, 0.0, 0.0]);
+        let [a, b] = self.limits_mm.map(|limit| (limit - self.mean[0]) * sense);
+        is_offset.then(|| [a.min(b), a.max(b)])
+    }
+
+    /// Where the axis stands, mm.
+    pub fn at(&self, centre: &Point, theta_rad: f64) -> f64 {
+        let [mean, cos, sin] = self.wave(centre);
+        mean + cos * theta_rad.cos() + sin * theta_rad.sin()
+    }
+
+    fn wave(&self, c: &Point) -> [f64; 3] {
+        [&self.mean, &self.cos, &self.sin].map(|f| f[0] + f[1] * c.x + f[2] * c.y + f[3] * c.z)
+    }
+
+    /// The angles at which the axis would be beyond its travel: up to two open arcs, from an angle
+    /// within −2π..2π on, each shorter than a turn or a whole one.
+    pub fn forbidden(&self, centre: &Point) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let [mean, cos, sin] = self.wave(centre);
+        let (size, phase) = (cos.hypot(sin), sin.atan2(cos));
+        let [least, greatest] = self.limits_mm;
+        // Half width of the arc about the phase on which the axis is above a value.
+        let above = |value: f64| ((value - mean) / size).clamp(-1.0, 1.0).acos();
+        let over = (mean + size > greatest).then(|| [phase - above(greatest), phase + above(greatest)]);
+        let under = (mean - size < least).then(|| [phase + above(least), phase - above(least) + TAU]);
+        [over, under].into_iter().flatten()
+    }
+
+    /// What the travel leaves of an interval of θ, unwrapped over the path, rising; each with
+    /// whether its ends are those of the interval.
+    pub fn left_of(&self, centre: &Point, interval: [f64; 2]) -> Vec<([f64; 2], [bool; 2])> {
+        let mut left = vec![(interval, [true, true])];
+        for [from, to] in self.forbidden(centre) {
+            let mut next = Vec::with_capacity(left.len() + 1);
+            for ([lo, hi], own) in left {
+                let (mut at, mut own_at) = (lo, own[0]);
+                // The first turn of the arc that ends after `lo`.
+                let mut turn = ((lo - to) / TAU).ceil() * TAU;
+                while from + turn < hi {
+                    if from + turn > at + SLIVER {
+                        next.push(([at, from + turn], [own_at, false]));
+                    }
+                    if to + turn > at {
+                        (at, own_at) = (to + turn, false);
+                    }
+                    turn += TAU;
+                }
+                if at + SLIVER < hi || own_at {
+                    next.push(([at, hi], [own_at, own[1]]));
+                }
+            }
+            left = next;
+        }
+        left
+    }
+}
+
+/// Offset of the plane that the tool axes of an angle θ lie in from the blade axis, as seen from a
+/// ball centre, mm: `y sin θ − z cos θ = ρ sin(θ − ψ)`. It is the Y of the ball centre where the
+/// blade axis is X and the tool comes from +Z, whatever the lean (eccentricity in turn-milling).
+pub fn offset_mm(centre: &Point, theta_rad: f64) -> f64 {
+    centre.y * theta_rad.sin() - centre.z * theta_rad.cos()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    fn inside(travel: &AxisTravel, c: &Point, theta: f64) -> bool {
+        (travel.limits_mm[0]..=travel.limits_mm[1]).contains(&travel.at(c, theta))
+    }
+
+    #[test]
+    fn what_is_left_is_where_the_axis_is_within_its_travel() {
+        let mut of_both_kinds = [0, 0];
+        for k in 0..400 {
+            let f = f64::from(k);
+            let c = Point::new(f, 20.0 * (0.37 * f).sin(), 15.0 * (0.71 * f).cos());
+            let limits_mm = [-12.0 + 10.0 * (0.11 * f).sin(), -1.0 + 12.0 * (0.23 * f).sin().abs()];
+            let travel = AxisTravel::of_offset("Y", limits_mm);
+            let interval = [f, f + 0.1 + 0.02 * f];
+            let left = travel.left_of(&c, interval);
+            for i in 0..=2000 {
+                let theta = interval[0] + (interval[1] - interval[0]) * f64::from(i) / 2000.0;
+                let near = travel.limits_mm.iter().any(|l| (travel.at(&c, theta) - l).abs() < 1e-9);
+                let is_left = left.iter().any(|([a, b], _)| (*a..=*b).contains(&theta));
+                of_both_kinds[usize::from(is_left)] += 1;
+                assert!(near || is_left == inside(&travel, &c, theta), "{k}: θ {theta} of {left:?}");
+            }
+            for ([a, b], own) in left {
+                assert!(a < b && (!own[0] || a == interval[0]) && (!own[1] || b == interval[1]));
+            }
+        }
+        assert!(of_both_kinds.iter().all(|n| *n > 100_000), "{of_both_kinds:?}");
+    }
+
+    #[test]
+    fn the_offset_is_that_of_a_point_from_a_plane() {
+        let c = Point::new(7.0, 3.0, 4.0);
+        let travel = AxisTravel::of_offset("Y", [0.0, 1.0]);
+        for k in 0..20 {
+            let theta = 0.5 * f64::from(k);
+            // The plane of the blade axis and the tool axes has the normal (0, sin θ, −cos θ).
+            let psi = 4f64.atan2(3.0);
+            assert!((offset_mm(&c, theta) - 5.0 * (theta - psi).sin()).abs() < 1e-12);
+            assert!((travel.at(&c, theta) - offset_mm(&c, theta)).abs() < 1e-12);
+        }
+        // Never within reach, and always.
+        assert!(AxisTravel::of_offset("Y", [6.0, 7.0]).left_of(&c, [0.0, 9.0]).is_empty());
+        let all = AxisTravel::of_offset("Y", [-6.0, 6.0]).left_of(&c, [0.0, 9.0]);
+        assert_eq!(all, vec![([0.0, 9.0], [true, true])]);
+    }
+}

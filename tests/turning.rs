@@ -1,0 +1,260 @@
+//! Turn-milling: an offset that stays, a blade that turns evenly, and what each tooth cuts, as
+//! programs have them when they are read by somebody else.
+
+use std::path::Path;
+
+use bladewright::artifact::axis_travel::offset_mm;
+use bladewright::artifact::check_id::CheckId;
+use bladewright::artifact::program::Control;
+use bladewright::error::{Error, ErrorKind, Infeasible, Result};
+use bladewright::machine::Machine;
+use bladewright::observe::Silent;
+use bladewright::plan::{self, Setup};
+use bladewright::read::model::{self, ModelOptions};
+use bladewright::tool::scallop;
+use bladewright::verify::{Verdict, Verified};
+use bladewright::write::post::Dialect;
+use bladewright::{artifact::Plan, job, make};
+
+/// A coarse helix of a few turns.
+const JOB: &str = "
+[model]
+file = 'prism.step'
+
+[path]
+scallop_mm = 0.05
+
+[region]
+start_mm = 40
+end_mm = 35
+
+[tool]
+radius_mm = 3
+taper_deg = 3
+shank_radius_mm = 5
+stickout_mm = 70
+holder = [{ radius_mm = 15, length_mm = 40 }]
+";
+
+fn machine(name: &str) -> Machine {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
+    let text = std::fs::read_to_string(file).expect("a machine file");
+    Machine::from_toml(&text, name).expect("a machine")
+}
+
+fn setup(changes: &[&str], machine: Machine) -> Result<Setup> {
+    let step = make::step_text(&make::build(&make::presets::prism())?)?;
+    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent)?;
+    let mut typed = job::parse(JOB, "the job")?;
+    changes.iter().try_for_each(|c| typed.set(c))?;
+    Setup::of(&job::resolve(typed, Path::new(""))?, blade, machine, &Silent)
+}
+
+fn planned(changes: &[&str], machine: Machine) -> (Setup, Verified<Plan>) {
+    let setup = setup(changes, machine).unwrap_or_else(|e| panic!("{changes:?}: {e}"));
+    match plan::plan(&setup, &Silent).unwrap_or_else(|e| panic!("{changes:?}: {e}")) {
+        Verdict::Passed(verified) => (setup, verified),
+        Verdict::Failed(rejected) => {
+            let failed: Vec<_> = rejected.report().checks.iter().filter(|c| !c.passed).collect();
+            panic!("{changes:?}: {failed:#?}")
+        }
+    }
+}
+
+/// An error of the job, of the plan, or of the planning.
+fn refused(changes: &[&str], machine: Machine) -> Error {
+    let ended = setup(changes, machine).and_then(|s| plan::plan(&s, &Silent));
+    ended.err().unwrap_or_else(|| panic!("{changes:?} was not refused"))
+}
+
+/// The words of a letter on all lines of straight feed moves between two comments, in order.
+fn words(text: &str, letter: char, from: &str, to: &str) -> Vec<f64> {
+    let lines = text.lines().skip_while(|l| !l.starts_with(from)).take_while(|l| !l.starts_with(to));
+    let cutting = lines.filter(|l| l.starts_with("G1 "));
+    let word = |l: &str| l.split(' ').find_map(|w| w.strip_prefix(letter)?.parse().ok());
+    cutting.filter_map(word).collect()
+}
+
+fn program(setup: &Setup, verified: &Verified<Plan>, control: Control) -> String {
+    let dialect = Dialect::built_in(control).expect("a dialect");
+    let (program, checks) = setup.program(&dialect, verified).expect("a program");
+    let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{control}: {failed:?}");
+    program.text
+}
+
+/// The program has one Y at the cutter locations, and hardly another between them.
+#[test]
+fn an_offset_that_stays_is_one_y_in_the_program() {
+    let off = ["machine.b_deg=5", "schedule.kind=\"eccentric\"", "schedule.offset_mm=-1.5", "feed.lead_radius_mm=0"];
+    let (setup, verified) = planned(&off, machine("mill_turn_cb.toml"));
+    let made = verified.value();
+    for (l, theta) in made.toolpath.locations.iter().zip(&made.schedule.theta) {
+        assert!((offset_mm(&l.centre, *theta) + 1.5).abs() < 1e-9);
+    }
+    let check = verified.report().checks.iter().find(|c| c.id == CheckId::TurnOffset).expect("the check");
+    assert!(check.worst < 1e-6 && check.note.contains("-1.5"), "{check:?}");
+    let y = words(&program(&setup, &verified, Control::Iso), 'Y', "(Cutting", "(Lead-out");
+    let [least, most] = [y.iter().copied().fold(f64::INFINITY, f64::min), y.iter().copied().fold(f64::MIN, f64::max)];
+    // Between two locations the ball goes straight: the offset then moves by what chords leave.
+    let chord_mm = made.toolpath.chord_mm;
+    assert!(y.len() > 500 && most - least <= 10.0 * chord_mm, "{least} to {most}, chords {chord_mm}");
+    let usual = y.iter().filter(|v| (**v - y[0]).abs() <= 1e-3).count();
+    assert!(2 * usual > y.len(), "{usual} of {}", y.len());
+}
+
+/// The planted fault: a Y that has moved on the machine is found.
+#[test]
+fn an_offset_that_moves_is_found() {
+    let changes = ["machine.b_deg=5", "schedule.kind=\"eccentric\"", "schedule.offset_mm=1"];
+    let (setup, verified) = planned(&changes, machine("mill_turn_cb.toml"));
+    let mut plan = verified.value().clone();
+    let y = setup.machine.linear()[1];
+    plan.motion.position[200][y] += 0.002;
+    let Ok(Verdict::Failed(rejected)) = setup.verdict(plan, &Silent) else { panic!("it passes") };
+    let found = rejected.report().checks.iter().find(|c| c.id == CheckId::TurnOffset).expect("the check");
+    assert!(!found.passed && (found.worst - 0.002).abs() < 1e-4, "{found:?}");
+}
+
+/// Times and angles of the program alone: in every turn between the first and the last the blade
+/// turns at one speed, to a thousandth.
+#[test]
+fn a_blade_that_turns_evenly_does_so_in_the_program() {
+    let changes = ["schedule.kind=\"even\"", "feed.feed_mm_min=1500"];
+    let (setup, verified) = planned(&changes, machine("mill_turn_cb.toml"));
+    let made = verified.value();
+    assert!(made.schedule.rates.len() == made.toolpath.turns.len() && made.schedule.reversals == 0);
+    let text = program(&setup, &verified, Control::LinuxcncFeed);
+    program(&setup, &verified, Control::Siemens);
+    let _ = text;
+    let text = program(&setup, &verified, Control::Linuxcnc);
+    let (c, f) = (words(&text, 'C', "; Cutting", "; Retract"), words(&text, 'F', "; Cutting", "; Retract"));
+    assert_eq!(c.len(), f.len());
+    // Inverse time: a line takes 1/F minutes.
+    let times: Vec<f64> = f.iter().map(|f| 60.0 / f).collect();
+    let mut clock = 0.0;
+    let mut judged = 0;
+    let first = c[0];
+    let whole: f64 = times.iter().sum();
+    for (i, time) in times.iter().enumerate().skip(1) {
+        clock += time;
+        let turns = ((c[i] - first) / 360.0).abs();
+        // Within a turn of its ends nothing is promised.
+        if turns < 1.2 || (c[c.len() - 1] - c[i]).abs() / 360.0 < 1.2 || clock > whole {
+            continue;
+        }
+        let rate = ((c[i] - c[i - 1]) / time).to_radians().abs();
+        let near = made.schedule.rates.iter().any(|r| (rate / r - 1.0).abs() < 2e-3);
+        let [least, most] = [
+            made.schedule.rates.iter().copied().fold(f64::INFINITY, f64::min),
+            made.schedule.rates.iter().copied().fold(0.0, f64::max),
+        ];
+        assert!(near || (least..=most).contains(&rate), "line {i}: {rate} is none of {:?}", made.schedule.rates);
+        judged += 1;
+    }
+    assert!(judged > 500);
+    let check = verified.report().checks.iter().find(|c| c.id == CheckId::TurnRate).expect("the check");
+    assert!(check.worst <= 1e-3 && !check.note.contains("no turn"), "{check:?}");
+}
+
+/// The planted fault: a turn in which the blade hurries is found.
+#[test]
+fn a_turn_that_hurries_is_found() {
+    let (setup, verified) = planned(&["schedule.kind=\"even\"", "feed.feed_mm_min=1500"], machine("mill_turn_cb.toml"));
+    let mut plan = verified.value().clone();
+    let turn = plan.toolpath.turns[2];
+    let row = turn.first + turn.count / 2;
+    let late = 0.01 * (plan.motion.t_s[row + 1] - plan.motion.t_s[row]);
+    plan.motion.t_s.iter_mut().skip(row + 1).for_each(|t| *t += late);
+    plan.leads[1].motion.t_s.iter_mut().for_each(|t| *t += late);
+    let Ok(Verdict::Failed(rejected)) = setup.verdict(plan, &Silent) else { panic!("it passes") };
+    let found = rejected.report().checks.iter().find(|c| c.id == CheckId::TurnRate).expect("the check");
+    assert!(!found.passed && (0.005..0.02).contains(&found.worst) && found.row == Some(row), "{found:?}");
+}
+
+/// Feed per tooth and cutting speed are limits of the plan, and checked from its contacts and
+/// times.
+#[test]
+fn a_tooth_cuts_no_more_than_it_may() {
+    let changes = ["post.spindle_rpm=3000", "cut.teeth=2", "cut.fz_mm=[0.0, 0.12]", "cut.speed_min_m_min=20"];
+    let (setup, verified) = planned(&changes, machine("mill_turn_cb.toml"));
+    let check = verified.report().checks.iter().find(|c| c.id == CheckId::ToothFeed).expect("the check");
+    // 3000 1/min by 2 teeth by 0.12 mm are 720 mm/min, less than the feed of 2000.
+    assert!(check.passed && (0.11..=0.1201).contains(&check.worst), "{check:?}");
+    let made = verified.value();
+    let least = (20.0 * 1000.0 / 60.0 / (std::f64::consts::TAU * 3.0 * 50.0)).asin();
+    for (row, l) in made.toolpath.locations.iter().enumerate() {
+        let axis = made.toolpath.cone(row).tool_axis(made.schedule.theta[row]);
+        assert!(axis.angle(&l.normal) >= least - 1e-6, "{row}");
+    }
+    // A spindle of half that speed, or half the teeth: twice the feed per tooth, which is found.
+    let slower = setup.job.clone();
+    let mut setup = setup;
+    setup.job = job::Job { post: slower.post.clone(), ..slower };
+    setup.job.post.spindle_rpm = 1500.0;
+    let Ok(Verdict::Failed(rejected)) = setup.verdict(verified.value().clone(), &Silent) else { panic!("it passes") };
+    let found = rejected.report().checks.iter().find(|c| c.id == CheckId::ToothFeed).expect("the check");
+    assert!(!found.passed && (found.worst / check.worst - 2.0).abs() < 1e-6, "{found:?}");
+}
+
+/// A range of offsets is kept by all of the motion; one that leaves no schedule is refused.
+#[test]
+fn a_range_of_offsets_is_kept() {
+    let (_, free) = planned(&["schedule.kind=\"optimal\""], machine("mill_turn_cb.toml"));
+    let offsets = |plan: &Plan| -> Vec<f64> {
+        let of = plan.toolpath.locations.iter().zip(&plan.schedule.theta);
+        of.map(|(l, theta)| offset_mm(&l.centre, *theta)).collect()
+    };
+    assert!(offsets(free.value()).iter().any(|e| e.abs() > 2.0), "the range would be no limit");
+    let (_, kept) =
+        planned(&["schedule.kind=\"optimal\"", "channel.offset_mm=[-2.0, 2.0]"], machine("mill_turn_cb.toml"));
+    assert!(offsets(kept.value()).iter().all(|e| e.abs() <= 2.0));
+    // The travel of a machine's own Y is a limit of the channel too.
+    let text = std::fs::read_to_string("models/machines/mill_turn_cb.toml").expect("the machine");
+    let narrow = text.replace("min_mm = -40.0", "min_mm = -2.0").replace("max_mm = 40.0", "max_mm = 2.0");
+    let narrow = Machine::from_toml(&narrow, "narrow").expect("a machine");
+    let (_, kept) = planned(&["schedule.kind=\"optimal\""], narrow);
+    assert!(offsets(kept.value()).iter().all(|e| e.abs() <= 2.0 + 1e-9));
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let mill = || machine("mill_turn_cb.toml");
+    let far = refused(&["schedule.kind=\"eccentric\"", "schedule.offset_mm=30"], mill());
+    assert_eq!(far.kind, ErrorKind::Infeasible);
+    assert!(far.message.contains("schedule.offset_mm is 30 mm, but the ball centre comes as near"), "{far}");
+    assert!(matches!(far.infeasible.as_deref(), Some(Infeasible::OffsetOutside { .. })));
+    let side = refused(&["channel.offset_mm=[60.0, 61.0]"], mill());
+    assert!(side.kind == ErrorKind::Infeasible && side.message.contains("Y (channel.offset_mm)"), "{side}");
+    let said = |changes: &[&str]| {
+        let e = refused(changes, mill());
+        assert_eq!(e.kind, ErrorKind::Usage, "{e}");
+        e.message
+    };
+    assert!(said(&["cut.teeth=2"]).contains("post.spindle_rpm is missing"));
+    assert!(said(&["post.spindle_rpm=3000", "cut.fz_mm=[0.1, 0.2]"]).contains("cut.teeth is missing"));
+    assert!(said(&["post.spindle_rpm=3000", "cut.teeth=2", "cut.fz_mm=[0.2, 0.1]"]).contains("must rise"));
+    assert!(said(&["channel.offset_mm=[2.0, 1.0]"]).contains("channel.offset_mm"));
+    let slow = ["post.spindle_rpm=500", "cut.teeth=2", "cut.speed_min_m_min=100"];
+    assert!(said(&slow).contains("cuts at 9.4 m/min at most"), "{}", said(&slow));
+}
+
+/// Widths of passes beside the first-order ones of a published table for turn-milling (Shi, Qiao
+/// and Rao): those are too wide, by what is of second order in the scallop.
+#[test]
+fn published_widths_are_too_wide_by_the_second_order() {
+    let published = |r: f64, h: f64, part: f64| 2.0 * (2.0 * h * r).sqrt() * (part / (part + r)).abs().sqrt();
+    let cases = [
+        (6.0, 0.01, 20.0, 0.0007),
+        (6.0, 0.01, -20.0, 0.0002),
+        (6.0, 0.1, 20.0, 0.0066),
+        (6.0, 0.1, -20.0, 0.0015),
+        (2.0, 0.05, 3.0, 0.014),
+        (2.0, 0.05, 1.0, 0.028),
+    ];
+    for (r, h, part, over) in cases {
+        let own = scallop::width_mm(r, h, 1.0 / part).expect("the ball fits");
+        let found = published(r, h, part) / own - 1.0;
+        assert!((found - over).abs() < 0.05 * over + 6e-5, "R {r}, h {h}, part {part}: {found} beside {over}");
+    }
+}
