@@ -217,6 +217,16 @@ fn a_range_of_offsets_is_kept() {
     assert!(offsets(kept.value()).iter().all(|e| e.abs() <= 2.0 + 1e-9));
 }
 
+/// A part that is too large for the machine has the channel of any machine.
+#[test]
+fn a_part_that_does_not_turn_there_is_planned_without_the_machines_room() {
+    let text = std::fs::read_to_string("models/machines/mill_turn_cb.toml").expect("the machine");
+    let small = text.replace("swing_diameter_mm = 500.0", "swing_diameter_mm = 20.0");
+    let small = Machine::from_toml(&small, "small").expect("a machine");
+    assert!(setup(&[], small).expect("a setup").channel_options().travel.is_empty());
+    assert_eq!(setup(&[], machine("mill_turn_cb.toml")).expect("a setup").channel_options().travel.len(), 3);
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     let mill = || machine("mill_turn_cb.toml");
