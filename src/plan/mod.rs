@@ -155,8 +155,8 @@ impl Setup {
         all.filter(|t| self.job.orientation.kind.goes_round() && !(stays && t.as_offsets().is_some())).collect()
     }
 
-    /// Of a part that does not turn freely on the machine paths and channels are planned without the
-    /// machine's room.
+    /// Paths and channels of a part that does not turn freely on the machine are planned without
+    /// the machine's room.
     fn machine_travel(&self) -> Vec<AxisTravel> {
         if self.machine.check_swing(&self.blade.part.mesh.points).is_err() {
             return Vec::new();
