@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn limits_are_those_of_teeth_depth_and_speed() {
-        // R 6, depth 0.2, fz 0.1: a chip of 0.0256 mm (Uysal and others 2014 have this form).
+        // R 6, depth 0.2, fz 0.1: a chip of 0.0256 mm.
         assert!((0.1 * sine_of_engagement(0.2, 6.0) - 0.025_603_8).abs() < 1e-6);
         let c = Chip::of(&CutSettings { fz_mm: Some([0.02, 0.1]), ..cut() }, 6.0, 3000.0).unwrap();
         assert!((c.contact_mm_s[0] - 2.0).abs() < 1e-9 && (c.contact_mm_s[1] - 10.0).abs() < 1e-9);
