@@ -1,7 +1,7 @@
 //! A blade among the others of its wheel: five axes find the way, programs carry it, and what
 //! cannot be is refused with its place.
 
-use std::path::Path;
+mod of_prism;
 
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
@@ -10,10 +10,8 @@ use bladewright::error::{Error, ErrorKind, Infeasible, Result};
 use bladewright::machine::Machine;
 use bladewright::observe::Silent;
 use bladewright::plan::{self, Setup};
-use bladewright::read::model::{self, ModelOptions};
 use bladewright::verify::Verdict;
 use bladewright::write::post::Dialect;
-use bladewright::{job, make};
 
 /// A coarse helix round a prism whose neighbours stand some ball radii away.
 const JOB: &str = "
@@ -44,11 +42,7 @@ holder = [{ radius_mm = 15, length_mm = 40 }]
 ";
 
 fn setup(changes: &[&str], machine: Machine) -> Result<Setup> {
-    let step = make::step_text(&make::build(&make::presets::prism())?)?;
-    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent)?;
-    let mut typed = job::parse(JOB, "the job")?;
-    changes.iter().try_for_each(|c| typed.set(c))?;
-    Setup::of(&job::resolve(typed, Path::new(""))?, blade, machine, &Silent)
+    of_prism::setup(JOB, changes, machine)
 }
 
 fn refused(changes: &[&str]) -> Error {
@@ -60,10 +54,8 @@ fn refused(changes: &[&str]) -> Error {
 
 /// A machine of the repository with room and travel for a wheel of 760 mm.
 fn machine(name: &str) -> Machine {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/machines").join(name);
-    let text = std::fs::read_to_string(file).expect("a machine file");
-    let wider = text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1").replace("330.0", "500.0");
-    Machine::from_toml(&wider, name).expect("a machine")
+    let wider = |text: String| text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1").replace("330.0", "500.0");
+    of_prism::machine(name, wider)
 }
 
 /// Planned, checked, written for two controls and read back, on a table with a head and on two
@@ -123,11 +115,8 @@ fn what_cannot_be_is_refused_with_its_place() {
         let e = refused(&[change]);
         assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{change}: {e}");
     }
-    let mut lonely = job::parse(JOB, "the job").expect("a job");
-    lonely.wheel = None;
-    let step = make::step_text(&make::build(&make::presets::prism()).expect("a prism")).expect("a text");
-    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent);
-    let draft = job::resolve(lonely, Path::new("")).expect("a draft");
-    let e = draft.settle(&blade.expect("a blade")).map(|_| ()).expect_err("no wheel");
+    let ((before, _), (_, after)) = JOB.split_once("[wheel]").zip(JOB.split_once("[orientation]")).expect("sections");
+    let lonely = format!("{before}[orientation]{after}");
+    let e = of_prism::setup(&lonely, &[], machine("demo_table_head.toml")).err().expect("no wheel");
     assert!(e.message.contains("the job has no section wheel"), "{e}");
 }

@@ -87,7 +87,7 @@ pub(super) fn fastest(
     let inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?;
     let begin = start::profile(inner, ends, &scaled)?;
     let problem = Problem { inner, ends, limits: &scaled };
-    let found = search::fastest(&problem, &begin, cap.turning.is_some(), observer)?;
+    let found = search::fastest(&problem, &begin, observer)?;
     let mut out = assemble(&grid, &cells, &found, units);
     slow_down(&mut out, inner, &scaled, units);
     out.t.iter().chain(&out.x).all(|v| v.is_finite()).then_some(out)

@@ -80,7 +80,7 @@ pub(super) fn plan(
         None => roomiest(&places, allowed),
     };
     let first = made(asked)?;
-    if first.reversals == 0 || first.peak_rate == 0.0 {
+    if first.reversals == 0 {
         return Ok(first);
     }
     let turns_back = |schedule: &Schedule| {
@@ -102,7 +102,8 @@ pub(super) fn plan(
     others.sort_by(|a, b| (a - asked).abs().total_cmp(&(b - asked).abs()));
     for offset in others {
         observer.check(Stage::Schedule)?;
-        if let Some(other) = Some(made(offset)?).filter(|s| s.reversals == 0) {
+        let other = made(offset)?;
+        if other.reversals == 0 {
             return Ok(other);
         }
     }
@@ -114,9 +115,7 @@ fn places(path: &Toolpath, channel: &Channel) -> Vec<Place> {
     let mut psi = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
     let place = |(l, r): (&crate::artifact::toolpath::CutterLocation, &crate::artifact::channel::ChannelRow)| {
         psi = nearest_turn(l.centre.z.atan2(l.centre.y), psi);
-        // Where the centres do not go round the axis the channel is turns ahead.
-        let walls = [r.theta_min, r.theta_max];
-        Place { rho_mm: l.centre.y.hypot(l.centre.z), psi, walls }
+        Place { rho_mm: l.centre.y.hypot(l.centre.z), psi, walls: [r.theta_min, r.theta_max] }
     };
     path.locations.iter().zip(&channel.rows).map(place).collect()
 }
@@ -134,6 +133,7 @@ fn allowed(path: &Toolpath, places: &[Place]) -> Result<[f64; 2]> {
     for (row, p) in places.iter().enumerate() {
         let Some([low, high]) = p.offsets() else {
             let at = path.along(row);
+            // The channel is turns ahead then.
             let turns = ((p.walls[0] - p.psi) / TAU).abs();
             let why = if turns > 0.5 { ": its ball centres do not go round the blade axis" } else { "" };
             let message = format!(
@@ -188,21 +188,17 @@ fn within(path: &Toolpath, places: &[Place], [low, high]: [f64; 2], asked: f64) 
         return Ok(());
     }
     let nearest = places.iter().enumerate().min_by(|a, b| a.1.rho_mm.total_cmp(&b.1.rho_mm));
-    if let Some((row, p)) = nearest.filter(|n| n.1.rho_mm < asked.abs()) {
-        let at = path.along(row);
-        let message = format!(
+    let message = match nearest.filter(|n| n.1.rho_mm < asked.abs()) {
+        Some((row, p)) => format!(
             "schedule.offset_mm is {asked} mm, but the ball centre comes as near to the blade axis as {:.3} mm, at {}",
             p.rho_mm,
-            place(&at)
-        );
-        let what = Infeasible::OffsetOutside { asked_mm: asked, range_mm: [low, high] };
-        return Err(Error::infeasible(Stage::Schedule, message, what)
-            .advise(format!("take an offset within {low:.3} to {high:.3} mm, or leave it out")));
-    }
-    let message = format!("schedule.offset_mm is {asked} mm, the channel allows {low:.3} to {high:.3} mm");
+            place(&path.along(row))
+        ),
+        None => format!("schedule.offset_mm is {asked} mm, the channel allows {low:.3} to {high:.3} mm"),
+    };
     let what = Infeasible::OffsetOutside { asked_mm: asked, range_mm: [low, high] };
     Err(Error::infeasible(Stage::Schedule, message, what)
-        .advise("take one in that range, or leave schedule.offset_mm out"))
+        .advise(format!("take an offset within {low:.3} to {high:.3} mm, or leave schedule.offset_mm out")))
 }
 
 /// The offset with most room to both walls.

@@ -137,7 +137,10 @@ pub fn plan(
     let options = &given;
     match kind {
         ScheduleKind::Fixed => fixed::plan(path, channel, options, observer),
-        ScheduleKind::Even => bad("a schedule of kind even needs the speeds that the ball can have: see even()".into()),
+        ScheduleKind::Even => {
+            let message = "a schedule of kind even is made along with its motion: what asks for one has no motion";
+            Err(Error::usage(Stage::Schedule, message).advise("take schedule.kind time"))
+        }
         ScheduleKind::Eccentric => eccentric::plan(path, channel, options, observer),
         ScheduleKind::Quaternion => quaternion::plan(path, channel, options, observer),
         ScheduleKind::Optimal | ScheduleKind::Time => {

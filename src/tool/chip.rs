@@ -71,16 +71,13 @@ impl Chip {
                 return bad(format!("{key} is [{least}, {most}], it must rise from 0 or more"));
             }
         }
-        let per_s = spindle_rpm / 60.0;
-        let teeth_per_s = per_s * f64::from(cut.teeth);
-        let of_chip = match (cut.chip_mm, cut.depth_mm) {
-            (Some(_), None) => return bad("cut.chip_mm needs cut.depth_mm: how deep is the cut?".into()),
-            (Some(chip), Some(depth)) => {
-                let engaged = sine_of_engagement(depth, radius_mm);
-                Some(chip.map(|h| h / engaged))
-            }
-            (None, _) => None,
-        };
+        let turns_per_s = spindle_rpm / 60.0;
+        let teeth_per_s = turns_per_s * f64::from(cut.teeth);
+        let sine_of_engagement = cut.depth_mm.map(|depth| sine_of_engagement(depth, radius_mm));
+        if cut.chip_mm.is_some() && sine_of_engagement.is_none() {
+            return bad("cut.chip_mm needs cut.depth_mm: how deep is the cut?".into());
+        }
+        let of_chip = cut.chip_mm.zip(sine_of_engagement).map(|(chip, sine)| chip.map(|h| h / sine));
         let both = [cut.fz_mm, of_chip].into_iter().flatten();
         let fz = both.fold([0.0, f64::INFINITY], |a, b| [a[0].max(b[0]), a[1].min(b[1])]);
         if fz[0] >= fz[1] {
@@ -89,18 +86,25 @@ impl Chip {
                 fz[0], fz[1]
             ));
         }
-        let greatest_m_min = TAU * radius_mm * spindle_rpm / 1000.0;
-        let sine = cut.speed_min_m_min.unwrap_or(0.0) / greatest_m_min;
-        if sine >= 1.0 {
-            let asked = cut.speed_min_m_min.unwrap_or(0.0);
-            return bad(format!(
-                "cut.speed_min_m_min is {asked}, but a ball of radius {radius_mm} mm at {spindle_rpm} 1/min cuts at {greatest_m_min:.1} m/min at \
-                 most"
-            ));
+        let mut chip = Chip {
+            radius_mm,
+            turns_per_s,
+            sine_of_engagement,
+            teeth_per_s,
+            contact_mm_s: fz.map(|fz| fz * teeth_per_s),
+            least_angle_rad: 0.0,
+        };
+        if let Some(asked) = cut.speed_min_m_min {
+            let greatest = chip.cutting_speed_m_min(1.0);
+            if asked >= greatest {
+                return bad(format!(
+                    "cut.speed_min_m_min is {asked}, but a ball of radius {radius_mm} mm at {spindle_rpm} 1/min cuts at {greatest:.1} m/min at \
+                     most"
+                ));
+            }
+            chip.least_angle_rad = (asked / greatest).asin();
         }
-        let contact_mm_s = fz.map(|fz| fz * teeth_per_s);
-        let (turns_per_s, sine_of_engagement) = (per_s, cut.depth_mm.map(|depth| sine_of_engagement(depth, radius_mm)));
-        Ok(Chip { radius_mm, turns_per_s, sine_of_engagement, teeth_per_s, contact_mm_s, least_angle_rad: sine.asin() })
+        Ok(chip)
     }
 
     /// Feed per tooth, mm, where the contact goes over the part at `contact_mm_s`.

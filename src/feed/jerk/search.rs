@@ -7,10 +7,8 @@
 //! all is searched again, from that profile made a little slower: slower, every limit is kept with
 //! room. At the joints it stays as slow as that. So the neighbourhood of every joint is searched
 //! from there once more, and what is found is put in between places before and after the joint
-//! where it has become what the second search found. Where speed itself is asked for, not time
-//! alone, all is searched a third time with joints that are hardly slower. So memory is that of a
-//! stretch, a place that is hard to pass holds up nobody else, and stretches are searched at the
-//! same time.
+//! where it has become what the second search found. So memory is that of a stretch, a place that
+//! is hard to pass holds up nobody else, and stretches are searched at the same time.
 
 use std::ops::Range;
 
@@ -31,8 +29,6 @@ const RAMPS: f64 = 8.0;
 const MOVE: f64 = 0.15;
 /// ṡ² is made slower by this before the second search.
 const SLOWER: f64 = 1.005;
-/// ... and before a third, where speeds are to be precise.
-const HARDLY_SLOWER: f64 = 1.0004;
 /// ṡ² may be too great by this share; it is taken out of the whole.
 const EXCESS: f64 = 1e-5;
 /// Cells on either side of a joint that are searched once more, as a share of a stretch.
@@ -71,15 +67,9 @@ struct Multipliers {
     ties: Vec<f64>,
 }
 
-/// The fastest profile from a start within all limits; `precise`: to some ten-thousandths of the
-/// speed at every place, not of the time alone. `None` where numbers are not finite, or when
+/// The fastest profile from a start within all limits. `None` where numbers are not finite, or when
 /// the user has asked to stop.
-pub(super) fn fastest(
-    problem: &Problem,
-    start: &[[f64; 3]],
-    precise: bool,
-    observer: &dyn Observer,
-) -> Option<Fastest> {
+pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Observer) -> Option<Fastest> {
     let n = problem.inner.len();
     let length = length(problem);
     let mut v = start.get(..n)?.to_vec();
@@ -109,20 +99,6 @@ pub(super) fn fastest(
         v[r.clone()].copy_from_slice(&found.v);
         multipliers.duals[r.clone()].copy_from_slice(&found.duals);
         multipliers.ties[r].copy_from_slice(&found.costates);
-    }
-    let mut ranges = ranges;
-    if precise {
-        // Once more with other joints, which are hardly slower now.
-        v.iter_mut().flatten().for_each(|x| *x /= HARDLY_SLOWER);
-        ranges = stretches(&v, length, 0.25);
-        let begin = v.clone();
-        let found = all(&ranges, observer, |r| second(problem, r.clone(), &begin[r]))?;
-        for (r, found) in ranges.iter().zip(found) {
-            let Some(found) = found else { continue };
-            v[r.clone()].copy_from_slice(&found.v);
-            multipliers.duals[r.clone()].copy_from_slice(&found.duals);
-            multipliers.ties[r.clone()].copy_from_slice(&found.costates);
-        }
     }
     let least = least(problem, &v, multipliers, &ranges, observer)?;
     let h = problem.inner[n - 1].h;

@@ -28,6 +28,7 @@ pub(super) fn figures(input: &ReportInput) -> String {
     }
     if input.checks.is_some() {
         check_cards(input, &mut cards);
+        turning_cards(input, &mut cards);
     }
     let t = input.tool;
     let holder = t.holder.iter().map(|h| format!("R {} × {}", number(h.radius_mm), number(h.length_mm)));
@@ -122,6 +123,31 @@ fn plan_cards(input: &ReportInput, cards: &mut String) {
     );
     let note = format!("{} reversals of θ", f("/schedules/0/reversals"));
     card(cards, "Schedule", &text(input, "/schedules/0/kind"), &note);
+}
+
+/// Turn-milling: where the tool passes the blade axis, how evenly the blade turns, what each tooth
+/// cuts.
+fn turning_cards(input: &ReportInput, cards: &mut String) {
+    let f = |key: &str| figure(&input.summary, &format!("/turning/{key}"));
+    let there = |key: &str| value(input, &format!("/turning/{key}")).is_finite();
+    if there("offset_mm/0") {
+        let range = format!("{} to {} mm", f("offset_mm/0"), f("offset_mm/1"));
+        card(cards, "Offset from the blade axis", &range, "of the plane that the tool axis is in");
+    }
+    if there("turning_per_min/0") && there("ripple") {
+        let range = format!("{} to {} 1/min", f("turning_per_min/0"), f("turning_per_min/1"));
+        let note = format!("within a turn by {} %", number(100.0 * value(input, "/turning/ripple")));
+        card(cards, "Blade turns at", &range, &note);
+    }
+    if there("tooth/feed_mm") {
+        let below =
+            format!("below the least {} % of the time", number(100.0 * value(input, "/turning/tooth/below_least")));
+        let chip =
+            if there("tooth/chip_mm") { format!("chip {} mm at most", f("tooth/chip_mm")) } else { String::new() };
+        card(cards, "Feed per tooth, at most", &format!("{} mm", f("tooth/feed_mm")), &joined(&[chip, below]));
+        let speed = format!("cutting speed at least {} m/min", f("tooth/least_speed_m_min"));
+        card(cards, "Marks along the feed, at most", &format!("{} mm", f("tooth/mark_mm")), &speed);
+    }
 }
 
 fn check_cards(input: &ReportInput, cards: &mut String) {
