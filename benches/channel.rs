@@ -82,6 +82,7 @@ fn blade(mesh: Mesh) -> Blade {
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
         regions: Regions::at_heights(x, x, Some(0.0)),
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

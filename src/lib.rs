@@ -42,6 +42,7 @@ pub mod make;
 pub mod numerics;
 pub mod observe;
 pub mod orient;
+pub mod pair;
 pub mod path;
 pub mod plan;
 pub mod read;

@@ -83,6 +83,7 @@ pub fn blade() -> Blade {
             reasons: vec!["a cylinder".into()],
             ..Regions::at_heights([0.0, PART_LENGTH], [0.0, PART_LENGTH], None)
         },
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

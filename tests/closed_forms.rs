@@ -62,6 +62,7 @@ fn blade(surface: NurbsSurface, airfoil: [f64; 2]) -> Blade {
         part,
         model_from_blade: Rigid::identity(),
         regions: Regions::at_heights(airfoil, airfoil, None),
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

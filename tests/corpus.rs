@@ -56,6 +56,27 @@ fn ends(file: &str, options: &[&str], code: i32, says: &str) {
     assert!(text.contains(says), "{file}\n{text}");
 }
 
+/// Wheels and sectors tell how many blades they have, and about what.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_wheels_and_sectors() {
+    for (file, unit, says) in [
+        ("turbocharger_turbine_sector.stl", None, "one sector of a wheel of 12 blades about +X"),
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", None, "one sector of a wheel of 16 blades about +X"),
+        ("openfoam_propeller.obj", Some(Unit::M), "a wheel of 4 blades about +Y"),
+        ("centrifugal_impeller.stl", None, "a wheel of 12 blades (alike every 60.0°) about +Y"),
+        ("turbine_blade_firtree.igs", None, "none"),
+        ("tblade3_case7288/case7288_rotor_blade.step", None, "none"),
+    ] {
+        let options = ModelOptions { unit, ..ModelOptions::default() };
+        let survey = model::survey(&blades().join(file), &options, &Silent).expect("a model");
+        let found = survey.wheel.as_ref().map_or_else(|| "none".into(), |b| b.in_words());
+        assert!(found.starts_with(says), "{file}: {found}");
+        let off_mm = survey.wheel.as_ref().map_or(0.0, |b| b.wheel().off_mm);
+        assert!(off_mm < 0.02, "{file}: off by {off_mm} mm");
+    }
+}
+
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_rotor_on_a_hub_wedge() {

@@ -32,7 +32,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
         "machine" => &["numerics", "geometry", "artifact", "tool"],
-        "section" | "path" | "orient" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
+        "section" | "path" | "pair" | "orient" | "channel" | "schedule" | "smooth" | "lead" | "feed" => STAGE,
         "verify" | "register" => &["numerics", "geometry", "artifact", "tool", "machine", "read"],
         "read" => READER,
         "make" => STAGE,

@@ -207,13 +207,21 @@ fn wheel() -> Mesh {
 }
 
 #[test]
-fn a_wheel_is_said_to_be_no_single_blade() {
+fn of_a_wheel_one_blade_is_taken() {
     for seed in [0, 5] {
         let by = if seed == 0 { UnitQuaternion::identity() } else { rotation(seed) };
-        let found = survey(&obj(&turned(&wheel(), &by))).found;
-        let e = found.err().expect("a wheel is refused");
-        assert!(e.to_string().contains("no single blade was found: the part is a wheel of 5 blades about"), "{e}");
-        assert!(seed != 0 || e.to_string().contains("about +X of the model through (0.00, "), "{e}");
+        let found = survey(&obj(&turned(&wheel(), &by)));
+        let bladed = found.wheel.as_ref().expect("a wheel").in_words();
+        assert!(bladed.starts_with("a wheel of 5 blades about"), "{bladed}");
+        assert!(seed != 0 || bladed.contains("about +X of the model through (0.00, "), "{bladed}");
+        let (along, doubts) = axis(&found);
+        let standing =
+            |k: u8| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), TAU * f64::from(k) / 5.0) * Vector3::z();
+        let off_deg = (0..5).map(|k| along.angle(&(by * standing(k))).to_degrees()).fold(f64::INFINITY, f64::min);
+        assert!(off_deg < 8.0, "{off_deg}: {doubts:?}");
+        assert!(seed != 0 || along == Vector3::z(), "{along}");
+        let notes: String = found.diagnosis.notes.iter().map(ToString::to_string).collect();
+        assert!(notes.contains("the path goes round one blade"), "{notes}");
     }
 }
 

@@ -120,3 +120,64 @@ fn what_cannot_be_is_refused_with_its_place() {
     let e = of_prism::setup(&lonely, &[], machine("demo_table_head.toml")).err().expect("no wheel");
     assert!(e.message.contains("the job has no section wheel"), "{e}");
 }
+
+/// The prism so many times about the rotor axis of [`JOB`], as one model.
+fn whole_wheel(blades: u32) -> String {
+    use std::fmt::Write;
+    let one = include_str!("../models/prism.obj");
+    let vertices: Vec<[f64; 3]> = one
+        .lines()
+        .filter_map(|l| l.strip_prefix("v "))
+        .map(|l| {
+            let mut numbers = l.split(' ').map(|n| n.parse().expect("a number"));
+            std::array::from_fn(|_| numbers.next().expect("three numbers"))
+        })
+        .collect();
+    let mut text = String::new();
+    for k in 0..blades {
+        let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(blades)).sin_cos();
+        for [x, y, z] in &vertices {
+            let (y, z) = (*y, z + 300.0);
+            writeln!(text, "v {x} {} {}", c * y - s * z, s * y + c * z - 300.0).expect("text");
+        }
+        for line in one.lines().filter_map(|l| l.strip_prefix("f ")) {
+            let first = k as usize * vertices.len();
+            let face: Vec<String> =
+                line.split(' ').map(|n| (first + n.parse::<usize>().expect("a number")).to_string()).collect();
+            writeln!(text, "f {}", face.join(" ")).expect("text");
+        }
+    }
+    text
+}
+
+/// A model of the whole wheel needs no section; its path is that of the blade by itself.
+#[test]
+fn a_model_of_a_whole_wheel_is_planned_as_it_is() {
+    let machine = || machine("demo_table_head.toml");
+    let twelve = whole_wheel(12);
+    let without = {
+        let ((before, _), (_, after)) =
+            JOB.split_once("[wheel]").zip(JOB.split_once("[orientation]")).expect("sections");
+        format!("{before}[orientation]{after}")
+    };
+    let whole = of_prism::setup_of(("wheel.obj", twelve.as_bytes()), &without, &[], machine()).expect("a setup");
+    let alone =
+        of_prism::setup_of(("prism.obj", include_bytes!("../models/prism.obj")), JOB, &["wheel.blades=12"], machine())
+            .expect("a setup");
+    let wheel = whole.wheel.expect("a wheel");
+    assert!(wheel.blades == 12 && whole.obstacles.is_empty() && alone.obstacles.len() == 1);
+    assert!((wheel.origin - alone.wheel.expect("a wheel").origin).norm() < 0.01, "{wheel:?}");
+    let [ours, theirs] = [&whole, &alone].map(|s| {
+        let to_model = s.blade.model_from_blade;
+        let path = s.path(&Silent).expect("a path");
+        path.locations.iter().map(|l| to_model * l.centre).collect::<Vec<_>>()
+    });
+    assert_eq!(ours.len(), theirs.len());
+    let apart = ours.iter().zip(&theirs).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+    assert!(apart < 1e-3, "{apart} mm apart");
+
+    let other = of_prism::setup_of(("wheel.obj", twelve.as_bytes()), JOB, &["wheel.blades=10"], machine());
+    let other = other.map(|_| ()).expect_err("ten blades");
+    assert!(other.message.contains("but the model repeats every 30.000°, 12 times in a turn"), "{other}");
+    assert!(matches!(other.infeasible.as_deref(), Some(Infeasible::NotThatWheel { asked: 10, found: 12 })));
+}

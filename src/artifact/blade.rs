@@ -1,6 +1,7 @@
 //! A blade as read: the whole part in the blade frame, and what was recognised on it.
 
 use super::region::Regions;
+use super::wheel::ModelWheel;
 use crate::geometry::Rigid;
 use crate::geometry::part::Part;
 use crate::observe::Remark;
@@ -92,6 +93,8 @@ pub struct Blade {
     pub model_from_blade: Rigid,
     /// What lies where.
     pub regions: Regions,
+    /// The wheel that the model shows, where it is one or a sector of one.
+    pub wheel: Option<ModelWheel>,
     /// What was found in the file.
     pub diagnosis: Diagnosis,
 }

@@ -16,6 +16,19 @@ pub struct Wheel {
     pub blades: u32,
 }
 
+/// The wheel that a model shows; frame of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelWheel {
+    /// Rotor axis, unit.
+    pub axis: Vector,
+    /// A point on it, mm.
+    pub through: Point,
+    /// How often the wheel repeats in a turn.
+    pub blades: u32,
+    /// The model has all of them; else it is one sector.
+    pub whole: bool,
+}
+
 impl Wheel {
     /// The turn about the rotor axis that brings the blade in hand, number 1, to another one.
     pub fn turn_to(&self, blade: u32) -> Rigid {

@@ -213,6 +213,9 @@ pub struct Inspect {
     /// Write the part with its regions coloured: airfoil, fillet, platform, root, tip.
     #[arg(long, value_name = "FILE")]
     pub glb: Option<PathBuf>,
+    /// Also how much of the airfoil has an opposite side, where two tools can hold it between them.
+    #[arg(long)]
+    pub pairs: bool,
 }
 
 fn parse_positive(text: &str) -> Result<f64, String> {

@@ -426,6 +426,13 @@ pub enum Infeasible {
         /// Where it is deepest, model frame, mm.
         at_mm: [f64; 3],
     },
+    /// The model shows another wheel than the job says.
+    NotThatWheel {
+        /// Blades that the job says.
+        asked: u32,
+        /// How often the model's wheel repeats in a turn.
+        found: u32,
+    },
     /// No schedule leads from one given angle to another.
     NoScheduleBetween {
         /// θ at the start, degrees.
@@ -545,6 +552,8 @@ pub enum Infeasible {
     },
     /// The model does not look like a blade.
     NotABlade,
+    /// The airfoil has no inside, or no opposite sides.
+    NoPairs,
     /// A design makes no blade.
     Design {
         /// Why.

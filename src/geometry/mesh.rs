@@ -120,6 +120,28 @@ pub fn edge_uses(triangles: &[[u32; 3]]) -> Vec<EdgeUse> {
     all
 }
 
+/// About so many places, spread evenly over the area of the triangles that count, with their
+/// triangles.
+pub fn spread(mesh: &Mesh, counts: impl Fn(usize) -> bool, places: usize) -> Vec<(Point, u32)> {
+    let triangles: Vec<usize> = (0..mesh.triangles.len()).filter(|t| counts(*t)).collect();
+    let total: f64 = triangles.iter().map(|t| mesh.triangle_area_mm2(*t)).sum();
+    let step_mm2 = total / places as f64;
+    let (mut left, mut out) = (0.5 * step_mm2, Vec::with_capacity(places + 1));
+    for t in triangles {
+        let [a, b, c] = mesh.corners(t);
+        left += mesh.triangle_area_mm2(t);
+        let own = (left / step_mm2).floor();
+        left -= own * step_mm2;
+        for k in 0..own as usize {
+            // A sequence of low discrepancy over the triangle.
+            let (u, v) = ((k as f64 + 0.5) / own, (0.5 + 0.618_033_988_75 * k as f64).fract());
+            let s = u.sqrt();
+            out.push((a + (b - a) * (s * (1.0 - v)) + (c - a) * (s * v), t as u32));
+        }
+    }
+    out
+}
+
 /// Examines all edges, by index: points that merely coincide are different points ([`weld`] first).
 pub fn topology(mesh: &Mesh) -> Topology {
     let uses = edge_uses(&mesh.triangles);

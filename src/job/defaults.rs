@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
-use super::sections::{
-    FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, WheelSettings,
-};
+use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings};
 use super::tool::{self, Chosen};
 use super::typed::JobFile;
+use super::wheel;
 use crate::artifact::Blade;
 use crate::artifact::toolpath::{CHORD_MM, PathKind};
 use crate::channel::ChannelSettings;
@@ -151,7 +150,7 @@ impl Draft {
             tool: chosen.tool.clone(),
             fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
-            wheel: t.wheel.map(|w| WheelSettings::default().with_typed(Some(w))),
+            wheel: wheel::settled(t.wheel, blade.wheel.as_ref())?,
             orientation: OrientationSettings::default().with_typed(t.orientation),
             cut: t.cut.map(|c| CutSettings::default().with_typed(Some(c))),
             path,

@@ -19,6 +19,7 @@ mod sections;
 mod tests;
 mod tool;
 mod typed;
+mod wheel;
 
 pub use axis::AxisChoice;
 pub use defaults::{Draft, resolve};

@@ -89,7 +89,8 @@ impl Job {
         if let Some(wheel) = &self.wheel {
             wheel.validate()?;
         } else if !self.orientation.kind.goes_round() {
-            let message = "orientation.kind is not cone, but the job has no section wheel";
+            let message =
+                "orientation.kind is not cone, but the job has no section wheel, and its model is no whole wheel";
             return Err(Error::usage(Stage::Job, message)
                 .advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
         }

@@ -73,13 +73,15 @@ section! {
 }
 
 section! {
-    /// `[wheel]`: the wheel that the blade belongs to. Its other blades and its hub are in the tool's way.
+    /// `[wheel]`: the wheel that the blade belongs to. Its other blades and its hub are in the tool's way. A model of a whole wheel needs no
+    /// section.
     "wheel" WheelSettings, WheelKeys, s {
-        /// Number of blades, evenly spaced about the rotor axis. There is no default.
+        /// Number of blades, evenly spaced about the rotor axis; default: that of the model where it is a wheel or one sector, else there is
+        /// none.
         blades: u32 = 0, 2.0..=1000.0;
-        /// Direction of the rotor axis in the frame of the model. There is no default.
+        /// Direction of the rotor axis in the frame of the model; default: as for `blades`.
         axis: [f64; 3] = [0.0; 3];
-        /// A point on the rotor axis in the frame of the model, mm.
+        /// A point on the rotor axis in the frame of the model, mm; default: that of the model's wheel, else the origin.
         origin_mm: [f64; 3] = [0.0; 3];
         /// Contour of the hub: places along the rotor axis from `origin_mm`, rising, and the hub's radius there, mm; default: none but what the
         /// model has.

@@ -183,6 +183,7 @@ mod with_blade {
             part: Part::from_mesh(mesh),
             model_from_blade: Rigid::identity(),
             regions: Regions::at_heights([0.0, 100.0], [0.0, 100.0], None),
+            wheel: None,
             diagnosis: Diagnosis::default(),
         }
     }

@@ -160,6 +160,7 @@ mod tests {
             part: Part::from_mesh(mesh),
             model_from_blade: Rigid::identity(),
             regions: Regions::at_heights([-low, LENGTH], [low, LENGTH], None),
+            wheel: None,
             diagnosis: Diagnosis::default(),
         }
     }

@@ -68,6 +68,7 @@ pub(super) fn lofted(rings: &[Vec<Point>]) -> Blade {
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
         regions: Regions::at_heights([lowest, 60.0], [0.0, 60.0], Some(0.0)),
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

@@ -105,7 +105,10 @@ impl Setup {
         };
         let end_faces = named::faces_of(&job.region.end_faces, &blade.part)?;
         let obstacles = match (&wheel, &job.wheel) {
-            (Some(wheel), Some(settings)) => wheel::bodies(wheel, settings, &blade, &job.channel)?,
+            // A model of the whole wheel has them.
+            (Some(wheel), Some(settings)) if !blade.wheel.is_some_and(|w| w.whole) => {
+                wheel::bodies(wheel, settings, &blade, &job.channel)?
+            }
             _ => Vec::new(),
         };
         let (post_files, part_hash) = (Vec::new(), String::new());

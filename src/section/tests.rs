@@ -235,6 +235,7 @@ fn prism(profile: &[[f64; 2]], x: [f64; 2]) -> Blade {
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
         regions: Regions::at_heights(x, x, None),
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

@@ -53,6 +53,7 @@ fn blade(mesh: Mesh, model_from_blade: Rigid) -> Blade {
         part: Part::from_mesh(mesh),
         model_from_blade,
         regions: Regions::at_heights([-60.0, 60.0], [-60.0, 60.0], None),
+        wheel: None,
         diagnosis: Diagnosis { closed: true, ..Diagnosis::default() },
     }
 }

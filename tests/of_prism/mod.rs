@@ -13,7 +13,12 @@ use bladewright::{job, make};
 /// A job with changes as `--set` takes them.
 pub fn setup(job: &str, changes: &[&str], machine: Machine) -> Result<Setup> {
     let step = make::step_text(&make::build(&make::presets::prism())?)?;
-    let blade = model::load_bytes(Path::new("prism.step"), step.as_bytes(), &ModelOptions::default(), &Silent)?;
+    setup_of(("prism.step", step.as_bytes()), job, changes, machine)
+}
+
+/// The same with another model, a name and what its file holds.
+pub fn setup_of((name, bytes): (&str, &[u8]), job: &str, changes: &[&str], machine: Machine) -> Result<Setup> {
+    let blade = model::load_bytes(Path::new(name), bytes, &ModelOptions::default(), &Silent)?;
     let mut typed = job::parse(job, "the job")?;
     changes.iter().try_for_each(|c| typed.set(c))?;
     Setup::of(&job::resolve(typed, Path::new(""))?, blade, machine, &Silent)

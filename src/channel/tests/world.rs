@@ -29,6 +29,7 @@ pub fn blade(mesh: Mesh) -> Blade {
         part: Part::from_mesh(mesh),
         model_from_blade: Rigid::identity(),
         regions: Regions::at_heights([-20.0, 60.0], [0.0, 60.0], Some(0.0)),
+        wheel: None,
         diagnosis: Diagnosis::default(),
     }
 }

@@ -183,7 +183,7 @@ impl fmt::Display for Remark {
                  {greatest_mm:.4} mm, {rms_mm:.4} mm in the root mean square"
             ),
             Remark::Wheel { wheel } => {
-                write!(f, "the part is {wheel}: the helix goes round one blade, the others stand in the tool's way")
+                write!(f, "the part is {wheel}: the path goes round one blade, the others stand in the tool's way")
             }
             Remark::Assembly { bodies, number, body } => write!(
                 f,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::bodies::{Body, LISTED};
 use super::recognise::areas::of_faces;
 use super::recognise::{self, wheel};
-use super::survey::Survey;
+use super::survey::{Bladed, Survey};
 use crate::artifact::blade::Diagnosis;
 use crate::artifact::region::{Area, Patch, Region};
 use crate::error::Error;
@@ -56,6 +56,16 @@ pub fn inspect_text(survey: &Survey) -> String {
     } else {
         out.line("volume", "none, since the part is open");
     }
+    if let Some(bladed) = &survey.wheel {
+        let off_mm = bladed.wheel().off_mm;
+        let alike = match bladed {
+            Bladed::Whole(_) => format!("its blades are alike within {off_mm:.4} mm (root of the mean square)"),
+            Bladed::Sector(_) => {
+                format!("its sides lie on one another within {off_mm:.4} mm (root of the mean square)")
+            }
+        };
+        out.list("wheel", [bladed.in_words(), alike]);
+    }
     found(&mut out, survey);
     if let Some(e) = &survey.obstacle {
         out.list("plan", [format!("not possible as it is: {}", e.message)].into_iter().chain(e.advice.clone()));
@@ -88,11 +98,25 @@ pub fn inspect_json(survey: &Survey) -> Value {
             let m = f.model_from_blade.to_homogeneous();
             std::array::from_fn::<[f64; 4], 4, _>(|i| std::array::from_fn(|k| m[(i, k)]))
         }),
+        "wheel": survey.wheel.as_ref().map(wheel_json),
         "reasons": survey.found.as_ref().ok().map(|f| &f.heights.reasons),
         "regions": regions,
         "problem": survey.found.as_ref().err().or(survey.obstacle.as_ref()).map(said),
         "notes": d.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "remarks": d.notes,
+    })
+}
+
+/// A wheel for other programs: model frame, mm.
+fn wheel_json(bladed: &Bladed) -> Value {
+    let wheel = bladed.wheel();
+    json!({
+        "axis": [wheel.axis.x, wheel.axis.y, wheel.axis.z],
+        "through_mm": [wheel.through.x, wheel.through.y, wheel.through.z],
+        "blades": wheel.blades,
+        "repeats": wheel.fold,
+        "whole": matches!(bladed, Bladed::Whole(_)),
+        "alike_within_mm": wheel.off_mm,
     })
 }
 

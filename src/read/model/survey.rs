@@ -14,6 +14,7 @@ use super::orient;
 use super::published::{Prepared, Published};
 use super::recognise::areas::areas;
 use super::recognise::pieces::pieces;
+use super::recognise::sector;
 use super::recognise::wheel::{self, Wheel};
 use super::recognise::{self, Recognised};
 use super::rescue;
@@ -22,6 +23,7 @@ use super::units::{self, Guess, UnitSource};
 use super::{ModelOptions, SEW_MM, edge_box, kinds, stem};
 use crate::artifact::blade::{Blade, Diagnosis, Opening, Unit};
 use crate::artifact::region::{Area, Regions};
+use crate::artifact::wheel::ModelWheel;
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::Brep;
@@ -57,8 +59,41 @@ pub struct Survey {
     pub obstacle: Option<Error>,
     /// Bodies of the part, by their numbers from 1; empty where it is one piece.
     pub bodies: Vec<Body>,
+    /// The wheel that the model is, or is a sector of.
+    pub wheel: Option<Bladed>,
     /// Surface that the part has otherwise than its file, in the model frame.
     pub published: Option<Changed>,
+}
+
+/// What of a wheel a model has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Bladed {
+    /// All of it.
+    Whole(Wheel),
+    /// One sector.
+    Sector(Wheel),
+}
+
+impl Bladed {
+    /// The wheel.
+    pub fn wheel(&self) -> &Wheel {
+        let (Bladed::Whole(wheel) | Bladed::Sector(wheel)) = self;
+        wheel
+    }
+
+    /// In words.
+    pub fn in_words(&self) -> String {
+        match self {
+            Bladed::Whole(wheel) => wheel.in_words(),
+            Bladed::Sector(wheel) => format!("one sector of {}", wheel.in_words()),
+        }
+    }
+
+    fn of_blade(&self) -> ModelWheel {
+        let wheel = self.wheel();
+        let blades = u32::try_from(wheel.fold).unwrap_or(u32::MAX);
+        ModelWheel { axis: wheel.axis, through: wheel.through, blades, whole: matches!(self, Bladed::Whole(_)) }
+    }
 }
 
 /// Surface as a file has it, where sewing or healing changed it.
@@ -128,6 +163,7 @@ impl Survey {
             part,
             model_from_blade: found.model_from_blade,
             regions,
+            wheel: self.wheel.as_ref().map(Bladed::of_blade),
             diagnosis: self.diagnosis,
         })
     }
@@ -273,10 +309,9 @@ impl ReadPart {
         let own = chosen(&bodies, options.body)?;
         let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
         let wheel = wheel::wheel(looked_at);
-        let found = match &wheel {
-            Some(w) if !options.names_airfoil() => Err(is_wheel(w)),
-            _ => recognised(looked_at, &face_names, options, stacking.as_ref(), sheets && own.is_none()),
-        };
+        let looked = Looked { mesh: looked_at, stacking: stacking.as_ref(), wheel: wheel.as_ref() };
+        let found = recognised(&looked, &face_names, options, sheets && own.is_none());
+        let bladed = wheel.clone().map(Bladed::Whole).or_else(|| sector::sector(looked_at).map(Bladed::Sector));
         let found = on_whole(found, own, &part.mesh, &bodies);
         if let (Ok(_), Some(w)) = (&found, &wheel) {
             diagnosis.notes.push(Remark::Wheel { wheel: w.in_words() });
@@ -289,9 +324,7 @@ impl ReadPart {
             diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
             diagnosis.axis_against = found.against.clone();
             let [lo, hi] = found.heights.part_x_mm;
-            let chords = found.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
-            let chord = chords.sum::<f64>() / found.outline.len().max(1) as f64;
-            if let Some(doubt) = units::slender(hi - lo, chord, unit, source) {
+            if let Some(doubt) = units::slender(hi - lo, found.chord_mm(), unit, source) {
                 obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
                 diagnosis.notes.push(doubt);
             }
@@ -314,6 +347,7 @@ impl ReadPart {
             deflection_mm: options.deflection_mm,
             face_names,
             obstacle,
+            wheel: bladed,
             published: None,
             bodies,
         })
@@ -337,12 +371,6 @@ fn chosen(bodies: &[Body], number: Option<u32>) -> Result<Option<&Body>> {
         )
         .advise("give --body (model.body) one of these numbers, or leave it out")
     })
-}
-
-/// A wheel is no blade.
-fn is_wheel(wheel: &Wheel) -> Error {
-    Error::io(Stage::Model, format!("no single blade was found: the part is {}", wheel.in_words()))
-        .advise("export one blade with its piece of the hub")
 }
 
 /// What was recognised on a body, with the mesh of the whole part; an error with the bodies to
@@ -378,22 +406,27 @@ fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<Remar
     Some(Remark::Assembly { bodies: bodies.len(), number: number + 1, body: body.in_words() })
 }
 
+/// Where the blade is looked for.
+struct Looked<'a> {
+    /// The part, or its body that the user chose.
+    mesh: &'a Mesh,
+    /// The line along which a table stacks its sections.
+    stacking: Option<&'a Stacking>,
+    /// The wheel that it is.
+    wheel: Option<&'a Wheel>,
+}
+
 /// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings
 /// are closed for the search; but not those of sheets that face each other, whose sections are
 /// joined where their ends are near.
-fn recognised(
-    mesh: &Mesh,
-    face_names: &[String],
-    options: &ModelOptions,
-    stacking: Option<&Stacking>,
-    sheets: bool,
-) -> Result<Recognised> {
+fn recognised(looked: &Looked, face_names: &[String], options: &ModelOptions, sheets: bool) -> Result<Recognised> {
+    let Looked { mesh, stacking, wheel } = *looked;
     let mut whole = mesh.clone();
     whole.corner_uv.clear();
     if sheets || boundary::close(&mut whole, f64::INFINITY, face_names.len() as u32) == 0 {
-        return recognise::recognise(mesh, face_names, options, stacking);
+        return recognise::recognise(mesh, face_names, options, stacking, wheel);
     }
-    let mut found = recognise::recognise(&whole, face_names, options, stacking)?;
+    let mut found = recognise::recognise(&whole, face_names, options, stacking, wheel)?;
     found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
     Ok(found)
 }

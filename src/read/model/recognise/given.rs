@@ -38,10 +38,7 @@ pub struct Given {
 /// `Usage`: an axis of no length. `InputOutput`: no sections along it that continue, with the
 /// cause.
 pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Option<&Stacking>) -> Result<Given> {
-    let v = Vector::from(axis);
-    let direction = v.try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite())).ok_or_else(|| {
-        Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
-    })?;
+    let direction = direction(axis)?;
     let run = run::along(mesh, &direction, faces);
     let found = match stacking {
         Some(s) => search::stacked(mesh, s, faces),
@@ -52,6 +49,17 @@ pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Opti
     }
     let against = found.ok().and_then(|f| against(mesh, &run, &f, faces));
     Ok(Given { run, reason: format!("axis: {}, as given", words(&direction)), against })
+}
+
+/// The axis that was given, of unit length.
+///
+/// # Errors
+/// `Usage`: it has no length.
+pub(super) fn direction(axis: [f64; 3]) -> Result<Vector> {
+    let v = Vector::from(axis).try_normalize(1e-12).filter(|d| d.iter().all(|x| x.is_finite()));
+    v.ok_or_else(|| {
+        Error::usage(Stage::Model, format!("the blade axis {axis:?} has no direction")).advise("give three numbers")
+    })
 }
 
 /// What is said where the search settles on another axis.

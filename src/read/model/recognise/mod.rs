@@ -10,22 +10,25 @@
 //!
 //! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the
 //! sampling of heights, and up to the preference for datum directions); where the geometry leaves
-//! the axis open, a doubt says so. Limits: one airfoil; a wheel or several blades alike are
-//! refused.
+//! the axis open, a doubt says so. Of a wheel one blade is taken ([`one_blade`]). Limits: one
+//! airfoil; several blades alike that are no wheel are refused.
 
 pub mod areas;
 pub mod caps;
 pub mod foot;
 pub mod given;
 pub mod named;
+pub mod one_blade;
 pub mod pieces;
 pub mod regions;
 pub mod rotor;
 pub mod run;
 pub mod search;
+pub mod sector;
 pub mod shape;
 pub mod sides;
 pub mod stitch;
+pub mod turned;
 pub mod wheel;
 
 use super::ModelOptions;
@@ -36,6 +39,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::{Remark, direction};
 use run::Run;
+use wheel::Wheel;
 
 /// Below this mean likeness the sections are steady but not airfoils, …
 const DOUBTFUL: f64 = 0.25;
@@ -83,6 +87,14 @@ pub struct Recognised {
     pub fillet: Vec<[Point; 2]>,
 }
 
+impl Recognised {
+    /// Mean width of the airfoil's sections, corner to corner of their boxes, mm.
+    pub fn chord_mm(&self) -> f64 {
+        let chords = self.outline.iter().map(|(_, b)| (b[2] - b[0]).hypot(b[3] - b[1]));
+        chords.sum::<f64>() / self.outline.len().max(1) as f64
+    }
+}
+
 /// The search without what the user said: for telling what a body is.
 pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
     let found = search::search(mesh, None).ok()?;
@@ -90,7 +102,7 @@ pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
 }
 
 /// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the
-/// part comes from one.
+/// part comes from one; `wheel`: the wheel that the part is.
 ///
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
@@ -99,20 +111,25 @@ pub fn recognise(
     face_names: &[String],
     options: &ModelOptions,
     stacking: Option<&Stacking>,
+    wheel: Option<&Wheel>,
 ) -> Result<Recognised> {
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
     let (mut doubts, mut against) = (Vec::new(), None);
     let (mut run, reason) = match options.axis {
         Some(a) => {
-            let given = given::given(mesh, a, airfoil, stacking)?;
+            let given = match wheel {
+                Some(w) => one_blade::given(mesh, w, a, airfoil)?,
+                None => given::given(mesh, a, airfoil, stacking)?,
+            };
             against = given.against;
             (given.run, given.reason)
         }
         None => {
-            let found = match stacking {
-                Some(s) => search::stacked(mesh, s, airfoil)?,
-                None => search::search(mesh, airfoil)?,
+            let found = match (stacking, wheel) {
+                (Some(s), _) => search::stacked(mesh, s, airfoil)?,
+                (None, Some(w)) => one_blade::search(mesh, w, airfoil)?,
+                (None, None) => search::search(mesh, airfoil)?,
             };
             doubts.extend(found.doubt);
             (found.run, found.reason)
@@ -128,6 +145,10 @@ pub fn recognise(
         doubts.push(Remark::NoAirfoil { likeness: run.likeness, axis_given: options.axis.is_some() });
     } else if run.likeness < PARTLY {
         doubts.push(Remark::PartlyAirfoil { likeness: run.likeness });
+    }
+    if wheel.is_some() {
+        // Found on one side of the rotor axis.
+        run.part_mm = run::extent_mm(mesh, &run.direction);
     }
     let (model_from_blade, origin) = frame(&run);
     for link in &mut run.links {

@@ -111,6 +111,12 @@ fn axes_of(direction: &Vector) -> (Vector, Vector, Vector) {
     (x, y, x.cross(&y))
 }
 
+/// Heights of a mesh along a direction, mm.
+pub fn extent_mm(mesh: &Mesh, direction: &Vector) -> [f64; 2] {
+    let along = mesh.points.iter().map(|p| direction.normalize().dot(&p.coords));
+    along.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], h| [lo.min(h), hi.max(h)])
+}
+
 /// Cuts the mesh at [`HEIGHTS`] heights along the direction and finds the best chain. `faces`: the
 /// faces (one flag each) that loops must lie on to count; `None`: any.
 pub fn along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>) -> Run {

@@ -12,6 +12,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Matrix3;
 
 use super::run::frame_along;
+use super::turned;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice};
@@ -32,8 +33,17 @@ const MOST: f64 = 0.9;
 const DEEPER: f64 = 0.05;
 /// A direction this near to a coordinate axis is that axis, degrees.
 const SNAP_DEG: f64 = 1.0;
+/// Places by which the axis is fitted.
+const FITTED: usize = 4000;
+/// A fitted axis this near to a coordinate axis is that axis, degrees and mm: meshes of round parts
+/// are not round.
+const ROUNDING_DEG: f64 = 0.01;
+/// See [`ROUNDING_DEG`].
+const ROUNDING_MM: f64 = 0.005;
 
 /// A bladed wheel.
+///
+/// Of a sector of one ([`mod@super::sector`]) the blades are those of the whole wheel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wheel {
     /// Its axis, unit vector, the main component positive.
@@ -44,6 +54,10 @@ pub struct Wheel {
     pub blades: usize,
     /// How often the wheel repeats in a turn.
     pub fold: usize,
+    /// Radius from which on the blades are apart, where they are so from farthest inside, mm.
+    pub apart_from_mm: f64,
+    /// How far the blades are off one another where they are turned, root of the mean square, mm.
+    pub off_mm: f64,
 }
 
 impl Wheel {
@@ -138,10 +152,33 @@ fn about(mesh: &Mesh, centre: &Point, axis: &Vector) -> Option<Wheel> {
         let folds = (3..=blades).rev().filter(|f| blades.is_multiple_of(*f));
         if let Some(fold) = folds.take(4).find(|f| repeats(&turned, &bvh, band[0], most_mm, *f)) {
             let through = frame * Point::new(0.0, at.y, at.z);
-            return Some(Wheel { axis: *axis, through, blades, fold });
+            let begin = Wheel { axis: *axis, through, blades, fold, apart_from_mm: band[0], off_mm: f64::INFINITY };
+            return fitted(mesh, begin, most_mm);
         }
     }
     None
+}
+
+/// The wheel with the axis about which its blades lie on one another most nearly. A direction or a
+/// place that is a coordinate axis but for rounding is that axis.
+fn fitted(mesh: &Mesh, begin: Wheel, most_mm: f64) -> Option<Wheel> {
+    let radius = |p: &Point| (p - begin.through).cross(&begin.axis).norm();
+    let middles = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).map(|[p, q, r]| p + ((q - p) + (r - p)) / 3.0);
+    let all: Vec<Point> = middles.filter(|p| radius(p) >= begin.apart_from_mm).collect();
+    let places: Vec<Point> = all.iter().copied().step_by((all.len() / FITTED).max(1)).collect();
+    let (bvh, angle) = (MeshBvh::new(mesh), TAU / begin.fold as f64);
+    let line = turned::fit((mesh, &bvh), &places, (&begin.axis, &begin.through), angle, NEAR * most_mm)?;
+    let (mut axis, mut through) = (line.axis, line.through);
+    let datum = snapped(axis);
+    if datum.cross(&axis).norm() < ROUNDING_DEG.to_radians() {
+        axis = datum * datum.dot(&axis).signum();
+    }
+    for k in (0..3).filter(|k| axis[*k].abs() < 0.5) {
+        if through[k].abs() < ROUNDING_MM {
+            through[k] = 0.0;
+        }
+    }
+    Some(Wheel { axis, through, off_mm: line.off_mm, ..begin })
 }
 
 /// Radii of circles and how many bodies each passes through.
