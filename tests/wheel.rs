@@ -45,6 +45,12 @@ fn setup(changes: &[&str], machine: Machine) -> Result<Setup> {
     of_prism::setup(JOB, changes, machine)
 }
 
+/// [`JOB`] without its section wheel.
+fn without_wheel() -> String {
+    let ((before, _), (_, after)) = JOB.split_once("[wheel]").zip(JOB.split_once("[orientation]")).expect("sections");
+    format!("{before}[orientation]{after}")
+}
+
 fn refused(changes: &[&str]) -> Error {
     match setup(changes, Machine::demo().expect("the demo machine")) {
         Err(e) => e,
@@ -115,9 +121,7 @@ fn what_cannot_be_is_refused_with_its_place() {
         let e = refused(&[change]);
         assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{change}: {e}");
     }
-    let ((before, _), (_, after)) = JOB.split_once("[wheel]").zip(JOB.split_once("[orientation]")).expect("sections");
-    let lonely = format!("{before}[orientation]{after}");
-    let e = of_prism::setup(&lonely, &[], machine("demo_table_head.toml")).err().expect("no wheel");
+    let e = of_prism::setup(&without_wheel(), &[], machine("demo_table_head.toml")).err().expect("no wheel");
     assert!(e.message.contains("the job has no section wheel"), "{e}");
 }
 
@@ -155,12 +159,8 @@ fn whole_wheel(blades: u32) -> String {
 fn a_model_of_a_whole_wheel_is_planned_as_it_is() {
     let machine = || machine("demo_table_head.toml");
     let twelve = whole_wheel(12);
-    let without = {
-        let ((before, _), (_, after)) =
-            JOB.split_once("[wheel]").zip(JOB.split_once("[orientation]")).expect("sections");
-        format!("{before}[orientation]{after}")
-    };
-    let whole = of_prism::setup_of(("wheel.obj", twelve.as_bytes()), &without, &[], machine()).expect("a setup");
+    let whole =
+        of_prism::setup_of(("wheel.obj", twelve.as_bytes()), &without_wheel(), &[], machine()).expect("a setup");
     let alone =
         of_prism::setup_of(("prism.obj", include_bytes!("../models/prism.obj")), JOB, &["wheel.blades=12"], machine())
             .expect("a setup");

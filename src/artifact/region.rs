@@ -4,6 +4,8 @@
 //! A part has a list of regions. Today it holds one airfoil, perhaps with a fillet and a platform;
 //! nothing here counts on that.
 
+use std::collections::BTreeMap;
+
 use super::along::Along;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::profile::Sides;
@@ -25,6 +27,21 @@ pub enum Area {
     Tip,
     /// Beside the airfoil, or not recognised.
     Other,
+}
+
+/// Surface of each face by area, mm²; `areas`: what each triangle of the mesh belongs to.
+pub fn surface(mesh: &Mesh, areas: &[Area]) -> BTreeMap<u32, BTreeMap<Area, f64>> {
+    let mut out: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
+    for (t, area) in areas.iter().enumerate() {
+        *out.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
+    }
+    out
+}
+
+/// The area that each face belongs to by most of its surface.
+pub fn of_faces(mesh: &Mesh, areas: &[Area]) -> BTreeMap<u32, Area> {
+    let most = |by: &BTreeMap<Area, f64>| by.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
+    surface(mesh, areas).iter().filter_map(|(face, by)| Some((*face, most(by)?))).collect()
 }
 
 /// A curve on the part at which a region begins or ends.

@@ -34,7 +34,7 @@ impl Wheel {
     pub fn turn_to(&self, blade: u32) -> Rigid {
         let angle = TAU * f64::from(blade.saturating_sub(1)) / f64::from(self.blades.max(1));
         let turn = UnitQuaternion::from_axis_angle(&self.axis, angle);
-        Rigid::from_parts((self.origin - turn * self.origin).into(), turn)
+        Rigid::rotation_wrt_point(turn, self.origin)
     }
 
     /// The point of the rotor axis nearest to a point.

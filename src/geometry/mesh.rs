@@ -142,6 +142,25 @@ pub fn spread(mesh: &Mesh, counts: impl Fn(usize) -> bool, places: usize) -> Vec
     out
 }
 
+/// The mesh of some of the triangles, with the faces that they belong to.
+pub fn part_of(mesh: &Mesh, triangles: &[u32]) -> Mesh {
+    let mut number = vec![u32::MAX; mesh.points.len()];
+    let mut out = Mesh::default();
+    for &t in triangles {
+        let corners = mesh.triangles[t as usize].map(|v| {
+            let n = &mut number[v as usize];
+            if *n == u32::MAX {
+                *n = out.points.len() as u32;
+                out.points.push(mesh.points[v as usize]);
+            }
+            *n
+        });
+        out.triangles.push(corners);
+        out.face_of.push(mesh.face(t as usize));
+    }
+    out
+}
+
 /// Examines all edges, by index: points that merely coincide are different points ([`weld`] first).
 pub fn topology(mesh: &Mesh) -> Topology {
     let uses = edge_uses(&mesh.triangles);

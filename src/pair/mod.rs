@@ -129,7 +129,7 @@ pub fn partner(part: &Part, first: Place, within_mm: f64) -> Option<Pair> {
     }
     let radius_mm = arm.norm_squared() / (2.0 * off);
     let centre = centre(radius_mm);
-    let held = part.closest(&centre, f64::INFINITY)?.distance_mm < radius_mm - HELD_MM.max(SAME * radius_mm);
+    let held = part.closest(&centre, f64::INFINITY)?.distance_mm < radius_mm - HELD_MM;
     let inside = part.inside(&centre);
     let place = Place { point: second.point, normal: second.normal };
     (inside && !held).then_some(Pair {

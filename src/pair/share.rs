@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{Pair, Place, partner};
-use crate::artifact::region::Area;
+use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::{spread, topology};
@@ -65,7 +65,7 @@ pub fn share(part: &Part, areas: &[Area], chord_mm: f64, observer: &dyn Observer
         return Err(refuse("no airfoil was found on the part".into(), "say where it is: --axis, --faces or --region"));
     }
     let within_mm = part.mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
-    let faces = airfoil_faces(part, areas);
+    let faces = of_faces(&part.mesh, areas);
     let mut found = Vec::with_capacity(places.len());
     for chunk in places.chunks(AT_ONCE) {
         observer.check(Stage::Model)?;
@@ -75,7 +75,7 @@ pub fn share(part: &Part, areas: &[Area], chord_mm: f64, observer: &dyn Observer
     let pairs: Vec<&Pair> = found.iter().flatten().collect();
     let on_airfoil = |p: &Pair| match p.triangle {
         Some(t) => is_airfoil(t as usize),
-        None => faces.get(p.face as usize).copied().unwrap_or(false),
+        None => faces.get(&p.face) == Some(&Area::Airfoil),
     };
     let (own, other): (Vec<&Pair>, Vec<&Pair>) = pairs.iter().partition(|p| on_airfoil(p));
     let (holds, wedge): (Vec<&Pair>, Vec<&Pair>) =
@@ -127,19 +127,4 @@ fn one(part: &Part, p: &Point, triangle: u32, within_mm: f64) -> Option<Pair> {
     // A point of a facet lies beside the exact face.
     let near = part.closest(p, f64::INFINITY)?;
     partner(part, Place { point: near.point, normal: near.normal }, within_mm)
-}
-
-/// The faces most of whose area is the airfoil's.
-fn airfoil_faces(part: &Part, areas: &[Area]) -> Vec<bool> {
-    let mut all: Vec<[f64; 2]> = Vec::new();
-    for t in 0..part.mesh.triangles.len() {
-        let face = part.mesh.face(t) as usize;
-        if all.len() <= face {
-            all.resize(face + 1, [0.0; 2]);
-        }
-        let area_mm2 = part.mesh.triangle_area_mm2(t);
-        all[face][0] += area_mm2;
-        all[face][1] += if areas.get(t) == Some(&Area::Airfoil) { area_mm2 } else { 0.0 };
-    }
-    all.into_iter().map(|[whole, own]| own > 0.5 * whole).collect()
 }

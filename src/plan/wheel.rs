@@ -35,7 +35,7 @@ pub(super) fn of(settings: &WheelSettings, blade: &Blade) -> Result<Wheel> {
             Stage::Job,
             format!("wheel.axis is {angle:.1}° from the blade axis: blades of a wheel stand away from its axis"),
         )
-        .advise("give the direction of the rotor axis in the model's frame; `inspect` prints the blade axis"));
+        .advise("give a blade axis that stands off the rotor axis, or the true wheel.axis; `inspect` prints both"));
     }
     Ok(Wheel { axis, origin: blade_from_model * Point::from(settings.origin_mm), blades: settings.blades })
 }

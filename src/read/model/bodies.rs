@@ -6,7 +6,7 @@
 //! number.
 
 use crate::geometry::Aabb;
-use crate::geometry::mesh::{Mesh, edge_uses, root};
+use crate::geometry::mesh::{Mesh, edge_uses, part_of, root};
 
 /// A piece with less of the whole surface than this share is a crumb.
 const CRUMB: f64 = 0.002;
@@ -95,25 +95,6 @@ fn body(mesh: &Mesh, triangles: Vec<u32>) -> Option<Body> {
     let own = part_of(mesh, &triangles);
     let (aabb, volume_mm3, area_mm2) = (own.aabb()?, own.volume_mm3(), own.area_mm2());
     Some(Body { triangles, mesh: own, aabb, volume_mm3, area_mm2 })
-}
-
-/// The mesh of some of the triangles, with the faces that they belong to.
-fn part_of(mesh: &Mesh, triangles: &[u32]) -> Mesh {
-    let mut number = vec![u32::MAX; mesh.points.len()];
-    let mut out = Mesh::default();
-    for &t in triangles {
-        let corners = mesh.triangles[t as usize].map(|v| {
-            let n = &mut number[v as usize];
-            if *n == u32::MAX {
-                *n = out.points.len() as u32;
-                out.points.push(mesh.points[v as usize]);
-            }
-            *n
-        });
-        out.triangles.push(corners);
-        out.face_of.push(mesh.face(t as usize));
-    }
-    out
 }
 
 #[cfg(test)]

@@ -6,11 +6,10 @@ use std::fmt::Write;
 use serde_json::{Map, Value, json};
 
 use super::bodies::{Body, LISTED};
-use super::recognise::areas::of_faces;
 use super::recognise::{self, wheel};
 use super::survey::{Bladed, Survey};
 use crate::artifact::blade::Diagnosis;
-use crate::artifact::region::{Area, Patch, Region};
+use crate::artifact::region::{Area, Patch, Region, of_faces};
 use crate::error::Error;
 
 /// Openings that are listed.

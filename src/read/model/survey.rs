@@ -81,6 +81,11 @@ impl Bladed {
         wheel
     }
 
+    /// The wheel, where the model has all of it.
+    fn whole(&self) -> Option<&Wheel> {
+        if let Bladed::Whole(wheel) = self { Some(wheel) } else { None }
+    }
+
     /// In words.
     pub fn in_words(&self) -> String {
         match self {
@@ -92,7 +97,7 @@ impl Bladed {
     fn of_blade(&self) -> ModelWheel {
         let wheel = self.wheel();
         let blades = u32::try_from(wheel.fold).unwrap_or(u32::MAX);
-        ModelWheel { axis: wheel.axis, through: wheel.through, blades, whole: matches!(self, Bladed::Whole(_)) }
+        ModelWheel { axis: wheel.axis, through: wheel.through, blades, whole: self.whole().is_some() }
     }
 }
 
@@ -308,12 +313,13 @@ impl ReadPart {
         let bodies = if diagnosis.pieces > 1 { bodies::bodies(&part.mesh) } else { Vec::new() };
         let own = chosen(&bodies, options.body)?;
         let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
-        let wheel = wheel::wheel(looked_at);
-        let looked = Looked { mesh: looked_at, stacking: stacking.as_ref(), wheel: wheel.as_ref() };
+        let bladed = wheel::wheel(looked_at).map(Bladed::Whole);
+        let bladed = bladed.or_else(|| sector::sector(looked_at).map(Bladed::Sector));
+        let wheel = bladed.as_ref().and_then(Bladed::whole);
+        let looked = Looked { mesh: looked_at, stacking: stacking.as_ref(), wheel };
         let found = recognised(&looked, &face_names, options, sheets && own.is_none());
-        let bladed = wheel.clone().map(Bladed::Whole).or_else(|| sector::sector(looked_at).map(Bladed::Sector));
         let found = on_whole(found, own, &part.mesh, &bodies);
-        if let (Ok(_), Some(w)) = (&found, &wheel) {
+        if let (Ok(_), Some(w)) = (&found, wheel) {
             diagnosis.notes.push(Remark::Wheel { wheel: w.in_words() });
         }
         if let (Ok(found), None, [_, _, ..]) = (&found, own, &bodies[..]) {

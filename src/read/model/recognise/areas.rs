@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::Recognised;
-use crate::artifact::region::Area;
+use crate::artifact::region::{Area, surface};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
 
@@ -93,22 +93,8 @@ fn within(found: &Recognised, p: &Point) -> bool {
     (0..2).all(|k| q[k] > b[k] - wider * margin(k) && q[k] < b[k + 2] + wider * margin(k))
 }
 
-/// The area that each face belongs to by most of its surface.
-pub fn of_faces(mesh: &Mesh, areas: &[Area]) -> BTreeMap<u32, Area> {
-    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = BTreeMap::new();
-    for (t, area) in areas.iter().enumerate() {
-        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
-    }
-    let most = |by: &BTreeMap<Area, f64>| by.iter().max_by(|a, b| a.1.total_cmp(b.1)).map(|(a, _)| *a);
-    surface.iter().filter_map(|(face, by)| Some((*face, most(by)?))).collect()
-}
-
 fn take_whole(mesh: &Mesh, out: &mut [Area]) {
-    let mut surface: BTreeMap<u32, BTreeMap<Area, f64>> = Default::default();
-    for (t, area) in out.iter().enumerate() {
-        *surface.entry(mesh.face(t)).or_default().entry(*area).or_default() += mesh.triangle_area_mm2(t);
-    }
-    let whole: BTreeMap<u32, Area> = surface
+    let whole: BTreeMap<u32, Area> = surface(mesh, out)
         .iter()
         .filter_map(|(face, by)| {
             let total: f64 = by.values().sum();

@@ -18,7 +18,7 @@ use super::wheel::Wheel;
 use super::{HARDLY, words};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Vector;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, part_of};
 
 /// Directions that are tried for each blade of a repeat.
 const DIRECTIONS: usize = 16;
@@ -45,25 +45,13 @@ const ALONG_ROTOR: f64 = 0.8;
 /// hub; all of it for a direction that is not across the axis.
 fn own_side(mesh: &Mesh, wheel: &Wheel, direction: &Vector) -> Mesh {
     let d = direction.normalize();
-    let mut out = Mesh::default();
     let from = match d.dot(&wheel.axis).abs() > ALONG_ROTOR {
         true => f64::NEG_INFINITY,
         false => d.dot(&wheel.through.coords) + INSIDE * wheel.apart_from_mm,
     };
-    let beyond = |t: &[u32; 3]| t.iter().all(|k| d.dot(&mesh.points[*k as usize].coords) > from);
-    let mut number = vec![u32::MAX; mesh.points.len()];
-    for (t, triangle) in mesh.triangles.iter().enumerate().filter(|(_, t)| beyond(t)) {
-        out.triangles.push(triangle.map(|k| {
-            let own = &mut number[k as usize];
-            if *own == u32::MAX {
-                *own = out.points.len() as u32;
-                out.points.push(mesh.points[k as usize]);
-            }
-            *own
-        }));
-        out.face_of.push(mesh.face(t));
-    }
-    out
+    let is_beyond = |t: &u32| mesh.corners(*t as usize).iter().all(|p| d.dot(&p.coords) > from);
+    let beyond: Vec<u32> = (0..mesh.triangles.len() as u32).filter(is_beyond).collect();
+    part_of(mesh, &beyond)
 }
 
 /// The run along the blade in a direction that the user gave. `faces`: as for [`run::along`].

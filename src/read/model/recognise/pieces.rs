@@ -1,10 +1,10 @@
 //! The regions of a part: for each area its faces or facets, the curves that bound it, and the
 //! names of its sides.
 
-use super::areas::{areas, of_faces};
+use super::areas::areas;
 use super::sides::sides;
 use super::{Heights, Recognised};
-use crate::artifact::region::{Area, Boundary, Patch, Region, Regions};
+use crate::artifact::region::{Area, Boundary, Patch, Region, Regions, of_faces};
 use crate::geometry::part::Part;
 
 /// The regions of the part that a blade was recognised on, the airfoil first. `part`: blade frame.

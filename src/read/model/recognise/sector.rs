@@ -11,11 +11,11 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::rotor;
-use super::turned::{self, turn};
+use super::turned::{self, about};
 use super::wheel::Wheel;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::{Mesh, spread};
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 
 /// Numbers of blades that are tried.
 const BLADES: std::ops::RangeInclusive<usize> = 3..=200;
@@ -42,14 +42,14 @@ pub fn sector(mesh: &Mesh) -> Option<Wheel> {
     let size_mm = mesh.aabb()?.diagonal_mm();
     let bvh = MeshBvh::new(mesh);
     let within_mm = NEAR * size_mm;
-    let meets = |(p, n): &Place, angle: f64| {
-        let q = turn(p, &axis, &Point::origin(), angle);
-        let m = turn(&Point::from(*n), &axis, &Point::origin(), angle).coords;
-        bvh.closest(mesh, &q, within_mm).is_some_and(|near| mesh.normal(near.triangle as usize).dot(&m) < AGAINST)
+    let turn = |blades: usize| about(&axis, &Point::origin(), TAU / blades as f64);
+    let meets = |(p, n): &Place, turn: &Rigid| {
+        let near = bvh.closest(mesh, &(turn * p), within_mm);
+        near.is_some_and(|near| mesh.normal(near.triangle as usize).dot(&(turn * n)) < AGAINST)
     };
     let count = |blades: usize| {
-        let angle = TAU / blades as f64;
-        (places.iter().filter(|p| meets(p, angle)).count(), blades)
+        let turn = turn(blades);
+        (places.iter().filter(|p| meets(p, &turn)).count(), blades)
     };
     let mut counts: Vec<(usize, usize)> = BLADES.into_par_iter().map(count).collect();
     counts.sort_unstable_by(|a, b| b.cmp(a));
@@ -57,9 +57,9 @@ pub fn sector(mesh: &Mesh) -> Option<Wheel> {
     if (most as f64) < SHARE * all as f64 || (most as f64) < TIMES * second as f64 {
         return None;
     }
-    let angle = TAU / blades as f64;
-    let own: Vec<Point> = places.iter().filter(|p| meets(p, angle)).map(|p| p.0).collect();
-    let off_mm = turned::off_mm((mesh, &bvh), &own, (&axis, &Point::origin()), angle, within_mm)?;
+    let turn = turn(blades);
+    let own: Vec<Point> = places.iter().filter(|p| meets(p, &turn)).map(|p| p.0).collect();
+    let off_mm = turned::off_mm((mesh, &bvh), &own, &turn, within_mm)?;
     Some(Wheel { axis, through: Point::origin(), blades, fold: blades, apart_from_mm: 0.0, off_mm })
 }
 

@@ -8,7 +8,7 @@ use nalgebra::{Matrix4, Unit, UnitQuaternion, Vector4};
 
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 
 /// Rounds of Gauss and Newton.
 const ROUNDS: usize = 5;
@@ -26,16 +26,24 @@ pub struct Line {
     pub off_mm: f64,
 }
 
-/// Turns a point about a line.
-pub fn turn(p: &Point, axis: &Vector, through: &Point, angle_rad: f64) -> Point {
-    through + UnitQuaternion::from_axis_angle(&Unit::new_normalize(*axis), angle_rad) * (p - through)
+/// The turn about a line.
+pub fn about(axis: &Vector, through: &Point, angle_rad: f64) -> Rigid {
+    Rigid::rotation_wrt_point(UnitQuaternion::from_axis_angle(&Unit::new_normalize(*axis), angle_rad), *through)
+}
+
+/// The normal of the mesh beside a point, and how far the point is off the mesh along it, mm;
+/// `None`: farther off than `within_mm`.
+fn off((mesh, bvh): (&Mesh, &MeshBvh), p: &Point, within_mm: f64) -> Option<(Vector, f64)> {
+    let near = bvh.closest(mesh, p, within_mm)?;
+    let normal = mesh.normal(near.triangle as usize);
+    Some((normal, normal.dot(&(p - near.foot))))
 }
 
 /// The line near `axis` through `through` about which `places`, turned by `angle_rad`, come to lie
 /// on the mesh; places that come to lie farther off than `within_mm` do not count. `None` where
 /// fewer than a dozen do.
 pub fn fit(
-    (mesh, bvh): (&Mesh, &MeshBvh),
+    on: (&Mesh, &MeshBvh),
     places: &[Point],
     (axis, through): (&Vector, &Point),
     angle_rad: f64,
@@ -44,19 +52,15 @@ pub fn fit(
     let mut line = Line { axis: axis.normalize(), through: *through, off_mm: f64::INFINITY };
     let mut best: Option<Line> = None;
     for _ in 0..ROUNDS {
-        let across = [0, 1].map(|k| square(&line.axis)[k]);
-        let turned = UnitQuaternion::from_axis_angle(&Unit::new_normalize(line.axis), angle_rad);
+        let (across, turn) = (square(&line.axis), about(&line.axis, &line.through, angle_rad));
         let (mut normal, mut right, mut sum, mut count) = (Matrix4::zeros(), Vector4::zeros(), 0.0, 0usize);
         for p in places {
-            let q = turn(p, &line.axis, &line.through, angle_rad);
-            let Some(near) = bvh.closest(mesh, &q, within_mm) else { continue };
-            let n = mesh.normal(near.triangle as usize);
-            let off = n.dot(&(q - near.foot));
+            let Some((n, off)) = off(on, &(turn * p), within_mm) else { continue };
             let arm = p - line.through;
             // A line that is shifted by v moves q by v − turned v; one that is tilted by w, by
             // w × (turned arm) − turned (w × arm).
-            let shift = across.map(|v| n.dot(&(v - turned * v)));
-            let tilt = across.map(|w| n.dot(&(w.cross(&(turned * arm)) - turned * w.cross(&arm))));
+            let shift = across.map(|v| n.dot(&(v - turn * v)));
+            let tilt = across.map(|w| n.dot(&(w.cross(&(turn * arm)) - turn * w.cross(&arm))));
             let row = Vector4::new(shift[0], shift[1], tilt[0], tilt[1]);
             normal += row * row.transpose();
             right -= row * off;
@@ -80,20 +84,9 @@ pub fn fit(
 }
 
 /// How far places are off the mesh, root of the mean square of the distances along the normals, mm,
-/// where they are turned about a line; those farther off than `within_mm` do not count.
-pub fn off_mm(
-    (mesh, bvh): (&Mesh, &MeshBvh),
-    places: &[Point],
-    (axis, through): (&Vector, &Point),
-    angle_rad: f64,
-    within_mm: f64,
-) -> Option<f64> {
-    let off = |p: &Point| {
-        let q = turn(p, axis, through, angle_rad);
-        let near = bvh.closest(mesh, &q, within_mm)?;
-        Some(mesh.normal(near.triangle as usize).dot(&(q - near.foot)).powi(2))
-    };
-    let all: Vec<f64> = places.iter().filter_map(off).collect();
+/// where they are turned; those farther off than `within_mm` do not count.
+pub fn off_mm(on: (&Mesh, &MeshBvh), places: &[Point], turn: &Rigid, within_mm: f64) -> Option<f64> {
+    let all: Vec<f64> = places.iter().filter_map(|p| off(on, &(turn * p), within_mm)).map(|o| o.1 * o.1).collect();
     (!all.is_empty()).then(|| (all.iter().sum::<f64>() / all.len() as f64).sqrt())
 }
 

@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Matrix3;
 
 use super::run::frame_along;
-use super::turned;
+use super::turned::{self, Line};
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice};
@@ -54,7 +54,8 @@ pub struct Wheel {
     pub blades: usize,
     /// How often the wheel repeats in a turn.
     pub fold: usize,
-    /// Radius from which on the blades are apart, where they are so from farthest inside, mm.
+    /// Radius from which on the blades are apart, where they are so from farthest inside, mm; 0
+    /// of a sector, whose blade is not sought by it.
     pub apart_from_mm: f64,
     /// How far the blades are off one another where they are turned, root of the mean square, mm.
     pub off_mm: f64,
@@ -151,34 +152,48 @@ fn about(mesh: &Mesh, centre: &Point, axis: &Vector) -> Option<Wheel> {
         let Some(band) = band(&passages, blades) else { continue };
         let folds = (3..=blades).rev().filter(|f| blades.is_multiple_of(*f));
         if let Some(fold) = folds.take(4).find(|f| repeats(&turned, &bvh, band[0], most_mm, *f)) {
-            let through = frame * Point::new(0.0, at.y, at.z);
-            let begin = Wheel { axis: *axis, through, blades, fold, apart_from_mm: band[0], off_mm: f64::INFINITY };
-            return fitted(mesh, begin, most_mm);
+            let line = fitted(&turned, &bvh, band[0], most_mm, fold)?;
+            let through = frame * (line.through + Vector::new(0.0, at.y, at.z));
+            return Some(rounded(Wheel {
+                axis: frame * line.axis,
+                through,
+                blades,
+                fold,
+                apart_from_mm: band[0],
+                off_mm: line.off_mm,
+            }));
         }
     }
     None
 }
 
-/// The wheel with the axis about which its blades lie on one another most nearly. A direction or a
-/// place that is a coordinate axis but for rounding is that axis.
-fn fitted(mesh: &Mesh, begin: Wheel, most_mm: f64) -> Option<Wheel> {
-    let radius = |p: &Point| (p - begin.through).cross(&begin.axis).norm();
-    let middles = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).map(|[p, q, r]| p + ((q - p) + (r - p)) / 3.0);
-    let all: Vec<Point> = middles.filter(|p| radius(p) >= begin.apart_from_mm).collect();
-    let places: Vec<Point> = all.iter().copied().step_by((all.len() / FITTED).max(1)).collect();
-    let (bvh, angle) = (MeshBvh::new(mesh), TAU / begin.fold as f64);
-    let line = turned::fit((mesh, &bvh), &places, (&begin.axis, &begin.through), angle, NEAR * most_mm)?;
-    let (mut axis, mut through) = (line.axis, line.through);
-    let datum = snapped(axis);
-    if datum.cross(&axis).norm() < ROUNDING_DEG.to_radians() {
-        axis = datum * datum.dot(&axis).signum();
+/// The line near the x axis about which the blades lie on one another most nearly.
+fn fitted(turned: &Mesh, bvh: &MeshBvh, from_mm: f64, most_mm: f64, fold: usize) -> Option<Line> {
+    let places = places(turned, from_mm, FITTED);
+    turned::fit((turned, bvh), &places, (&Vector::x(), &Point::origin()), TAU / fold as f64, NEAR * most_mm)
+}
+
+/// A direction or a place that is a coordinate axis but for rounding is that axis.
+fn rounded(mut wheel: Wheel) -> Wheel {
+    let datum = snapped(wheel.axis);
+    if datum.cross(&wheel.axis).norm() < ROUNDING_DEG.to_radians() {
+        wheel.axis = datum * datum.dot(&wheel.axis).signum();
     }
-    for k in (0..3).filter(|k| axis[*k].abs() < 0.5) {
-        if through[k].abs() < ROUNDING_MM {
-            through[k] = 0.0;
+    for k in (0..3).filter(|k| wheel.axis[*k].abs() < 0.5) {
+        if wheel.through[k].abs() < ROUNDING_MM {
+            wheel.through[k] = 0.0;
         }
     }
-    Some(Wheel { axis, through, off_mm: line.off_mm, ..begin })
+    wheel
+}
+
+/// About so many middles of triangles that are as far from the x axis or farther.
+fn places(turned: &Mesh, from_mm: f64, most: usize) -> Vec<Point> {
+    let middle = |[p, q, r]: [Point; 3]| p + ((q - p) + (r - p)) / 3.0;
+    let middles = (0..turned.triangles.len()).map(|t| middle(turned.corners(t)));
+    let all: Vec<Point> = middles.filter(|p| p.y.hypot(p.z) >= from_mm).collect();
+    let every = (all.len() / most).max(1);
+    all.into_iter().step_by(every).collect()
 }
 
 /// Radii of circles and how many bodies each passes through.
@@ -214,14 +229,8 @@ fn band(passages: &[Vec<(f64, usize)>], blades: usize) -> Option<[f64; 2]> {
 /// Whether places from a radius on come to lie on the part where it is turned by a share of a turn.
 fn repeats(turned: &Mesh, bvh: &MeshBvh, from_mm: f64, most_mm: f64, fold: usize) -> bool {
     let (s, c) = (TAU / fold as f64).sin_cos();
-    let all: Vec<Point> = (0..turned.triangles.len())
-        .map(|t| turned.corners(t))
-        .map(|[p, q, r]| p + ((q - p) + (r - p)) / 3.0)
-        .filter(|p| p.y.hypot(p.z) >= from_mm)
-        .collect();
-    let every = (all.len() / PLACES).max(1);
-    let places: Vec<&Point> = all.iter().step_by(every).collect();
-    let lies = |p: &&&Point| {
+    let places = places(turned, from_mm, PLACES);
+    let lies = |p: &&Point| {
         let q = Point::new(p.x, c * p.y - s * p.z, s * p.y + c * p.z);
         bvh.closest(turned, &q, NEAR * most_mm).is_some()
     };
