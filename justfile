@@ -135,7 +135,7 @@ s3:
     cargo build --release --features s3
     bash tests/s3/run.sh target/release/bladewright
 
-# Every command that README and manual print, run as printed
+# Every command that README and manual print, run as printed; BLADEWRIGHT_SHORT=1 mills ridges twice as high, as CI does
 manual:
     cargo nextest run --release --run-ignored only --test manual
 

@@ -161,8 +161,7 @@ fn toolpath(model: &Path, options: &[&str]) -> Toolpath {
     serde_json::from_value(path.unwrap_or(file)).expect("a toolpath")
 }
 
-/// The cutter locations of a plan in model frame; whole, checks included, unless the options end it
-/// before.
+/// The cutter locations of a plan in model frame.
 fn located(model: &Path, options: &[&str]) -> Vec<CutterLocation> {
     let to_model = read(model, None).model_from_blade;
     let moved = |l: CutterLocation| CutterLocation {
@@ -171,8 +170,7 @@ fn located(model: &Path, options: &[&str]) -> Vec<CutterLocation> {
         normal: to_model * l.normal,
         ..l
     };
-    // Locations do not depend on the schedule: the quickest will do.
-    let options = [&set(&["schedule.kind=piecewise"])[..], options].concat();
+    let options = [options, &["--until", "path"]].concat();
     toolpath(model, &options).locations.into_iter().map(moved).collect()
 }
 
@@ -273,8 +271,7 @@ fn corpus_case7288_table_and_step_give_the_same_locations() {
     };
 
     let region = set(&["region.start_mm=130", "region.end_mm=80"]);
-    // Whole plans of tables are tried below.
-    let (a, b) = (located(&step, &region), located(&table, &[&region[..], &["--until", "path"]].concat()));
+    let (a, b) = (located(&step, &region), located(&table, &region));
     let found = apart(&a, &b);
     told("cutter locations, along the normal", found.iter().map(|f| f.normal));
     // Along the surface the paths differ in their pitch, which follows the curvature.
@@ -303,8 +300,7 @@ fn corpus_thin_blades_are_cut_once() {
     // does. From the propeller's own end, down to where the ball rolls over the corners of its
     // root, no turns can be laid up with the two coarser scallops: they are from a little higher.
     let propeller = "dtmb_p4119/p4119_DERIVED_loft_mm.step";
-    // One plan of each goes on to its checks, which tell whether the schedule fits all of the
-    // turns; the feed takes most of its time.
+    // One plan of each goes on to the schedule, which must fit all of the turns.
     let plans = [
         (propeller, 0.01, 8500.0, false),
         (propeller, 0.03, 9500.0, true),
@@ -313,13 +309,11 @@ fn corpus_thin_blades_are_cut_once() {
         (fan, 0.05, 340.0, false),
         (fan, 0.06, 340.0, false),
     ];
-    for (file, scallop_mm, least_mm2, is_whole) in plans {
+    for (file, scallop_mm, least_mm2, is_scheduled) in plans {
         let model = folder.join(file);
         let asked = format!("path.scallop_mm={scallop_mm}");
         let mut options = set(&[&asked]);
-        if !is_whole {
-            options.extend(["--until", "path"]);
-        }
+        options.extend(["--until", if is_scheduled { "schedule" } else { "path" }]);
         let path = toolpath(&model, &options);
         let found = verify::limit(&read(&model, None), &path, scallop_mm, 20_000).expect("the limit");
         assert!(found.ratio < 1.03, "{file}: {}", found.ratio);
@@ -334,14 +328,14 @@ fn corpus_thin_blades_are_cut_once() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_above_its_fillet() {
-    let options = set(&["tool.radius_mm=6", "region.start_mm=50", "region.end_mm=27"]);
+    let options = set(&["tool.radius_mm=6", "region.start_mm=50", "region.end_mm=27", "path.scallop_mm=0.03"]);
     plans("turbine_blade_firtree.igs", &options);
 }
 
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_fir_tree_blade_in_its_fillet() {
-    let options = set(&["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5"]);
+    let options = set(&["tool.radius_mm=1.4", "region.start_mm=26", "region.end_mm=20.5", "path.scallop_mm=0.03"]);
     plans("turbine_blade_firtree.igs", &options);
 }
 
@@ -531,10 +525,10 @@ fn corpus_table_case7288() {
 #[ignore = "real blades, see the file's head"]
 fn corpus_plan_of_tables() {
     let (_dir, path) = header(ROTOR37);
-    let options = set(&["region.start_mm=215", "region.end_mm=205", "tool.radius_mm=3"]);
+    let options = set(&["region.start_mm=215", "region.end_mm=205", "tool.radius_mm=3", "path.scallop_mm=0.03"]);
     plans(&path.to_string_lossy(), &options);
     let case = "tblade3_case7288/blade3d.Case7-28-8.dat";
-    plans(case, &set(&["region.start_mm=100", "region.end_mm=80", "schedule.kind=piecewise"]));
+    plans(case, &set(&["region.start_mm=100", "region.end_mm=80", "path.scallop_mm=0.03", "schedule.kind=piecewise"]));
 }
 
 /// A profile in a plane is no blade, and the message says what to do.

@@ -29,8 +29,8 @@ impl Shop {
         std::fs::write(dir.path().join("mine.toml"), own.replace("length_decimals = 5", "length_decimals = 4"))
             .expect("writable");
         let controls = "post.control=[\"siemens\",\"siemens-poly\",\"linuxcnc\"]";
-        let plan = ["--quiet", "plan", &model, "-o", "run", "--set", "region.start_mm=6", "--set", controls];
-        let out = bladewright(&plan, dir.path());
+        let keys = ["--set", "region.start_mm=6", "--set", "path.scallop_mm=0.03", "--set", controls];
+        let out = bladewright(&[&["--quiet", "plan", &model, "-o", "run"], &keys[..]].concat(), dir.path());
         assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
         Shop { dir, model }
     }
@@ -44,7 +44,7 @@ impl Shop {
         std::fs::write(self.dir.path().join(name), text).expect("writable");
         let args = ["verify", name, "--part", &self.model];
         let tool: &[&str] = if more.contains(&"--tool") { &[] } else { &["--tool", "run/job.resolved.toml"] };
-        let scallop: &[&str] = if more.contains(&"--scallop") { &[] } else { &["--scallop", "0.01"] };
+        let scallop: &[&str] = if more.contains(&"--scallop") { &[] } else { &["--scallop", "0.03"] };
         let out = bladewright(&[&args[..], tool, scallop, more].concat(), self.dir.path());
         (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned())
     }
@@ -131,7 +131,7 @@ fn every_planted_fault_is_found_placed_and_named() {
     assert!(said.contains("a turn or a pass is missing"), "{said}");
 
     // A scallop twice as high as asked for.
-    shop.finding("scallop.mpf", &siemens, &["--scallop", "0.005"], "scallop");
+    shop.finding("scallop.mpf", &siemens, &["--scallop", "0.015"], "scallop");
 
     // A travel limit exceeded by 0.01 mm.
     let said = shop.finding("travel.mpf", &siemens.replacen("Z=630.000", "Z=630.010", 1), &[], "z-travel");
@@ -197,7 +197,7 @@ fn programs_of_a_run_are_compared_with_its_plan() {
 fn the_frame_of_a_program_is_found() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let model = root().join("models/steam_root.step").display().to_string();
-    let set = ["--set", "path.scallop_mm=0.2", "--set", "post.control=[\"siemens-vector\",\"iso\"]"];
+    let set = ["--set", "path.scallop_mm=0.4", "--set", "post.control=[\"siemens-vector\",\"iso\"]"];
     let plan = ["--quiet", "plan", &model, "-o", "run"];
     let out = bladewright(&[&plan[..], &set].concat(), dir.path());
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
@@ -267,7 +267,7 @@ fn the_frame_of_a_program_is_found() {
 fn a_program_is_scheduled_anew_and_the_rest_of_it_stays() {
     let dir = tempfile::tempdir().expect("a folder");
     let model = root().join("models/turbine_camber.step").display().to_string();
-    let sets = ["schedule.kind=\"fixed\"", "path.scallop_mm=0.3", "post.control=[\"heidenhain\"]"];
+    let sets = ["schedule.kind=\"fixed\"", "path.scallop_mm=0.5", "post.control=[\"heidenhain\"]"];
     let sets: Vec<&str> = sets.iter().flat_map(|s| ["--set", s]).collect();
     let plan = bladewright(&[&["plan", &model, "-o", "run", "--force"], &sets[..]].concat(), dir.path());
     // A fixed lead turns back, which is a finding.

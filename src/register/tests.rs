@@ -103,7 +103,7 @@ fn is_back(fit: &Fit, moved: &Rigid, contacts: &[Contact]) {
 /// The airfoil of the camber model, above its fillet.
 fn airfoil() -> (Blade, Vec<Contact>) {
     let blade = blade("turbine_camber.step");
-    let contacts = helix(&blade, 2.0, [24.0, 11.0], 8, 120);
+    let contacts = helix(&blade, 2.0, [24.0, 11.0], 6, 90);
     (blade, contacts)
 }
 

@@ -103,7 +103,7 @@ impl<'a> TrackSearch<'a> {
         let share = [0.5 * (t0 + t1), 0.5 * (t1 - t0)];
         let Some((first, others)) = self.segments.split_first() else { return Vec::new() };
         let first = Moving::between(first, &stands[row], &stands[next], share);
-        std::iter::once(first).chain(others.iter().map(|frustum| Moving { frustum, ..first })).collect()
+        std::iter::once(first).chain(others.iter().map(|frustum| first.with(frustum))).collect()
     }
 
     /// A lower bound of the distance over all segments, triangles and the whole move, or `cap`

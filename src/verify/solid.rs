@@ -27,21 +27,29 @@ use crate::tool::Segment;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moving<'a> {
     /// The frustum.
-    pub frustum: &'a Segment,
-    /// Ball centre in the middle of the move, mm.
-    pub centre: Point,
-    /// Tool axis there, unit, from tip to spindle.
-    pub axis: Vector,
+    frustum: &'a Segment,
+    /// Outward unit normal of its side in the half plane (z, r).
+    side: [f64; 2],
+    /// Length of its side there, mm.
+    slant_mm: f64,
+    motion: Motion,
+}
+
+/// How the tool moves, seen in the middle of the move.
+#[derive(Clone, Copy, Debug)]
+struct Motion {
+    /// Ball centre, mm.
+    centre: Point,
+    /// Tool axis, unit, from tip to spindle.
+    axis: Vector,
     /// Half the move of the ball centre, mm.
-    pub half_move: Vector,
-    /// Axis of the tool's cone there.
-    pub about: Vector,
-    /// Half the turn of the tool about that axis, rad.
-    pub half_turn: f64,
-    /// Half the change of its lean towards that axis, rad.
-    pub half_lean: f64,
-    /// Half the turn of the cone, a rotation vector, rad.
-    pub half_frame: Vector,
+    half_move: Vector,
+    /// `ω x + β n + φ` of the module's page, rad.
+    half_turn: Vector,
+    /// `Ω` there, rad.
+    most_turn: f64,
+    /// Whether the tool turns about the blade axis alone.
+    about_the_blade: bool,
 }
 
 impl<'a> Moving<'a> {
@@ -49,57 +57,103 @@ impl<'a> Moving<'a> {
     /// sides of it.
     pub fn between(frustum: &'a Segment, from: &Stand, to: &Stand, [mid, half]: [f64; 2]) -> Self {
         let at = from.towards(to, mid);
-        Moving {
-            frustum,
+        let (about, axis) = (at.cone.axis, at.axis());
+        let turn = (to.theta - from.theta) * half;
+        let lean = (to.cone.lean_rad - from.cone.lean_rad) * half;
+        let frame = from.cone.rotation_to(&to.cone) * half;
+        // Turning about a × x brings the axis a towards x.
+        let leaning = axis.cross(&about).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * lean;
+        let motion = Motion {
             centre: at.centre,
-            axis: at.axis(),
+            axis,
             half_move: (to.centre - from.centre) * half,
-            about: at.cone.axis,
-            half_turn: (to.theta - from.theta) * half,
-            half_lean: (to.cone.lean_rad - from.cone.lean_rad) * half,
-            half_frame: from.cone.rotation_to(&to.cone) * half,
-        }
+            half_turn: about * turn + frame + leaning,
+            most_turn: turn.abs() + lean.abs() + frame.norm(),
+            about_the_blade: lean == 0.0 && about == Vector::x() && frame == Vector::zeros(),
+        };
+        Self::of(frustum, motion)
+    }
+
+    fn of(frustum: &'a Segment, motion: Motion) -> Self {
+        let (dz, dr) = (frustum.z1 - frustum.z0, frustum.r1 - frustum.r0);
+        let slant_mm = (dz * dz + dr * dr).sqrt();
+        Moving { frustum, side: [-dr / slant_mm, dz / slant_mm], slant_mm, motion }
+    }
+
+    /// Another frustum of the same tool.
+    pub fn with(&self, frustum: &'a Segment) -> Self {
+        Self::of(frustum, self.motion)
     }
 }
 
 impl Moving<'_> {
     /// Signed distance of `p` in the middle of the move, mm, and its gradient (unit length, save at
     /// kinks where it is one of the subgradients).
+    #[inline]
     pub fn signed(&self, p: &Point) -> (f64, Vector) {
-        let v = p - self.centre;
-        let z = v.dot(&self.axis);
-        let across = v - self.axis * z;
+        let axis = &self.motion.axis;
+        let v = p - self.motion.centre;
+        let z = v.dot(axis);
+        let across = v - axis * z;
         let r = across.norm();
-        let out = if r > 1e-12 { across / r } else { any_across(&self.axis) };
-        let (d, [gz, gr]) = trapezoid(self.frustum, z, r);
-        (d, self.axis * gz + out * gr)
+        let out = if r > 1e-12 { across / r } else { any_across(axis) };
+        let (d, [gz, gr]) = self.trapezoid(z, r);
+        (d, axis * gz + out * gr)
+    }
+
+    /// Signed distance of (z, r), `r ≥ 0`, to the trapezoid and its gradient (d/dz, d/dr).
+    #[inline]
+    fn trapezoid(&self, z: f64, r: f64) -> (f64, [f64; 2]) {
+        let (s, n) = (self.frustum, self.side);
+        // Over the side, from its lower end on, and across it.
+        let (w, e) = ([z - s.z0, r - s.r0], [n[1], -n[0]]);
+        let (along, side) = (w[0] * e[0] + w[1] * e[1], w[0] * n[0] + w[1] * n[1]);
+        let (below, above) = (s.z0 - z, z - s.z1);
+        if side <= 0.0 && below <= 0.0 && above <= 0.0 {
+            // Inside: the nearest of the three lines.
+            return if side >= below && side >= above {
+                (side, n)
+            } else if below >= above {
+                (below, [-1.0, 0.0])
+            } else {
+                (above, [1.0, 0.0])
+            };
+        }
+        // Outside: over the side, over a lid, or about one of the two edges between them.
+        if side > 0.0 && (0.0..=self.slant_mm).contains(&along) {
+            return (side, n);
+        }
+        if below > 0.0 && r <= s.r0 {
+            return (below, [-1.0, 0.0]);
+        }
+        if above > 0.0 && r <= s.r1 {
+            return (above, [1.0, 0.0]);
+        }
+        let far = [z - s.z1, r - s.r1];
+        let (low2, high2) = (w[0] * w[0] + w[1] * w[1], far[0] * far[0] + far[1] * far[1]);
+        let (edge, d2) = if low2 < high2 { (w, low2) } else { (far, high2) };
+        let d = d2.sqrt();
+        (d, if d > 1e-12 { [edge[0] / d, edge[1] / d] } else { n })
     }
 
     /// `w(p)` of the module's page.
+    #[inline]
     fn drift(&self, p: &Point) -> Vector {
-        -self.half_move - self.rotation().cross(&(p - self.centre))
-    }
-
-    /// `ω x + β n + φ` of the module's page.
-    fn rotation(&self) -> Vector {
-        let turn = self.about * self.half_turn + self.half_frame;
-        if self.half_lean == 0.0 {
-            return turn;
-        }
-        // Turning about a × x brings the axis a towards x.
-        turn + self.axis.cross(&self.about).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.half_lean
+        (p - self.motion.centre).cross(&self.motion.half_turn) - self.motion.half_move
     }
 
     /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without
     /// signs.
+    #[inline]
     fn off_the_axis(&self, v: &Vector) -> f64 {
-        let about_the_blade = self.half_lean == 0.0 && self.about == Vector::x() && self.half_frame == Vector::zeros();
-        if about_the_blade { v.y.hypot(v.z) } else { v.norm() }
+        let across2 = v.y * v.y + v.z * v.z;
+        if self.motion.about_the_blade { across2.sqrt() } else { (v.x * v.x + across2).sqrt() }
     }
 
     /// Bound on `|ε|` of the module's page for points up to `rho` from the axis of the turn.
+    #[inline]
     fn remainder(&self, rho: f64) -> f64 {
-        let (m, turn) = (self.half_move.norm(), self.half_turn.abs() + self.half_lean.abs() + self.half_frame.norm());
+        let (m, turn) = (self.motion.half_move.norm(), self.motion.most_turn);
         0.5 * turn * turn * (rho + m) + turn * m
     }
 
@@ -107,12 +161,13 @@ impl Moving<'_> {
     /// move.
     pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
         let (d, g) = self.signed(middle);
-        let v = middle - self.centre;
-        let rho = self.off_the_axis(&(v.abs() + half));
+        let v = middle - self.motion.centre;
+        let rho = self.off_the_axis(&Vector::new(v.x.abs() + half.x, v.y.abs() + half.y, v.z.abs() + half.z));
         let along = g.dot(&self.drift(middle));
         // g·w(p) changes with p by −(g × (ω x + β n + φ))·(p − middle).
-        let tilt = g.cross(&self.rotation());
-        let side = |tau: f64| tau * along - (g - tilt * tau).abs().dot(half);
+        let tilt = g.cross(&self.motion.half_turn);
+        let wide = |tau: f64, k: usize| (g[k] - tilt[k] * tau).abs() * half[k];
+        let side = |tau: f64| tau * along - (wide(tau, 0) + wide(tau, 1) + wide(tau, 2));
         d + side(1.0).min(side(-1.0)) - self.remainder(rho)
     }
 
@@ -127,13 +182,18 @@ impl Moving<'_> {
         cap_mm: f64,
         tolerance_mm: f64,
     ) -> (f64, Option<(f64, Point)>) {
-        let rho = corners.iter().map(|c| self.off_the_axis(&(c - self.centre))).fold(0.0, f64::max);
+        let rho = corners.iter().map(|c| self.off_the_axis(&(c - self.motion.centre))).fold(0.0, f64::max);
         let remainder = self.remainder(rho);
+        let whole = self.tangent_over(*corners);
+        // Most triangles are done at once.
+        if whole.value >= cap_mm && whole.value + whole.moved - remainder >= cap_mm {
+            return (cap_mm, None);
+        }
         // What has been seen closes pieces; bounds do not, else they would creep down from piece to
         // piece.
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
         let mut seen: Option<(f64, Point)> = None;
-        let mut open = vec![self.tangent_over(*corners)];
+        let mut open = vec![whole];
         while let Some(t) = open.pop() {
             if t.value < threshold {
                 (threshold, seen) = (t.value, Some((t.value, t.middle)));
@@ -183,38 +243,10 @@ struct Tangent {
 }
 
 /// A unit vector across a unit vector.
+#[inline]
 fn any_across(axis: &Vector) -> Vector {
     let other = if axis.x.abs() < 0.9 { Vector::x() } else { Vector::y() };
     axis.cross(&other).normalize()
-}
-
-/// Signed distance of (z, r), `r ≥ 0`, to the trapezoid and its gradient (d/dz, d/dr).
-fn trapezoid(s: &Segment, z: f64, r: f64) -> (f64, [f64; 2]) {
-    let (dz, dr) = (s.z1 - s.z0, s.r1 - s.r0);
-    let slant = (dz * dz + dr * dr).sqrt();
-    // Outward unit normals of the two lids and of the side, and the distances to their lines.
-    let side_normal = [-dr / slant, dz / slant];
-    let side = (z - s.z0) * side_normal[0] + (r - s.r0) * side_normal[1];
-    let lines = [(s.z0 - z, [-1.0, 0.0]), (z - s.z1, [1.0, 0.0]), (side, side_normal)];
-    let inner = lines.iter().fold(lines[0], |best, l| if l.0 > best.0 { *l } else { best });
-    if inner.0 <= 0.0 {
-        return inner;
-    }
-    // Outside: the nearest of the three edges, by squares of distances.
-    let edges = [([s.z0, 0.0], [s.z0, s.r0]), ([s.z0, s.r0], [s.z1, s.r1]), ([s.z1, s.r1], [s.z1, 0.0])];
-    let mut best = (f64::INFINITY, [0.0; 2]);
-    for (a, b) in edges {
-        let (ez, er) = (b[0] - a[0], b[1] - a[1]);
-        let l2 = ez * ez + er * er;
-        let t = if l2 > 0.0 { (((z - a[0]) * ez + (r - a[1]) * er) / l2).clamp(0.0, 1.0) } else { 0.0 };
-        let (wz, wr) = (z - a[0] - t * ez, r - a[1] - t * er);
-        let d2 = wz * wz + wr * wr;
-        if d2 < best.0 {
-            best = (d2, [wz, wr]);
-        }
-    }
-    let d = best.0.sqrt();
-    (d, if d > 1e-12 { best.1.map(|w| w / d) } else { inner.1 })
 }
 
 /// Halves a triangle across its longest edge.
@@ -240,16 +272,15 @@ mod tests {
         [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
     }
     fn still(frustum: &Segment, axis: Vector) -> Moving<'_> {
-        Moving {
-            frustum,
+        let motion = Motion {
             centre: Point::new(1.0, 0.0, 0.0),
             axis,
             half_move: Vector::zeros(),
-            about: Vector::x(),
-            half_turn: 0.0,
-            half_lean: 0.0,
-            half_frame: Vector::zeros(),
-        }
+            half_turn: Vector::zeros(),
+            most_turn: 0.0,
+            about_the_blade: true,
+        };
+        Moving::of(frustum, motion)
     }
 
     #[test]

@@ -269,7 +269,7 @@ fn advice_opens_what_is_closed_and_widths_follow_b() {
 #[test]
 fn frames_do_not_matter() {
     let outline = banana(40.0, 1.0, 4.0);
-    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 120, 2, 12.0, 0.4));
+    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 60, 2, 12.0, 0.4));
     for (proven, o) in [false, true].map(|prove| (prove, ChannelOptions::default().with(|s| s.prove_moves = prove))) {
         let path = if proven { helix(&outline, 4.0, 30, 1, 12.0, 0.4) } else { path.clone() };
         let plain = plan(&blade, &tool(4.0, 5.0), &path, &o, &Silent).unwrap();
@@ -311,7 +311,7 @@ fn frames_do_not_matter() {
 fn cones_may_change_along_the_path() {
     use super::super::{Surroundings, intervals};
     let outline = banana(40.0, 1.0, 4.0);
-    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 120, 2, 12.0, 0.4));
+    let (blade, path) = (on_platform(&outline, 90, 60.0), helix(&outline, 4.0, 60, 2, 12.0, 0.4));
     let (o, t) = (ChannelOptions::default(), tool(4.0, 5.0));
     let wobbling = |k: usize| {
         let at = TAU * k as f64 / 60.0;

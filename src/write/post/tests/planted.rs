@@ -24,7 +24,7 @@ fn part() -> Mesh {
     let length = sample::PART_LENGTH;
     let mut profile = vec![(-10.0, 120.0)];
     profile.extend([120.0, 95.0, 72.0, 52.0, 34.0].map(|r| (0.0, r)));
-    profile.extend((0..=20).map(|k| (length * f64::from(k) / 20.0, sample::PART_RADIUS)));
+    profile.extend((0..=10).map(|k| (length * f64::from(k) / 10.0, sample::PART_RADIUS)));
     let rings = profile.len() as u32;
     let mut mesh = Mesh::default();
     for (x, r) in profile {
