@@ -140,9 +140,8 @@ fn the_free_axes_of_a_location_are_drawn_all_over_the_sphere() {
 fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let d = dir.path();
-    let tool = ["--set", "path.scallop_mm=0.2", "--set", "region.start_mm=15", "--set", "tool.stickout_mm=12"];
-    let model = prism();
-    let args = [&["advise", &model, "-o", "out"], &tool[..]].concat();
+    let (model, path) = (prism(), ["--set", "path.scallop_mm=0.2", "--set", "region.start_mm=15"]);
+    let args = [&["advise", &model, "-o", "out", "--set", "tool.stickout_mm=12"], &path[..]].concat();
     let out = bladewright(&args, d);
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
     let text = std::fs::read_to_string(d.join("out/advice.json")).expect("written");
@@ -153,9 +152,7 @@ fn advice_finds_a_stick_out_that_opens_a_closed_channel() {
     // What is advised works, and a little less does not.
     for (stickout, code) in [(least + 0.5, 0), (least - 2.0, 3)] {
         let set = format!("tool.stickout_mm={stickout}");
-        let region = ["--set", "region.start_mm=15"];
-        let args = ["channel", &prism(), "-o", "again", "--set", "path.scallop_mm=0.2", "--set", &set];
-        let args = [&args[..], &region].concat();
+        let args = [&["channel", &model, "-o", "again", "--set", &set], &path[..]].concat();
         assert_eq!(bladewright(&args, d).status.code(), Some(code), "{stickout}");
     }
 }

@@ -223,7 +223,7 @@ fn plan_verify_post_and_preview_of_the_prism() {
     let d = dir.path();
     let model = root().join("models/prism.step").display().to_string();
     for threads in ["1", "2"] {
-        let keys = ["--set", "region.start_mm=5", "--set", "path.scallop_mm=0.1"];
+        let keys = ["--set", "region.start_mm=5", "--set", "path.scallop_mm=0.03"];
         let out = bladewright(&[&["--threads", threads, "plan", &model, "-o", threads], &keys[..]].concat(), d);
         assert_eq!(
             out.status.code(),
@@ -299,7 +299,7 @@ fn plan_verify_post_and_preview_of_the_prism() {
 /// `verify PROGRAM`: clean, with a fault, and with bad input.
 fn programs_are_checked_by_themselves(d: &Path, model: &str) {
     let with = |program: &str, more: &[&str]| {
-        let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.1"];
+        let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.03"];
         bladewright(&[&args[..], more].concat(), d)
     };
     for program in ["1/program.mpf", "1/program.ngc"] {
@@ -354,13 +354,13 @@ fn runs_are_joined(d: &Path, model: &str) {
     let text = std::fs::read_to_string(d.join("joined/program.mpf")).expect("readable");
     assert!(text.contains("Operation 1 of 2") && text.contains("Operation 2 of 2") && text.matches("M30").count() == 1);
     let tool = "1/job.resolved.toml";
-    let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.1"];
+    let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.03"];
     let out = bladewright(&[&judged[..], &["--map", "joined/both.csv"]].concat(), d);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(out.status.code(), Some(0), "{said}");
     assert!(said.contains("operation  2 of 2") && said.matches("ok   rapid").count() == 2, "{said}");
     let table = std::fs::read_to_string(d.join("joined/both.csv")).expect("the map of what both leave");
-    assert!(table.lines().count() > 300);
+    assert!(table.lines().count() > 1000);
     let out = bladewright(&[&two[..], &["--from-operation", "2", "--from-turn", "2"]].concat(), d);
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     // What goes on within a path comes onto it on an arc of its own, at the feed.

@@ -89,7 +89,6 @@ impl<'a> Moving<'a> {
 impl Moving<'_> {
     /// Signed distance of `p` in the middle of the move, mm, and its gradient (unit length, save at
     /// kinks where it is one of the subgradients).
-    #[inline]
     pub fn signed(&self, p: &Point) -> (f64, Vector) {
         let axis = &self.motion.axis;
         let v = p - self.motion.centre;
@@ -102,7 +101,6 @@ impl Moving<'_> {
     }
 
     /// Signed distance of (z, r), `r ≥ 0`, to the trapezoid and its gradient (d/dz, d/dr).
-    #[inline]
     fn trapezoid(&self, z: f64, r: f64) -> (f64, [f64; 2]) {
         let (s, n) = (self.frustum, self.side);
         // Over the side, from its lower end on, and across it.
@@ -137,21 +135,17 @@ impl Moving<'_> {
     }
 
     /// `w(p)` of the module's page.
-    #[inline]
     fn drift(&self, p: &Point) -> Vector {
         (p - self.motion.centre).cross(&self.motion.half_turn) - self.motion.half_move
     }
 
     /// How far a point at `v` from the ball centre is from what it turns about, `v` taken without
     /// signs.
-    #[inline]
     fn off_the_axis(&self, v: &Vector) -> f64 {
-        let across2 = v.y * v.y + v.z * v.z;
-        if self.motion.about_the_blade { across2.sqrt() } else { (v.x * v.x + across2).sqrt() }
+        if self.motion.about_the_blade { (v.y * v.y + v.z * v.z).sqrt() } else { v.norm() }
     }
 
     /// Bound on `|ε|` of the module's page for points up to `rho` from the axis of the turn.
-    #[inline]
     fn remainder(&self, rho: f64) -> f64 {
         let (m, turn) = (self.motion.half_move.norm(), self.motion.most_turn);
         0.5 * turn * turn * (rho + m) + turn * m
@@ -162,12 +156,11 @@ impl Moving<'_> {
     pub fn bound_over_box(&self, middle: &Point, half: &Vector) -> f64 {
         let (d, g) = self.signed(middle);
         let v = middle - self.motion.centre;
-        let rho = self.off_the_axis(&Vector::new(v.x.abs() + half.x, v.y.abs() + half.y, v.z.abs() + half.z));
+        let rho = self.off_the_axis(&(v.abs() + half));
         let along = g.dot(&self.drift(middle));
         // g·w(p) changes with p by −(g × (ω x + β n + φ))·(p − middle).
         let tilt = g.cross(&self.motion.half_turn);
-        let wide = |tau: f64, k: usize| (g[k] - tilt[k] * tau).abs() * half[k];
-        let side = |tau: f64| tau * along - (wide(tau, 0) + wide(tau, 1) + wide(tau, 2));
+        let side = |tau: f64| tau * along - (g - tilt * tau).abs().dot(half);
         d + side(1.0).min(side(-1.0)) - self.remainder(rho)
     }
 
@@ -184,17 +177,13 @@ impl Moving<'_> {
     ) -> (f64, Option<(f64, Point)>) {
         let rho = corners.iter().map(|c| self.off_the_axis(&(c - self.motion.centre))).fold(0.0, f64::max);
         let remainder = self.remainder(rho);
-        let whole = self.tangent_over(*corners);
-        // Most triangles are done at once.
-        if whole.value >= cap_mm && whole.value + whole.moved - remainder >= cap_mm {
-            return (cap_mm, None);
-        }
         // What has been seen closes pieces; bounds do not, else they would creep down from piece to
         // piece.
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
         let mut seen: Option<(f64, Point)> = None;
-        let mut open = vec![whole];
-        while let Some(t) = open.pop() {
+        // Most triangles are done at once, and take no memory for pieces.
+        let (mut next, mut open) = (Some(self.tangent_over(*corners)), Vec::new());
+        while let Some(t) = next.take().or_else(|| open.pop()) {
             if t.value < threshold {
                 (threshold, seen) = (t.value, Some((t.value, t.middle)));
             }
@@ -243,7 +232,6 @@ struct Tangent {
 }
 
 /// A unit vector across a unit vector.
-#[inline]
 fn any_across(axis: &Vector) -> Vector {
     let other = if axis.x.abs() < 0.9 { Vector::x() } else { Vector::y() };
     axis.cross(&other).normalize()
