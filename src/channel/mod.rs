@@ -225,7 +225,9 @@ pub fn intervals(
     check_input(tool, path, options)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = samples::along(path, f64::INFINITY, options.sweep);
+    // Places between two locations have no row of their own.
+    let samples: Vec<Sample> =
+        samples::along(path, f64::INFINITY, options.sweep).into_iter().filter(|s| s.fraction == 0.0).collect();
     let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
     let named = |f: &Free| FreeInterval {
         theta_min: f.lo,
@@ -233,8 +235,7 @@ pub fn intervals(
         binds_min: walls::binding(f.lo_by, &scene),
         binds_max: walls::binding(f.hi_by, &scene),
     };
-    let at_locations = samples.iter().zip(&layers).filter(|(s, _)| s.fraction == 0.0);
-    Ok(at_locations.map(|(_, layer)| layer.iter().map(named).collect()).collect())
+    Ok(layers.iter().map(|layer| layer.iter().map(named).collect()).collect())
 }
 
 /// The channel of a tool path among the part alone.

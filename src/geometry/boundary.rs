@@ -44,11 +44,15 @@ impl Opening {
     pub fn aabb(&self, mesh: &Mesh) -> Option<Aabb> {
         Aabb::around(&self.points(mesh))
     }
+    /// Greatest distance of two of its corners, mm.
+    pub fn extent_mm(&self, mesh: &Mesh) -> f64 {
+        extent_mm(&self.points(mesh))
+    }
     /// Four times the area that closes it over its length, at most its extent, mm: the diameter of
     /// a circle, twice the width of a crack. Of a chain that is no ring: its extent.
     pub fn width_mm(&self, mesh: &Mesh) -> f64 {
         let p = self.points(mesh);
-        let extent = Aabb::around(&p).map_or(0.0, |b| b.diagonal_mm());
+        let extent = extent_mm(&p);
         if !self.ring {
             return extent;
         }
@@ -166,7 +170,13 @@ pub fn fill(ring: &[Point]) -> Option<Vec<[usize; 3]>> {
     Some(out)
 }
 
-/// Closes every ring not wider than `most_mm` (greatest extent), with triangles of face `face`.
+/// Greatest distance of two points, mm.
+fn extent_mm(points: &[Point]) -> f64 {
+    let from = |(k, p): (usize, &Point)| points[k + 1..].iter().map(|q| (q - p).norm_squared()).fold(0.0, f64::max);
+    points.iter().enumerate().map(from).fold(0.0, f64::max).sqrt()
+}
+
+/// Closes every ring not wider than `most_mm` (greatest distance of two of its corners), with triangles of face `face`.
 /// Returns how many were closed.
 ///
 /// The filling has the least area; where one of its chords is an edge of the mesh already, or the
@@ -182,7 +192,7 @@ pub fn close(mesh: &mut Mesh, most_mm: f64, face: u32) -> usize {
     let mut closed = 0;
     for opening in openings(mesh).into_iter().filter(|o| o.ring && o.vertices.len() >= 3) {
         let points = opening.points(mesh);
-        if Aabb::around(&points).is_none_or(|b| b.diagonal_mm() > most_mm) {
+        if extent_mm(&points) > most_mm {
             continue;
         }
         let v = &opening.vertices;

@@ -24,6 +24,8 @@ const MOST_RAD: [f64; 2] = [1.31, 1.75];
 /// Cells are free where the arc on their latitude goes on by this either side, as a share of a
 /// cell; where it is narrow, by a share of it.
 const INSIDE: f64 = 0.5;
+/// Ends of arcs are told to this share of a cell.
+const CELL_SHARE: f64 = 0.05;
 /// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
 /// quarter of the width: at a wall of the one the other has no room.
 const KEEP_DEG: f64 = 10.0;
@@ -113,7 +115,11 @@ fn free_cells(
     around: &Surroundings,
     observer: &dyn Observer,
 ) -> Result<Vec<orient::FreeCells>> {
-    let options = setup.channel_options();
+    // Cells are many times as wide as this; the channel along the cones that are chosen is exact.
+    let options = setup.channel_options().with(|s| {
+        s.exact_ends = false;
+        s.tolerance_deg = s.tolerance_deg.max(CELL_SHARE * grid.step_rad().to_degrees());
+    });
     let mut by_station: Vec<Vec<Vec<[f64; 2]>>> = vec![Vec::with_capacity(grid.latitudes.len()); few.locations.len()];
     let done = AtomicUsize::new(0);
     let circle = |latitude: &f64| {

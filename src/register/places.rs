@@ -64,18 +64,25 @@ impl Place {
 
     /// Ball centre, blade frame.
     pub fn centre(&self, lay: &Lay) -> Point {
-        let over = self.base + self.map * (lay.frame * self.point).coords;
+        let at = lay.frame * self.point;
+        let [x, y, z] = [0, 1, 2].map(|k| self.map.fixed_view::<3, 1>(0, k));
+        let over = self.base + (x * at.x + y * at.y + z * at.z);
         if self.over_part && lay.tip { over + self.axis(lay) * (self.radius_mm + lay.grown_mm) } else { over }
     }
 
     pub fn reaction(&self, lay: &Lay) -> Reaction {
         let lifted = self.over_part && lay.tip;
         let by_radius = if lifted { self.axis(lay) } else { Vector::zeros() };
-        let mut arm = (lay.frame * self.point).coords;
-        if lifted && self.carried {
-            arm += lay.frame.rotation * self.axis * (self.radius_mm + lay.grown_mm);
+        Reaction { centre: self.centre(lay), arm: self.arm(lay), map: self.map, by_radius }
+    }
+
+    /// See [`Reaction::arm`].
+    pub fn arm(&self, lay: &Lay) -> Vector {
+        let arm = (lay.frame * self.point).coords;
+        match self.over_part && lay.tip && self.carried {
+            true => arm + lay.frame.rotation * self.axis * (self.radius_mm + lay.grown_mm),
+            false => arm,
         }
-        Reaction { centre: self.centre(lay), arm, map: self.map, by_radius }
     }
 
     /// The place with all lengths of the program so many times as long.

@@ -5,8 +5,8 @@
 use rayon::prelude::*;
 
 use super::field::Field;
-use super::places::{Lay, Place};
-use crate::geometry::{Rigid, Vector};
+use super::places::{Lay, Place, Reaction};
+use crate::geometry::{Point, Rigid, Vector};
 
 /// Unknowns: a shift, a turn (times the part's size, so that all are lengths), the ball's radius.
 pub(super) const UNKNOWNS: usize = 7;
@@ -46,11 +46,10 @@ pub(super) struct Residual {
 
 impl Task<'_> {
     /// The residual at a place; `None` where there is no distance.
-    pub fn residual(&self, place: &Place, lay: &Lay, pivot: &Vector) -> Option<Residual> {
-        let at = place.reaction(lay);
+    fn residual(&self, place: &Place, at: &Reaction, lay: &Lay, pivot: &Vector) -> Option<Residual> {
         let (distance_mm, gradient) = self.field.at(&at.centre)?;
         let off_mm = distance_mm - place.radius_mm - lay.grown_mm - self.stock_mm;
-        let by_shift = at.map.transpose() * gradient;
+        let by_shift = at.map.tr_mul(&gradient);
         let by_turn = (at.arm - pivot).cross(&by_shift) / self.size_mm;
         let by_radius = gradient.dot(&at.by_radius) - 1.0;
         let mut slope = Change::zeros();
@@ -63,17 +62,22 @@ impl Task<'_> {
 
     /// Residuals in the order of the places.
     pub fn residuals(&self, lay: &Lay) -> Vec<Option<Residual>> {
-        let pivot = self.pivot(lay);
-        match self.places.len() > SHARED {
-            true => self.places.par_iter().map(|p| self.residual(p, lay, &pivot)).collect(),
-            false => self.places.iter().map(|p| self.residual(p, lay, &pivot)).collect(),
+        let all: Vec<(&Place, Reaction)> = self.places.iter().map(|p| (p, p.reaction(lay))).collect();
+        let pivot = self.middle(all.iter().map(|(_, at)| at.arm));
+        let one = |(p, at): &(&Place, Reaction)| self.residual(p, at, lay, &pivot);
+        match all.len() > SHARED {
+            true => all.par_iter().map(one).collect(),
+            false => all.iter().map(one).collect(),
         }
     }
 
     /// What turns are about: the middle of the places, before `map`.
     pub fn pivot(&self, lay: &Lay) -> Vector {
-        let sum: Vector = self.places.iter().map(|p| p.reaction(lay).arm).sum();
-        sum / self.places.len().max(1) as f64
+        self.middle(self.places.iter().map(|p| p.arm(lay)))
+    }
+
+    fn middle(&self, arms: impl Iterator<Item = Vector>) -> Vector {
+        arms.sum::<Vector>() / self.places.len().max(1) as f64
     }
 
     /// Cost of a residual, mm², and its weight.
@@ -178,4 +182,58 @@ fn step(normal: &Normal, right: &Change, damping: f64) -> Option<Change> {
 pub(super) fn apart_mm(places: &[Place], a: &Lay, b: &Lay) -> f64 {
     let sum: f64 = places.iter().map(|p| (p.centre(a) - p.centre(b)).norm_squared()).sum();
     (sum / places.len().max(1) as f64).sqrt()
+}
+
+/// Where places have their centres in a lay, to be compared with those in others.
+pub(super) struct Centres {
+    all: Vec<Point>,
+    middle: Vector,
+}
+
+impl Centres {
+    pub fn of(places: &[Place], lay: &Lay) -> Self {
+        let all: Vec<Point> = places.iter().map(|p| p.centre(lay)).collect();
+        let middle = all.iter().map(|p| p.coords).sum::<Vector>() / all.len().max(1) as f64;
+        Centres { all, middle }
+    }
+
+    /// Whether the root mean square of how far the centres are apart is greater than `mm`.
+    pub fn apart(&self, other: &Self, mm: f64) -> bool {
+        // Their middles are no farther apart than that.
+        if (self.middle - other.middle).norm_squared() > mm * mm {
+            return true;
+        }
+        let most = mm * mm * self.all.len() as f64;
+        let mut sum = 0.0;
+        self.all.iter().zip(&other.all).any(|(a, b)| {
+            sum += (a - b).norm_squared();
+            sum > most
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn lays_are_apart_by_the_root_of_the_mean_square(
+            points in prop::collection::vec([-3.0..3.0f64, -3.0..3.0, -3.0..3.0], 1..20),
+            moved in prop::collection::vec([-1.0..1.0f64, -1.0..1.0, -1.0..1.0], 20), shift in -1.0..1.0f64, mm in 0.0..2.0f64,
+        ) {
+            let of = |all: Vec<Point>| {
+                let middle = all.iter().map(|p| p.coords).sum::<Vector>() / all.len() as f64;
+                Centres { all, middle }
+            };
+            let here: Vec<Point> = points.into_iter().map(Point::from).collect();
+            let by = moved.into_iter().map(|m| Vector::from(m) + Vector::x() * shift);
+            let there: Vec<Point> = here.iter().zip(by).map(|(p, m)| p + m).collect();
+            let sum: f64 = here.iter().zip(&there).map(|(a, b)| (a - b).norm_squared()).sum();
+            let rms = (sum / here.len() as f64).sqrt();
+            prop_assume!((rms - mm).abs() > 1e-9);
+            prop_assert_eq!(of(here).apart(&of(there), mm), rms > mm);
+        }
+    }
 }

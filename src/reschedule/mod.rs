@@ -17,10 +17,11 @@
 //! **Guarantees**: the new text is read by the reader of programs, which shares nothing with what
 //! writes: each line of a stretch ends with the ball where it ended, but for the rounding of its
 //! words; all other lines end with the tool where it stood; no check of the audit fails that did
-//! not fail before, and the tool comes no nearer to the part than it did, or than the clearance
-//! that is asked for where no schedule keeps more. A stretch is replaced only where that takes the
-//! machine less time. Lines are put between two where θ turns so far that the ball would leave its
-//! way by more than half the chord tolerance, or by more than it did.
+//! not fail before, and the tool comes no nearer to the part than it did but for the rounding of
+//! words, or than the clearance that is asked for where no schedule that is faster keeps more. A
+//! stretch is replaced only where that takes the machine less time. Lines are put between two where
+//! θ turns so far that the ball would leave its way by more than half the chord tolerance, or by
+//! more than it did.
 //!
 //! **Limits**: lines that are run more than once, arcs, polynomials, steps and statements over
 //! several lines stay as they are. Times are those of each stretch by itself, from rest to rest.
@@ -47,6 +48,7 @@ use crate::numerics::angle::nearest_turn;
 use crate::observe::{Observer, timed};
 use crate::read::program::{self, Bench, Block, Moved, Script};
 use crate::schedule::ScheduleSettings;
+use crate::verify::VerifyOptions;
 use crate::verify::audit::{self, Audit, AuditOptions};
 use planned::{Arounds, Planned};
 use rewrite::{Edits, Rewriter};
@@ -195,9 +197,9 @@ pub fn reschedule(
     let stock_mm = options.stock_mm.unwrap_or_else(|| stretches::stock_mm(&places, radius_mm, options.contact_mm));
     // Balls stay where they are, and so do the ridges between them.
     let surface_samples = options.audit.surface_samples.min(RIDGES);
-    let audit = AuditOptions { stock_mm, surface_samples, ..options.audit.clone() };
+    let audit = AuditOptions { stock_mm, surface_samples, clearance_closely: true, ..options.audit.clone() };
     let before = timed(observer, Stage::Verify, || audit::audit(text, blade, bench, &audit, observer))?;
-    let clearances = clearances(&options.channel, &before);
+    let clearances = clearances(&options.channel, stock_mm.max(0.0), &before);
     let options = &RescheduleOptions { stock_mm: Some(stock_mm), ..options.clone() };
     let found = stretches::find(&places, stock_mm, radius_mm, options.contact_mm);
     if found.is_empty() {
@@ -237,27 +239,44 @@ pub fn reschedule(
     })
 }
 
-/// What the tool is to keep from the part, in the order in which it is tried: what the program
-/// keeps, with what the check takes off such a distance and without, halfway to what is asked for,
-/// and that. Where the program keeps no more it is the last.
-fn clearances(asked: &ChannelSettings, before: &Audit) -> Vec<ChannelSettings> {
+/// What the tool is to keep from the stock, mm: taper and shank, and the holder.
+struct Keeping {
+    /// With this the channel is made.
+    settings: ChannelSettings,
+    /// This is proven over the whole motion; `None`: the same, to what plans are checked to.
+    least_mm: Option<[f64; 2]>,
+}
+
+/// What is tried, in this order: what the program keeps, with a little more in the channel and
+/// without, less and less of what it keeps over what is asked for, and that. A θ that never turns
+/// back cannot keep everywhere what a swinging one kept.
+fn clearances(asked: &ChannelSettings, stock_mm: f64, before: &Audit) -> Vec<Keeping> {
     let asked_mm = [asked.clearance_mm, asked.holder_clearance_mm];
     let own_mm = [CheckId::Clearance, CheckId::HolderClearance].map(|id| {
         let least = before.checks.iter().map(|c| &c.check).find(|c| c.id == id).map_or(0.0, |c| c.worst);
-        least.min(AMPLE_MM)
+        (least - stock_mm).min(AMPLE_MM)
     });
+    let more = [0, 1].map(|k| own_mm[k] > asked_mm[k]);
     let at = |share: f64, more_mm: f64| {
-        let over = |k: usize| (own_mm[k] * (1.0 + more_mm) + more_mm - asked_mm[k]).max(0.0);
+        let over = |k: usize| if more[k] { own_mm[k] * (1.0 + 0.5 * more_mm) + more_mm - asked_mm[k] } else { 0.0 };
         let mm = [0, 1].map(|k| asked_mm[k] + share * over(k));
         ChannelSettings { clearance_mm: mm[0], holder_clearance_mm: mm[1], ..asked.clone() }
     };
-    let mut out = vec![at(1.0, OFF), at(1.0, 0.0), at(0.5, 0.0), at(0.0, 0.0)];
-    out.dedup();
+    let less = |share: f64| Keeping { settings: at(share, 0.0), least_mm: None };
+    if more == [false; 2] {
+        return vec![less(0.0)];
+    }
+    let passes = |k: usize| VerifyOptions::default().least_clearance(asked_mm[k]);
+    let least_mm = Some([0, 1].map(|k| if more[k] { own_mm[k] } else { passes(k) }));
+    let mut out = vec![Keeping { settings: at(1.0, ROUNDED_MM), least_mm }];
+    out.extend(SHARES.map(less));
     out
 }
 
-/// The check of a clearance takes so much off it, mm and as a share.
-const OFF: f64 = 0.016;
+/// Shares of what a program keeps over what is asked for.
+const SHARES: [f64; 5] = [1.0, 0.9, 0.75, 0.5, 0.0];
+/// The rounding of words brings the tool nearer by no more, as a rule, mm.
+const ROUNDED_MM: f64 = 0.004;
 /// Ridges are looked at in so many places.
 const RIDGES: usize = 10_000;
 /// Radii that differ by less are one ball's, mm.

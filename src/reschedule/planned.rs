@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::stretches::{FEWEST, Found, Place};
-use super::{Program, RescheduleOptions, time};
+use super::{Keeping, Program, RescheduleOptions, time};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
 use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
@@ -85,10 +85,10 @@ impl Scene<'_> {
     ///
     /// # Errors
     /// Those of the stages but `Infeasible`, which is the reason.
-    pub fn plan(&self, found: &Found, clearances: &[ChannelSettings]) -> Result<std::result::Result<Planned, String>> {
+    pub fn plan(&self, found: &Found, clearances: &[Keeping]) -> Result<std::result::Result<Planned, String>> {
         let mut last = Err("nothing is asked for".to_owned());
-        for settings in clearances {
-            last = match self.planned(found, settings) {
+        for keeping in clearances {
+            last = match self.planned(found, keeping) {
                 Err(e) if e.kind == ErrorKind::Infeasible => Err(e.message),
                 planned => planned?,
             };
@@ -99,7 +99,8 @@ impl Scene<'_> {
         Ok(last)
     }
 
-    fn planned(&self, found: &Found, settings: &ChannelSettings) -> Result<std::result::Result<Planned, String>> {
+    fn planned(&self, found: &Found, keeping: &Keeping) -> Result<std::result::Result<Planned, String>> {
+        let settings = &keeping.settings;
         let count = found.places.len();
         let whole = self.course(found, [0, count - 1]);
         let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, settings, &[]))?;
@@ -120,7 +121,7 @@ impl Scene<'_> {
         for _ in 0..MOST_PROOFS {
             let (schedule, motions) =
                 timed(self.observer, Stage::Schedule, || self.fastest(&course, &channel, ends, places))?;
-            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule, settings)))?;
+            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule, keeping)))?;
             if short.is_empty() {
                 let clearance_mm = [settings.clearance_mm, settings.holder_clearance_mm];
                 return Ok(Ok(Planned { course, channel, schedule, first, motions, clearance_mm }));
@@ -286,13 +287,14 @@ impl Scene<'_> {
     }
 
     /// Moves on which the tool comes nearer than it may.
-    fn short(&self, path: &Toolpath, schedule: &Schedule, settings: &ChannelSettings) -> Vec<usize> {
-        let stock_mm = path.stock_mm.max(0.0);
-        let options = VerifyOptions {
-            clearance_mm: settings.clearance_mm + stock_mm,
-            holder_clearance_mm: settings.holder_clearance_mm + stock_mm,
-            ..VerifyOptions::default()
+    fn short(&self, path: &Toolpath, schedule: &Schedule, keeping: &Keeping) -> Vec<usize> {
+        let (stock_mm, usual) = (path.stock_mm.max(0.0), VerifyOptions::default());
+        let settings = &keeping.settings;
+        let [clearance_mm, holder_clearance_mm] = match keeping.least_mm {
+            Some(least_mm) => least_mm.map(|least| usual.asked_clearance(least + stock_mm)),
+            None => [settings.clearance_mm, settings.holder_clearance_mm].map(|asked| asked + stock_mm),
         };
+        let options = VerifyOptions { clearance_mm, holder_clearance_mm, ..usual };
         let apart = verify::apart(self.blade, &[], self.program.bench.tool, &options);
         verify::short_moves(path, &schedule.theta, &apart, &options)
     }

@@ -167,9 +167,9 @@ fn the_swing_goes_and_the_balls_stay() {
             assert!(was.len() == 1 && was[0].0 == "a-velocity", "{who}: {was:?}");
             assert!(is.is_empty() || is.len() == 1 && is[0].0 == was[0].0 && is[0].1 < was[0].1, "{who}: {is:?}");
             let clearance = |a: &Audit| a.checks.iter().find(|c| c.check.id == CheckId::Clearance).unwrap().check.worst;
-            // What the check takes off what it measures is a hundredth and 5 µm.
-            let kept = clearance(&made.before).min(AMPLE_MM);
-            assert!(clearance(&made.after) >= 0.98 * kept - 0.01, "{who}: {:?}", stretch.clearance_mm);
+            // Never nearer.
+            let [was, is] = [&made.before, &made.after].map(clearance);
+            assert!(is >= was.min(AMPLE_MM), "{who}: {was} {is} {:?}", stretch.clearance_mm);
             if made.lines_added == 0 {
                 let [first, last] = stretch.new_lines.unwrap();
                 // One line more says the feed that the program goes on with.

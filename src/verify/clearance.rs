@@ -35,7 +35,7 @@ pub(super) const TOUCH_MM: f64 = 0.002;
 /// Share of large distances that may be missed.
 const SHARE: f64 = 0.02;
 /// The same, and the least that is told apart, mm, where a clearance is only just kept or missed.
-const CLOSELY: (f64, f64) = (0.001, 0.0005);
+pub(super) const CLOSELY: (f64, f64) = (0.001, 0.0005);
 
 /// Distances beyond this are not measured, mm.
 const FAR_MM: f64 = 1000.0;
@@ -276,21 +276,29 @@ pub(super) fn kept(
         least_mm: bound_mm - on.deflection_mm,
         known_mm: on.deflection_mm,
     };
-    let first = of(part, measure_track(track, part, segments, options.clearance_resolution_mm));
+    let first = of(part, measure_track(track, part, segments, usual(options.clearance_resolution_mm)));
     if first.least_mm >= limit_mm || first.near.found_mm + first.known_mm < limit_mm {
         return first;
     }
-    let (on, (share, resolution)) = (part.sharper().unwrap_or(part), CLOSELY);
-    let motion = TrackSearch { part: on, track, segments, resolution, share };
-    let near = motion.whole();
-    of(on, (near, near.found_mm - motion.may_miss(near.found_mm)))
+    let on = part.sharper().unwrap_or(part);
+    of(on, measure_track(track, on, segments, CLOSELY))
+}
+
+/// What may be missed: a share of large distances, and the least that is told apart, mm.
+pub(super) fn usual(resolution_mm: f64) -> (f64, f64) {
+    (SHARE, resolution_mm)
 }
 
 /// Least distance between `segments` of the tool and the part over a motion of at least two rows,
-/// to `resolution_mm` (or a fiftieth of it, where that is more): the nearest place measured, and
+/// to a share of it or to a least length, mm, whichever is more: the nearest place measured, and
 /// what the distance is nowhere less than, mm.
-pub(super) fn measure_track(track: Track, part: &Part, segments: &[Segment], resolution_mm: f64) -> (Nearest, f64) {
-    let motion = TrackSearch { part, track, segments, resolution: resolution_mm, share: SHARE };
+pub(super) fn measure_track(
+    track: Track,
+    part: &Part,
+    segments: &[Segment],
+    (share, resolution): (f64, f64),
+) -> (Nearest, f64) {
+    let motion = TrackSearch { part, track, segments, resolution, share };
     let near = motion.whole();
     let bound = near.found_mm - motion.may_miss(near.found_mm);
     (near, bound)

@@ -223,9 +223,8 @@ impl Growing<'_> {
             let lowest = heights[k] + 2.0 * steepest * way;
             let one = |c: &ToolCut| {
                 let radius = c.sweep.radius_mm;
-                let met = c.sweep.met(p, n, c.reach_mm + length + radius * turn);
-                let offsets = met.into_iter().filter(|m| m.0 <= lowest).map(|m| m.1);
-                offsets.reduce(f64::max).map_or(0.0, |offset| slope(offset.min(c.reach_mm), radius))
+                let off = c.sweep.farthest_off(p, n, c.reach_mm + length + radius * turn, [lowest, way]);
+                off.map_or(0.0, |off| slope(off.min(c.reach_mm), radius))
             };
             self.cuts.iter().map(one).fold(0.0, f64::max)
         };

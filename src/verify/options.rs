@@ -95,6 +95,14 @@ impl Default for VerifyOptions {
 impl VerifyOptions {
     /// The least clearance that passes where `asked_mm` is asked for, mm.
     pub fn least_clearance(&self, asked_mm: f64) -> f64 {
-        (asked_mm - self.clearance_tolerance_mm.max(0.01 * asked_mm)).max(0.0)
+        (asked_mm - self.clearance_tolerance_mm.max(TOLERATED * asked_mm)).max(0.0)
+    }
+
+    /// What is to be asked for where `least_mm` is to pass and nothing less.
+    pub fn asked_clearance(&self, least_mm: f64) -> f64 {
+        (least_mm + self.clearance_tolerance_mm).max(least_mm / (1.0 - TOLERATED))
     }
 }
+
+/// Share of a clearance by which it may be missed.
+const TOLERATED: f64 = 0.01;

@@ -16,8 +16,18 @@
 //! (Taylor; `ρ` is the distance of `p` from the blade axis through `c` where the tool turns about
 //! that alone, else from `c`). Both bounds together are linear in `p` and in `τ`, so the least
 //! value over a triangle or box and the whole move is read off its corners. Where the part slides
-//! along the tool the bound is good to second order in the move. Halving a triangle until its own
-//! share is within the tolerance finds the least distance to that tolerance.
+//! along the tool the bound is good to second order in the move.
+//!
+//! The tangent plane at the place of a triangle that is nearest to the frustum does not fall over
+//! the triangle at all. That place is found by the algorithm of Gilbert, Johnson and Keerthi (1988);
+//! what it finds is only where to look: with `h` the frustum's support function, any unit vector `n`
+//! gives the bound `d(p) ≥ n·p − h(n)`. Where the tool is in the triangle there is no such plane,
+//! and halving the triangle until its own share is within the tolerance finds the least distance to
+//! that tolerance.
+
+use parry3d_f64::math::{Pose, Vector as ParryVector};
+use parry3d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
+use parry3d_f64::shape::SupportMap;
 
 use crate::artifact::Stand;
 use crate::geometry::{Point, Vector};
@@ -182,7 +192,7 @@ impl Moving<'_> {
         let (mut threshold, mut lower) = (cap_mm, cap_mm);
         let mut seen: Option<(f64, Point)> = None;
         // Most triangles are done at once, and take no memory for pieces.
-        let (mut next, mut open) = (Some(self.tangent_over(*corners)), Vec::new());
+        let (mut next, mut open, mut whole) = (Some(self.tangent_over(*corners)), Vec::new(), true);
         while let Some(t) = next.take().or_else(|| open.pop()) {
             if t.value < threshold {
                 (threshold, seen) = (t.value, Some((t.value, t.middle)));
@@ -194,6 +204,11 @@ impl Moving<'_> {
             }
             if told_apart || seen.is_some_and(|s| bound >= s.0 - tolerance_mm) {
                 lower = lower.min(bound);
+            } else if whole {
+                whole = false;
+                // Beyond this the triangle is too far off, however the tool moves.
+                let reach = threshold + (t.still - t.moved) + remainder;
+                next = self.nearest_over(t.corners, reach).or(Some(t));
             } else {
                 let [one, two] = halves(&t.corners).map(|c| self.tangent_over(c));
                 // The nearer half is looked at first: what it finds may close the other.
@@ -205,6 +220,39 @@ impl Moving<'_> {
             }
         }
         (lower.min(threshold), seen)
+    }
+
+    /// The plane between the frustum in the middle of the move and a triangle where the two are
+    /// nearest, or where they are farther apart than `reach_mm`; `None` where they are not apart.
+    fn nearest_over(&self, corners: [Point; 3], reach_mm: f64) -> Option<Tangent> {
+        let (one, two) = (FrustumSupport(self), TriangleSupport(&corners, self.motion.centre));
+        let here = Pose::identity();
+        let mut simplex = VoronoiSimplex::new();
+        simplex.reset(CsoPoint::from_shapes(&here, &one, &two, ParryVector::X));
+        let (near, direction) =
+            match gjk::closest_points(&here, &one, &two, reach_mm.min(FARTHEST_MM), true, &mut simplex) {
+                GJKResult::ClosestPoints(_, on_triangle, direction) => (on_triangle, direction),
+                GJKResult::NoIntersection(direction) => (two.local_support_point(-direction), direction),
+                GJKResult::Intersection | GJKResult::Proximity(_) => return None,
+            };
+        let middle = self.motion.centre + Vector::new(near.x, near.y, near.z);
+        let n = Vector::new(direction.x, direction.y, direction.z).try_normalize(0.5)?;
+        let (value, support) = (self.signed(&middle).0, self.support(&n));
+        let (mut still, mut moved) = (f64::INFINITY, f64::INFINITY);
+        for c in &corners {
+            let (over, drift) = (n.dot(&(c - self.motion.centre)) - support, n.dot(&self.drift(c)).abs());
+            still = still.min(over - value);
+            moved = moved.min(over - value - drift);
+        }
+        Some(Tangent { corners, middle, value, still, moved })
+    }
+
+    /// How far the frustum reaches from the ball centre along a unit vector, mm.
+    fn support(&self, n: &Vector) -> f64 {
+        let along = n.dot(&self.motion.axis);
+        let across = (n - self.motion.axis * along).norm();
+        let s = self.frustum;
+        (s.z0 * along + s.r0 * across).max(s.z1 * along + s.r1 * across)
     }
 
     /// The tangent plane at the middle of a triangle, over the triangle and the move.
@@ -221,8 +269,48 @@ impl Moving<'_> {
     }
 }
 
-/// A triangle with the distance at its middle, and how far the tangent plane there falls below it
-/// over the triangle alone (`still`) and over triangle and move (`moved`).
+/// Distances beyond this are not looked for, mm.
+const FARTHEST_MM: f64 = 1e6;
+
+/// A frustum as the nearest places are looked for, seen from the ball centre.
+struct FrustumSupport<'a>(&'a Moving<'a>);
+
+/// A triangle as the nearest places are looked for, seen from that centre.
+struct TriangleSupport<'a>(&'a [Point; 3], Point);
+
+impl SupportMap for FrustumSupport<'_> {
+    fn local_support_point(&self, direction: ParryVector) -> ParryVector {
+        let (s, axis) = (self.0.frustum, &self.0.motion.axis);
+        let n = Vector::new(direction.x, direction.y, direction.z);
+        let along = n.dot(axis);
+        let across = n - axis * along;
+        let length = across.norm();
+        let out = if length > 1e-12 { across / length } else { Vector::zeros() };
+        let low = s.z0 * along + s.r0 * length >= s.z1 * along + s.r1 * length;
+        let (z, r) = if low { (s.z0, s.r0) } else { (s.z1, s.r1) };
+        let at = axis * z + out * r;
+        ParryVector::new(at.x, at.y, at.z)
+    }
+}
+
+impl SupportMap for TriangleSupport<'_> {
+    fn local_support_point(&self, direction: ParryVector) -> ParryVector {
+        let n = Vector::new(direction.x, direction.y, direction.z);
+        let [a, b, c] = self.0.map(|c| c - self.1);
+        let (x, y, z) = (n.dot(&a), n.dot(&b), n.dot(&c));
+        let at = if x >= y && x >= z {
+            a
+        } else if y >= z {
+            b
+        } else {
+            c
+        };
+        ParryVector::new(at.x, at.y, at.z)
+    }
+}
+
+/// A triangle with the distance at one of its places, and how far a plane that is nowhere over the
+/// distance falls below that over the triangle alone (`still`) and over triangle and move (`moved`).
 struct Tangent {
     corners: [Point; 3],
     middle: Point,

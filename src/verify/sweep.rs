@@ -146,38 +146,50 @@ impl Sweep {
     pub fn entry(&self, p: &Point, n: &Vector, reach_mm: f64) -> Option<f64> {
         let q = p + n * self.radius_mm;
         let reach2 = reach_mm * reach_mm;
-        let mut best: Option<f64> = None;
+        // A ball is entered no lower over `p` than `p` is off it, and lies no deeper over `p` than
+        // `p` is in it: balls farther from `p` are higher.
+        let least = |node: &BvhNode, _| match box_distance2(node, &q) <= reach2 {
+            true => box_distance2(node, p).sqrt() - (1.0 + ROUNDING) * self.radius_mm,
+            false => f64::INFINITY,
+        };
+        let entry = |leaf: u32, _| {
+            let i = self.leaves[leaf as usize] as usize;
+            let (a, b) = (&self.centres[i], &self.centres[i + 1]);
+            let near = a + (b - a) * share_of_segment(a, b, &q);
+            if (near - q).norm_squared() > reach2 {
+                return None;
+            }
+            let t = capsule_entry(a, b, self.radius_mm, p, n)?;
+            if t < 0.0 { self.depth(a, b, p).map(|d| (-d, ())) } else { Some((t, ())) }
+        };
+        self.tree.find_best(f64::INFINITY, least, entry).map(|(_, (t, ()))| t)
+    }
+
+    /// Of the moves within `reach_mm` of `p + R n` into whose ball the line `p + t n` enters no
+    /// higher than `highest_mm` how far the centre of that which is farthest off the line is off
+    /// it; of balls that lie apart from `p` by more than that and `way_mm` nothing is said.
+    pub fn farthest_off(&self, p: &Point, n: &Vector, reach_mm: f64, [highest_mm, way_mm]: [f64; 2]) -> Option<f64> {
+        let q = p + n * self.radius_mm;
+        let (reach2, apart) = (reach_mm * reach_mm, self.radius_mm + highest_mm.max(0.0) + way_mm);
+        let mut farthest: Option<f64> = None;
         self.tree.traverse(|node| {
-            if box_distance2(node, &q) > reach2 {
+            if box_distance2(node, &q) > reach2 || box_distance2(node, p) > apart * apart {
                 return TraversalAction::Prune;
             }
-            if let Some(i) = node.leaf_data().map(|leaf| self.leaves[leaf as usize]) {
-                let (a, b) = (self.centres[i as usize], self.centres[i as usize + 1]);
-                let near = a + (b - a) * share_of_segment(&a, &b, &q);
+            if let Some(i) = node.leaf_data().map(|leaf| self.leaves[leaf as usize] as usize) {
+                let (a, b) = (&self.centres[i], &self.centres[i + 1]);
+                let near = a + (b - a) * share_of_segment(a, b, &q);
                 if (near - q).norm_squared() <= reach2
-                    && let Some(t) = capsule_entry(&a, &b, self.radius_mm, p, n)
-                    && let Some(t) = if t < 0.0 { self.depth(&a, &b, p).map(|d| -d) } else { Some(t) }
+                    && let Some(t) = capsule_entry(a, b, self.radius_mm, p, n).filter(|t| *t <= highest_mm)
                 {
-                    best = Some(best.map_or(t, |o| o.min(t)));
+                    let v = a + (b - a) * share_of_segment(a, b, &(p + n * t)) - p;
+                    let off = (v - n * v.dot(n)).norm();
+                    farthest = Some(farthest.map_or(off, |o| o.max(off)));
                 }
             }
             TraversalAction::Continue
         });
-        best
-    }
-
-    /// All moves within `reach_mm` of `p + R n` that the line `p + t n` meets: where it enters the
-    /// ball, and how far that ball's centre is off the line.
-    pub fn met(&self, p: &Point, n: &Vector, reach_mm: f64) -> Vec<(f64, f64)> {
-        let near = self.all_near(&(p + n * self.radius_mm), reach_mm);
-        let one = |(i, _): (usize, Point)| {
-            let (a, b) = (self.centres[i], self.centres[i + 1]);
-            let t = capsule_entry(&a, &b, self.radius_mm, p, n)?;
-            let at = p + n * t;
-            let v = a + (b - a) * share_of_segment(&a, &b, &at) - p;
-            Some((t, (v - n * v.dot(n)).norm()))
-        };
-        near.into_iter().filter_map(one).collect()
+        farthest
     }
 
     /// How deep the point comes to lie in the ball moving from `a` to `b`; `None`: not at all.
@@ -203,25 +215,30 @@ fn ball_entry(c: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
 /// Where the line `p + t n` (unit `n`) enters the capsule about the segment `a b`: the least of the
 /// entries into its two end balls and, where the line enters it between them, into its cylinder.
 pub(super) fn capsule_entry(a: &Point, b: &Point, radius: f64, p: &Point, n: &Vector) -> Option<f64> {
-    let ends = [ball_entry(a, radius, p, n), ball_entry(b, radius, p, n)];
+    let ends = lesser(ball_entry(a, radius, p, n), ball_entry(b, radius, p, n));
     let (axis, length) = (b - a, (b - a).norm());
-    let cylinder = (length > 0.0)
-        .then(|| {
-            let e = axis / length;
-            let w = p - a;
-            // |(w + t n) − ((w + t n)·e) e|² = R²: α t² + 2 β t + γ = 0.
-            let (we, ne) = (w.dot(&e), n.dot(&e));
-            let (alpha, beta) = (1.0 - ne * ne, w.dot(n) - we * ne);
-            let gamma = w.norm_squared() - we * we - radius * radius;
-            let disc = beta * beta - alpha * gamma;
-            if alpha <= 1e-14 || disc < 0.0 {
-                return None;
-            }
-            let t = (-beta - disc.sqrt()) / alpha;
-            (0.0..=length).contains(&(we + t * ne)).then_some(t)
-        })
-        .flatten();
-    ends.into_iter().chain([cylinder]).flatten().min_by(f64::total_cmp)
+    if length == 0.0 {
+        return ends;
+    }
+    let e = axis / length;
+    let w = p - a;
+    // |(w + t n) − ((w + t n)·e) e|² = R²: α t² + 2 β t + γ = 0.
+    let (we, ne) = (w.dot(&e), n.dot(&e));
+    let (alpha, beta) = (1.0 - ne * ne, w.dot(n) - we * ne);
+    let gamma = w.norm_squared() - we * we - radius * radius;
+    let disc = beta * beta - alpha * gamma;
+    if alpha <= 1e-14 || disc < 0.0 {
+        return ends;
+    }
+    let t = (-beta - disc.sqrt()) / alpha;
+    lesser(ends, (0.0..=length).contains(&(we + t * ne)).then_some(t))
+}
+
+fn lesser(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        _ => a.or(b),
+    }
 }
 
 #[cfg(test)]
@@ -258,6 +275,33 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn heights_over_a_place_are_those_of_all_moves(
+            centres in prop::collection::vec(vector(), 2..40), p in vector(), n in vector(), reach in 0.1..4.0f64,
+        ) {
+            prop_assume!(n.norm() > 0.1);
+            let (n, p) = (n.normalize(), Point::from(p * 0.8));
+            let centres: Vec<Point> = centres.into_iter().map(Point::from).collect();
+            let radius = 1.2;
+            let sweep = Sweep::of(centres.clone(), centres.clone(), vec![0; centres.len()], radius, None);
+            let q = p + n * radius;
+            let met: Vec<(f64, f64, Option<f64>)> = centres.windows(2).filter_map(|w| {
+                let (a, b) = (w[0], w[1]);
+                let near = a + (b - a) * share_of_segment(&a, &b, &q);
+                let t = capsule_entry(&a, &b, radius, &p, &n).filter(|_| (near - q).norm() <= reach)?;
+                let v = a + (b - a) * share_of_segment(&a, &b, &(p + n * t)) - p;
+                let height = if t < 0.0 { sweep.depth(&a, &b, &p).map(|d| -d) } else { Some(t) };
+                Some((t, (v - n * v.dot(&n)).norm(), height))
+            }).collect();
+            prop_assert_eq!(sweep.entry(&p, &n, reach), met.iter().filter_map(|m| m.2).reduce(f64::min));
+            let highest = 0.7;
+            let farthest = met.iter().filter(|m| m.0 <= highest).map(|m| m.1).reduce(f64::max);
+            prop_assert_eq!(sweep.farthest_off(&p, &n, reach, [highest, 100.0]), farthest);
+            // Of balls that are left out, none is as near as that.
+            if let Some(off) = sweep.farthest_off(&p, &n, reach, [highest, 0.1]) {
+                prop_assert!(farthest.is_some_and(|f| off <= f));
+            }
+        }
         #[test]
         fn capsule_entry_is_the_least_entry_of_its_balls(a in vector(), b in vector(), p in vector(), n in vector()) {
             prop_assume!(n.norm() > 0.1);

@@ -322,7 +322,7 @@ fn a_holder_touch_of_twenty_micrometres_between_two_rows_is_found() {
     for i in [row, row + 1] {
         let stands = [p.stand(i).unwrap(); 2];
         let still = clearance::Track { stands: &stands, wanted: None };
-        assert!(clearance::measure_track(still, &blade.part, &holder, 0.001).1 > 0.005);
+        assert!(clearance::measure_track(still, &blade.part, &holder, clearance::usual(0.001)).1 > 0.005);
     }
 }
 

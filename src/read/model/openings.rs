@@ -62,6 +62,7 @@ pub fn check(blade: &Blade, reach: &ToolReach) -> Result<Vec<Doubt>> {
     let [lo, hi] = reach.x_mm;
     let (mut far, mut narrow) = (Vec::new(), Vec::new());
     let mut met: Vec<(f64, Point)> = Vec::new();
+    let mut extent_mm: f64 = 0.0;
     for o in openings(mesh) {
         let Some(b) = o.aabb(mesh) else { continue };
         let width_mm = o.width_mm(mesh);
@@ -74,6 +75,7 @@ pub fn check(blade: &Blade, reach: &ToolReach) -> Result<Vec<Doubt>> {
             let points = o.points(mesh);
             let nearest = points.iter().min_by(|p, q| into(p).total_cmp(&into(q))).copied().unwrap_or(b.min);
             met.push((width_mm, nearest));
+            extent_mm = extent_mm.max(o.extent_mm(mesh));
         }
     }
     if let Some((width_mm, p)) = met.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -92,10 +94,14 @@ pub fn check(blade: &Blade, reach: &ToolReach) -> Result<Vec<Doubt>> {
             ),
         )
         .advise(if blade.part.brep.is_some() {
-            "close the body in CAD and export it as a solid, or machine a region away from the opening"
+            "close the body in CAD and export it as a solid, or machine a region away from the opening".to_owned()
         } else {
-            "close the mesh, here with --set model.close_holes_mm=… (greatest extent of a hole) if it should be closed flat, or \
-             machine a region away from the opening"
+            // Rounded up to what has two digits behind the point.
+            let most_mm = (extent_mm * 100.0).ceil() / 100.0;
+            format!(
+                "close the mesh, here with --set model.close_holes_mm={most_mm} if it should be closed flat, or machine \
+                 a region away from the opening"
+            )
         }));
     }
     let widest = |list: &[f64]| list.iter().copied().reduce(f64::max).map(|widest_mm| (list.len(), widest_mm));
@@ -163,5 +169,14 @@ mod tests {
             e.to_string().contains("not closed where the tool works") && e.to_string().contains("in the model"),
             "{e}"
         );
+        // The number that the advice names closes it, and a hundredth less does not.
+        let named = e.to_string();
+        let named = named.split_once("close_holes_mm=").unwrap().1.split(' ').next().unwrap();
+        let most_mm: f64 = named.parse().unwrap();
+        let closed_by = |most_mm: f64| {
+            let mut mesh = no_lid.part.mesh.clone();
+            crate::geometry::boundary::close(&mut mesh, most_mm, 0)
+        };
+        assert_eq!((closed_by(most_mm), closed_by(most_mm - 0.01)), (1, 0));
     }
 }

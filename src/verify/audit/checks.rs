@@ -89,12 +89,15 @@ impl AuditScene<'_> {
 
     /// Least distance of segments of the tool, what is known of the part taken off; and its check.
     fn clearance(&self, limit: Limit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
-        let (track, resolution) = (self.track(wanted), self.options.clearance_resolution_mm);
+        let closely = self.options.clearance_closely;
+        let to = if closely { clearance::CLOSELY } else { clearance::usual(self.options.clearance_resolution_mm) };
+        let track = self.track(wanted);
         let measure = |on: &Part| {
-            let (near, bound) = clearance::measure_track(track, on, segments, resolution);
+            let (near, bound) = clearance::measure_track(track, on, segments, to);
             (near, bound - on.deflection_mm)
         };
-        let mut on = &self.blade.part;
+        let usual = &self.blade.part;
+        let mut on = if closely { usual.sharper().unwrap_or(usual) } else { usual };
         let (mut near, mut worst) = measure(on);
         // Just over a small corner the mesh may be too coarse to tell.
         if !self.bench.tool.is_ball()

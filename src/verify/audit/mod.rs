@@ -81,6 +81,9 @@ pub struct AuditOptions {
     pub resolution_mm: f64,
     /// What the checks of clearance may miss between two samples, mm. Default 0.005.
     pub clearance_resolution_mm: f64,
+    /// Clearances are measured to a thousandth and half a micrometre, on triangles that are nearer
+    /// to the exact faces: what two programs keep can be compared. Default false.
+    pub clearance_closely: bool,
     /// Number of samples of the surface, about. Default 120 000.
     pub surface_samples: usize,
     /// Tolerance of the deviation map, mm; `None` (the default): no map.
@@ -97,6 +100,7 @@ impl Default for AuditOptions {
             stock_mm: 0.0,
             resolution_mm: 0.0005,
             clearance_resolution_mm: 0.005,
+            clearance_closely: false,
             surface_samples: 120_000,
             map_mm: None,
         }

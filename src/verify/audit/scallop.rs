@@ -120,13 +120,13 @@ pub(super) fn between(
     reach_mm: f64,
     inside: impl Fn(usize, &Point) -> bool,
 ) -> Option<(usize, f64)> {
-    let mut near: Vec<(f64, usize, Point)> =
-        sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
-    near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let (d, leg, c) = *near.first()?;
+    type Near = (f64, usize, Point);
+    let near: Vec<Near> = sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
+    let nearer = |a: &&Near, b: &&Near| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+    let (d, leg, c) = *near.iter().min_by(nearer)?;
     let side = c - q;
-    let across = |(e, _, other): &&(f64, usize, Point)| (other - q).dot(&side) <= OPPOSITE * d * e;
-    let (e, other, at) = near.iter().filter(|(e, ..)| *e > 1e-9).find(across)?;
+    let across = |(e, _, other): &&Near| *e > 1e-9 && (other - q).dot(&side) <= OPPOSITE * d * e;
+    let (e, other, at) = near.iter().filter(across).min_by(nearer)?;
     (inside(leg, &c) && inside(*other, at)).then_some((leg, d + e))
 }
 
