@@ -532,6 +532,67 @@ fn what_leaves_no_plan_is_told_as_data() {
     assert_eq!(large["radius_mm"], 60.0);
 }
 
+/// More of them, planted in machine, tool, fixture and schedule; the data name the place or the
+/// figure.
+#[test]
+fn limits_of_machine_and_channel_are_told_as_data() {
+    let dir = tempfile::tempdir().expect("temporary folder");
+    let models = root().join("models");
+    let machine = |name: &str, from: &str, to: &str| {
+        let text = std::fs::read_to_string(models.join("machines").join(name)).expect("readable");
+        assert!(text.contains(from), "{name} has no {from}");
+        write(dir.path(), &format!("its_{name}"), text.replace(from, to).as_bytes());
+        format!("machine.file=\"{}\"", dir.path().join(format!("its_{name}")).display())
+    };
+    let small_table = machine("four_axis_a.toml", "swing_diameter_mm = 300.0", "swing_diameter_mm = 20.0");
+    let short_travel =
+        machine("demo_table_head.toml", "min_deg = -87.0\nmax_deg = 87.0", "min_deg = -3.0\nmax_deg = 3.0");
+    let corners = (0..8).map(|k| [30 + 30 * (k >> 2), -20 + 40 * (k >> 1 & 1), 5 + 55 * (k & 1)]);
+    let sides = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"];
+    let corners: String = corners.map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+    let sides: String = sides.iter().map(|s| format!("f {s}\n")).collect();
+    write(dir.path(), "box.obj", format!("{corners}{sides}").as_bytes());
+    let prism = models.join("prism.step").display().to_string();
+    let job = format!("[model]\nfile = '{prism}'\n[[fixture]]\nfile = \"box.obj\"\nunit = \"mm\"\n");
+    write(dir.path(), "beside.toml", job.as_bytes());
+    let twist = models.join("compressor_twist.step").display().to_string();
+    let long = ["tool.shank_radius_mm=30", "tool.stickout_mm=20"];
+    let planted: [(&str, &str, Vec<&str>); 7] = [
+        ("lean-out-of-reach", &prism, vec![&small_table]),
+        ("swing", &prism, vec![&small_table, "machine.b_deg=0"]),
+        ("beyond-travel", &prism, vec![&short_travel]),
+        ("ball-near-fixture", "beside.toml", vec![]),
+        ("no-free-angle", &prism, vec!["region.start_mm=7", "tool.taper_deg=25", "channel.clearance_mm=3"]),
+        ("channel-closes", &prism, long.to_vec()),
+        ("no-offset", &twist, vec!["schedule.kind=\"eccentric\""]),
+    ];
+    for (what, model, sets) in planted {
+        let sets = sets.iter().flat_map(|s| ["--set", s]);
+        let args: Vec<&str> =
+            ["--json", "plan", model, "-o", "none", "--set", "path.scallop_mm=0.1"].into_iter().chain(sets).collect();
+        let out = bladewright(&args, dir.path());
+        let text = String::from_utf8_lossy(&out.stdout).into_owned();
+        let lines = text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok());
+        let error = lines.into_iter().find(|l| l["event"] == "error").expect(&text);
+        let found = &error["infeasible"];
+        assert_eq!((out.status.code(), &found["what"]), (Some(3), &what.into()), "{error}");
+        assert!(!dir.path().join("none").exists(), "{what}: something was written");
+        let near = |key: &str, to: f64| {
+            let value = found[key].as_f64().expect(key);
+            assert!((value - to).abs() < 1e-6 * to, "{what}: {key} is {value}, not {to}");
+        };
+        match what {
+            "lean-out-of-reach" => near("lean_deg", 5.0),
+            "swing" => near("swing_diameter_mm", 20.0),
+            "beyond-travel" => near("excess_deg", 2.0),
+            "ball-near-fixture" => assert_eq!(&found["name"], "box.obj"),
+            "no-offset" => assert!(found["low_mm"].as_f64() > found["high_mm"].as_f64(), "{found}"),
+            "channel-closes" => assert_eq!(&found["bounds"][0]["tool"], "holder 1"),
+            _ => assert!(found["at"]["turn"] == 0 && found["at_start"] == true, "{found}"),
+        }
+    }
+}
+
 #[test]
 fn stages_can_be_stopped_after() {
     let dir = tempfile::tempdir().expect("temporary folder");

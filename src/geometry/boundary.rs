@@ -176,8 +176,8 @@ fn extent_mm(points: &[Point]) -> f64 {
     points.iter().enumerate().map(from).fold(0.0, f64::max).sqrt()
 }
 
-/// Closes every ring not wider than `most_mm` (greatest distance of two of its corners), with triangles of face `face`.
-/// Returns how many were closed.
+/// Closes every ring not wider than `most_mm` (greatest distance of two of its corners), with
+/// triangles of face `face`. Returns how many were closed.
 ///
 /// The filling has the least area; where one of its chords is an edge of the mesh already, or the
 /// ring is too long for that, it is a fan about a new vertex in the middle.

@@ -19,11 +19,11 @@
 //! along the tool the bound is good to second order in the move.
 //!
 //! The tangent plane at the place of a triangle that is nearest to the frustum does not fall over
-//! the triangle at all. That place is found by the algorithm of Gilbert, Johnson and Keerthi (1988);
-//! what it finds is only where to look: with `h` the frustum's support function, any unit vector `n`
-//! gives the bound `d(p) ≥ n·p − h(n)`. Where the tool is in the triangle there is no such plane,
-//! and halving the triangle until its own share is within the tolerance finds the least distance to
-//! that tolerance.
+//! the triangle at all. That place is found by the algorithm of Gilbert, Johnson and Keerthi
+//! (1988); what it finds is only where to look: with `h` the frustum's support function, any unit
+//! vector `n` gives the bound `d(p) ≥ n·p − h(n)`. Where the tool is in the triangle there is no
+//! such plane, and halving the triangle until its own share is within the tolerance finds the least
+//! distance to that tolerance.
 
 use parry3d_f64::math::{Pose, Vector as ParryVector};
 use parry3d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
@@ -310,7 +310,8 @@ impl SupportMap for TriangleSupport<'_> {
 }
 
 /// A triangle with the distance at one of its places, and how far a plane that is nowhere over the
-/// distance falls below that over the triangle alone (`still`) and over triangle and move (`moved`).
+/// distance falls below that over the triangle alone (`still`), and over triangle and move
+/// (`moved`).
 struct Tangent {
     corners: [Point; 3],
     middle: Point,
