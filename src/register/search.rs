@@ -18,10 +18,6 @@ type Turn = nalgebra::UnitQuaternion<f64>;
 const TURNS: usize = 720;
 /// Slabs across the blade axis whose middles the places are laid about.
 const SLABS: usize = 12;
-/// Places on which guesses first come down, where there are many.
-const FEWEST: usize = 24;
-/// Guesses that come down on more of them.
-const HOPEFUL: usize = 2000;
 /// Shifts beside a middle to either side, where no turn is looked for.
 const BESIDE: [f64; 5] = [-0.3, -0.12, 0.0, 0.12, 0.3];
 /// Places to either side of a lay to which it is swept.
@@ -132,7 +128,7 @@ impl Search<'_> {
         let few_on_grid = Sieve { places: &few, ..on_grid };
         let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
         let few_on_mesh = Sieve { places: &few, ..on_mesh };
-        let mut lays = self.sieved(&on_grid, self.sieved(&first, self.hopeful(&first, self.guesses(&few, tip)))?)?;
+        let mut lays = self.sieved(&on_grid, self.sieved(&first, self.guesses(&few, tip))?)?;
         lays.extend(lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect::<Vec<_>>());
         lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
         // From where the mesh has led to, once more: grooves and fillets are narrower than cells.
@@ -140,19 +136,6 @@ impl Search<'_> {
         let others: Vec<Lay> = lays.par_iter().take(CHALLENGED).flat_map_iter(other).collect();
         lays.extend(self.sieved(&few_on_mesh, self.sieved(&few_on_grid, others)?)?);
         self.sieved(&Sieve { keep: 8, ..on_mesh }, lays)
-    }
-
-    /// Of many guesses those that come down farthest on few places.
-    fn hopeful(&self, sieve: &Sieve, guesses: Vec<Lay>) -> Vec<Lay> {
-        if guesses.len() <= HOPEFUL {
-            return guesses;
-        }
-        let places = self.places.sampled(FEWEST);
-        let rough = self.task(sieve.field, &places, sieve.huber_mm, false);
-        let mut ended: Vec<(Lay, f64)> =
-            guesses.into_par_iter().map(|lay| rough.descend(&lay, sieve.rough_steps)).collect();
-        ended.sort_by(|a, b| a.1.total_cmp(&b.1));
-        ended.into_iter().take(HOPEFUL).map(|(lay, _)| lay).collect()
     }
 
     /// A task on a field, nothing left out.
