@@ -585,7 +585,7 @@ fn limits_of_machine_and_channel_are_told_as_data() {
             "lean-out-of-reach" => near("lean_deg", 5.0),
             "swing" => near("swing_diameter_mm", 20.0),
             "beyond-travel" => near("excess_deg", 2.0),
-            "ball-near-fixture" => assert_eq!(&found["name"], "box.obj"),
+            "ball-near-fixture" => assert_eq!(&found["name"], "fixture box.obj"),
             "no-offset" => assert!(found["low_mm"].as_f64() > found["high_mm"].as_f64(), "{found}"),
             "channel-closes" => assert_eq!(&found["bounds"][0]["tool"], "holder 1"),
             _ => assert!(found["at"]["turn"] == 0 && found["at_start"] == true, "{found}"),
