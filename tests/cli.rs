@@ -507,22 +507,25 @@ fn inspect_lists_regions_as_data() {
     }
 }
 
+/// Why there is no plan of a model or job, as `--json` tells it; nothing is written.
+fn no_plan(sets: &[&str], model: &str, dir: &Path) -> serde_json::Value {
+    let sets = sets.iter().flat_map(|s| ["--set", s]);
+    let args: Vec<&str> = ["--json", "plan", model, "-o", "none"].into_iter().chain(sets).collect();
+    let out = bladewright(&args, dir);
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    let lines = text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok());
+    let error = lines.into_iter().find(|l| l["event"] == "error").expect(&text);
+    assert_eq!(out.status.code(), Some(3), "{text}");
+    assert!(!dir.join("none").exists(), "{error}: something was written");
+    error["infeasible"].clone()
+}
+
 /// Planted reasons for no plan, as `--json` tells them.
 #[test]
 fn what_leaves_no_plan_is_told_as_data() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let model = root().join("models/prism.step").display().to_string();
-    let told = |sets: &[&str]| {
-        let sets = sets.iter().flat_map(|s| ["--set", s]);
-        let args: Vec<&str> =
-            ["--json", "plan", &model, "-o", "none", "--until", "path"].into_iter().chain(sets).collect();
-        let out = bladewright(&args, dir.path());
-        let text = String::from_utf8_lossy(&out.stdout).into_owned();
-        let lines = text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok());
-        let error = lines.into_iter().find(|l| l["event"] == "error").expect(&text);
-        assert_eq!(out.status.code(), Some(3), "{text}");
-        error["infeasible"].clone()
-    };
+    let told = |sets: &[&str]| no_plan(sets, &model, dir.path());
     let small = told(&["tool.radius_mm=500"]);
     assert_eq!((&small["what"], &small["size_mm"][0]), (&"part-smaller-than-tool".into(), &130.0.into()));
     let large = told(&["tool.radius_mm=60"]);
@@ -547,13 +550,9 @@ fn limits_of_machine_and_channel_are_told_as_data() {
     let small_table = machine("four_axis_a.toml", "swing_diameter_mm = 300.0", "swing_diameter_mm = 20.0");
     let short_travel =
         machine("demo_table_head.toml", "min_deg = -87.0\nmax_deg = 87.0", "min_deg = -3.0\nmax_deg = 3.0");
-    let corners = (0..8).map(|k| [30 + 30 * (k >> 2), -20 + 40 * (k >> 1 & 1), 5 + 55 * (k & 1)]);
-    let sides = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"];
-    let corners: String = corners.map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
-    let sides: String = sides.iter().map(|s| format!("f {s}\n")).collect();
-    write(dir.path(), "box.obj", format!("{corners}{sides}").as_bytes());
+    write(dir.path(), "box.stl", cube_stl(60.0, 6).as_bytes());
     let prism = models.join("prism.step").display().to_string();
-    let job = format!("[model]\nfile = '{prism}'\n[[fixture]]\nfile = \"box.obj\"\nunit = \"mm\"\n");
+    let job = format!("[model]\nfile = '{prism}'\n[[fixture]]\nfile = \"box.stl\"\nunit = \"mm\"\n");
     write(dir.path(), "beside.toml", job.as_bytes());
     let twist = models.join("compressor_twist.step").display().to_string();
     let long = ["tool.shank_radius_mm=30", "tool.stickout_mm=20"];
@@ -567,16 +566,8 @@ fn limits_of_machine_and_channel_are_told_as_data() {
         ("no-offset", &twist, vec!["schedule.kind=\"eccentric\""]),
     ];
     for (what, model, sets) in planted {
-        let sets = sets.iter().flat_map(|s| ["--set", s]);
-        let args: Vec<&str> =
-            ["--json", "plan", model, "-o", "none", "--set", "path.scallop_mm=0.1"].into_iter().chain(sets).collect();
-        let out = bladewright(&args, dir.path());
-        let text = String::from_utf8_lossy(&out.stdout).into_owned();
-        let lines = text.lines().filter_map(|l| serde_json::from_str::<serde_json::Value>(l).ok());
-        let error = lines.into_iter().find(|l| l["event"] == "error").expect(&text);
-        let found = &error["infeasible"];
-        assert_eq!((out.status.code(), &found["what"]), (Some(3), &what.into()), "{error}");
-        assert!(!dir.path().join("none").exists(), "{what}: something was written");
+        let found = no_plan(&[&["path.scallop_mm=0.1"], &sets[..]].concat(), model, dir.path());
+        assert_eq!(found["what"], what, "{found}");
         let near = |key: &str, to: f64| {
             let value = found[key].as_f64().expect(key);
             assert!((value - to).abs() < 1e-6 * to, "{what}: {key} is {value}, not {to}");
@@ -585,7 +576,7 @@ fn limits_of_machine_and_channel_are_told_as_data() {
             "lean-out-of-reach" => near("lean_deg", 5.0),
             "swing" => near("swing_diameter_mm", 20.0),
             "beyond-travel" => near("excess_deg", 2.0),
-            "ball-near-fixture" => assert_eq!(&found["name"], "fixture box.obj"),
+            "ball-near-fixture" => assert_eq!(&found["name"], "fixture box.stl"),
             "no-offset" => assert!(found["low_mm"].as_f64() > found["high_mm"].as_f64(), "{found}"),
             "channel-closes" => assert_eq!(&found["bounds"][0]["tool"], "holder 1"),
             _ => assert!(found["at"]["turn"] == 0 && found["at_start"] == true, "{found}"),

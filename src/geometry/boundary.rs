@@ -44,7 +44,8 @@ impl Opening {
     pub fn aabb(&self, mesh: &Mesh) -> Option<Aabb> {
         Aabb::around(&self.points(mesh))
     }
-    /// Greatest distance of two of its corners, mm.
+    /// Greatest distance of two of its corners, mm; of a very long chain the diagonal of its box,
+    /// which is no less.
     pub fn extent_mm(&self, mesh: &Mesh) -> f64 {
         extent_mm(&self.points(mesh))
     }
@@ -170,14 +171,20 @@ pub fn fill(ring: &[Point]) -> Option<Vec<[usize; 3]>> {
     Some(out)
 }
 
-/// Greatest distance of two points, mm.
+/// Of more points than this not all pairs are looked at.
+const MOST_PAIRED: usize = 4000;
+
+/// See [`Opening::extent_mm`].
 fn extent_mm(points: &[Point]) -> f64 {
+    if points.len() > MOST_PAIRED {
+        return Aabb::around(points).map_or(0.0, |b| b.diagonal_mm());
+    }
     let from = |(k, p): (usize, &Point)| points[k + 1..].iter().map(|q| (q - p).norm_squared()).fold(0.0, f64::max);
     points.iter().enumerate().map(from).fold(0.0, f64::max).sqrt()
 }
 
-/// Closes every ring not wider than `most_mm` (greatest distance of two of its corners), with
-/// triangles of face `face`. Returns how many were closed.
+/// Closes every ring whose [`Opening::extent_mm`] is not over `most_mm`, with triangles of face
+/// `face`. Returns how many were closed.
 ///
 /// The filling has the least area; where one of its chords is an edge of the mesh already, or the
 /// ring is too long for that, it is a fan about a new vertex in the middle.

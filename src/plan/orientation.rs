@@ -115,7 +115,8 @@ fn free_cells(
     around: &Surroundings,
     observer: &dyn Observer,
 ) -> Result<Vec<orient::FreeCells>> {
-    // Cells are many times as wide as this; the channel along the cones that are chosen is exact.
+    // Cells are many times as wide as this; along the cones that are chosen the channel is made as
+    // the job asks.
     let options = setup.channel_options().with(|s| {
         s.exact_ends = false;
         s.tolerance_deg = s.tolerance_deg.max(CELL_SHARE * grid.step_rad().to_degrees());

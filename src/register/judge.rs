@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::field::{Exact, Field, Triangles};
 use super::places::{Lay, Place, Places, followed, zero};
 use super::search::{Candidate, Search, rms_mm};
-use super::solve::{Change, Task, UNKNOWNS, apart_mm};
+use super::solve::{Centres, Change, Task, UNKNOWNS};
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
 use crate::read::program::{Bench, Script};
@@ -278,17 +278,19 @@ const SAME_MM: f64 = 0.1;
 pub(super) fn contest(search: &Search, places: &[Place], ranked: &Ranked, ratio: f64) -> Contest {
     let (mut lay, mut huber_mm) = polished(search, places, &ranked.best.lay);
     let (exact, probe) = (Exact(search.part), search.probe());
+    let here = Centres::of(&probe, &lay);
     let same_mm = SAME_MM.max(1e-3 * search.size_mm());
+    let is_other = |other: &Lay| here.apart(&Centres::of(&probe, other), same_mm);
     let task = search.task(&exact, places, huber_mm, search.free_radius);
     let off_mm = |lay: &Lay| rms_mm(&task, lay).max(LEAST_MM);
     let mut best_mm = off_mm(&lay);
-    for next in ranked.rest.iter().filter(|c| apart_mm(&probe, &lay, &c.lay) > same_mm) {
+    for next in ranked.rest.iter().filter(|c| is_other(&c.lay)) {
         let next_mm = off_mm(&next.lay);
         if next_mm > 100.0 * ratio * best_mm {
             return Contest { lay, huber_mm, next: Some((next.lay, next_mm / best_mm)) };
         }
         let (mut other, other_huber_mm) = polished(search, places, &next.lay);
-        if apart_mm(&probe, &lay, &other) <= same_mm {
+        if !is_other(&other) {
             continue;
         }
         let mut other_mm = off_mm(&other);

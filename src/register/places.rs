@@ -65,6 +65,7 @@ impl Place {
     /// Ball centre, blade frame.
     pub fn centre(&self, lay: &Lay) -> Point {
         let at = lay.frame * self.point;
+        // Column by column: the product of matrices is a call, and lays have many places.
         let [x, y, z] = [0, 1, 2].map(|k| self.map.fixed_view::<3, 1>(0, k));
         let over = self.base + (x * at.x + y * at.y + z * at.z);
         if self.over_part && lay.tip { over + self.axis(lay) * (self.radius_mm + lay.grown_mm) } else { over }

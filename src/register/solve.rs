@@ -178,12 +178,6 @@ fn step(normal: &Normal, right: &Change, damping: f64) -> Option<Change> {
     change.iter().all(|v| v.is_finite()).then_some(change)
 }
 
-/// Root mean square of how far the centres of places are apart in two lays, mm.
-pub(super) fn apart_mm(places: &[Place], a: &Lay, b: &Lay) -> f64 {
-    let sum: f64 = places.iter().map(|p| (p.centre(a) - p.centre(b)).norm_squared()).sum();
-    (sum / places.len().max(1) as f64).sqrt()
-}
-
 /// Where places have their centres in a lay, to be compared with those in others.
 pub(super) struct Centres {
     all: Vec<Point>,

@@ -106,3 +106,17 @@ impl VerifyOptions {
 
 /// Share of a clearance by which it may be missed.
 const TOLERATED: f64 = 0.01;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_asked_for_passes_at_the_least_and_not_below() {
+        let options = VerifyOptions::default();
+        for least_mm in [0.001, 0.1, 0.4949, 0.5, 5.0, 300.0] {
+            let passes = options.least_clearance(options.asked_clearance(least_mm));
+            assert!((passes - least_mm).abs() < 1e-12 * least_mm.max(1.0), "{least_mm} {passes}");
+        }
+    }
+}

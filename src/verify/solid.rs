@@ -235,33 +235,44 @@ impl Moving<'_> {
                 GJKResult::NoIntersection(direction) => (two.local_support_point(-direction), direction),
                 GJKResult::Intersection | GJKResult::Proximity(_) => return None,
             };
-        let middle = self.motion.centre + Vector::new(near.x, near.y, near.z);
-        let n = Vector::new(direction.x, direction.y, direction.z).try_normalize(0.5)?;
-        let (value, support) = (self.signed(&middle).0, self.support(&n));
-        let (mut still, mut moved) = (f64::INFINITY, f64::INFINITY);
-        for c in &corners {
-            let (over, drift) = (n.dot(&(c - self.motion.centre)) - support, n.dot(&self.drift(c)).abs());
-            still = still.min(over - value);
-            moved = moved.min(over - value - drift);
-        }
-        Some(Tangent { corners, middle, value, still, moved })
+        let middle = self.motion.centre + vector(near);
+        let n = vector(direction).try_normalize(0.5)?;
+        let frustum = self.motion.centre + self.farthest_along(&n);
+        let value = self.signed(&middle).0;
+        Some(self.plane_over(corners, (middle, value), &n, |c| n.dot(&(c - frustum)) - value))
     }
 
-    /// How far the frustum reaches from the ball centre along a unit vector, mm.
-    fn support(&self, n: &Vector) -> f64 {
-        let along = n.dot(&self.motion.axis);
-        let across = (n - self.motion.axis * along).norm();
-        let s = self.frustum;
-        (s.z0 * along + s.r0 * across).max(s.z1 * along + s.r1 * across)
+    /// The place of the frustum that is farthest along a vector, from the ball centre, mm.
+    fn farthest_along(&self, n: &Vector) -> Vector {
+        let (s, axis) = (self.frustum, &self.motion.axis);
+        let along = n.dot(axis);
+        let across = n - axis * along;
+        let length = across.norm();
+        let out = if length > 1e-12 { across / length } else { Vector::zeros() };
+        let low = s.z0 * along + s.r0 * length >= s.z1 * along + s.r1 * length;
+        let (z, r) = if low { (s.z0, s.r0) } else { (s.z1, s.r1) };
+        axis * z + out * r
     }
 
     /// The tangent plane at the middle of a triangle, over the triangle and the move.
     fn tangent_over(&self, corners: [Point; 3]) -> Tangent {
         let middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
         let (value, g) = self.signed(&middle);
+        self.plane_over(corners, (middle, value), &g, |c| g.dot(&(c - middle)))
+    }
+
+    /// A plane with gradient `g`, whose height at a point is `over` that of the distance at
+    /// `middle`.
+    fn plane_over(
+        &self,
+        corners: [Point; 3],
+        (middle, value): (Point, f64),
+        g: &Vector,
+        over: impl Fn(&Point) -> f64,
+    ) -> Tangent {
         let (mut still, mut moved) = (f64::INFINITY, f64::INFINITY);
         for c in &corners {
-            let (step, drift) = (g.dot(&(c - middle)), g.dot(&self.drift(c)).abs());
+            let (step, drift) = (over(c), g.dot(&self.drift(c)).abs());
             still = still.min(step);
             moved = moved.min(step - drift);
         }
@@ -280,33 +291,25 @@ struct TriangleSupport<'a>(&'a [Point; 3], Point);
 
 impl SupportMap for FrustumSupport<'_> {
     fn local_support_point(&self, direction: ParryVector) -> ParryVector {
-        let (s, axis) = (self.0.frustum, &self.0.motion.axis);
-        let n = Vector::new(direction.x, direction.y, direction.z);
-        let along = n.dot(axis);
-        let across = n - axis * along;
-        let length = across.norm();
-        let out = if length > 1e-12 { across / length } else { Vector::zeros() };
-        let low = s.z0 * along + s.r0 * length >= s.z1 * along + s.r1 * length;
-        let (z, r) = if low { (s.z0, s.r0) } else { (s.z1, s.r1) };
-        let at = axis * z + out * r;
-        ParryVector::new(at.x, at.y, at.z)
+        parry(&self.0.farthest_along(&vector(direction)))
     }
 }
 
 impl SupportMap for TriangleSupport<'_> {
     fn local_support_point(&self, direction: ParryVector) -> ParryVector {
-        let n = Vector::new(direction.x, direction.y, direction.z);
+        let n = vector(direction);
         let [a, b, c] = self.0.map(|c| c - self.1);
-        let (x, y, z) = (n.dot(&a), n.dot(&b), n.dot(&c));
-        let at = if x >= y && x >= z {
-            a
-        } else if y >= z {
-            b
-        } else {
-            c
-        };
-        ParryVector::new(at.x, at.y, at.z)
+        let farther = |a: Vector, b: Vector| if n.dot(&a) >= n.dot(&b) { a } else { b };
+        parry(&farther(farther(a, b), c))
     }
+}
+
+fn vector(v: ParryVector) -> Vector {
+    Vector::new(v.x, v.y, v.z)
+}
+
+fn parry(v: &Vector) -> ParryVector {
+    ParryVector::new(v.x, v.y, v.z)
 }
 
 /// A triangle with the distance at one of its places, and how far a plane that is nowhere over the
