@@ -13,15 +13,15 @@ ci:
 
 # Real blades in the folder BLADEWRIGHT_BLADES (not part of the repository)
 corpus:
-    cargo nextest run --release --run-ignored only corpus
+    cargo nextest run --release --run-ignored only -E 'test(/^corpus(_edges|_open)?::/)'
 
 # Tools on the channel's walls touch nothing, a fifth of a degree outside what the channel names
 walls:
-    cargo nextest run --release --run-ignored only --no-capture --test walls -E 'test(/^walls_of/)'
+    cargo nextest run --release --run-ignored only --no-capture -E 'test(/^walls::walls_of/)'
 
 # The same for the real blades in the folder BLADEWRIGHT_BLADES
 real-walls:
-    cargo nextest run --release --run-ignored only --no-capture --test walls -E 'test(/^real_walls_of/)'
+    cargo nextest run --release --run-ignored only --no-capture -E 'test(/^walls::real_walls_of/)'
 
 # Lints of the feature s3, whose client of object stores CI does not compile
 lint-s3:
@@ -29,7 +29,7 @@ lint-s3:
 
 # What `inspect` and `plan` make of each of them, as a table
 corpus-table:
-    cargo nextest run --release --run-ignored only --no-capture --test corpus_table
+    cargo nextest run --release --run-ignored only --no-capture -E 'test(/^corpus_table::/)'
 
 # Mutated models and programs against every reader: seconds (600) or executions (1000000x) for each of the formats (all, models, programs, or names)
 fuzz length="600" formats="all":
@@ -118,7 +118,7 @@ plan:
 
 # Families killed at random moments and started again: the same bytes
 kill runs="100":
-    BLADEWRIGHT_RUNS={{runs}} cargo nextest run --release --run-ignored only --no-capture --test batch_kill
+    BLADEWRIGHT_RUNS={{runs}} cargo nextest run --release --run-ignored only --no-capture -E 'test(/^batch_kill::/)'
 
 # A family as an array job on a real Slurm on this machine: needs root and `apt-get install slurmctld slurmd slurm-client munge`
 slurm:
@@ -135,9 +135,9 @@ s3:
     cargo build --release --features s3
     bash tests/s3/run.sh target/release/bladewright
 
-# Every command that README and manual print, run as printed; BLADEWRIGHT_SHORT=1 mills ridges twice as high, as CI does
+# Every command that README and manual print, run as printed; BLADEWRIGHT_SHORT=1 mills ridges three times as high, as CI does
 manual:
-    cargo nextest run --release --run-ignored only --test manual
+    cargo nextest run --release --run-ignored only -E 'test(/^manual::/)'
 
 # Examples and, where BLADEWRIGHT_BLADES names their folder, published blades planned by two builds: the same bytes
 same old new:

@@ -1,13 +1,12 @@
 //! Families as a user meets them: the same bytes however they came about, failures that harm no
 //! other, exit codes.
 
-mod families;
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-use families::{FAMILY, same, tree};
+use super::families::{FAMILY, same, tree};
 
 fn command(args: &[&str], dir: &Path) -> Command {
     let mut c = Command::new(env!("CARGO_BIN_EXE_bladewright"));

@@ -3,13 +3,12 @@
 //!
 //! `just kill`.
 
-mod families;
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use families::{FAMILY, same};
+use super::families::{FAMILY, same};
 
 fn start(dir: &Path, out: &Path, shard: &str) -> Child {
     Command::new(env!("CARGO_BIN_EXE_bladewright"))

@@ -2,7 +2,7 @@
 //! when it is asked to.
 
 #[path = "../examples/in_memory.rs"]
-mod in_memory;
+mod example;
 
 use std::path::Path;
 use std::process::Command;
@@ -16,7 +16,7 @@ use bladewright::job::JobFile;
 use bladewright::observe::Silent;
 use bladewright::run::{self, inputs};
 use bladewright::verify::Verdict;
-use in_memory::{Window, program};
+use example::{Window, program};
 
 /// Lines that cut: headers name files and hashes that are not there in memory.
 fn moves(text: &str) -> Vec<&str> {

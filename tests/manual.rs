@@ -48,10 +48,10 @@ fn as_here(line: &str) -> Option<String> {
     (!set_up.contains(&line)).then(|| line.to_owned())
 }
 
-/// In the short form, which CI asks for, commands mill ridges twice as high as printed.
+/// In the short form, which CI asks for, commands mill ridges three times as high as printed.
 fn shortened(line: String) -> String {
     match std::env::var_os("BLADEWRIGHT_SHORT") {
-        Some(_) => line.replace("scallop_mm=0.05", "scallop_mm=0.1").replace("--scallop 0.05", "--scallop 0.1"),
+        Some(_) => line.replace("scallop_mm=0.05", "scallop_mm=0.15").replace("--scallop 0.05", "--scallop 0.15"),
         None => line,
     }
 }

@@ -1,7 +1,6 @@
 //! Turn-milling: an offset that stays, a blade that turns evenly, and what each tooth cuts, as
 //! programs have them when they are read by somebody else.
 
-mod of_prism;
 
 use bladewright::artifact::axis_travel::offset_mm;
 use bladewright::artifact::check_id::CheckId;
@@ -14,6 +13,8 @@ use bladewright::tool::scallop;
 use bladewright::verify::{Verdict, Verified};
 use bladewright::write::post::Dialect;
 use bladewright::{artifact::Plan, job};
+
+use super::of_prism;
 
 /// A coarse helix of a few turns.
 const JOB: &str = "

@@ -1,7 +1,6 @@
 //! A blade among the others of its wheel: five axes find the way, programs carry it, and what
 //! cannot be is refused with its place.
 
-mod of_prism;
 
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
@@ -12,6 +11,8 @@ use bladewright::observe::Silent;
 use bladewright::plan::{self, Setup};
 use bladewright::verify::Verdict;
 use bladewright::write::post::Dialect;
+
+use super::of_prism;
 
 /// A coarse helix round a prism whose neighbours stand some ball radii away.
 const JOB: &str = "

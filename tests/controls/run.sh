@@ -11,22 +11,20 @@ export LINUXCNC_ROOT
 python=${PYTHON:-out/controls-venv/bin/python}
 [ -x "$(command -v "$python")" ] || { python3 -m venv out/controls-venv && out/controls-venv/bin/pip install -q nc-gcode-interpreter polars; }
 "$python" -c 'import nc_gcode_interpreter' 2>/dev/null || "$python" -m pip install -q nc-gcode-interpreter polars
-for job in examples/jobs/*.toml; do
-    name=$(basename "$job" .toml)
-    "$bladewright" --quiet plan "$job" -o "$out/$name" \
-        --set 'post.control=["siemens","siemens-vector","siemens-poly","linuxcnc","linuxcnc-feed"]' > "$out-$name.log" 2>&1 ||
-        { cat "$out-$name.log"; exit 1; }
-done
+# EXAMPLES: a folder of examples that are planned already.
+examples=${EXAMPLES:-$out/examples}
+[ -n "${EXAMPLES:-}" ] || bash tests/examples.sh "$bladewright" "$examples"
+mkdir -p $out
 # Two operations in one program: the same part, the second with a smaller ball and another tool number.
 "$bladewright" --quiet plan examples/jobs/steam_root.toml -o $out/fillet --set region.start_mm=21 --set tool.radius_mm=4 \
     --set tool.shank_radius_mm=8 --set post.tool_number=2 > $out-fillet.log 2>&1 || { cat $out-fillet.log; exit 1; }
 for control in siemens siemens-vector siemens-poly linuxcnc linuxcnc-feed; do
-    "$bladewright" --quiet post $out/steam_root $out/fillet --control $control -o $out/joined
+    "$bladewright" --quiet post "$examples/steam_root" $out/fillet --control $control -o $out/joined
 done
 # Each reader is one thread.
-python3 tests/controls/rs274.py $out/*/*.ngc > $out-rs274.log 2>&1 &
+python3 tests/controls/rs274.py "$examples"/*/*.ngc $out/*/*.ngc > $out-rs274.log 2>&1 &
 rs274=$!
-"$python" tests/controls/siemens.py $out/*/*.mpf
+"$python" tests/controls/siemens.py "$examples"/*/*.mpf $out/*/*.mpf
 wait $rs274 || { cat $out-rs274.log; exit 1; }
 cat $out-rs274.log
 python3 tests/controls/kinematics.py "$positions" 10000

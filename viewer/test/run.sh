@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
-# Plans every example, tries its report.html and preview.glb in headless Chromium and with Khronos' validator, and checks that
-# the committed bundle is what its sources make. Needs Node 20 and chromium. Pictures of each report, on a screen of 1440 x 900, on a phone
+# Plans every example (EXAMPLES: a folder of examples that are planned already), tries its report.html and preview.glb in headless Chromium and
+# with Khronos' validator, and checks that the committed bundle is what its sources make. Needs Node 20 and chromium. Pictures of each report, on a screen of 1440 x 900, on a phone
 # and printed, are in out/look/shots. PICTURES=1: makes the pictures of docs/ anew.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 (cd viewer && npm ci --no-audit --no-fund --loglevel=error && npm run --silent check)
-cargo build --release --quiet
-mkdir -p out
+if [ -z "${EXAMPLES:-}" ]; then
+    cargo build --release --quiet
+    EXAMPLES=out/look
+    bash tests/examples.sh target/release/bladewright "$EXAMPLES"
+fi
 runs=()
 for job in examples/jobs/*.toml; do
-    name="$(basename "$job" .toml)"
-    ./target/release/bladewright --quiet plan "$job" -o "out/look/$name" >"out/look.$name.log" || { cat "out/look.$name.log"; exit 1; }
-    runs+=("out/look/$name")
+    runs+=("$EXAMPLES/$(basename "$job" .toml)")
 done
 node viewer/test/gltf.mjs "${runs[@]/%//preview.glb}"
 SHOTS="${SHOTS:-out/look/shots}" node viewer/test/report.mjs "${runs[@]}"
