@@ -1,7 +1,6 @@
 //! Families as a user meets them: the same bytes however they came about, failures that harm no
 //! other, exit codes.
 
-
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;

@@ -3,7 +3,6 @@
 //!
 //! `just kill`.
 
-
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};

@@ -1,10 +1,10 @@
 //! Turn-milling: an offset that stays, a blade that turns evenly, and what each tooth cuts, as
 //! programs have them when they are read by somebody else.
 
-
 use bladewright::artifact::axis_travel::offset_mm;
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
+use bladewright::artifact::schedule::ScheduleKind;
 use bladewright::error::{Error, ErrorKind, Infeasible, Result};
 use bladewright::machine::Machine;
 use bladewright::observe::Silent;
@@ -83,10 +83,10 @@ fn program(setup: &Setup, verified: &Verified<Plan>, control: Control) -> String
     program.text
 }
 
-/// The program has one Y at the cutter locations, and hardly another between them.
+/// The program has one Y at all lines of the cutting, leads included.
 #[test]
 fn an_offset_that_stays_is_one_y_in_the_program() {
-    let off = ["machine.b_deg=5", "schedule.kind=\"eccentric\"", "schedule.offset_mm=-1.5", "feed.lead_radius_mm=0"];
+    let off = ["machine.b_deg=5", "schedule.kind=\"eccentric\"", "schedule.offset_mm=-1.5"];
     let (setup, verified) = planned(&off, machine("mill_turn_cb.toml"));
     let made = verified.value();
     for (l, theta) in made.toolpath.locations.iter().zip(&made.schedule.theta) {
@@ -94,13 +94,45 @@ fn an_offset_that_stays_is_one_y_in_the_program() {
     }
     let check = verified.report().checks.iter().find(|c| c.id == CheckId::TurnOffset).expect("the check");
     assert!(check.worst < 1e-6 && check.note.contains("-1.5"), "{check:?}");
-    let y = words(&program(&setup, &verified, Control::Iso), 'Y', "(Cutting", "(Lead-out");
+    assert!(made.leads.iter().all(|lead| lead.is_arc()));
+    let y = words(&program(&setup, &verified, Control::Iso), 'Y', "(Cutting", "(Retract");
     let [least, most] = [y.iter().copied().fold(f64::INFINITY, f64::min), y.iter().copied().fold(f64::MIN, f64::max)];
-    // Between two locations the ball goes straight: the offset then moves by what chords leave.
-    let chord_mm = made.toolpath.chord_mm;
-    assert!(y.len() > 500 && most - least <= 10.0 * chord_mm, "{least} to {most}, chords {chord_mm}");
-    let usual = y.iter().filter(|v| (**v - y[0]).abs() <= 1e-3).count();
-    assert!(2 * usual > y.len(), "{usual} of {}", y.len());
+    // The last digit of a word.
+    assert!(y.len() > 500 && most - least < 1.5e-5, "{least} to {most}");
+}
+
+/// A lathe without Y: no program names it, all are read back, and what needs it is refused.
+#[test]
+fn a_lathe_without_y_is_programmed_without_it() {
+    let lathe = || machine("mill_turn_no_y.toml");
+    let (setup, verified) = planned(&["machine.b_deg=5"], lathe());
+    let made = verified.value();
+    assert_eq!((made.schedule.kind, setup.job.post.control.clone()), (ScheduleKind::Eccentric, vec![Control::Iso]));
+    assert!(made.leads.iter().all(|lead| lead.is_arc()));
+    for control in [Control::Iso, Control::Linuxcnc, Control::LinuxcncFeed] {
+        let text = program(&setup, &verified, control);
+        let code = text.lines().filter(|l| !l.starts_with(['(', ';', '%']));
+        let mut lines = 0;
+        for line in code {
+            assert!(!line.split(' ').any(|w| w.starts_with('Y')), "{control}: {line}");
+            lines += usize::from(line.starts_with("G1 ") && line.contains(" X") && line.contains(" C"));
+        }
+        assert!(lines > 500, "{control}: {lines}");
+    }
+    // The tool set off the spindle's axis keeps that offset.
+    let set_off = |text: String| text.replace("gauge_mm = [0.0, 0.0, 0.0]", "gauge_mm = [0.0, 1.25, 0.0]");
+    let (_, verified) = planned(&["machine.b_deg=5"], of_prism::machine("mill_turn_no_y.toml", set_off));
+    let made = verified.value();
+    for (l, theta) in made.toolpath.locations.iter().zip(&made.schedule.theta) {
+        assert!((offset_mm(&l.centre, *theta).abs() - 1.25).abs() < 2e-6);
+    }
+    let timed = refused(&["schedule.kind=\"time\""], lathe());
+    assert!(timed.kind == ErrorKind::Usage && timed.message.contains("has no Y"), "{timed}");
+    let swung = refused(&["orientation.kind=\"five-axis\""], lathe());
+    assert!(swung.kind == ErrorKind::Usage && swung.message.contains("has no Y, and would need it"), "{swung}");
+    let dialect = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let over_the_part = setup.program(&dialect, &verified).err().expect("refused");
+    assert!(over_the_part.message.contains("moves X, Y and Z together"), "{over_the_part}");
 }
 
 /// The planted fault: a Y that has moved on the machine is found.

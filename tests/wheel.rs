@@ -1,7 +1,6 @@
 //! A blade among the others of its wheel: five axes find the way, programs carry it, and what
 //! cannot be is refused with its place.
 
-
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
 use bladewright::artifact::{Cones, Sweep};

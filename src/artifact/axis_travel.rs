@@ -12,6 +12,7 @@
 use std::f64::consts::TAU;
 
 use crate::geometry::Point;
+use crate::numerics::angle::nearest_turn;
 
 /// Less than this is rounding where arcs meet, rad.
 const SLIVER: f64 = 1e-12;
@@ -119,6 +120,15 @@ impl AxisTravel {
 /// blade axis is X and the tool comes from +Z, whatever the lean (eccentricity in turn-milling).
 pub fn offset_mm(centre: &Point, theta_rad: f64) -> f64 {
     centre.y * theta_rad.sin() - centre.z * theta_rad.cos()
+}
+
+/// The angle on the tool's half at which the plane of tool axes has an offset, rad, in the turn of
+/// another angle: `θ = ψ + asin(e / ρ)`. A centre nearer to the blade axis than the offset has the
+/// angle of the offset that it reaches.
+pub fn theta_at_offset(centre: &Point, offset_mm: f64, near_rad: f64) -> f64 {
+    let (rho_mm, psi) = (centre.y.hypot(centre.z), centre.z.atan2(centre.y));
+    let lead = (offset_mm / rho_mm.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0).asin();
+    nearest_turn(psi + lead, near_rad)
 }
 
 #[cfg(test)]

@@ -246,7 +246,7 @@ impl Part {
     /// that the mesh is too coarse to resolve. They do not fit together. Made when it is first
     /// asked for; `None` where the part has no exact faces, or its mesh is as near.
     pub fn sharper(&self) -> Option<&Part> {
-        let make = || {
+        let make = || -> Option<Box<Part>> {
             let fine = self.fine(SHARP_MM, SHARP_MOST).filter(|f| f.deflection_mm < 0.5 * self.deflection_mm)?;
             let mut mesh = Mesh::default();
             for (corners, parent) in fine.corners.iter().zip(&fine.parents) {
@@ -257,7 +257,14 @@ impl Part {
             }
             Some(Box::new(Part { deflection_mm: fine.deflection_mm, ..Part::from_mesh(mesh) }))
         };
-        self.sharper.get_or_init(make).as_deref()
+        if self.sharper.get().is_none() {
+            // Not under the lock: several threads make it, and one that waits for its share of that
+            // may take up other work that asks for it too, and would wait for itself.
+            let made = make();
+            // Another may have been sooner, with the same.
+            let _ = self.sharper.set(made);
+        }
+        self.sharper.get().and_then(Option::as_deref)
     }
 
     /// Principal curvatures of the part at a point of it, signed towards its outward normal
@@ -367,6 +374,9 @@ impl Part {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::brep::{Face, SurfaceKind};
+    use crate::geometry::nurbs::shapes;
+    use crate::observe::Silent;
     use proptest::prelude::*;
 
     /// The unit cube [0, 1]³ as twelve triangles.
@@ -394,6 +404,28 @@ mod tests {
             prop_assert_eq!(part.inside(&q), inside);
             prop_assert!(part.closest(&q, expected * 0.999).is_none());
             prop_assert!(part.closest(&q, expected * 1.001 + 1e-12).is_some());
+        }
+    }
+
+    /// A thread that makes the sharper part and waits for its share of it may take up other work that
+    /// asks for it too.
+    #[test]
+    fn many_threads_may_ask_for_the_sharper_part() {
+        let surface = shapes::torus(15.0, 4.0);
+        let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+        let brep = Brep { faces: vec![face], edges: vec![] };
+        let (told, ended) = std::sync::mpsc::channel();
+        std::thread::spawn(move || {
+            for _ in 0..20 {
+                let part = Part::from_brep(brep.clone(), 0.2, &Silent).unwrap();
+                let size = |_: usize| part.sharper().map_or(0, |p| p.mesh.triangles.len());
+                let sizes: Vec<usize> = (0..64).into_par_iter().map(size).collect();
+                told.send(sizes).unwrap();
+            }
+        });
+        for _ in 0..20 {
+            let sizes = ended.recv_timeout(std::time::Duration::from_mins(2)).unwrap();
+            assert!(sizes[0] > 1000 && sizes.iter().all(|n| *n == sizes[0]), "{sizes:?}");
         }
     }
 

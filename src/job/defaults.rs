@@ -1,5 +1,6 @@
 //! From the job as typed to the resolved job, and the defaults that depend on the blade.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
@@ -8,11 +9,13 @@ use super::tool::{self, Chosen};
 use super::typed::JobFile;
 use super::wheel;
 use crate::artifact::Blade;
+use crate::artifact::program::Control;
+use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CHORD_MM, PathKind};
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
-use crate::machine::MachineSettings;
+use crate::machine::{Machine, MachineSettings};
 use crate::orient::OrientationSettings;
 use crate::path::{self, PathKeys, PathSettings};
 use crate::schedule::ScheduleSettings;
@@ -101,6 +104,28 @@ impl Draft {
     pub fn model_saved_as(mut self, path: &Path) -> Self {
         self.model_saved_as = Some(path.to_path_buf());
         self
+    }
+
+    /// What the machine leaves open: where it has no Y, the tool keeps its offset from the blade axis
+    /// and programs name positions of axes.
+    ///
+    /// # Errors
+    /// `Usage` where the job asks for another schedule then.
+    pub fn on_machine(&self, machine: &Machine) -> Result<Cow<'_, Draft>> {
+        let Some(missing) = machine.missing() else { return Ok(Cow::Borrowed(self)) };
+        let mut draft = self.clone();
+        let schedule = draft.typed.schedule.get_or_insert_default();
+        if let Some(kind) = schedule.kind.filter(|kind| *kind != ScheduleKind::Eccentric) {
+            let kind = format!("{kind:?}").to_lowercase();
+            let message = format!(
+                "schedule.kind is {kind}, but the machine {} has no {}: the tool keeps its offset from the blade axis",
+                machine.name, missing.name
+            );
+            return Err(Error::usage(Stage::Job, message).advise("leave schedule.kind out, or take eccentric"));
+        }
+        schedule.kind = Some(ScheduleKind::Eccentric);
+        draft.typed.post.get_or_insert_default().control.get_or_insert_with(|| vec![Control::Iso]);
+        Ok(Cow::Owned(draft))
     }
 
     /// Settles the rest from the blade.

@@ -17,7 +17,8 @@
 //! the mark of a tool that stands still on the part does not appear. `d` is the surface normal, the
 //! tool axis, or halfway between, each taken across `t`. The tool axis goes on turning as fast as
 //! at the end of the path, and less and less: `θ(σ) = θ₀ ± θ' (σ − σ²/2λ)` up to the distance `λ`
-//! from the path.
+//! from the path. Where the schedule keeps one offset of the tool from the blade axis (kind
+//! `eccentric`), so do the leads: `θ = ψ + asin(e / ρ)` of each centre.
 //!
 //! ## Guarantees
 //! Rows are so close that the arc lies within the chord tolerance of its chords; tangents of arc
@@ -34,6 +35,8 @@ mod tests;
 
 pub use join::{extended, split};
 
+use crate::artifact::axis_travel::{offset_mm, theta_at_offset};
+use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{AxisMotion, Cone, Lead, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
 
@@ -75,6 +78,8 @@ struct Tip {
     theta: f64,
     /// dθ/ds, rad/mm.
     rate: f64,
+    /// The offset of the tool from the blade axis, mm, where the schedule keeps it all along.
+    offset_mm: Option<f64>,
 }
 
 /// Arcs in order of preference: great ones first, away along the normal first. Their motion is not
@@ -108,7 +113,8 @@ fn tip(path: &Toolpath, schedule: &Schedule, end: End) -> Option<Tip> {
     // A parabola may turn back where θ does not.
     let rate = if rate * chord > 0.0 { rate } else { chord };
     let tangent = tangent.try_normalize(1e-9).filter(|t| t.iter().all(|x| x.is_finite()) && rate.is_finite())?;
-    Some(Tip { centre: a.0.centre, tangent, normal: a.0.normal, cone: path.cone(at(0)), theta: a.1, rate })
+    let offset_mm = (schedule.kind == ScheduleKind::Eccentric).then(|| offset_mm(&a.0.centre, a.1));
+    Some(Tip { centre: a.0.centre, tangent, normal: a.0.normal, cone: path.cone(at(0)), theta: a.1, rate, offset_mm })
 }
 
 /// Unit directions away from the part, across the tangent.
@@ -143,11 +149,15 @@ fn arc(tip: &Tip, d: &Vector, end: End, radius_mm: f64, angle_rad: f64, chord_mm
     if end == End::In {
         centres.reverse();
     }
-    Lead { radius_mm, angle_rad, theta: angles(tip, end, length, count), centres, ..Lead::default() }
+    Lead { radius_mm, angle_rad, theta: angles(tip, end, length, &centres), centres, ..Lead::default() }
 }
 
-/// The angle of the tool axis at `count` even steps of a lead of that length, in order of time.
-fn angles(tip: &Tip, end: End, length_mm: f64, count: usize) -> Vec<f64> {
+/// The angle of the tool axis at the even steps of a lead of that length, in order of time.
+fn angles(tip: &Tip, end: End, length_mm: f64, centres: &[Point]) -> Vec<f64> {
+    if let Some(offset_mm) = tip.offset_mm {
+        return centres.iter().map(|c| theta_at_offset(c, offset_mm, tip.theta)).collect();
+    }
+    let count = centres.len();
     let fade = length_mm.min(2.0 * MOST_TURN_RAD / tip.rate.abs().max(1e-12));
     let sign = if end == End::In { -1.0 } else { 1.0 };
     let row = |k: usize| {
@@ -166,7 +176,7 @@ fn angles(tip: &Tip, end: End, length_mm: f64, count: usize) -> Vec<f64> {
 pub fn for_schedule(leads: &[Lead; 2], path: &Toolpath, schedule: &Schedule) -> [Lead; 2] {
     let one = |lead: &Lead, end: End| match tip(path, schedule, end) {
         Some(tip) if lead.is_arc() => {
-            let theta = angles(&tip, end, lead.radius_mm * lead.angle_rad, lead.centres.len());
+            let theta = angles(&tip, end, lead.radius_mm * lead.angle_rad, &lead.centres);
             Lead { theta, motion: AxisMotion::default(), ..lead.clone() }
         }
         _ => Lead::straight(lead.reason.clone()),

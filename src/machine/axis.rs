@@ -26,8 +26,12 @@ pub enum AxisName {
 impl AxisName {
     /// Its place among X, Y, Z; `None`: a rotary one.
     pub fn linear(self) -> Option<usize> {
-        [AxisName::X, AxisName::Y, AxisName::Z].iter().position(|n| *n == self)
+        Self::LINEAR.iter().position(|n| *n == self)
     }
+    /// X, Y and Z.
+    pub const LINEAR: [AxisName; 3] = [AxisName::X, AxisName::Y, AxisName::Z];
+    /// A, B and C.
+    pub const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
     /// The letter.
     pub fn letter(self) -> &'static str {
         match self {
@@ -99,6 +103,8 @@ pub struct Axis {
     pub carries: Carries,
     /// How far and how fast it goes.
     pub limits: AxisLimits,
+    /// The machine has no such axis: the tool stands at 0 of it, and programs do not name it.
+    pub is_missing: bool,
     /// Where the machine file says which sense is positive, for messages.
     pub sense_key: &'static str,
 }

@@ -162,12 +162,15 @@ pub struct RotaryAxis {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Axes")]
 pub struct AxisTables {
-    /// Along the blade.
-    pub x: LinearAxis,
+    /// Along the blade. A machine with a `chain` may be without one of X, Y, Z: the chain does not name it, and the tool stands at 0 of it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub x: Option<LinearAxis>,
     /// Across.
-    pub y: LinearAxis,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub y: Option<LinearAxis>,
     /// Towards the spindle.
-    pub z: LinearAxis,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<LinearAxis>,
     /// Rotary axis A: on a machine without a `chain` the table about X.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub a: Option<RotaryAxis>,
@@ -199,7 +202,8 @@ pub struct MachineFile {
     /// The pivoting head, on a machine without a `chain`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub head: Option<HeadTable>,
-    /// All axes from the workpiece to the tool: X, Y, Z and one or two rotary axes. Left out: a table about X and a pivoting head.
+    /// All axes from the workpiece to the tool: X, Y, Z (or two of them, on a lathe without Y) and one or two rotary axes. Left out: a table about X
+    /// and a pivoting head.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub chain: Vec<AxisName>,
     /// The spindle of a machine with a `chain`; default: gauge point at the origin, tool axis along Z.
@@ -210,13 +214,18 @@ pub struct MachineFile {
 }
 
 impl AxisTables {
-    /// X, Y or Z, counted from 0; Z for any other number.
-    pub(super) fn linear(&self, k: usize) -> &LinearAxis {
-        match k {
-            0 => &self.x,
-            1 => &self.y,
-            _ => &self.z,
+    /// X, Y or Z by its name.
+    pub(super) fn linear(&self, name: AxisName) -> Option<&LinearAxis> {
+        match name {
+            AxisName::X => self.x.as_ref(),
+            AxisName::Y => self.y.as_ref(),
+            AxisName::Z => self.z.as_ref(),
+            _ => None,
         }
+    }
+    /// Whether there is a table for an axis.
+    pub(super) fn has(&self, name: AxisName) -> bool {
+        self.linear(name).is_some() || self.rotary(name).is_some()
     }
     /// A rotary axis by its name.
     pub fn rotary(&self, name: AxisName) -> Option<&RotaryAxis> {

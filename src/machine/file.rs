@@ -5,10 +5,13 @@ use nalgebra::{Unit, UnitQuaternion};
 use super::Machine;
 use super::axis::{Axis, AxisLimits, AxisName, Carries};
 use super::chain::Head;
-use super::config::{DEMO_TOML, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, brought};
+use super::config::{DEMO_TOML, LinearAxis, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, brought};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::settings::in_words;
+
+/// Positions of an axis that the machine has not are 0 but for rounding, mm.
+const MISSING_MM: f64 = 1e-6;
 
 impl Machine {
     /// The built-in demo machine ([`DEMO_TOML`]).
@@ -85,31 +88,34 @@ impl MachineFile {
         let table_and_head = [AxisName::A, AxisName::B];
         let chain = if self.chain.is_empty() { &table_and_head[..] } else { &self.chain };
         let rotary = chain.iter().copied().filter(|n| n.linear().is_none()).collect::<Vec<_>>();
-        [AxisName::X, AxisName::Y, AxisName::Z].into_iter().chain(rotary)
+        AxisName::LINEAR.into_iter().chain(rotary)
     }
 
     /// Limits of an axis; `None`: the file has no table for it.
     fn limits(&self, letter: AxisName) -> Option<AxisLimits> {
-        match letter.linear() {
-            Some(k) => Some(self.axes.linear(k).limits()),
-            None => self.axes.rotary(letter).map(RotaryAxis::limits),
-        }
+        let linear = self.axes.linear(letter).map(LinearAxis::limits);
+        linear.or_else(|| self.axes.rotary(letter).map(RotaryAxis::limits))
+    }
+
+    /// Limits of a linear axis that the machine has not: those of the first that it has, at 0.
+    fn limits_of_missing(&self) -> Option<AxisLimits> {
+        let there = AxisName::LINEAR.into_iter().find_map(|n| self.limits(n))?;
+        Some(AxisLimits { travel: Some([-MISSING_MM, MISSING_MM]), ..there })
     }
 
     /// The axis of a letter; `None`: its direction is none. `carries`: see [`carried`].
     fn axis(&self, letter: AxisName, carries: Carries, sense_key: &'static str) -> Option<Axis> {
-        let rotary = self.axes.rotary(letter);
-        let direction = match letter.linear() {
-            Some(k) => self.axes.linear(k).direction,
-            None => rotary.and_then(|r| r.direction),
-        };
+        let (linear, rotary) = (self.axes.linear(letter), self.axes.rotary(letter));
+        let direction = linear.and_then(|l| l.direction).or_else(|| rotary.and_then(|r| r.direction));
+        let is_missing = linear.is_none() && rotary.is_none();
         Some(Axis {
             name: letter.letter().into(),
             letter,
             direction: Unit::try_new(Vector::from(direction.unwrap_or_else(|| letter.unit())), 1e-9)?,
             point: Point::from(rotary.and_then(|r| r.point_mm).unwrap_or([0.0; 3])),
             carries,
-            limits: self.limits(letter)?,
+            limits: if is_missing { self.limits_of_missing()? } else { self.limits(letter)? },
+            is_missing,
             sense_key,
         })
     }
@@ -124,7 +130,9 @@ impl MachineFile {
             return no_direction();
         };
         let column = |letter: &AxisName| axes.iter().position(|a| a.letter == *letter);
-        let links: Vec<usize> = self.chain.iter().filter_map(column).collect();
+        // An axis that never moves may stand anywhere in the chain: it carries the tool.
+        let missing = axes.iter().filter(|a| a.is_missing).map(|a| &a.letter);
+        let links: Vec<usize> = self.chain.iter().chain(missing).filter_map(column).collect();
         let Some(head) = Head::new(&axes, &links, spindle, mount) else { return no_direction() };
         if !head.spans_space() {
             return bad(origin, "X, Y and Z do not reach all places: their directions lie in a plane".into());
@@ -163,8 +171,8 @@ impl MachineFile {
             all.extend(r.direction.into_iter().flatten().map(|v| ("direction of a rotary axis", v)));
             all.extend(r.point_mm.into_iter().flatten().map(|v| ("point_mm of a rotary axis", v)));
         }
-        for k in 0..3 {
-            all.extend(self.axes.linear(k).direction.into_iter().flatten().map(|v| ("direction of a linear axis", v)));
+        for l in AxisName::LINEAR.into_iter().filter_map(|n| self.axes.linear(n)) {
+            all.extend(l.direction.into_iter().flatten().map(|v| ("direction of a linear axis", v)));
         }
         if let Some((key, v)) = all.into_iter().find(|(_, v)| !v.is_finite()) {
             return bad(origin, format!("{key} is {v}, it must be a finite number"));
@@ -212,9 +220,16 @@ impl MachineFile {
         if a.a.is_none() || a.b.is_none() || a.c.is_some() {
             return bad(origin, "a machine without a chain has the rotary axes [axes.a] and [axes.b]".into());
         }
+        if let Some(name) = AxisName::LINEAR.into_iter().find(|n| !a.has(*n)) {
+            let key = name.letter().to_lowercase();
+            return bad(
+                origin,
+                format!("[axes.{key}] is missing; only a machine with a chain may be without {}", name.letter()),
+            );
+        }
         let placed = [&a.a, &a.b].into_iter().flatten().any(|r| r.direction.is_some() || r.point_mm.is_some());
         if placed
-            || (0..3).any(|k| a.linear(k).direction.is_some())
+            || AxisName::LINEAR.into_iter().filter_map(|n| a.linear(n)).any(|l| l.direction.is_some())
             || self.mount.along.is_some()
             || self.spindle.is_some()
         {
@@ -237,12 +252,12 @@ impl MachineFile {
             }
         }
         let count = |linear: bool| self.chain.iter().filter(|n| n.linear().is_some() == linear).count();
-        if count(true) != 3 || !(1..=2).contains(&count(false)) {
-            return bad(origin, "a chain has X, Y, Z and one or two of A, B, C".into());
+        if !(2..=3).contains(&count(true)) || !(1..=2).contains(&count(false)) {
+            return bad(origin, "a chain has X, Y, Z, or two of them, and one or two of A, B, C".into());
         }
-        for name in [AxisName::A, AxisName::B, AxisName::C] {
+        for name in AxisName::LINEAR.into_iter().chain(AxisName::ROTARY) {
             let key = name.letter().to_lowercase();
-            if self.chain.contains(&name) != self.axes.rotary(name).is_some() {
+            if self.chain.contains(&name) != self.axes.has(name) {
                 return bad(
                     origin,
                     format!("axis {} must be in the chain and have a table [axes.{key}]", name.letter()),
@@ -284,6 +299,33 @@ mod tests {
         assert_eq!(m.assumed_limits(), ["X", "Y", "Z", "A", "B"]);
         assert_eq!(limits(&m, 0).travel, Some([0.0, 2800.0]));
         assert_eq!(limits(&m.clone().with_limits_scaled(0.5), 1).velocity, 0.5 * limits(&m, 1).velocity);
+    }
+
+    #[test]
+    fn a_machine_may_be_without_one_linear_axis() {
+        let text = include_str!("../../models/machines/mill_turn_no_y.toml");
+        let m = Machine::from_toml(text, "m.toml").unwrap();
+        let missing = m.missing().unwrap();
+        assert_eq!((missing.name.as_str(), m.axes().len()), ("Y", 5));
+        assert_eq!(m.assumed_limits(), ["X", "Z", "C", "B"]);
+        assert!(Machine::demo().unwrap().missing().is_none());
+        let cases = [
+            (
+                "chain = [\"C\", \"Z\", \"X\", \"B\"]",
+                "chain = [\"C\", \"Z\", \"X\", \"Y\", \"B\"]",
+                "axis Y must be in the chain and have",
+            ),
+            ("chain = [\"C\", \"Z\", \"X\", \"B\"]", "chain = [\"C\", \"Z\", \"B\"]", "X, Y, Z, or two of them"),
+        ];
+        for (from, to, says) in cases {
+            let text = text.replacen(from, to, 1);
+            let e = Machine::from_toml(&text, "m.toml").unwrap_err();
+            assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{}", e.message);
+        }
+        let from = DEMO_TOML.find("[axes.y]").unwrap();
+        let to = DEMO_TOML.find("[axes.z]").unwrap();
+        let e = Machine::from_toml(&[&DEMO_TOML[..from], &DEMO_TOML[to..]].concat(), "m.toml").unwrap_err();
+        assert!(e.message.contains("only a machine with a chain may be without Y"), "{}", e.message);
     }
 
     #[test]

@@ -50,9 +50,14 @@ impl Machine {
         self.heads[0].linear()
     }
 
+    /// The linear axis that the machine has not, as Y of many lathes.
+    pub fn missing(&self) -> Option<&Axis> {
+        self.axes.iter().find(|a| a.is_missing)
+    }
+
     /// Names of the axes whose velocity, acceleration and jerk are assumed, not measured.
     pub fn assumed_limits(&self) -> Vec<&str> {
-        let assumed = self.axes.iter().filter(|a| a.limits.provenance == Provenance::Assumed);
+        let assumed = self.axes.iter().filter(|a| a.limits.provenance == Provenance::Assumed && !a.is_missing);
         assumed.map(|a| a.name.as_str()).collect()
     }
 

@@ -49,6 +49,22 @@ mod wheel;
 
 use planning::{Known, Reached};
 
+/// A machine without Y can bring the tool everywhere only where that would stand still.
+fn keeps_offset(job: &Job, machine: &Machine) -> Result<()> {
+    let Some(missing) = machine.missing() else { return Ok(()) };
+    let travels = machine.travels(job.machine.b_deg.to_radians(), job.tool.length_mm());
+    let stands = travels.iter().any(|t| t.name.ends_with(&missing.name) && t.as_offsets().is_some());
+    if job.orientation.kind.goes_round() && stands {
+        return Ok(());
+    }
+    let message = format!(
+        "the machine {} has no {}, and would need it: only where the blade turns about its own axis, square to that of {}, and the tool \
+         keeps one lean does {} stand still",
+        machine.name, missing.name, missing.name, missing.name
+    );
+    Err(Error::usage(Stage::Machine, message).advise("take a machine with X, Y and Z, or leave out orientation.kind"))
+}
+
 /// A blade with everything that stands still during a plan.
 pub struct Setup {
     /// The job, complete.
@@ -81,7 +97,7 @@ impl Setup {
     /// # Errors
     /// Those of the job.
     pub fn of(draft: &Draft, blade: Blade, machine: Machine, observer: &dyn Observer) -> Result<Setup> {
-        let (job, tool) = draft.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
+        let (job, tool) = draft.on_machine(&machine)?.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
         for doubt in &tool.warnings {
             observer.warn(Warning { stage: Stage::Job, doubt: doubt.clone() });
         }
@@ -93,6 +109,7 @@ impl Setup {
         if job.orientation.kind.goes_round() {
             machine.check_lean(job.machine.b_deg.to_radians())?;
         }
+        keeps_offset(&job, &machine)?;
         if let Some(doubt) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
             observer.warn(Warning { stage: Stage::Feed, doubt });
         }

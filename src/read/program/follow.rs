@@ -109,11 +109,15 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
     Ok(out)
 }
 
-/// Where the axes stand at first: rotary ones at 0, others nobody knows where.
+/// Where the axes stand at first: rotary ones at 0, as those that the machine has not, others nobody
+/// knows where.
 fn at_first(machine: &Machine) -> Axes {
     let axes = machine.axes();
-    Axes::from_fn(axes.len(), |k| if axes[k].is_rotary() { 0.0 } else { f64::NAN })
+    Axes::from_fn(axes.len(), |k| if axes[k].is_rotary() || axes[k].is_missing { 0.0 } else { f64::NAN })
 }
+
+/// An axis that the machine has not is at 0 to the rounding of words, mm.
+const MISSING_MM: f64 = 1e-3;
 
 struct Follower<'a> {
     bench: &'a Bench<'a>,
@@ -223,7 +227,22 @@ impl<'a> Follower<'a> {
         if let Course::Bent(Bend { begins: Some(begins), .. }) = block.course {
             self.begin(block, begins, &mut way)?;
         }
+        self.without_missing(block, &mut way)?;
         self.drive(block, at, &way, out)
+    }
+
+    /// A way leaves an axis that the machine has not where it is: at 0.
+    fn without_missing(&self, block: &Block, way: &mut Way) -> Result<()> {
+        let axes = self.bench.machine.axes();
+        for (k, axis) in axes.iter().enumerate().filter(|(_, a)| a.is_missing) {
+            // All axes are sent where only the machine knows, also those that it does not have.
+            if way.to[k].abs() > MISSING_MM {
+                let what = format!("{} goes to {:.4} mm, and the machine has no such axis", axis.name, way.to[k]);
+                return Err(unreachable(block.line, &what));
+            }
+            way.to[k] = 0.0;
+        }
+        Ok(())
     }
 
     /// Lets a way begin where its line says.

@@ -55,6 +55,7 @@ pub use settings::{PostKeys, PostSettings};
 
 use std::borrow::Cow;
 
+use crate::artifact::program::Programmed;
 use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
@@ -172,6 +173,14 @@ pub fn join(
     machine: &Machine,
 ) -> Result<Program> {
     different_tools_have_different_numbers(operations)?;
+    if let Some(missing) = machine.missing().filter(|_| dialect.language().programmed != Programmed::Machine) {
+        let message = format!(
+            "{} programs places over the part, for which a control moves X, Y and Z together: the machine {} has no {}",
+            dialect.file.name, machine.name, missing.name
+        );
+        return Err(Error::usage(Stage::Post, message)
+            .advise("set post.control to iso, linuxcnc or linuxcnc-feed, which name positions of axes"));
+    }
     let written: Vec<Cow<Plan>> =
         operations.iter().map(|o| planned(o.plan.value(), o.options)).collect::<Result<_>>()?;
     let mut runs = Vec::with_capacity(operations.len());

@@ -519,11 +519,16 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// A word of the second rotary axis that the machine has not, or that stands still and need not
-    /// be told again.
+    /// A word of a linear axis or of the second rotary axis that the machine has not, or of the
+    /// latter where it stands still and need not be told again.
     fn left_out(&self, word: &Word) -> bool {
         let says =
             |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));
+        let missing = self.run.machine.missing().and_then(|axis| axis.letter.linear());
+        if missing.is_some_and(|i| [["x", "y", "z"], ["px", "py", "pz"], ["mx", "my", "mz"]].iter().any(|n| says(n[i])))
+        {
+            return true;
+        }
         let none = self.leaning().is_none();
         let still = none || self.run.turns_the_blade_alone();
         none && (says("b") || says("pb"))
