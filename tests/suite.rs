@@ -1,5 +1,5 @@
-//! The tests from outside, one program: the command, plans in memory, the files of the repository. Each
-//! file beside this one is a module; those that need the same helpers share them.
+//! The tests from outside, one program: the command, plans in memory, the files of the repository.
+//! Each file beside this one is a module; those that need the same helpers share them.
 
 mod families;
 mod of_prism;

@@ -135,6 +135,27 @@ fn a_lathe_without_y_is_programmed_without_it() {
     assert!(over_the_part.message.contains("moves X, Y and Z together"), "{over_the_part}");
 }
 
+/// A lathe whose X counts diameters: each word of X is twice the position, to the rounding of
+/// words, and is read so; the program says it. Programs retract by X there, not along the blade.
+#[test]
+fn a_lathe_may_count_diameters() {
+    let diameters = |text: String| text.replacen("max_mm = 650.0", "max_mm = 650.0\nwords = \"diameter\"", 1);
+    let lathe = of_prism::machine("mill_turn_no_y.toml", diameters);
+    let (setup, verified) = planned(&["machine.b_deg=5"], lathe);
+    let text = program(&setup, &verified, Control::Iso);
+    assert!(text.contains("DIAMETER words of X are twice its position"), "{text}");
+    let (radii, _) = planned(&["machine.b_deg=5"], machine("mill_turn_no_y.toml"));
+    let by_radius = program(&radii, &verified, Control::Iso);
+    assert!(text.contains("\nG53 G0 X1300.00000\n") && by_radius.contains("\nG53 G0 X650.00000\n"));
+    assert!(!by_radius.contains("DIAMETER"));
+    let [twice, once] = [&text, &by_radius].map(|t| words(t, 'X', "(Cutting", "(Retract"));
+    assert!(once.len() > 500 && twice.len() == once.len());
+    assert!(twice.iter().zip(&once).all(|(d, r)| (d - 2.0 * r).abs() < 1.6e-5));
+    let fanuc = Dialect::built_in(Control::Fanuc).expect("a dialect");
+    let over_the_part = setup.program(&fanuc, &verified).err().expect("refused");
+    assert!(over_the_part.message.contains("counts diameters in X"), "{over_the_part}");
+}
+
 /// The planted fault: a Y that has moved on the machine is found.
 #[test]
 fn an_offset_that_moves_is_found() {

@@ -1,7 +1,9 @@
 //! What the tool does from row to row: the one answer for feed, programs, previews and checks.
 
+use super::axis_travel::{offset_mm, theta_at_offset};
 use super::plan::{Row, Stretch};
 use super::programmed::Polynomial;
+use super::schedule::ScheduleKind;
 use super::{AxisRows, Cone, Plan, ProgrammedCurve, Schedule, Toolpath};
 use crate::geometry::{Point, Vector};
 use crate::numerics::spline::{CubicSpline, SplineEnds, SplineError};
@@ -49,6 +51,33 @@ impl Stand {
             theta: self.theta + (to.theta - self.theta) * share,
         }
     }
+
+    /// As [`Stand::towards`], but θ is that at which the offset of the tool from the blade axis
+    /// ([`offset_mm`]) goes evenly from one stand's to the other's.
+    pub fn towards_at_offset(&self, to: &Stand, share: f64) -> Stand {
+        let even = self.towards(to, share);
+        let [from, to] = [self, to].map(|s| offset_mm(&s.centre, s.theta));
+        Stand { theta: theta_at_offset(&even.centre, from + (to - from) * share, even.theta), ..even }
+    }
+}
+
+impl Schedule {
+    /// At a share of the straight move from a row to the next: an offset that stays does so between
+    /// rows too, else θ turns evenly.
+    pub fn between(&self, from: &Stand, to: &Stand, share: f64) -> Stand {
+        match self.kind {
+            ScheduleKind::Eccentric => from.towards_at_offset(to, share),
+            _ => from.towards(to, share),
+        }
+    }
+
+    /// By how much θ is then over that of even turning, rad.
+    pub fn bent(&self, from: &Stand, to: &Stand, share: f64) -> f64 {
+        match self.kind {
+            ScheduleKind::Eccentric => self.between(from, to, share).theta - from.towards(to, share).theta,
+            _ => 0.0,
+        }
+    }
 }
 
 /// How θ goes from a location to the next.
@@ -80,7 +109,7 @@ impl Turning<'_> {
 /// The motion of the tool over lead-in, path and lead-out, row by row.
 ///
 /// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
-/// moves ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
+/// moves, or as an offset that stays asks for ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
 /// ([`Motion::curved`]). No machine follows the corners between straight moves: what its axes do is
 /// taken to be [`smooth`], which meets both at the rows. A plan with a programmed curve goes on
 /// that, ball centre and θ ([`Motion::curved`]); straight moves are its chords.
@@ -111,7 +140,13 @@ impl<'a> Motion<'a> {
     /// On the straight move from a row to the next; beyond the last row, there.
     pub fn straight(&self, row: usize, share: f64) -> Option<Stand> {
         let from = self.rows.get(row)?.stand;
-        Some(self.rows.get(row + 1).map_or(from, |to| from.towards(&to.stand, share)))
+        Some(self.rows.get(row + 1).map_or(from, |to| self.schedule.between(&from, &to.stand, share)))
+    }
+
+    /// By how much θ on the straight move from a row to the next is over that of even turning, rad.
+    pub fn bent(&self, row: usize, share: f64) -> f64 {
+        let ends = self.rows.get(row).zip(self.rows.get(row + 1));
+        ends.map_or(0.0, |(a, b)| self.schedule.bent(&a.stand, &b.stand, share))
     }
 
     /// The polynomial from a row to the next; `None` where the way is straight.

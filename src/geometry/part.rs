@@ -257,14 +257,7 @@ impl Part {
             }
             Some(Box::new(Part { deflection_mm: fine.deflection_mm, ..Part::from_mesh(mesh) }))
         };
-        if self.sharper.get().is_none() {
-            // Not under the lock: several threads make it, and one that waits for its share of that
-            // may take up other work that asks for it too, and would wait for itself.
-            let made = make();
-            // Another may have been sooner, with the same.
-            let _ = self.sharper.set(made);
-        }
-        self.sharper.get().and_then(Option::as_deref)
+        self.sharper.get_or_init(|| on_own_threads(make)?).as_deref()
     }
 
     /// Principal curvatures of the part at a point of it, signed towards its outward normal
@@ -368,6 +361,17 @@ impl Part {
         });
         direction.dot(&pseudonormal) < 0.0
     }
+}
+
+/// Work on threads of its own, for what is made under a lock. A thread of a pool that waits for its
+/// share of some work takes up other work of the pool meanwhile; where that asks for the same lock,
+/// it would wait for itself. `None`: the system has no threads left.
+fn on_own_threads<T: Send>(work: impl FnOnce() -> T + Send) -> Option<T> {
+    let threads = rayon::current_num_threads();
+    std::thread::scope(|scope| {
+        let pooled = || Some(rayon::ThreadPoolBuilder::new().num_threads(threads).build().ok()?.install(work));
+        std::thread::Builder::new().spawn_scoped(scope, pooled).ok()?.join().ok()?
+    })
 }
 
 #[cfg(test)]

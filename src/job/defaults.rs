@@ -106,8 +106,8 @@ impl Draft {
         self
     }
 
-    /// What the machine leaves open: where it has no Y, the tool keeps its offset from the blade axis
-    /// and programs name positions of axes.
+    /// What the machine leaves open: where it has no Y, the tool keeps its offset from the blade
+    /// axis and programs name positions of axes.
     ///
     /// # Errors
     /// `Usage` where the job asks for another schedule then.

@@ -105,6 +105,8 @@ pub struct Axis {
     pub limits: AxisLimits,
     /// The machine has no such axis: the tool stands at 0 of it, and programs do not name it.
     pub is_missing: bool,
+    /// Its words in programs of axes are diameters: twice its position.
+    pub counts_diameter: bool,
     /// Where the machine file says which sense is positive, for messages.
     pub sense_key: &'static str,
 }
@@ -113,6 +115,11 @@ impl Axis {
     /// Whether its positions are angles, rad; else they are lengths, mm.
     pub fn is_rotary(&self) -> bool {
         self.letter.linear().is_none()
+    }
+
+    /// What its word in a program of axes is for a position, or a way, of 1 mm.
+    pub fn word_per_mm(&self) -> f64 {
+        if self.counts_diameter { 2.0 } else { 1.0 }
     }
 
     /// A position or one of its derivatives as people read it: angles in degrees.

@@ -110,6 +110,24 @@ pub struct HeadTable {
     pub positive_b_leans: PositiveB,
 }
 
+/// What words of a linear axis count where a program names positions of axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Words {
+    /// Its position.
+    #[default]
+    Position,
+    /// Twice its position: the diameter, as X of most lathes.
+    Diameter,
+}
+
+impl Words {
+    /// Whether it is what the file need not say.
+    fn are_usual(&self) -> bool {
+        *self == Words::Position
+    }
+}
+
 /// A linear axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -129,6 +147,9 @@ pub struct LinearAxis {
     /// Its direction in machine coordinates, for machines with a `chain`; default: that of its name. Positive is the tool moving that way over the workpiece.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 3]>,
+    /// What its words in programs count; positions and limits of this file are never diameters.
+    #[serde(default, skip_serializing_if = "Words::are_usual")]
+    pub words: Words,
 }
 
 /// A rotary axis.

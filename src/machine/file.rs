@@ -5,7 +5,7 @@ use nalgebra::{Unit, UnitQuaternion};
 use super::Machine;
 use super::axis::{Axis, AxisLimits, AxisName, Carries};
 use super::chain::Head;
-use super::config::{DEMO_TOML, LinearAxis, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, brought};
+use super::config::{DEMO_TOML, LinearAxis, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, Words, brought};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::settings::in_words;
@@ -116,6 +116,7 @@ impl MachineFile {
             carries,
             limits: if is_missing { self.limits_of_missing()? } else { self.limits(letter)? },
             is_missing,
+            counts_diameter: linear.is_some_and(|l| l.words == Words::Diameter),
             sense_key,
         })
     }

@@ -83,6 +83,7 @@ pub use axis::{Axis, AxisLimits, AxisName, Carries, Provenance};
 pub use chain::Head;
 pub use config::{
     AxisTables, DEMO_TOML, HeadTable, LinearAxis, MachineFile, Mount, PositiveA, PositiveB, RotaryAxis, Spindle, Table,
+    Words,
 };
 pub use kinematics::Pose;
 pub use model::Machine;

@@ -379,17 +379,27 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
 pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &VerifyOptions) -> (Vec<Check>, f64) {
     let stands = plan.toolpath.stands(&plan.schedule.theta).collect::<Vec<_>>();
     let track = Track { stands: &stands, wanted: None };
+    let bent_rad = bent_rad(plan, &stands);
     let mut least = FAR_MM;
     let mut checks = Vec::new();
     for a in apart {
         let limit = options.least_clearance(a.asked_mm);
-        let kept = kept(track, a.part, &a.segments, limit, options);
+        let mut kept = kept(track, a.part, &a.segments, limit, options);
+        let reach_mm = a.segments.iter().map(|s| s.z1.hypot(s.r0.max(s.r1))).fold(0.0, f64::max);
+        kept.least_mm -= bent_rad * reach_mm;
         if a.obstacle.is_none() {
             least = least.min(kept.least_mm);
         }
         checks.push(judge(a, &kept, limit, plan, blade));
     }
     (checks, least)
+}
+
+/// Greatest angle between the tool axis and that of even turning between two locations, rad: the
+/// difference is greatest about halfway, and a tenth is added for where it is not there.
+fn bent_rad(plan: &Plan, stands: &[Stand]) -> f64 {
+    let halfway = |w: &[Stand]| 1.1 * plan.schedule.bent(&w[0], &w[1], 0.5).abs();
+    stands.windows(2).map(halfway).fold(0.0, f64::max)
 }
 
 fn judge(a: &Apart, kept: &NearestApproach, limit: f64, plan: &Plan, blade: &Blade) -> Check {

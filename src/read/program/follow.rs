@@ -109,8 +109,8 @@ pub fn follow_each(blocks: &[Block], benches: &[Bench]) -> Result<Vec<Vec<Moved>
     Ok(out)
 }
 
-/// Where the axes stand at first: rotary ones at 0, as those that the machine has not, others nobody
-/// knows where.
+/// Where the axes stand at first: rotary ones at 0, as those that the machine has not, others
+/// nobody knows where.
 fn at_first(machine: &Machine) -> Axes {
     let axes = machine.axes();
     Axes::from_fn(axes.len(), |k| if axes[k].is_rotary() || axes[k].is_missing { 0.0 } else { f64::NAN })
@@ -264,9 +264,11 @@ impl<'a> Follower<'a> {
         Ok(())
     }
 
-    /// X, Y, Z are positions of the axes; `to` has where the rotary axes go.
+    /// X, Y, Z are positions of the axes, or diameters; `to` has where the rotary axes go.
     fn in_axes(&self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> Way {
-        let (Bench { tool, zero, .. }, linear) = (*self.bench, self.bench.machine.linear());
+        let (Bench { tool, zero, machine, .. }, linear) = (*self.bench, self.bench.machine.linear());
+        let point: [Option<f64>; 3] =
+            std::array::from_fn(|i| Some(point[i]? / machine.axes()[linear[i]].word_per_mm()));
         let frame = if block.machine { Rigid::identity() } else { block.frame };
         let turned = frame.rotation != nalgebra::UnitQuaternion::identity();
         // G43 adds the length to the tip along Z of the machine, however the head leans.

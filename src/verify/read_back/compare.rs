@@ -302,12 +302,17 @@ impl Comparison<'_> {
             } else {
                 within_half_turn(a.cone.theta_of(&b.axis(), 0.0).unwrap_or(b.theta) - a.theta)
             };
-            let off = Vector4::from_iterator(
-                (pose.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * (within_half_turn(turn))]),
-            );
+            let off = |bent: f64| {
+                let turn = lean * (within_half_turn(turn) - bent);
+                Vector4::from_iterator((pose.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([turn]))
+            };
             let way = Vector4::from_iterator((b.centre - a.centre).iter().map(|v| v / CENTRE_MM).chain([lean * whole]));
             let length = way.norm_squared();
-            let share = if length > 0.0 { (off.dot(&way) / length).clamp(0.0, 1.0) } else { 0.0 };
+            let along = |off: &Vector4<f64>| if length > 0.0 { (off.dot(&way) / length).clamp(0.0, 1.0) } else { 0.0 };
+            // Where θ does not turn evenly, by how much it differs there.
+            let bent = |share: f64| self.motion.bent(row, share);
+            let off = off(bent(along(&off(bent(along(&off(0.0)))))));
+            let share = along(&off);
             let apart = (off - way * share).norm();
             if apart < best.0 - 1e-9 {
                 let centre = a.centre + (b.centre - a.centre) * share;

@@ -38,29 +38,30 @@ fn planned(run: &OperationRun) -> [f64; 3] {
     [begins - first.unwrap_or(begins), ends - begins, last - ends]
 }
 
-/// Between the end of travel in Z and an end of the path: a rapid to the safe position, or by
-/// places one after another, the approach feed to the feed height, the plunge feed from there on.
+/// Between the end of travel that programs retract to and an end of the path: a rapid to the safe
+/// position, or by places one after another, the approach feed to the feed height, the plunge feed
+/// from there on.
 fn outside(run: &OperationRun, end: &WayEnd, by: &[Axes]) -> f64 {
     let (o, height) = (&run.options.settings, run.feed_height(end));
     let at = run.axes_at(end, end.safe_mm);
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
     let mut over = by[0];
-    over[up(run)] = safe_z(run);
+    over[up(run)] = safe_up(run);
     let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| rapid(run.machine, from, to)).sum();
     let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
     60.0 * at_feed + rapids
 }
 
-/// The end of travel in Z, where programs retract to.
-pub(super) fn safe_z(run: &OperationRun) -> f64 {
-    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[up(run)];
-    run.machine.axes()[up(run)].limits.travel.map_or(here, |[_, up]| up)
+/// The end of travel that programs retract to.
+pub(super) fn safe_up(run: &OperationRun) -> f64 {
+    let (up, sense) = run.machine.retract_axis();
+    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[up];
+    run.machine.axes()[up].limits.travel.map_or(here, |[least, most]| if sense < 0.0 { least } else { most })
 }
 
-/// Column of Z.
+/// Column of the axis that programs retract by.
 pub(super) fn up(run: &OperationRun) -> usize {
-    let [_, _, z] = run.machine.linear();
-    z
+    run.machine.retract_axis().0
 }
 
 /// The rotary axes back to where the program began with them: at `begun`, or at the first

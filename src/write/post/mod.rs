@@ -173,10 +173,15 @@ pub fn join(
     machine: &Machine,
 ) -> Result<Program> {
     different_tools_have_different_numbers(operations)?;
-    if let Some(missing) = machine.missing().filter(|_| dialect.language().programmed != Programmed::Machine) {
+    let of_lathe = machine.axes().iter().find_map(|axis| match axis {
+        axis if axis.is_missing => Some(format!("has no {}", axis.name)),
+        axis if axis.counts_diameter => Some(format!("counts diameters in {}", axis.name)),
+        _ => None,
+    });
+    if let Some(what) = of_lathe.filter(|_| dialect.language().programmed != Programmed::Machine) {
         let message = format!(
-            "{} programs places over the part, for which a control moves X, Y and Z together: the machine {} has no {}",
-            dialect.file.name, machine.name, missing.name
+            "{} programs places over the part, for which a control moves X, Y and Z together: the machine {} {what}",
+            dialect.file.name, machine.name
         );
         return Err(Error::usage(Stage::Post, message)
             .advise("set post.control to iso, linuxcnc or linuxcnc-feed, which name positions of axes"));

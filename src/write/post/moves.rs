@@ -6,13 +6,10 @@
 //! tool-centre-point control by tip by at most `R (1 − cos(Δθ/2))`, and with positions of machine
 //! axes by the sagitta of the arc on which a fixed axis position goes round the turning part. Where
 //! that is more than the chord tolerance of the path, the move is written in equal parts. Where the
-//! schedule keeps one offset and the words are positions of machine axes, the parts keep it too:
-//! between two lines Y then has nowhere to go.
+//! schedule keeps one offset the parts keep it too: between two lines Y then has nowhere to go.
 
-use crate::artifact::axis_travel::{offset_mm, theta_at_offset};
 use crate::artifact::plan::{Row, Stretch};
 use crate::artifact::program::{Programmed, WordRange};
-use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Axes, Motion, Plan, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
@@ -125,7 +122,6 @@ pub(super) fn feed_word(f: f64, range: &WordRange) -> Option<String> {
 /// The first row and all moves after it.
 pub(super) fn all(run: &OperationRun, programmed: Programmed) -> Result<Vec<Move>> {
     let plan = run.plan;
-    let keeps_offset = programmed == Programmed::Machine && plan.schedule.kind == ScheduleKind::Eccentric;
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     for (row, next) in Move::rows(plan).enumerate() {
         if let Some(from) = out.last().copied() {
@@ -140,9 +136,8 @@ pub(super) fn all(run: &OperationRun, programmed: Programmed) -> Result<Vec<Move
             }
             for k in 1..parts {
                 let f = k as f64 / parts as f64;
-                let stand = from.stand.towards(&next.stand, f);
                 out.push(Move {
-                    stand: if keeps_offset { at_offset_between(&from.stand, &next.stand, stand, f) } else { stand },
+                    stand: plan.schedule.between(&from.stand, &next.stand, f),
                     t_s: from.t_s + (next.t_s - from.t_s) * f,
                     stretch: Motion::stretch_between(from.stretch, next.stretch),
                     ..from
@@ -152,13 +147,6 @@ pub(super) fn all(run: &OperationRun, programmed: Programmed) -> Result<Vec<Move
         out.push(next);
     }
     Ok(out)
-}
-
-/// A place on the straight move between two, turned so that the offset of the tool from the blade axis
-/// goes evenly from one to the other. The offset is that of [`crate::artifact::axis_travel`].
-fn at_offset_between(a: &Stand, b: &Stand, at: Stand, share: f64) -> Stand {
-    let [from, to] = [a, b].map(|s| offset_mm(&s.centre, s.theta));
-    Stand { theta: theta_at_offset(&at.centre, from + (to - from) * share, at.theta), ..at }
 }
 
 /// In how many equal parts a move has to be written: the deviation falls with the square of their

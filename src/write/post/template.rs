@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 55] = [
+pub const KEYS: [(&str, Class, &str); 60] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -82,7 +82,16 @@ pub const KEYS: [(&str, Class, &str); 55] = [
     ("turns", Class::Whole, "number of turns"),
     ("approach_feed", Class::Whole, "feed down to the feed height and back, mm/min"),
     ("plunge_feed", Class::Whole, "feed from the feed height to the part and back, mm/min"),
-    ("safe_z", Class::Length, "end of travel in Z of the machine, mm"),
+    (
+        "up_name",
+        Class::Text,
+        "letter of the linear axis that programs retract by: the one nearest to the tool axis while all axes read 0, Z on most mills",
+    ),
+    ("safe_up", Class::Length, "end of travel of that axis away from the part, mm"),
+    ("side_1_name", Class::Text, "letter of the first of the other two linear axes"),
+    ("side_1", Class::Length, "position of it, mm; a word with it is left out on a machine that has no such axis"),
+    ("side_2_name", Class::Text, "letter of the second of them"),
+    ("side_2", Class::Length, "position of it, mm; left out likewise"),
     ("tool", Class::Whole, "tool number"),
     ("rpm", Class::Whole, "spindle speed, 1/min"),
     ("tolerance", Class::Size, "tolerance that the control may smooth by, mm"),

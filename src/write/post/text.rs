@@ -221,6 +221,12 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
     lines.comment(&format!("Hash     {}", o.part_hash));
     lines.comment(&format!("Job      {}", o.job));
     lines.comment(&format!("Machine  {}", run.machine.name));
+    for axis in run.machine.axes().iter().filter(|a| a.counts_diameter) {
+        lines.comment(&format!(
+            "DIAMETER words of {} are twice its position: the control must count diameters",
+            axis.name
+        ));
+    }
     let assumed = run.machine.assumed_limits();
     if !assumed.is_empty() {
         lines.comment(&format!(

@@ -2,7 +2,8 @@
 //! comes on (Fanuc's manuals of `G43.4` and `G43.5`). It comes on with the table at 0, where the
 //! frame of the control is the blade frame; only then the table turns to the first location.
 //!
-//! It turns under the end of travel in Z, where the linear axes stand still from step to step.
+//! It turns under the end of travel that programs retract to, where the linear axes stand still
+//! from step to step.
 //! Within a step the control moves the programmed point straight over the part: the linear axes
 //! leave their place by the sagitta of its way round the table, and come back.
 
@@ -34,8 +35,9 @@ pub(super) fn places(run: &OperationRun, programmed: Programmed) -> Vec<Axes> {
     let stray_mm = STRAY * run.options.settings.safe_clearance_mm;
     let mut turned = safe;
     // A tool may be longer than planned, and strays.
-    let z = cycle::up(run);
-    turned[z] = safe[z].max(cycle::safe_z(run) - stray_mm);
+    let (up, sense) = run.machine.retract_axis();
+    let end = cycle::safe_up(run) - sense * stray_mm;
+    turned[up] = if sense < 0.0 { safe[up].min(end) } else { safe[up].max(end) };
     let mut zero = turned;
     let (axes, rotary) = (run.machine.axes(), run.machine.rotary());
     for k in rotary.clone().filter(|k| axes[*k].carries == Carries::Workpiece) {

@@ -11,6 +11,7 @@ use crate::artifact::program::{CutLine, Programmed};
 use crate::artifact::{Axes, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::machine::Machine;
 use crate::tool;
 
 /// The whole program: one operation after another.
@@ -131,7 +132,7 @@ impl<'a> Writer<'a> {
         for (name, v) in [
             ("approach_feed", o.settings.approach_feed_mm_min),
             ("plunge_feed", o.settings.plunge_feed_mm_min),
-            ("safe_z", cycle::safe_z(run)),
+            ("safe_up", run.machine.axes()[cycle::up(run)].word_per_mm() * cycle::safe_up(run)),
             ("turns", run.plan.toolpath.locations.last().map_or(1.0, |l| f64::from(l.turn + 1))),
             ("tool", f64::from(o.settings.tool_number)),
             ("rpm", o.settings.spindle_rpm),
@@ -163,6 +164,9 @@ impl<'a> Writer<'a> {
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),
+            ("up_name", &axes[cycle::up(run)].name),
+            ("side_1_name", &axes[sides(run.machine)[0]].name),
+            ("side_2_name", &axes[sides(run.machine)[1]].name),
             ("moves_b", &leaning.map_or_else(String::new, |_| format!(" and move {b_name}"))),
             ("a_way", if turning.limits.travel.is_some() { "AC" } else { "DC" }),
             ("cone", &cone),
@@ -267,8 +271,14 @@ impl<'a> Writer<'a> {
         }
         let numbers = ["x", "y", "z", "mx", "my", "mz", "i", "j", "k"].into_iter();
         let reached = machine.linear().map(|k| p.axes[k]);
-        for (name, v) in numbers.zip(p.point.into_iter().chain(reached).chain(p.axis)) {
-            self.set(name, Value::Number(v));
+        // Of axes: programs over the part are refused where an axis counts diameters.
+        let counted = machine.linear().map(|k| machine.axes()[k].word_per_mm());
+        let factors = counted.into_iter().chain(counted).chain([1.0; 3]);
+        for ((name, v), factor) in numbers.zip(p.point.into_iter().chain(reached).chain(p.axis)).zip(factors) {
+            self.set(name, Value::Number(factor * v));
+        }
+        for (name, k) in ["side_1", "side_2"].into_iter().zip(sides(machine)) {
+            self.set(name, Value::Number(machine.axes()[k].word_per_mm() * p.axes[k]));
         }
         Ok(())
     }
@@ -524,10 +534,13 @@ impl<'a> Writer<'a> {
     fn left_out(&self, word: &Word) -> bool {
         let says =
             |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));
-        let missing = self.run.machine.missing().and_then(|axis| axis.letter.linear());
-        if missing.is_some_and(|i| [["x", "y", "z"], ["px", "py", "pz"], ["mx", "my", "mz"]].iter().any(|n| says(n[i])))
-        {
-            return true;
+        let machine = self.run.machine;
+        if let Some(i) = machine.missing().and_then(|axis| axis.letter.linear()) {
+            let own = [["x", "y", "z"], ["px", "py", "pz"], ["mx", "my", "mz"]].iter().any(|names| says(names[i]));
+            let side = sides(machine).iter().position(|k| *k == machine.linear()[i]);
+            if own || side.is_some_and(|s| says(["side_1", "side_2"][s])) {
+                return true;
+            }
         }
         let none = self.leaning().is_none();
         let still = none || self.run.turns_the_blade_alone();
@@ -574,6 +587,16 @@ impl<'a> Writer<'a> {
             (None, Some(Value::Text(t))) => t.clone(),
             (None, _) => String::new(),
         })
+    }
+}
+
+/// Columns of the two linear axes that programs do not retract by.
+fn sides(machine: &Machine) -> [usize; 2] {
+    let [x, y, z] = machine.linear();
+    match machine.retract_axis().0 {
+        up if up == x => [y, z],
+        up if up == y => [x, z],
+        _ => [x, y],
     }
 }
 
