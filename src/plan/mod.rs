@@ -187,6 +187,8 @@ impl Setup {
     /// Offsets of the tool from the blade axis that job and machine allow, mm.
     fn offset_range_mm(&self) -> Option<[f64; 2]> {
         let machine = self.machine_travel().iter().find_map(AxisTravel::as_offsets);
+        // What is left for rounding to an axis that the machine has not is no room for the plan.
+        let machine = machine.map(|[a, b]| if self.machine.missing().is_some() { [0.5 * (a + b); 2] } else { [a, b] });
         let both = self.job.channel.offset_mm.into_iter().chain(machine);
         both.reduce(|a, b| [a[0].max(b[0]), a[1].min(b[1])])
     }
