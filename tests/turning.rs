@@ -131,7 +131,7 @@ fn a_lathe_without_y_is_programmed_without_it() {
     let swung = refused(&["orientation.kind=\"five-axis\""], lathe());
     assert!(swung.kind == ErrorKind::Usage && swung.message.contains("has no Y, and would need it"), "{swung}");
     let dialect = Dialect::built_in(Control::Siemens).expect("a dialect");
-    let over_the_part = setup.program(&dialect, &verified).err().expect("refused");
+    let over_the_part = setup.program(&dialect, &verified).expect_err("refused");
     assert!(over_the_part.message.contains("moves X, Y and Z together"), "{over_the_part}");
 }
 
@@ -152,7 +152,7 @@ fn a_lathe_may_count_diameters() {
     assert!(once.len() > 500 && twice.len() == once.len());
     assert!(twice.iter().zip(&once).all(|(d, r)| (d - 2.0 * r).abs() < 1.6e-5));
     let fanuc = Dialect::built_in(Control::Fanuc).expect("a dialect");
-    let over_the_part = setup.program(&fanuc, &verified).err().expect("refused");
+    let over_the_part = setup.program(&fanuc, &verified).expect_err("refused");
     assert!(over_the_part.message.contains("counts diameters in X"), "{over_the_part}");
 }
 

@@ -4,7 +4,7 @@
 use super::Setup;
 use crate::artifact::{AxisMotion, Lead, Plan, ProgrammedCurve, Schedule, Stand, Toolpath};
 use crate::error::{Error, Infeasible, Missed, Result, Stage};
-use crate::feed;
+use crate::feed::{self, FeedOptions};
 use crate::lead::{self, End, LeadOptions};
 use crate::observe::{Doubt, Observer, Silent, Warning};
 use crate::verify::lead::{Room, obstructed};
@@ -120,6 +120,17 @@ pub(crate) fn motion(
     leads: [Lead; 2],
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, [Lead; 2])> {
+    motion_within(setup, &setup.feed_options(), (path, schedule, curve), leads, observer)
+}
+
+/// As [`motion`], within other limits than those of the job.
+pub(crate) fn motion_within(
+    setup: &Setup,
+    options: &FeedOptions,
+    (path, schedule, curve): (&Toolpath, &Schedule, Option<&ProgrammedCurve>),
+    leads: [Lead; 2],
+    observer: &dyn Observer,
+) -> Result<(AxisMotion, [Lead; 2])> {
     let (long_path, long_schedule) = lead::extended(path, schedule, &leads);
     let [before, after] = leads.each_ref().map(|l| l.centres.len());
     let s = |k: usize| long_path.locations[k].s_mm;
@@ -129,7 +140,6 @@ pub(crate) fn motion(
         let behind: Vec<f64> = (end..end + after).map(|k| s(k) - s(end - 1)).collect();
         c.extended(&ahead, &behind)
     });
-    let options = setup.feed_options();
-    let whole = feed::plan_on(&long_path, &long_schedule, long_curve.as_ref(), &setup.machine, &options, observer)?;
+    let whole = feed::plan_on(&long_path, &long_schedule, long_curve.as_ref(), &setup.machine, options, observer)?;
     Ok(lead::split(&whole, leads))
 }

@@ -6,7 +6,7 @@ use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{AxisMotion, Channel, Lead, Schedule, Toolpath};
 use crate::error::{Error, ErrorKind, Result};
-use crate::feed::FeedOptions;
+use crate::feed::{self, FeedOptions};
 use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent, Warning};
 use crate::schedule::{self, Pace, ScheduleOptions};
@@ -15,9 +15,17 @@ use crate::schedule::{self, Pace, ScheduleOptions};
 /// to gain its feed: it is gained more slowly where several axes share it.
 const STANDING: [f64; 2] = [1.0, 4.0];
 
-/// The fastest of all schedules that are planned for the machine: the schedule for the least time
+/// A schedule that takes no more over the least time that path and feed allow than this share is
+/// taken at once: no other can be faster by more.
+pub(crate) const ENOUGH: f64 = 1e-3;
+/// Schedules whose time is found with the machine's jerk: those that are fastest without it, which
+/// takes a fiftieth of the work. On the same path jerk adds the same to all of them, but for some
+/// ten-thousandths.
+pub(crate) const CLOSELY: usize = 2;
+
+/// The fastest of the schedules that are planned for the machine: the schedule for the least time
 /// by the rotary axis alone, the optimal ones and the others, with its motion, in which the leads
-/// are. Candidates that turn back or leave the channel do not take part.
+/// are. Rivals that turn back or leave the channel do not take part.
 pub(crate) fn least_time(
     setup: &Setup,
     path: &Toolpath,
@@ -25,35 +33,64 @@ pub(crate) fn least_time(
     observer: &dyn Observer,
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
-    let (own, rivals) =
-        rayon::join(|| paced(&setup.machine, &feed, path, channel, &options), || rivals(path, channel, &options));
-    let own = match own {
-        Err(e) if e.kind == ErrorKind::Infeasible && !rivals.is_empty() => Vec::new(),
-        own => own?,
-    };
-    let moved = |schedule: Schedule| -> Result<MovedSchedule> {
+    let paced = |standing: f64| paced_standing(&setup.machine, &feed, path, channel, &options, standing);
+    let without_jerk = FeedOptions { limit_jerk: false, ..feed };
+    let rough = |schedule: Schedule| -> Result<RoughSchedule> {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
-        let (motion, leads) = leads::motion(setup, path, &schedule, None, leads, &told)?;
-        Ok(MovedSchedule { schedule, motion, leads, warnings: told.warnings() })
+        let (motion, leads) = leads::motion_within(setup, &without_jerk, (path, &schedule, None), leads, &Silent)?;
+        Ok(RoughSchedule { time_s: motion.time_s, schedule, leads, warnings: told.warnings() })
     };
-    let candidates: Vec<Schedule> = own.into_iter().chain(rivals).collect();
-    let moved: Vec<Result<MovedSchedule>> = candidates.into_par_iter().map(moved).collect();
-    let moved = moved.into_iter().collect::<Result<Vec<_>>>()?;
+    let moved = |rough: RoughSchedule| -> Result<MovedSchedule> {
+        observer.check(crate::Stage::Schedule)?;
+        let told = Recorder::new(&Silent);
+        let (motion, leads) = leads::motion(setup, path, &rough.schedule, None, rough.leads, &told)?;
+        let warnings = rough.warnings.into_iter().chain(told.warnings()).collect();
+        Ok(MovedSchedule { schedule: rough.schedule, motion, leads, warnings })
+    };
+    let enough_s = feed::least_time(path, &feed) * (1.0 + ENOUGH);
+    let (mut made, mut open, mut closed) = (Vec::new(), Vec::new(), None);
+    match paced(0.0).and_then(rough) {
+        Ok(first) if first.time_s <= enough_s => {
+            let first = moved(first)?;
+            if first.motion.time_s <= enough_s {
+                return Ok(first.told(observer));
+            }
+            made.push(first);
+        }
+        Ok(first) => open.push(first),
+        Err(e) if e.kind == ErrorKind::Infeasible => closed = Some(e),
+        Err(e) => return Err(e),
+    }
+    let (standing, rivals) = rayon::join(
+        || STANDING.par_iter().filter_map(|s| paced(*s).ok()).collect::<Vec<_>>(),
+        || rivals(path, channel, &options),
+    );
+    let others: Vec<Schedule> = standing.into_iter().chain(rivals).collect();
+    open.extend(others.into_par_iter().map(rough).collect::<Result<Vec<_>>>()?);
+    open.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    open.truncate(CLOSELY);
+    made.extend(open.into_par_iter().map(moved).collect::<Result<Vec<_>>>()?);
     // Of equals the first.
-    let best = moved.into_iter().min_by(|a, b| a.motion.time_s.total_cmp(&b.motion.time_s));
-    let Some(MovedSchedule { mut schedule, motion, leads, warnings }) = best else {
-        return Err(Error::infeasible(
-            crate::Stage::Schedule,
-            "there is no schedule to be compared",
-            crate::error::Infeasible::NoSchedules,
-        ));
-    };
-    // Warnings of candidates that are not used would mislead.
-    warnings.into_iter().for_each(|w| observer.warn(w));
-    schedule.kind = ScheduleKind::Time;
-    Ok((schedule, (motion, leads)))
+    match made.into_iter().min_by(|a, b| a.motion.time_s.total_cmp(&b.motion.time_s)) {
+        Some(best) => Ok(best.told(observer)),
+        None => Err(closed.unwrap_or_else(|| {
+            Error::infeasible(
+                crate::Stage::Schedule,
+                "there is no schedule to be compared",
+                crate::error::Infeasible::NoSchedules,
+            )
+        })),
+    }
+}
+
+/// A candidate with its leads, and its time without limits of jerk.
+struct RoughSchedule {
+    time_s: f64,
+    schedule: Schedule,
+    leads: [Lead; 2],
+    warnings: Vec<Warning>,
 }
 
 /// A candidate with its fastest motion, leads included.
@@ -62,6 +99,15 @@ struct MovedSchedule {
     motion: AxisMotion,
     leads: [Lead; 2],
     warnings: Vec<Warning>,
+}
+
+impl MovedSchedule {
+    /// The one that is taken: its warnings are told, since those of candidates that are not used
+    /// would mislead.
+    fn told(self, observer: &dyn Observer) -> (Schedule, (AxisMotion, [Lead; 2])) {
+        self.warnings.into_iter().for_each(|w| observer.warn(w));
+        (Schedule { kind: ScheduleKind::Time, ..self.schedule }, (self.motion, self.leads))
+    }
 }
 
 /// What the rotary axis can follow at the programmed feed.
@@ -82,6 +128,24 @@ pub(crate) fn paced(
     channel: &Channel,
     options: &ScheduleOptions,
 ) -> Result<Vec<Schedule>> {
+    let plan = |standing: f64| paced_standing(machine, feed, path, channel, options, standing);
+    let (first, others): (Result<Schedule>, Vec<Schedule>) =
+        rayon::join(|| plan(0.0), || STANDING.par_iter().filter_map(|s| plan(*s).ok()).collect());
+    match first {
+        Err(e) if e.kind != ErrorKind::Infeasible || others.is_empty() => Err(e),
+        first => Ok(first.into_iter().chain(others).collect()),
+    }
+}
+
+/// The one that stands still over so many times the length in which the ball gains its feed.
+fn paced_standing(
+    machine: &Machine,
+    feed: &FeedOptions,
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    standing: f64,
+) -> Result<Schedule> {
     let pace = pace(machine, feed.settings.feed_mm_min);
     let speed = feed.settings.feed_mm_min / 60.0;
     // Seconds to full feed of one axis that takes all of it.
@@ -91,16 +155,8 @@ pub(crate) fn paced(
             + if feed.limit_jerk { l.acceleration.min((speed * l.jerk).sqrt()) / l.jerk } else { 0.0 }
     };
     let to_feed_mm = speed * machine.linear().into_iter().map(to_speed).fold(0.0, f64::max);
-    let plan = |standing: f64| {
-        let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
-        schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
-    };
-    let (first, others): (Result<Schedule>, Vec<Schedule>) =
-        rayon::join(|| plan(0.0), || STANDING.par_iter().filter_map(|s| plan(*s).ok()).collect());
-    match first {
-        Err(e) if e.kind != ErrorKind::Infeasible || others.is_empty() => Err(e),
-        first => Ok(first.into_iter().chain(others).collect()),
-    }
+    let pace = Some(Pace { standing_mm: standing * to_feed_mm, ..pace });
+    schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
 }
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.

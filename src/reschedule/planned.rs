@@ -12,12 +12,10 @@ use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::Vector;
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
-use crate::plan::schedules;
+use crate::plan::schedules::{self, CLOSELY, ENOUGH};
 use crate::schedule::{self, ScheduleOptions};
 use crate::verify::{self, VerifyOptions};
 
-/// Schedules whose time is found with the machine's jerk.
-const CLOSELY: usize = 2;
 /// A pass along which the normal turns by less about the blade axis has no sense of turning, rad.
 const ALONG_RAD: f64 = 0.2;
 /// A schedule begins and ends at the program's angles within this, rad.
@@ -240,7 +238,11 @@ impl Scene<'_> {
             }
             motion(stands, &asked, limit_jerk)
         };
-        let made = self.schedules(path, channel, ends, most_mm_min)?;
+        // Where one has nearly the least time that the speeds allow, no other is made.
+        let steps = places.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm());
+        let least_s: f64 = steps.zip(&asked).map(|(mm, speed)| mm / speed).sum();
+        let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + ENOUGH) * least_s);
+        let made = self.schedules(path, channel, ends, most_mm_min, &is_enough)?;
         // Jerk is dear: the few that are fastest without it are looked at with it.
         let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
         let mut made = made.into_par_iter().map(rough).collect::<Result<Vec<_>>>()?;
@@ -258,30 +260,35 @@ impl Scene<'_> {
         Ok((schedule, [before?, after]))
     }
 
-    /// Schedules within the channel, from end to end.
-    fn schedules(&self, path: &Toolpath, channel: &Channel, ends: [f64; 2], most_mm_min: f64) -> Result<Vec<Schedule>> {
+    /// Schedules within the channel, from end to end; of kind `time` the first alone where that is
+    /// fast enough.
+    fn schedules(
+        &self,
+        path: &Toolpath,
+        channel: &Channel,
+        ends: [f64; 2],
+        most_mm_min: f64,
+        is_enough: &(dyn Fn(&Schedule) -> bool + Sync),
+    ) -> Result<Vec<Schedule>> {
         let machine = self.program.bench.machine;
         let pace = Some(schedules::pace(machine, most_mm_min));
         let settings = self.options.schedule;
         let options = ScheduleOptions { settings, pace, ends_rad: Some(ends), ..ScheduleOptions::default() };
-        let made = match settings.kind {
-            ScheduleKind::Time => {
-                // Nothing is to stand still at the ends: there the program goes on.
-                let (own, rivals) = rayon::join(
-                    || schedule::plan(ScheduleKind::Time, path, channel, &options, &Silent),
-                    || schedules::rivals(path, channel, &options),
-                );
-                match own {
-                    Err(e) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
-                    own => own.into_iter().chain(rivals).collect(),
-                }
-            }
-            kind => vec![schedule::plan(kind, path, channel, &options, &Silent)?],
-        };
         let keeps = |s: &Schedule| {
             let own = s.theta.first().zip(s.theta.last()).map(|(a, b)| [*a, *b]);
             let at_ends = own.is_some_and(|own| own.iter().zip(ends).all(|(a, b)| (a - b).abs() <= SAME_RAD));
             at_ends && schedules::machinable(s, channel)
+        };
+        let made = match settings.kind {
+            // Nothing is to stand still at the ends: there the program goes on.
+            ScheduleKind::Time => match schedule::plan(ScheduleKind::Time, path, channel, &options, &Silent) {
+                Ok(own) if keeps(&own) && is_enough(&own) => vec![own],
+                own => match (own, schedules::rivals(path, channel, &options)) {
+                    (Err(e), rivals) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
+                    (own, rivals) => own.into_iter().chain(rivals).collect(),
+                },
+            },
+            kind => vec![schedule::plan(kind, path, channel, &options, &Silent)?],
         };
         Ok(made.into_iter().filter(keeps).collect())
     }
