@@ -135,6 +135,35 @@ fn a_lathe_without_y_is_programmed_without_it() {
     assert!(over_the_part.message.contains("moves X, Y and Z together"), "{over_the_part}");
 }
 
+/// A program of others that moves Y there is refused with its line.
+#[test]
+fn a_program_that_names_what_a_lathe_has_not_is_refused() {
+    let (setup, verified) = planned(&["machine.b_deg=5"], machine("mill_turn_no_y.toml"));
+    let text = program(&setup, &verified, Control::Iso);
+    let models = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
+    let dir = tempfile::tempdir().expect("a folder");
+    let verify = |text: &str| {
+        std::fs::write(dir.path().join("their.nc"), text).expect("written");
+        std::fs::write(dir.path().join("tool.toml"), toml::to_string(&setup.job.tool).expect("a tool"))
+            .expect("written");
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_bladewright"));
+        command.args(["--quiet", "verify", "their.nc", "--tool", "tool.toml", "--part"]).arg(models.join("prism.step"));
+        command.arg("--machine").arg(models.join("machines/mill_turn_no_y.toml")).current_dir(dir.path());
+        let out = command.output().expect("the command starts");
+        (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    let moved = text.replacen("\nG1 X", "\nG1 Y0.5 X", 1);
+    let line = 1 + text.lines().position(|l| l.starts_with("G1 X")).expect("a move");
+    let (code, said) = verify(&moved);
+    assert!(
+        code == Some(2) && said.contains("Y goes to 0.5000 mm, and the machine has no such axis"),
+        "{code:?} {said}"
+    );
+    assert!(said.contains(&format!("line {line}")), "{said}");
+    let (code, said) = verify(&text.replacen("\nG1 X", "\nG1 Y0 X", 1));
+    assert!(code == Some(0), "{code:?} {said}");
+}
+
 /// A lathe whose X counts diameters: each word of X is twice the position, to the rounding of
 /// words, and is read so; the program says it. Programs retract by X there, not along the blade.
 #[test]

@@ -109,10 +109,11 @@ impl Turning<'_> {
 /// The motion of the tool over lead-in, path and lead-out, row by row.
 ///
 /// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
-/// moves, or as an offset that stays asks for ([`Motion::straight`]); where a control takes polynomials it follows the schedule's curve
-/// ([`Motion::curved`]). No machine follows the corners between straight moves: what its axes do is
-/// taken to be [`smooth`], which meets both at the rows. A plan with a programmed curve goes on
-/// that, ball centre and θ ([`Motion::curved`]); straight moves are its chords.
+/// moves, or as an offset that stays asks for ([`Motion::straight`]); where a control takes
+/// polynomials it follows the schedule's curve ([`Motion::curved`]). No machine follows the corners
+/// between straight moves: what its axes do is taken to be [`smooth`], which meets both at the rows.
+/// A plan with a programmed curve goes on that, ball centre and θ ([`Motion::curved`]); straight
+/// moves are its chords.
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     rows: Vec<Row>,
@@ -143,7 +144,8 @@ impl<'a> Motion<'a> {
         Some(self.rows.get(row + 1).map_or(from, |to| self.schedule.between(&from, &to.stand, share)))
     }
 
-    /// By how much θ on the straight move from a row to the next is over that of even turning, rad.
+    /// By how much θ on the straight move from a row to the next is over that of even turning,
+    /// rad.
     pub fn bent(&self, row: usize, share: f64) -> f64 {
         let ends = self.rows.get(row).zip(self.rows.get(row + 1));
         ends.map_or(0.0, |(a, b)| self.schedule.bent(&a.stand, &b.stand, share))

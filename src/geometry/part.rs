@@ -411,8 +411,8 @@ mod tests {
         }
     }
 
-    /// A thread that makes the sharper part and waits for its share of it may take up other work that
-    /// asks for it too.
+    /// A thread that makes the sharper part and waits for its share of it may take up other work
+    /// that asks for it too.
     #[test]
     fn many_threads_may_ask_for_the_sharper_part() {
         let surface = shapes::torus(15.0, 4.0);
