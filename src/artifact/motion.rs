@@ -111,9 +111,9 @@ impl Turning<'_> {
 /// Between two rows the ball centre moves straight. θ turns evenly on what is written as straight
 /// moves, or as an offset that stays asks for ([`Motion::straight`]); where a control takes
 /// polynomials it follows the schedule's curve ([`Motion::curved`]). No machine follows the corners
-/// between straight moves: what its axes do is taken to be [`smooth`], which meets both at the rows.
-/// A plan with a programmed curve goes on that, ball centre and θ ([`Motion::curved`]); straight
-/// moves are its chords.
+/// between straight moves: what its axes do is taken to be [`smooth`], which meets both at the
+/// rows. A plan with a programmed curve goes on that, ball centre and θ ([`Motion::curved`]);
+/// straight moves are its chords.
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     rows: Vec<Row>,
