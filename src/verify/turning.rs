@@ -53,6 +53,8 @@ pub(super) fn check(
     let turning_per_min = rate.as_ref().and_then(|r| r.1);
     let ripple = rate.as_ref().zip(turning_per_min).map(|(r, _)| r.0.worst);
     let tooth = asked.chip.map(|chip| tooth(plan, blade, &chip));
+    // Less than a millionth is rounding; adding 0 turns a rounded -0 into 0.
+    let offset_mm = offset_mm.map(|v| (v / ROUNDING_MM).round() * ROUNDING_MM + 0.0);
     let figures = TurningFigures { offset_mm, turning_per_min, ripple, tooth: tooth.as_ref().map(|t| t.1) };
     let doubt = tooth.as_ref().zip(asked.chip).and_then(|((_, t), chip)| {
         let most_mm = MARKS * plan.toolpath.scallop_mm;

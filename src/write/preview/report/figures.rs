@@ -131,7 +131,8 @@ fn turning_cards(input: &ReportInput, cards: &mut String) {
     let f = |key: &str| figure(&input.summary, &format!("/turning/{key}"));
     let there = |key: &str| value(input, &format!("/turning/{key}")).is_finite();
     if there("offset_mm/0") {
-        let range = format!("{} to {} mm", f("offset_mm/0"), f("offset_mm/1"));
+        let [least, greatest] = ["offset_mm/0", "offset_mm/1"].map(f);
+        let range = if least == greatest { format!("{least} mm") } else { format!("{least} to {greatest} mm") };
         card(cards, "Offset from the blade axis", &range, "of the plane that the tool axis is in");
     }
     if there("turning_per_min/0") && there("ripple") {

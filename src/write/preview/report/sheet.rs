@@ -177,7 +177,11 @@ fn limits(input: &ReportInput) -> String {
         let shown = |v: f64| number(v * scale).replace('-', "−");
         let travel = l.travel.map_or_else(|| "unlimited".into(), |[lo, hi]| format!("{} to {}", shown(lo), shown(hi)));
         let from = if l.provenance == Provenance::Assumed { "assumed" } else { "measured" };
-        let cells = [travel, shown(l.velocity), shown(l.acceleration), shown(l.jerk), from.into()];
+        let cells = if axis.is_missing {
+            ["none: the tool stands at 0", "", "", "", ""].map(String::from)
+        } else {
+            [travel, shown(l.velocity), shown(l.acceleration), shown(l.jerk), from.into()]
+        };
         let cells: String = cells.iter().map(|c| format!("<td class=\"n\">{c}</td>")).collect();
         format!("<tr><th scope=\"row\">{}, {}</th>{cells}</tr>\n", escape(&axis.name), axis.sign())
     };
