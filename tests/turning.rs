@@ -128,7 +128,8 @@ fn a_lathe_without_y_is_programmed_without_it() {
     }
     let timed = refused(&["schedule.kind=\"time\""], lathe());
     assert!(timed.kind == ErrorKind::Usage && timed.message.contains("has no Y"), "{timed}");
-    let swung = refused(&["orientation.kind=\"five-axis\""], lathe());
+    let across = |text: String| text.replace("along = [0.0, 0.0, 1.0]", "along = [0.0, 1.0, 0.0]");
+    let swung = refused(&[], of_prism::machine("mill_turn_no_y.toml", across));
     assert!(swung.kind == ErrorKind::Usage && swung.message.contains("has no Y, and would need it"), "{swung}");
     let dialect = Dialect::built_in(Control::Siemens).expect("a dialect");
     let over_the_part = setup.program(&dialect, &verified).expect_err("refused");

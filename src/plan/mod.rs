@@ -106,10 +106,10 @@ impl Setup {
             Some(wheel) if !job.orientation.kind.goes_round() => machine.with_rotor(&wheel.axis, &wheel.origin),
             _ => machine,
         };
+        keeps_offset(&job, &machine)?;
         if job.orientation.kind.goes_round() {
             machine.check_lean(job.machine.b_deg.to_radians())?;
         }
-        keeps_offset(&job, &machine)?;
         if let Some(doubt) = doubts::out_of_reach(job.feed.feed_mm_min, &machine) {
             observer.warn(Warning { stage: Stage::Feed, doubt });
         }
