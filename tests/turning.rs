@@ -143,26 +143,32 @@ fn a_program_that_names_what_a_lathe_has_not_is_refused() {
     let text = program(&setup, &verified, Control::Iso);
     let models = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
     let dir = tempfile::tempdir().expect("a folder");
-    let verify = |text: &str| {
+    let lathe = std::fs::read_to_string(models.join("machines/mill_turn_no_y.toml")).expect("a machine");
+    let verify = |text: &str, lathe: &str| {
         std::fs::write(dir.path().join("their.nc"), text).expect("written");
+        std::fs::write(dir.path().join("lathe.toml"), lathe).expect("written");
         std::fs::write(dir.path().join("tool.toml"), toml::to_string(&setup.job.tool).expect("a tool"))
             .expect("written");
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_bladewright"));
         command.args(["--quiet", "verify", "their.nc", "--tool", "tool.toml", "--part"]).arg(models.join("prism.step"));
-        command.arg("--machine").arg(models.join("machines/mill_turn_no_y.toml")).current_dir(dir.path());
+        command.args(["--machine", "lathe.toml"]).current_dir(dir.path());
         let out = command.output().expect("the command starts");
         (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
     };
     let moved = text.replacen("\nG1 X", "\nG1 Y0.5 X", 1);
     let line = 1 + text.lines().position(|l| l.starts_with("G1 X")).expect("a move");
-    let (code, said) = verify(&moved);
+    let (code, said) = verify(&moved, &lathe);
     assert!(
         code != Some(0) && said.contains("Y goes to 0.5000 mm, and the machine has no such axis"),
         "{code:?} {said}"
     );
     assert!(said.contains(&format!("line {line}")), "{said}");
-    let (code, said) = verify(&text.replacen("\nG1 X", "\nG1 Y0 X", 1));
+    let (code, said) = verify(&text.replacen("\nG1 X", "\nG1 Y0 X", 1), &lathe);
     assert!(code == Some(0), "{code:?} {said}");
+    // A shift of the zero would be a radius to one control and a diameter to another.
+    let diameters = lathe.replacen("max_mm = 650.0", "max_mm = 650.0\nwords = \"diameter\"", 1);
+    let (code, said) = verify(&text.replacen("\nG1 X", "\nG52 X1\nG1 X", 1), &diameters);
+    assert!(code != Some(0) && said.contains("words of X are diameters on this machine"), "{code:?} {said}");
 }
 
 /// A lathe whose X counts diameters: each word of X is twice the position, to the rounding of

@@ -216,9 +216,13 @@ impl<'a> Follower<'a> {
         if !own && !block.machine && !block.centre_point && !in_plane && moves_point {
             return Err(unreachable(block.line, "a move in the blade frame while tool-centre-point control is off"));
         }
+        let by_axes = !in_plane && (own || block.machine || !block.centre_point);
+        if moves_point {
+            self.plain_where_diameters(block, by_axes)?;
+        }
         let mut way = if in_plane {
             self.in_plane(block, point, to)?
-        } else if own || block.machine || !block.centre_point {
+        } else if by_axes {
             self.in_axes(block, point, to)
         } else {
             let words = self.bench.language.programmed;
@@ -229,6 +233,18 @@ impl<'a> Follower<'a> {
         }
         self.without_missing(block, &mut way)?;
         self.drive(block, at, &way, out)
+    }
+
+    /// Where words of an axis are diameters, only straight moves by positions of axes are read: what
+    /// curves and frames mean by such words differs from control to control.
+    fn plain_where_diameters(&self, block: &Block, by_axes: bool) -> Result<()> {
+        let Some(axis) = self.bench.machine.axes().iter().find(|a| a.counts_diameter) else { return Ok(()) };
+        let shifted = !block.machine && block.frame != Rigid::identity();
+        if by_axes && !shifted && matches!(block.course, Course::Straight) {
+            return Ok(());
+        }
+        let what = "only straight moves by positions of axes are read, without frames";
+        Err(unreachable(block.line, &format!("words of {} are diameters on this machine, where {what}", axis.name)))
     }
 
     /// A way leaves an axis that the machine has not where it is: at 0.
