@@ -19,8 +19,8 @@ const STANDING: [f64; 2] = [1.0, 4.0];
 /// taken at once: no other can be faster by more.
 pub(crate) const ENOUGH: f64 = 1e-3;
 /// Schedules whose time is found with the machine's jerk: those that are fastest without it, which
-/// takes a fiftieth of the work. On the same path jerk adds the same to all of them, but for some
-/// ten-thousandths.
+/// takes a fiftieth of the work. On three blades jerk added the same share of the time to all
+/// candidates, within 0.14 %; the two had the fastest among them, or one 0.01 % slower.
 pub(crate) const CLOSELY: usize = 2;
 
 /// The fastest of the schedules that are planned for the machine: the schedule for the least time
