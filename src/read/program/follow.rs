@@ -235,8 +235,8 @@ impl<'a> Follower<'a> {
         self.drive(block, at, &way, out)
     }
 
-    /// Where words of an axis are diameters, only straight moves by positions of axes are read: what
-    /// curves and frames mean by such words differs from control to control.
+    /// Where words of an axis are diameters, only straight moves by positions of axes are read:
+    /// what curves and frames mean by such words differs from control to control.
     fn plain_where_diameters(&self, block: &Block, by_axes: bool) -> Result<()> {
         let Some(axis) = self.bench.machine.axes().iter().find(|a| a.counts_diameter) else { return Ok(()) };
         let shifted = !block.machine && block.frame != Rigid::identity();
