@@ -15,7 +15,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
     const WRITER: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine", "verify"];
     // All stages, and what they need, but no files.
     const PLANNER: &[&str] = &[
-        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "orient", "channel",
+        "numerics", "geometry", "artifact", "tool", "machine", "read", "section", "path", "pair", "orient", "channel",
         "schedule", "smooth", "lead", "feed", "verify", "write", "job",
     ];
     // What a planner needs, and the planner's choice among schedules.

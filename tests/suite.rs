@@ -23,6 +23,7 @@ mod layering;
 mod manual;
 mod mesh_and_step;
 mod models_readme;
+mod pinch;
 mod prism;
 mod recognise;
 mod tamper;

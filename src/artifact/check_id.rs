@@ -12,10 +12,16 @@ pub enum AxisCheck {
     Velocity,
     /// Acceleration against its limit.
     Acceleration,
+    /// Jerk against its limit.
+    Jerk,
 }
 
-const OF_AXIS: [(&str, AxisCheck); 3] =
-    [("travel", AxisCheck::Travel), ("velocity", AxisCheck::Velocity), ("acceleration", AxisCheck::Acceleration)];
+const OF_AXIS: [(&str, AxisCheck); 4] = [
+    ("travel", AxisCheck::Travel),
+    ("velocity", AxisCheck::Velocity),
+    ("acceleration", AxisCheck::Acceleration),
+    ("jerk", AxisCheck::Jerk),
+];
 
 /// Each check once: its name, its variant, what it is about.
 macro_rules! checks {
@@ -25,7 +31,7 @@ macro_rules! checks {
         #[serde(into = "String", try_from = "String")]
         pub enum CheckId {
             $(#[doc = concat!("`", $name, "`: ", $about)] $id,)*
-            /// `x-travel` … `c-acceleration`: one axis against a limit of its own.
+            /// `x-travel` … `c-jerk`: one axis against a limit of its own.
             Axis {
                 /// Name of the axis, in small letters.
                 axis: String,
@@ -90,6 +96,9 @@ checks! {
     "plan-motion" PlanMotion "columns of the motion against each other.",
     "plan-channel" PlanChannel "rows of the channel against each other and the job.",
     "channel-clear" ChannelClear "the tool from wall to wall of the channel.",
+    "pair-rows" PairRows "moves of the rows of two tools against their stretches.",
+    "opposition" Opposition "normals at the places of two tools against each other.",
+    "tools-apart" ToolsApart "two tools against each other.",
     "program-centre" ProgramCentre "ball centres after lines of a program.",
     "program-direction" ProgramDirection "tool axes after lines of a program.",
     "program-curve" ProgramCurve "tool axes within polynomial lines.",

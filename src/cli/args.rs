@@ -63,6 +63,12 @@ pub enum Verb {
     Channel(Channel),
     /// What would open the channel, or open it wider: B, stick-out, holder.
     Advise(Advise),
+    /// Rows for two tools that hold a blade between them: opposite places on both sides, and an
+    /// angle of the table for each row at which both tools are clear.
+    #[command(
+        after_help = "Examples:\n  bladewright pinch blade.step -o out/pinch\n  bladewright pinch job.toml -o out/pinch --set pinch.heights_mm=[20,80]\n\nWrites pairs.csv, the locations of both tools, pinch.json and pinch.svg; for a machine with two\nheads a program in nine axes, too."
+    )]
+    Pinch(Pinch),
     /// Plan a family of blades: many models or parameters from one file, resumable, in shards.
     #[command(
         after_help = "Examples:\n  bladewright batch family.toml -o out/family\n  bladewright batch family.toml --list\n  bladewright batch family.toml -o out/family --retry\n  bladewright batch family.toml -o /shared/out --shard 2/8\n  bladewright batch merge family.toml -o /shared/out\n\nA family that was interrupted goes on where it was: the same command again."
@@ -330,6 +336,14 @@ fn parse_sweep(text: &str) -> Result<SweepRange, String> {
         }
         _ => Err("give FROM,TO,STEP in degrees, at most 1000 steps, as in -20,45,2.5".into()),
     }
+}
+
+/// `pinch`.
+#[derive(Debug, clap::Args)]
+pub struct Pinch {
+    /// What is to be looked at.
+    #[command(flatten)]
+    pub job: Job,
 }
 
 /// `advise`.

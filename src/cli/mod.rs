@@ -13,6 +13,7 @@ mod help;
 mod inspect;
 mod make;
 mod out;
+mod pinch;
 mod plan;
 mod progress;
 mod reschedule;
@@ -71,6 +72,7 @@ fn dispatch(verb: Verb, quiet: bool) -> Result<u8> {
         Verb::Batch(a) => batch::run(&a, quiet),
         Verb::Channel(a) => channel::run(&a, quiet),
         Verb::Advise(a) => channel::advise(&a, quiet),
+        Verb::Pinch(a) => pinch::run(&a, quiet),
         Verb::Verify(a) => audit::run(&a, quiet),
         Verb::Reschedule(a) => reschedule::run(&a, quiet),
         Verb::Post(a) => again::post(&a, quiet),

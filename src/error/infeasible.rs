@@ -223,6 +223,26 @@ pub enum Infeasible {
         /// As above.
         region_may_end_mm: Option<f64>,
     },
+    /// An axis would leave its travel in a row of two tools.
+    RowBeyondTravel {
+        /// Name of the axis.
+        axis: String,
+        /// Row, from 0.
+        row: usize,
+        /// Where it would have to stand, mm or degrees.
+        at: f64,
+        /// Its travel, mm or degrees.
+        travel: [f64; 2],
+    },
+    /// At a place of two tools no angle of the table is free for both.
+    NoCommonAngle {
+        /// Row, from 0.
+        row: usize,
+        /// Height of the first tool's ball centre along the blade axis, mm.
+        height_mm: f64,
+        /// Angles of the table that are free for the one and the other, degrees.
+        free_deg: [Vec<[f64; 2]>; 2],
+    },
     /// The ball comes nearer to a fixture than it may, or is inside it.
     BallNearFixture {
         /// Where.

@@ -217,6 +217,34 @@ pub fn plan_at(
     fastest(&curve, &squares.into(), machine, &options, observer).map(|(motion, _)| motion)
 }
 
+/// The fastest motion along positions of all axes over a parameter (mm), with a greatest speed of
+/// the parameter in each interval, mm/s: rows of two tools. It begins and ends at rest; feeds are
+/// the parameter's.
+///
+/// # Errors
+/// As [`plan_at`].
+pub fn plan_positions(
+    s_mm: &[f64],
+    positions: &AxisRows,
+    speeds_mm_s: &[f64],
+    machine: &Machine,
+    options: &FeedOptions,
+    observer: &dyn Observer,
+) -> Result<AxisMotion> {
+    if speeds_mm_s.len() + 1 != s_mm.len() || speeds_mm_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
+        return Err(Error::usage(Stage::Feed, "each interval between places needs a speed over 0"));
+    }
+    let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
+    let options = options.with(|s| s.feed_mm_min = most_mm_min);
+    options.validate()?;
+    let spline = motion::smooth(s_mm, positions).map_err(|e| {
+        Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
+            .advise("places must have rising arc lengths and finite coordinates")
+    })?;
+    let squares: Vec<f64> = speeds_mm_s.iter().map(|v| v * v).collect();
+    fastest(&spline.into(), &squares.into(), machine, &options, observer).map(|(motion, _)| motion)
+}
+
 /// The fastest motion along a curve, its speed in each interval capped, and within jerk
 /// what its bound leaves open.
 fn fastest(

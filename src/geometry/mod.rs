@@ -11,6 +11,7 @@ pub mod measured;
 pub mod mesh;
 pub mod near_disc;
 pub mod nurbs;
+pub mod opposite;
 pub mod part;
 pub mod profile;
 pub mod slice;

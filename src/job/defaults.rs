@@ -17,6 +17,7 @@ use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::{Machine, MachineSettings};
 use crate::orient::OrientationSettings;
+use crate::pair::PinchSettings;
 use crate::path::{self, PathKeys, PathSettings};
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
@@ -178,6 +179,7 @@ impl Draft {
             wheel: wheel::settled(t.wheel, blade.wheel.as_ref())?,
             orientation: OrientationSettings::default().with_typed(t.orientation),
             cut: t.cut.map(|c| CutSettings::default().with_typed(Some(c))),
+            pinch: t.pinch.map(|p| PinchSettings::default().with_typed(Some(p))),
             path,
             channel,
             schedule,

@@ -82,7 +82,11 @@ fn number_hint(text: &str, message: &str) -> Option<String> {
     }
     let point = text.replacen(',', ".", 1);
     let bare = text.trim_end_matches(|c: char| c.is_alphabetic() || "°%²³/ ".contains(c));
-    let hint = if text.contains(',') && point.parse::<f64>().is_ok() {
+    let digit_before_point = bare.replacen('.', "0.", 1);
+    let lacks_digit = bare.trim_start_matches(['-', '+']).starts_with('.') && bare.parse::<f64>().is_ok();
+    let hint = if lacks_digit && bare == text {
+        format!(": write {digit_before_point}, with a digit before the point")
+    } else if text.contains(',') && point.parse::<f64>().is_ok() {
         format!(": write {point}, with a point")
     } else if !bare.is_empty() && bare.parse::<f64>().is_ok() {
         format!(": write {bare}, the unit is the key's")

@@ -8,6 +8,7 @@ use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::MachineSettings;
 use crate::orient::OrientationSettings;
+use crate::pair::PinchSettings;
 use crate::path::PathSettings;
 use crate::schedule::ScheduleSettings;
 use crate::section::SectionSettings;
@@ -58,6 +59,9 @@ pub struct Job {
     /// Which tool axes there are to choose from. Default, left out: the one cone of a root.
     #[serde(default, skip_serializing_if = "OrientationSettings::is_usual")]
     pub orientation: OrientationSettings,
+    /// Two tools on one blade, for `pinch`. Default, left out: as that verb has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pinch: Option<PinchSettings>,
 }
 
 impl Job {
@@ -86,6 +90,7 @@ impl Job {
         self.tool.validate()?;
         self.chip()?;
         self.orientation.check(Stage::Job)?;
+        self.pinch.iter().try_for_each(|p| p.check(Stage::Job))?;
         if let Some(wheel) = &self.wheel {
             wheel.validate()?;
         } else if !self.orientation.kind.goes_round() {

@@ -35,6 +35,8 @@ fn a_text_in_place_of_a_number_is_told_as_that() {
         ("tool.radius_mm=2,5", "`2,5` is not a number: write 2.5, with a point"),
         ("tool.radius_mm=2mm", "`2mm` is not a number: write 2, the unit is the key's"),
         ("machine.b_deg=5°", "`5°` is not a number: write 5, the unit is the key's"),
+        ("tool.radius_mm=.5", "`.5` is not a number: write 0.5, with a digit before the point"),
+        ("machine.b_deg=-.5", "`-.5` is not a number: write -0.5, with a digit before the point"),
         ("tool.radius_mm=wide", "`wide` is not a number"),
     ] {
         let e = file.set(assignment).unwrap_err();

@@ -8,6 +8,7 @@ use crate::channel::ChannelKeys;
 use crate::feed::FeedKeys;
 use crate::machine::MachineKeys;
 use crate::orient::OrientationKeys;
+use crate::pair::PinchKeys;
 use crate::path::PathKeys;
 use crate::schedule::ScheduleKeys;
 use crate::section::SectionKeys;
@@ -58,6 +59,9 @@ pub struct JobFile {
     /// What each tooth cuts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cut: Option<CutKeys>,
+    /// Two tools on one blade, for `pinch`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinch: Option<PinchKeys>,
     /// Programs to write.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub post: Option<PostKeys>,

@@ -15,6 +15,12 @@ pub enum AxisName {
     Y,
     /// Linear.
     Z,
+    /// Linear, of a second head.
+    U,
+    /// Linear, of a second head.
+    V,
+    /// Linear, of a second head.
+    W,
     /// Rotary, about X where the file gives no direction.
     A,
     /// Rotary, about Y where the file gives no direction.
@@ -24,12 +30,14 @@ pub enum AxisName {
 }
 
 impl AxisName {
-    /// Its place among X, Y, Z; `None`: a rotary one.
+    /// Its place among X, Y, Z, or among U, V, W; `None`: a rotary one.
     pub fn linear(self) -> Option<usize> {
-        Self::LINEAR.iter().position(|n| *n == self)
+        Self::LINEAR.iter().chain(&Self::SECOND).position(|n| *n == self).map(|k| k % 3)
     }
     /// X, Y and Z.
     pub const LINEAR: [AxisName; 3] = [AxisName::X, AxisName::Y, AxisName::Z];
+    /// U, V and W: along X, Y and Z.
+    pub const SECOND: [AxisName; 3] = [AxisName::U, AxisName::V, AxisName::W];
     /// A, B and C.
     pub const ROTARY: [AxisName; 3] = [AxisName::A, AxisName::B, AxisName::C];
     /// The letter.
@@ -38,6 +46,9 @@ impl AxisName {
             AxisName::X => "X",
             AxisName::Y => "Y",
             AxisName::Z => "Z",
+            AxisName::U => "U",
+            AxisName::V => "V",
+            AxisName::W => "W",
             AxisName::A => "A",
             AxisName::B => "B",
             AxisName::C => "C",
@@ -46,9 +57,9 @@ impl AxisName {
     /// The direction that it has by its letter.
     pub fn unit(self) -> [f64; 3] {
         match self {
-            AxisName::X | AxisName::A => [1.0, 0.0, 0.0],
-            AxisName::Y | AxisName::B => [0.0, 1.0, 0.0],
-            AxisName::Z | AxisName::C => [0.0, 0.0, 1.0],
+            AxisName::X | AxisName::U | AxisName::A => [1.0, 0.0, 0.0],
+            AxisName::Y | AxisName::V | AxisName::B => [0.0, 1.0, 0.0],
+            AxisName::Z | AxisName::W | AxisName::C => [0.0, 0.0, 1.0],
         }
     }
 }

@@ -192,6 +192,15 @@ pub struct AxisTables {
     /// Towards the spindle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub z: Option<LinearAxis>,
+    /// Of a second head, along X where the file gives no direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub u: Option<LinearAxis>,
+    /// Of a second head, along Y where the file gives no direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub v: Option<LinearAxis>,
+    /// Of a second head, along Z where the file gives no direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub w: Option<LinearAxis>,
     /// Rotary axis A: on a machine without a `chain` the table about X.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub a: Option<RotaryAxis>,
@@ -201,6 +210,17 @@ pub struct AxisTables {
     /// Rotary axis C.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub c: Option<RotaryAxis>,
+}
+
+/// A second head: its tool cuts the same workpiece at the same time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SecondHead {
+    /// All axes from the workpiece to its tool: first those that it shares with the first chain, in the same order, then U, V, W and perhaps a
+    /// rotary one of its own.
+    pub chain: Vec<AxisName>,
+    /// Its spindle.
+    pub spindle: Spindle,
 }
 
 /// A machine file: a `chain` of axes, or in its place a rotary table about X and a pivoting head (`table`, `head`). [`MachineFile::build`] makes the
@@ -230,17 +250,23 @@ pub struct MachineFile {
     /// The spindle of a machine with a `chain`; default: gauge point at the origin, tool axis along Z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spindle: Option<Spindle>,
+    /// A second head, on a machine with a `chain`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<SecondHead>,
     /// Travel and dynamic limits.
     pub axes: AxisTables,
 }
 
 impl AxisTables {
-    /// X, Y or Z by its name.
+    /// X, Y, Z, U, V or W by its name.
     pub(super) fn linear(&self, name: AxisName) -> Option<&LinearAxis> {
         match name {
             AxisName::X => self.x.as_ref(),
             AxisName::Y => self.y.as_ref(),
             AxisName::Z => self.z.as_ref(),
+            AxisName::U => self.u.as_ref(),
+            AxisName::V => self.v.as_ref(),
+            AxisName::W => self.w.as_ref(),
             _ => None,
         }
     }

@@ -83,12 +83,13 @@ impl MachineFile {
     }
 
     /// Letters of the axes in the order of the machine's columns: X, Y, Z, the rotary axes from the
-    /// workpiece.
+    /// workpiece, and the second head's own.
     fn letters(&self) -> impl Iterator<Item = AxisName> {
+        let own = self.second.iter().flat_map(|s| s.chain.iter().copied()).filter(|n| !self.chain.contains(n));
         let table_and_head = [AxisName::A, AxisName::B];
         let chain = if self.chain.is_empty() { &table_and_head[..] } else { &self.chain };
         let rotary = chain.iter().copied().filter(|n| n.linear().is_none()).collect::<Vec<_>>();
-        AxisName::LINEAR.into_iter().chain(rotary)
+        AxisName::LINEAR.into_iter().chain(rotary).chain(own)
     }
 
     /// Limits of an axis; `None`: the file has no table for it.
@@ -125,7 +126,12 @@ impl MachineFile {
     fn assembled(&self, origin: &str, sense_key: &'static str) -> Result<Machine> {
         let no_direction =
             || bad(origin, "a direction of an axis, of the spindle or of mount.along is no direction".into());
-        let carries = |letter: AxisName| carried(&self.chain, letter);
+        let of_second =
+            |letter: AxisName| self.second.is_some() && !self.chain.contains(&letter) && self.axes.has(letter);
+        let carries = |letter: AxisName| match of_second(letter) {
+            true => Carries::Head(1),
+            false => carried(&self.chain, letter),
+        };
         let axes: Option<Vec<Axis>> = self.letters().map(|n| self.axis(n, carries(n), sense_key)).collect();
         let (Some(axes), Some(mount), Some(spindle)) = (axes, self.blade_on_machine(), self.spindle()) else {
             return no_direction();
@@ -138,8 +144,19 @@ impl MachineFile {
         if !head.spans_space() {
             return bad(origin, "X, Y and Z do not reach all places: their directions lie in a plane".into());
         }
+        let mut heads = vec![head];
+        if let Some(second) = &self.second {
+            let links: Vec<usize> = second.chain.iter().filter_map(column).collect();
+            let spindle = Unit::try_new(Vector::from(second.spindle.direction), 1e-9);
+            let spindle = spindle.map(|direction| (Point::from(second.spindle.gauge_mm), direction));
+            let Some(head) = spindle.and_then(|s| Head::new(&axes, &links, s, mount)) else { return no_direction() };
+            if !head.spans_space() {
+                return bad(origin, "U, V and W do not reach all places: their directions lie in a plane".into());
+            }
+            heads.push(head);
+        }
         let (name, mount) = (self.name.clone(), self.mount);
-        Ok(Machine { name, swing_diameter_mm: self.swing_diameter_mm, mount, axes, heads: vec![head] })
+        Ok(Machine { name, swing_diameter_mm: self.swing_diameter_mm, mount, axes, heads })
     }
 
     /// Blade frame to machine coordinates while all axes read 0; `None`: the blade points nowhere.
@@ -172,7 +189,11 @@ impl MachineFile {
             all.extend(r.direction.into_iter().flatten().map(|v| ("direction of a rotary axis", v)));
             all.extend(r.point_mm.into_iter().flatten().map(|v| ("point_mm of a rotary axis", v)));
         }
-        for l in AxisName::LINEAR.into_iter().filter_map(|n| self.axes.linear(n)) {
+        if let Some(s) = &self.second {
+            all.extend(s.spindle.gauge_mm.map(|v| ("second.spindle.gauge_mm", v)));
+            all.extend(s.spindle.direction.map(|v| ("second.spindle.direction", v)));
+        }
+        for l in AxisName::LINEAR.into_iter().chain(AxisName::SECOND).filter_map(|n| self.axes.linear(n)) {
             all.extend(l.direction.into_iter().flatten().map(|v| ("direction of a linear axis", v)));
         }
         if let Some((key, v)) = all.into_iter().find(|(_, v)| !v.is_finite()) {
@@ -233,8 +254,12 @@ impl MachineFile {
             || AxisName::LINEAR.into_iter().filter_map(|n| a.linear(n)).any(|l| l.direction.is_some())
             || self.mount.along.is_some()
             || self.spindle.is_some()
+            || self.second.is_some()
         {
-            return bad(origin, "direction, point_mm, mount.along and [spindle] are for machines with a chain".into());
+            return bad(
+                origin,
+                "direction, point_mm, mount.along, [spindle] and [second] are for machines with a chain".into(),
+            );
         }
         match a.b.and_then(|b| b.limits().travel) {
             Some([lo, hi]) if lo.to_degrees() >= -89.9 && hi.to_degrees() <= 89.9 => Ok(()),
@@ -256,14 +281,41 @@ impl MachineFile {
         if !(2..=3).contains(&count(true)) || !(1..=2).contains(&count(false)) {
             return bad(origin, "a chain has X, Y, Z, or two of them, and one or two of A, B, C".into());
         }
-        for name in AxisName::LINEAR.into_iter().chain(AxisName::ROTARY) {
+        if self.chain.iter().any(|n| AxisName::SECOND.contains(n)) {
+            return bad(origin, "U, V and W are axes of the second head: they belong in second.chain".into());
+        }
+        let in_second = |name: &AxisName| self.second.as_ref().is_some_and(|s| s.chain.contains(name));
+        for name in AxisName::LINEAR.into_iter().chain(AxisName::SECOND).chain(AxisName::ROTARY) {
             let key = name.letter().to_lowercase();
-            if self.chain.contains(&name) != self.axes.has(name) {
+            if (self.chain.contains(&name) || in_second(&name)) != self.axes.has(name) {
                 return bad(
                     origin,
                     format!("axis {} must be in the chain and have a table [axes.{key}]", name.letter()),
                 );
             }
+        }
+        self.second_links(origin)
+    }
+
+    /// Checks the chain of the second head.
+    fn second_links(&self, origin: &str) -> Result<()> {
+        let Some(second) = &self.second else { return Ok(()) };
+        let own = second.chain.iter().position(|n| !self.chain.contains(n)).unwrap_or(second.chain.len());
+        let (shared, own) = second.chain.split_at(own);
+        let turns_workpiece = |n: &AxisName| n.linear().is_none() && carried(&self.chain, *n) == Carries::Workpiece;
+        if shared.is_empty() || !self.chain.starts_with(shared) || !shared.iter().any(turns_workpiece) {
+            return bad(
+                origin,
+                "second.chain must begin as the chain does, with the rotary axis that turns the workpiece for both heads".into(),
+            );
+        }
+        let missing = AxisName::SECOND.into_iter().find(|n| own.iter().filter(|o| *o == n).count() != 1);
+        let rotary = own.iter().filter(|n| n.linear().is_none()).count();
+        if missing.is_some() || rotary > 1 || own.len() != 3 + rotary || shared.iter().any(|n| n.linear().is_some()) {
+            return bad(
+                origin,
+                "second.chain has, behind the axes that it shares, U, V, W and at most one of A, B, C that the chain has not".into(),
+            );
         }
         Ok(())
     }

@@ -73,6 +73,7 @@ mod config;
 mod file;
 mod kinematics;
 mod model;
+mod pair;
 mod peaks;
 mod settings;
 #[cfg(test)]

@@ -5,6 +5,7 @@ pub mod banded;
 pub mod bezier;
 pub mod bounded;
 pub mod quintic;
+pub mod runs;
 pub mod series;
 pub mod spline;
 pub mod stages;

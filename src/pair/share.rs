@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::{Pair, Place, partner};
 use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::{spread, topology};
+use crate::geometry::opposite::{Pair, Place, partner};
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 
@@ -128,3 +128,7 @@ fn one(part: &Part, p: &Point, triangle: u32, within_mm: f64) -> Option<Pair> {
     let near = part.closest(p, f64::INFINITY)?;
     partner(part, Place { point: near.point, normal: near.normal }, within_mm)
 }
+
+#[cfg(test)]
+#[path = "share_tests.rs"]
+mod tests;

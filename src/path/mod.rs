@@ -58,6 +58,7 @@ mod helix;
 mod iso_parametric;
 mod level;
 mod options;
+pub mod pairs;
 mod rim;
 mod ring;
 mod rings;

@@ -41,6 +41,7 @@ mod even;
 pub(crate) mod leads;
 mod orientation;
 pub(crate) mod paths;
+pub mod pinch;
 pub(crate) mod planning;
 pub(crate) mod schedules;
 pub(crate) mod sketch;

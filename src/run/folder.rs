@@ -32,8 +32,8 @@ const RUN: [&str; 14] = [
     "advice.json",
 ];
 
-/// Files of `compare` and `channel`, which look at a job without planning it to the end.
-const STUDIES: [&str; 9] = [
+/// Files of `compare`, `channel` and `pinch`, which look at a job without planning it to the end.
+const STUDIES: [&str; 15] = [
     "compare.json",
     "compare.csv",
     "compare.svg",
@@ -43,6 +43,12 @@ const STUDIES: [&str; 9] = [
     "sweep_b.svg",
     "sphere.csv",
     "sphere.svg",
+    "pairs.csv",
+    "cutter_locations_1.csv",
+    "cutter_locations_2.csv",
+    "pinch.json",
+    "pinch_axes.csv",
+    "pinch.svg",
 ];
 
 /// Our programs name us in one of their first lines.

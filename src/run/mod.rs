@@ -14,6 +14,7 @@ mod look;
 mod making;
 pub mod manifest;
 pub mod operations;
+pub mod pinch;
 mod programs;
 mod repost;
 pub mod reuse;

@@ -94,6 +94,7 @@ fn judge(peak: &AxisPeak, plan: &Plan, blade: &Blade, machine: &Machine, options
         AxisCheck::Travel => ("how far it leaves its travel", ""),
         AxisCheck::Velocity => ("greatest velocity, from positions and times", "/s"),
         AxisCheck::Acceleration => ("greatest acceleration, from positions and times", "/s²"),
+        AxisCheck::Jerk => ("greatest jerk, from positions and times", "/s³"),
     };
     let unit = format!("{}{per}", own.unit());
     // Rounding of positions, and the limits' own units.

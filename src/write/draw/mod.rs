@@ -8,6 +8,7 @@
 
 pub(crate) mod chart;
 pub mod colour;
+mod held;
 pub(in crate::write) mod histogram;
 mod rescheduled;
 mod scale;
@@ -25,6 +26,7 @@ use crate::error::{Error, Result, Stage};
 use crate::machine::{Axis, Machine};
 
 pub use chart::small;
+pub use held::{HeldAngles, held_svg};
 pub use rescheduled::rescheduled_svg;
 pub use sphere::{sphere_csv, sphere_svg};
 pub use widths::{widths_csv, widths_inline, widths_svg};

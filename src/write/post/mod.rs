@@ -39,6 +39,7 @@ mod cycle;
 mod dialect;
 mod merge;
 mod moves;
+pub mod pinch;
 mod polynomial;
 mod settings;
 mod smoothing;

@@ -1,0 +1,195 @@
+//! Rows of opposite places along a blade, for two tools that cut at the same time.
+
+use std::ops::Range;
+
+use super::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
+use super::{Axes, AxisMotion, Cones};
+use crate::geometry::{Point, Vector};
+
+/// Where a tool's ball touches the part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BallContact {
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// Contact, on the part or on the stock that is left on it, mm.
+    pub contact: Point,
+    /// Outward unit normal at the contact.
+    pub normal: Vector,
+    /// Face or group of the part.
+    pub face: u32,
+}
+
+/// A place of both tools at the same time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairPlace {
+    /// Where the balls of tool 1 and tool 2 touch.
+    pub contacts: [BallContact; 2],
+    /// Centre of the greatest ball inside the part that touches at the first contact, mm.
+    pub held_centre: Point,
+    /// Its radius, mm: half the thickness there.
+    pub held_radius_mm: f64,
+    /// What the normals lack of being opposite, rad.
+    pub angle_rad: f64,
+    /// Distance of the two normal lines, mm.
+    pub apart_mm: f64,
+}
+
+/// Why a row goes no farther.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RowEnd {
+    /// The part begins or ends here, or the first ball finds no place.
+    NoBall,
+    /// No other place of the part is opposite: an edge.
+    NoPartner,
+    /// The normals lack more than is allowed of being opposite.
+    Angle,
+    /// A contact is not on the airfoil.
+    Elsewhere,
+    /// The second ball has no room at the opposite place.
+    NoRoom,
+    /// The two balls come too near to each other: the blade is too thin.
+    TooNear,
+    /// The opposite place jumps: the sheet midway between the sides branches.
+    Jump,
+}
+
+impl std::fmt::Display for RowEnd {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            RowEnd::NoBall => "the first ball finds no place",
+            RowEnd::NoPartner => "nothing is opposite, as on an edge",
+            RowEnd::Angle => "the normals are too far from opposite",
+            RowEnd::Elsewhere => "a contact is not on the airfoil",
+            RowEnd::NoRoom => "the second ball has no room",
+            RowEnd::TooNear => "the balls come too near to each other",
+            RowEnd::Jump => "the opposite place jumps",
+        })
+    }
+}
+
+/// Rows along a blade, each run by both tools in lock step, from its top down to its foot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PairedRows {
+    /// Ball radii of tool 1 and tool 2, mm.
+    pub radius_mm: [f64; 2],
+    /// Stock left on the part, mm.
+    pub stock_mm: f64,
+    /// Scallop asked for, mm.
+    pub scallop_mm: f64,
+    /// Chord tolerance between places, mm.
+    pub chord_mm: f64,
+    /// Heights of tool 1's ball centre between which rows run, mm.
+    pub heights_mm: [f64; 2],
+    /// Greatest ridge that was measured between two rows on each side while they were laid, mm.
+    pub planned_scallop_mm: [f64; 2],
+    /// The rows, side by side: their places.
+    pub rows: Vec<Range<usize>>,
+    /// All places, row by row.
+    pub places: Vec<PairPlace>,
+    /// Why rows ended, with the number of heights at which they did.
+    pub ends: Vec<(RowEnd, usize)>,
+}
+
+impl PairedRows {
+    /// The rows of tool 1 (0) or tool 2 (1) as a path, a turn for each: its arc length goes over
+    /// the straight way from the end of a row to the start of the next.
+    pub fn toolpath(&self, tool: usize, cones: Cones) -> Toolpath {
+        let mut locations = Vec::with_capacity(self.places.len());
+        let mut turns = Vec::with_capacity(self.rows.len());
+        let (mut s_mm, mut last) = (0.0, None::<Point>);
+        for (turn, row) in self.rows.iter().enumerate() {
+            let mut start_mm = s_mm;
+            for (k, place) in self.places[row.clone()].iter().enumerate() {
+                let at = place.contacts[tool];
+                s_mm += last.replace(at.centre).map_or(0.0, |before| (at.centre - before).norm());
+                if k == 0 {
+                    start_mm = s_mm;
+                }
+                locations.push(CutterLocation {
+                    turn: turn as u32,
+                    turn_s_mm: s_mm - start_mm,
+                    s_mm,
+                    centre: at.centre,
+                    contact: at.contact,
+                    normal: at.normal,
+                });
+            }
+            turns.push(Turn { first: row.start, count: row.len(), length_mm: s_mm - start_mm });
+        }
+        Toolpath {
+            kind: PathKind::Given,
+            radius_mm: self.radius_mm[tool],
+            stock_mm: self.stock_mm,
+            scallop_mm: self.scallop_mm,
+            chord_mm: self.chord_mm,
+            region_x_mm: [self.heights_mm[1], self.heights_mm[0]],
+            end_reason: EndReason::Region,
+            planned_scallop_mm: self.planned_scallop_mm[tool],
+            cones,
+            turns,
+            locations,
+        }
+    }
+
+    /// The same with rows of these places only, each within one of its rows; places are numbered
+    /// anew.
+    #[must_use]
+    pub fn only(&self, rows: &[Range<usize>]) -> Self {
+        let places: Vec<PairPlace> = rows.iter().flat_map(|r| self.places[r.clone()].iter().copied()).collect();
+        let mut end = 0;
+        let numbered = |row: &Range<usize>| {
+            let from = end;
+            end += row.len();
+            from..end
+        };
+        PairedRows { rows: rows.iter().map(numbered).collect(), places, ..self.clone() }
+    }
+
+    /// Length of all rows on a side, mm.
+    pub fn length_mm(&self, tool: usize) -> f64 {
+        let of = |row: &Range<usize>| -> f64 {
+            let places = &self.places[row.clone()];
+            places.windows(2).map(|w| (w[1].contacts[tool].centre - w[0].contacts[tool].centre).norm()).sum()
+        };
+        self.rows.iter().map(of).sum()
+    }
+
+    /// Why rows ended, in words, the most frequent first.
+    pub fn ends_in_words(&self) -> String {
+        let all: usize = self.ends.iter().map(|(_, n)| n).sum();
+        let one = |(end, n): &(RowEnd, usize)| format!("{end} ({:.0} %)", 100.0 * *n as f64 / all.max(1) as f64);
+        self.ends.iter().map(one).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A stretch in the machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StretchMotion {
+    /// Which stretch, from 0.
+    pub stretch: usize,
+    /// Row, from 0.
+    pub row: usize,
+    /// Its places.
+    pub places: Range<usize>,
+    /// All axes, a row for each place.
+    pub motion: AxisMotion,
+    /// All axes over its first place and its last, both tools clear of the turning part.
+    pub over: [Axes; 2],
+    /// How far both tools are lifted there, along their axes, mm.
+    pub lifts_mm: [[f64; 2]; 2],
+}
+
+/// All stretches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinchMotion {
+    /// In order.
+    pub stretches: Vec<StretchMotion>,
+    /// Time that both tools cut, s.
+    pub cutting_s: f64,
+    /// Time that each tool would take for its side alone, under the same limits, s.
+    pub alone_s: [f64; 2],
+    /// What tools stay beyond from stretch to stretch: heights over the blade axis of what the part
+    /// turns in, mm.
+    pub turning_mm: f64,
+}

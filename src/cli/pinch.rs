@@ -1,0 +1,114 @@
+//! `pinch`: rows for two tools that hold a blade between them.
+
+use super::args;
+use super::out::{self, sayln};
+use super::plan::draft_of;
+use super::progress::Terminal;
+use crate::artifact::report::Check;
+use crate::error::{ErrorKind, Result};
+use crate::observe::Observer;
+use crate::plan::pinch::{Pinch, PinchProgrammed};
+use crate::run::{Loaded, RunFolder, pinch as files};
+use crate::write::post;
+use serde_json::json;
+
+/// Runs the verb; the exit code.
+pub fn run(args: &args::Pinch, quiet: bool) -> Result<u8> {
+    let terminal = Terminal::new(quiet);
+    let ended = study(args, &terminal);
+    terminal.finish();
+    ended
+}
+
+fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
+    let mut folder = RunFolder::begin(&args.job.out)?;
+    let setup = Loaded::read(&draft_of(&args.job)?, observer)?.setup;
+    folder.add_job_of_study(&setup.job.to_toml()?)?;
+    let pinch = setup.pinch(observer)?;
+    let programmed = setup.pinch_program(&pinch, observer)?;
+    for (name, text) in files::tables(&setup, &pinch) {
+        folder.add(name, text)?;
+    }
+    let figures = files::figures(&setup, &pinch, programmed.as_ref());
+    folder.add_json("pinch.json", &figures)?;
+    folder.add("pinch.svg", files::plot(&setup, &pinch))?;
+    print(&pinch, &figures);
+    let mut passed = pinch.checks.iter().all(|c| c.passed);
+    if let Some(programmed) = &programmed {
+        print_program(&pinch, programmed, setup.job.feed.feed_mm_min);
+        folder.add("pinch_axes.csv", files::axes(&setup, &programmed.motion))?;
+        passed &= programmed.checks.iter().all(|c| c.passed);
+        // A program that is written is one that passed.
+        if passed {
+            folder.add(post::pinch::FILE, programmed.text.clone())?;
+        } else {
+            sayln!("no program is written: a check failed");
+        }
+    } else {
+        sayln!(
+            "no program: the machine {} has one head (machine.file=models/machines/pinch_9x.toml has two)",
+            setup.machine.name
+        );
+    }
+    if out::is_json() {
+        out::event(&json!({ "event": "pinch", "pinch": figures }));
+    }
+    sayln!();
+    for file in folder.finish()? {
+        sayln!("{}", file.display());
+    }
+    Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
+}
+
+fn print(pinch: &Pinch, f: &files::PinchSummary) {
+    let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
+    row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
+    row("places of both tools", f.places.to_string());
+    if f.cut_off > 0 {
+        row("  cut off the ends of rows", format!("{}, where no angle of the table is free for both tools", f.cut_off));
+    }
+    row("first tool at heights", format!("{:.3} to {:.3} mm", f.heights_mm[1], f.heights_mm[0]));
+    let [one, two] = f.length_mm;
+    row("length of the rows", format!("{one:.1} mm and {two:.1} mm"));
+    let [one, two] = f.covered.map(|share| 100.0 * share);
+    row("of the airfoil", format!("{one:.1} % lie between the rows of tool 1, {two:.1} % between those of tool 2"));
+    row("rows end where", f.ends.clone());
+    for (k, [p05, p50, p95, p99, most]) in f.measured.ridges_mm.iter().enumerate() {
+        let name = format!("ridges of tool {}, 5 % to 95 %", k + 1);
+        row(&name, format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})"));
+    }
+    let [median, p99, most] = f.measured.line_distance_mm;
+    row("normal lines pass within", format!("{median:.4} mm (99 % {p99:.4}, greatest {most:.4})"));
+    let [median, p99, most] = f.measured.angle_deg;
+    row("normals lack of being opposite", format!("{median:.2}° (99 % {p99:.2}°, greatest {most:.2}°)"));
+    row("free for both tools, at least", format!("{:.2}° at place {}", f.narrowest_deg, f.narrowest_place));
+    row("table turns between stretches", format!("{:.1}° in all", f.turned_deg));
+    row("tools are apart", format!("{:.3} mm at least", f.measured.tools_apart_mm));
+    print_failed(&pinch.checks);
+}
+
+fn print_program(pinch: &Pinch, programmed: &PinchProgrammed, feed_mm_min: f64) {
+    let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
+    let m = &programmed.motion;
+    let alone: f64 = m.alone_s.iter().sum();
+    let share = 100.0 * m.cutting_s / alone.max(f64::MIN_POSITIVE);
+    row("both tools cut", format!("{:.1} s, {share:.1} % of {alone:.1} s for one tool on both sides", m.cutting_s));
+    let longest = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
+    row("  at full feed all along", format!("{:.1} s", 60.0 * longest / feed_mm_min));
+    row(
+        "program",
+        format!(
+            "{} lines, from row to row outside {:.1} mm of the blade axis",
+            programmed.text.lines().count(),
+            m.turning_mm
+        ),
+    );
+    print_failed(&programmed.checks);
+}
+
+fn print_failed(checks: &[Check]) {
+    for c in checks.iter().filter(|c| !c.passed) {
+        let name = format!("FAILED {}", c.id);
+        sayln!("  {name:<34} {}: {:.6} {} (limit {:.6}); {}", c.quantity, c.worst, c.unit, c.limit, c.note);
+    }
+}

@@ -1,0 +1,152 @@
+//! Opposite places of a blade: where two tools can hold it between them.
+//!
+//! In: a part, and a place on its surface with its outward normal. Out: the greatest ball inside
+//! the part that touches it there, and the other place where that ball touches ([`Pair`]).
+//!
+//! ## Why these
+//! The normals at both places pass through the ball's centre. So two forces against the surface
+//! there have no moment about it, whatever their sizes, and equal forces leave `2 sin(β/2)` of one
+//! of them, along the sheet midway between the sides, which is the blade's stiff direction. `β` is
+//! what the normals lack of being opposite: twice the half angle of the wedge that the sides make
+//! there, nothing where the thickness does not change.
+//!
+//! ## Method
+//! A ball that is tangent at the first place and too large holds other places of the part. The one
+//! nearest to its centre makes a smaller ball that is tangent at the first place too: of radius
+//! `‖p − q‖² / (2 n·(p − q))`. Radii fall, and near the end their error is squared at each step
+//! (*shrinking ball*, Ma, Bae and Choi, *3D medial axis point approximation using nearest neighbors
+//! and the normal field*, The Visual Computer 28, 2012). There the first place is as near to the
+//! centre as the second. So the second is asked for from beyond the centre, twice, and taken where
+//! it would be from the centre itself.
+//!
+//! ## Guarantees
+//! On exact faces both places lie on them, and the ball holds no place of the part by more than
+//! [`HELD_MM`]. A place without a partner, as on an edge, whose ball is that of the curvature, has
+//! none.
+
+use super::part::Part;
+use super::{Point, Vector};
+
+/// The ball of a pair holds nothing of the part by more than this, mm.
+pub const HELD_MM: f64 = 1e-6;
+/// Steps of the search.
+const STEPS: usize = 60;
+/// Radii that differ by less than this share are the same.
+const SAME: f64 = 1e-12;
+/// The second place is asked for from so far beyond the centre, as a share of the radius. It moves
+/// by as much times the sine of β; what is left after extrapolation is of the square.
+const BEYOND: f64 = 1e-5;
+/// A ball that touches again nearer than this share of its radius touches at one place.
+const ONE_PLACE: f64 = 1e-3;
+
+/// A place on the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Where, mm.
+    pub point: Point,
+    /// Outward unit normal.
+    pub normal: Vector,
+}
+
+/// Two places that face each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The place that a partner was sought for.
+    pub first: Place,
+    /// Its partner.
+    pub second: Place,
+    /// Face or group of the second place.
+    pub face: u32,
+    /// Triangle of the second place, where the part is a mesh.
+    pub triangle: Option<u32>,
+    /// Centre of the greatest ball inside the part that touches at the first place.
+    pub centre: Point,
+    /// Its radius, mm.
+    pub radius_mm: f64,
+}
+
+impl Pair {
+    /// The angle β by which the normals are not opposite, radians.
+    pub fn angle_rad(&self) -> f64 {
+        // Of the sum, since a cosine near −1 says little.
+        let sum = (self.first.normal + self.second.normal).norm();
+        2.0 * (0.5 * sum).clamp(0.0, 1.0).asin()
+    }
+
+    /// Distance of the two normal lines, by the surface's own normals, mm.
+    pub fn apart_mm(&self) -> f64 {
+        let [a, b] = [self.first.normal, self.second.normal];
+        let across = a.cross(&b);
+        let between = self.second.point - self.first.point;
+        // Parallel lines have no common perpendicular.
+        match across.norm() {
+            s if s > 1e-6 => (between.dot(&across) / s).abs(),
+            _ => between.cross(&a).norm(),
+        }
+    }
+}
+
+/// The partner of a place; `within_mm`: no ball inside the part is larger. `None`: the ball touches
+/// nowhere else, or is outside the part.
+pub fn partner(part: &Part, first: Place, within_mm: f64) -> Option<Pair> {
+    partner_across_creases(part, first, within_mm, 0.0)
+}
+
+/// The partner of a place whose ball may hold of the part, besides [`HELD_MM`], a share of its
+/// radius: beside a crease between two faces of one wall, where the ball that is tangent to one of
+/// them is cut by the other, it is the partner across the wall still. Both normals pass through the
+/// ball's centre as those of any pair.
+pub fn partner_across_creases(part: &Part, first: Place, within_mm: f64, held_share: f64) -> Option<Pair> {
+    let centre = |radius: f64| first.point - first.normal * radius;
+    let mut radius_mm = within_mm;
+    let mut last = None;
+    for _ in 0..STEPS {
+        let near = part.closest(&centre(radius_mm), f64::INFINITY)?;
+        let arm = first.point - near.point;
+        let off = first.normal.dot(&arm);
+        // Nothing is nearer than the first place.
+        if near.distance_mm >= radius_mm * (1.0 - SAME.max(held_share)) || arm.norm() < ONE_PLACE * radius_mm {
+            break;
+        }
+        if !(off > 0.0) {
+            return None;
+        }
+        let smaller = arm.norm_squared() / (2.0 * off);
+        last = Some(near);
+        if smaller >= radius_mm * (1.0 - SAME) {
+            break;
+        }
+        radius_mm = smaller;
+    }
+    let rough = last?;
+    // Far enough that what the ball may hold beside the first place is not nearest.
+    let beyond = BEYOND.max(2.0 * held_share);
+    let from = |share: f64| {
+        let near = part.closest(&centre(radius_mm * (1.0 + share * beyond)), f64::INFINITY)?;
+        // Of a place that has none beside it the first place itself is the nearest.
+        ((near.point - rough.point).norm() < 0.5 * (near.point - first.point).norm()).then_some(near)
+    };
+    let (one, two) = (from(1.0)?, from(2.0)?);
+    let second = part.closest(&(one.point + (one.point - two.point)), f64::INFINITY)?;
+    let arm = first.point - second.point;
+    let off = first.normal.dot(&arm);
+    if arm.norm() < 2.0 * ONE_PLACE * radius_mm || !(off > 0.0) {
+        return None;
+    }
+    let radius_mm = arm.norm_squared() / (2.0 * off);
+    let centre = centre(radius_mm);
+    let held = part.closest(&centre, f64::INFINITY)?.distance_mm < radius_mm * (1.0 - held_share) - HELD_MM;
+    let inside = part.inside(&centre);
+    let place = Place { point: second.point, normal: second.normal };
+    (inside && !held).then_some(Pair {
+        first,
+        second: place,
+        face: second.face,
+        triangle: second.triangle,
+        centre,
+        radius_mm,
+    })
+}
+
+#[cfg(test)]
+mod tests;

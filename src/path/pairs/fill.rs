@@ -1,0 +1,108 @@
+//! Places between the heights of the grid, as many as the chord tolerance asks for.
+
+use rayon::prelude::*;
+
+use super::super::chords::tolerance_mm;
+use super::super::curve::{LevelCurve, tangents};
+use super::super::level::Touch;
+use super::super::options::PathOptions;
+use super::sheet::{Sheet, Standing};
+use crate::error::{Result, Stage};
+use crate::geometry::triangle::closest_on_segment;
+use crate::numerics::runs::longest;
+use crate::observe::Observer;
+
+/// Halvings of a stretch between two heights.
+const MOST_HALVINGS: u32 = 12;
+/// On one sheet the second ball goes at most so many times as far as the first …
+const JUMP: f64 = 5.0;
+/// … if that goes so far, mm.
+const SHORTEST_MM: f64 = 1e-4;
+
+/// All rows with the places between their heights.
+///
+/// # Errors
+/// Kind `Cancelled`.
+pub(super) fn all(
+    sheet: &Sheet,
+    rows: &[Vec<Option<Standing>>],
+    observer: &dyn Observer,
+) -> Result<Vec<Vec<Standing>>> {
+    let one = |row: &Vec<Option<Standing>>| {
+        observer.check(Stage::Path)?;
+        let kept = longest(&row.iter().map(Option::is_some).collect::<Vec<_>>());
+        Ok(filled(sheet, &row[kept].iter().flatten().copied().collect::<Vec<_>>()))
+    };
+    rows.par_iter().map(one).collect()
+}
+
+/// A row on the curve of tool 1 through its places.
+struct Filling<'a> {
+    sheet: &'a Sheet<'a>,
+    curve: LevelCurve<'a>,
+    options: PathOptions,
+}
+
+fn filled(sheet: &Sheet, row: &[Standing]) -> Vec<Standing> {
+    if row.len() < 2 {
+        return row.to_vec();
+    }
+    let touches: Vec<Touch> = row.iter().map(|s| s.touches[0]).collect();
+    let level = &sheet.levels[0];
+    let curve = LevelCurve { level, touches: &touches, tangents: tangents(None, &touches, None) };
+    let usual = PathOptions::new(level.radius_mm, sheet.options.settings.scallop_mm);
+    let options = PathOptions { settings: sheet.options.settings.clone(), ..usual };
+    let filling = Filling { sheet, curve, options };
+    // Where a place between two heights has no partner the row is parted there, and its longest
+    // piece is kept.
+    let (mut best, mut out) = (Vec::new(), vec![row[0]]);
+    for (k, w) in row.windows(2).enumerate() {
+        let before = out.len();
+        if filling.between(k, [0.0, 1.0], [&w[0], &w[1]], 0, &mut out).is_none() {
+            out.truncate(before);
+            keep_longer(&mut best, std::mem::take(&mut out));
+        }
+        out.push(w[1]);
+    }
+    keep_longer(&mut best, out);
+    best
+}
+
+fn keep_longer(best: &mut Vec<Standing>, other: Vec<Standing>) {
+    if other.len() > best.len() {
+        *best = other;
+    }
+}
+
+impl Filling<'_> {
+    /// Adds places strictly between two shares of the way from a height to the next; `None`: a
+    /// place between them has no partner.
+    fn between(
+        &self,
+        k: usize,
+        [from, to]: [f64; 2],
+        [a, b]: [&Standing; 2],
+        depth: u32,
+        out: &mut Vec<Standing>,
+    ) -> Option<()> {
+        if depth >= MOST_HALVINGS {
+            // Where the sheet branches the opposite place jumps, and with it the second ball.
+            let way = |j: usize| (b.touches[j].centre - a.touches[j].centre).norm();
+            return (way(1) <= JUMP * way(0).max(SHORTEST_MM)).then_some(());
+        }
+        let mid = 0.5 * (from + to);
+        let at = self.curve.between(k, mid).and_then(|t| self.sheet.stand(t).ok())?;
+        let splits = (0..2).any(|j| {
+            let (l, r) = (&a.touches[j], &b.touches[j]);
+            let off = (at.touches[j].centre - closest_on_segment(&l.centre, &r.centre, &at.touches[j].centre)).norm();
+            let long = (r.centre - l.centre).norm() > self.options.settings.max_step_mm;
+            long || off > tolerance_mm(&self.sheet.levels[j], l, r, &self.options)
+        });
+        if splits {
+            self.between(k, [from, mid], [a, &at], depth + 1, out)?;
+            out.push(at);
+            self.between(k, [mid, to], [&at, b], depth + 1, out)?;
+        }
+        Some(())
+    }
+}

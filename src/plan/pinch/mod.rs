@@ -1,0 +1,279 @@
+//! Two tools on one blade: rows of opposite places, the table's angles that are free for both, and
+//! one at which it stands still for each row.
+//!
+//! **In** a [`Setup`]; both tools are its tool. **Out** [`Pinch`], judged. **Method** Rows
+//! ([`path::pairs`]); the free angles of each tool at all their places ([`channel::intervals`]),
+//! tool 2's turned back by the angle between the heads, and what both have; an angle for each row
+//! ([`pair::hold`]); checks that use none of these ([`verify::check_pinch`]).
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use super::Setup;
+use crate::artifact::paired::PinchMotion;
+use crate::artifact::report::Check;
+use crate::artifact::{Cone, Cones, PairedRows, Sweep};
+use crate::channel::{self, ChannelOptions};
+use crate::error::{Error, Infeasible, Result, Stage};
+use crate::numerics::angle::within_half_turn;
+use crate::numerics::runs::longest;
+use crate::observe::{Observer, timed};
+use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchSettings};
+use crate::path::pairs::{self, PairOptions};
+use crate::tool::Tool;
+use crate::verify::{self, PinchFigures, PinchWork};
+use crate::write::post::{self, pinch::PinchProgram};
+
+/// Angles between heads that differ by less are the same, rad.
+const SAME_RAD: f64 = 1e-6;
+
+mod motion;
+
+pub use motion::motion;
+
+/// Rows of two tools with the table's angles.
+pub struct Pinch {
+    /// The rows.
+    pub rows: PairedRows,
+    /// Places that were cut off the ends of rows, since no angle of the table is free for both.
+    pub cut_off: usize,
+    /// Angles of the table that are free for tool 1 and for tool 2 at each place.
+    pub own: [Vec<FreeAngles>; 2],
+    /// What is free for both.
+    pub common: Vec<FreeAngles>,
+    /// The angles at which the table stands still, in order of the rows.
+    pub held: Vec<Held>,
+    /// The angle of the second head over the first, rad.
+    pub between_rad: f64,
+    /// What was checked.
+    pub checks: Vec<Check>,
+    /// What was measured.
+    pub figures: PinchFigures,
+}
+
+/// The motion and the program of rows of two tools.
+pub struct PinchProgrammed {
+    /// The motion.
+    pub motion: PinchMotion,
+    /// The program's text.
+    pub text: String,
+    /// What was checked of both.
+    pub checks: Vec<Check>,
+}
+
+impl Pinch {
+    /// The places of each stretch and the angle that the table stands at, rad.
+    fn stretches(&self) -> Vec<(Range<usize>, f64)> {
+        self.held.iter().map(|h| (h.places.clone(), h.theta_rad)).collect()
+    }
+
+    /// The stretch in which a place is cut last.
+    pub fn held_at(&self, place: usize) -> Option<&Held> {
+        let n = self.held.partition_point(|h| h.places.end <= place);
+        self.held.get(n).filter(|h| h.places.contains(&place))
+    }
+
+    /// Number of rows along which the table does not turn.
+    pub fn still_rows(&self) -> usize {
+        let stretches = |row: usize| self.held.iter().filter(|h| h.row == row).count();
+        (0..self.rows.rows.len()).filter(|row| stretches(*row) == 1).count()
+    }
+
+    /// Least width of what is free for both at a place, rad, and the place.
+    pub fn narrowest(&self) -> Option<(f64, usize)> {
+        let widths = self.common.iter().map(FreeAngles::widest).enumerate();
+        widths.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, w)| (w, k))
+    }
+}
+
+impl Setup {
+    /// What the job asks of two tools.
+    pub fn pinch_settings(&self) -> PinchSettings {
+        self.job.pinch.clone().unwrap_or_default()
+    }
+
+    /// The cones of both tools' axes.
+    pub fn pinch_cones(&self) -> [Cone; 2] {
+        let first = self.job.machine.b_deg;
+        let second = self.pinch_settings().b_2_deg.unwrap_or(first);
+        [first, second].map(|deg| Cone::about_blade(deg.to_radians()))
+    }
+
+    /// Plans rows for two tools and judges them.
+    ///
+    /// # Errors
+    /// Those of [`pairs::plan`] and [`channel::intervals`]; kind `Infeasible` where at a place no
+    /// angle of the table is free for both tools.
+    pub fn pinch(&self, observer: &dyn Observer) -> Result<Pinch> {
+        let (job, asked) = (&self.job, self.pinch_settings());
+        job.tool.ball_only("rows for two tools are planned")?;
+        if !job.orientation.kind.goes_round() {
+            return Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
+                .advise("leave out orientation.kind"));
+        }
+        let tools = [&job.tool; 2];
+        let options = PairOptions {
+            settings: job.path.clone(),
+            radius_mm: tools.map(|t| t.radius_mm),
+            heights_mm: asked.heights_mm,
+            max_angle_rad: asked.max_angle_deg.to_radians(),
+            apart_mm: asked.tools_apart_mm,
+        };
+        let rows = timed(observer, Stage::Path, || pairs::plan(&self.blade, &options, observer))?;
+        let cones = self.pinch_cones();
+        let between_rad = self.between_heads(&asked)?;
+        let own = timed(observer, Stage::Channel, || {
+            let free = |tool: usize| self.free_angles(tools[tool], &rows, (tool, cones[tool]), observer);
+            let second = free(1)?.into_iter().map(|f| f.turned(-between_rad)).collect();
+            Ok([free(0)?, second])
+        })?;
+        let common: Vec<FreeAngles> = own[0].iter().zip(&own[1]).map(|(a, b)| a.and(b)).collect();
+        // What is free for both ends rows too, as near a platform.
+        let open = |row: &Range<usize>| {
+            let run = longest(&common[row.clone()].iter().map(|c| !c.is_empty()).collect::<Vec<_>>());
+            row.start + run.start..row.start + run.end
+        };
+        let kept: Vec<_> = rows.rows.iter().map(open).filter(|row| row.len() > 1).collect();
+        if kept.is_empty() {
+            let first = common.iter().position(FreeAngles::is_empty).unwrap_or(0);
+            let both = Both::new(tools, cones, between_rad);
+            return Err(if rows.places.is_empty() { no_rows(&rows) } else { closed(&rows, &own, &both, first) });
+        }
+        let all = rows.places.len();
+        let chosen =
+            |of: &[FreeAngles]| kept.iter().flat_map(|row| of[row.clone()].iter().cloned()).collect::<Vec<_>>();
+        let (own, common, rows) = ([chosen(&own[0]), chosen(&own[1])], chosen(&common), rows.only(&kept));
+        let cut_off = all - rows.places.len();
+        let both = Both::new(tools, cones, between_rad);
+        let clear = |places: &Range<usize>, theta_rad: f64| {
+            let moves = rows.places[places.clone()].windows(2);
+            moves.into_iter().all(|w| both.apart([&w[0], &w[1]], theta_rad).least_mm >= asked.tools_apart_mm)
+        };
+        let hold = HoldOptions { margin_rad: job.schedule.margin_deg.to_radians() };
+        let held = timed(observer, Stage::Schedule, || {
+            pair::hold(&rows.rows, &common, hold, clear).map_err(|k| closed(&rows, &own, &both, k))
+        })?;
+        let (checks, figures) = (Vec::new(), PinchFigures::default());
+        let mut pinch = Pinch { rows, cut_off, own, common, held, between_rad, checks, figures };
+        let stretches = pinch.stretches();
+        let options = self.verify_options();
+        let work = self.pinch_work(&pinch, &stretches);
+        let (checks, figures) = timed(observer, Stage::Verify, || Ok(verify::check_pinch(&work, &options)))?;
+        (pinch.checks, pinch.figures) = (checks, figures);
+        Ok(pinch)
+    }
+
+    /// The motion of a machine with two heads and its program, judged: `None` where it has one.
+    ///
+    /// # Errors
+    /// Those of [`motion()`].
+    pub fn pinch_program(&self, pinch: &Pinch, observer: &dyn Observer) -> Result<Option<PinchProgrammed>> {
+        let Some(motion) = timed(observer, Stage::Feed, || motion(self, pinch, observer))? else { return Ok(None) };
+        let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
+        let text = post::pinch::pinch_program(&PinchProgram {
+            name: &self.blade.name,
+            part_file: &file,
+            part_hash: &self.part_hash,
+            machine: &self.machine,
+            motion: &motion,
+            settings: &self.job.post,
+            to_tip_mm: self.job.tool.length_mm() + self.job.tool.radius_mm,
+        });
+        let mut checks = verify::check_pinch_motion(&motion, &self.machine);
+        let stretches = pinch.stretches();
+        let work = self.pinch_work(pinch, &stretches);
+        let over = (motion.turning_mm, motion.cutting_s);
+        let options = self.verify_options();
+        checks.extend(verify::check_pinch_program(&text, &work, &self.machine, over, &options));
+        Ok(Some(PinchProgrammed { motion, text, checks }))
+    }
+
+    /// What the checks look at.
+    fn pinch_work<'a>(&'a self, pinch: &'a Pinch, held: &'a [(Range<usize>, f64)]) -> PinchWork<'a> {
+        let asked = self.pinch_settings();
+        PinchWork {
+            blade: &self.blade,
+            obstacles: &self.obstacles,
+            tools: [&self.job.tool; 2],
+            cones: self.pinch_cones(),
+            between_rad: pinch.between_rad,
+            rows: &pinch.rows,
+            held,
+            tools_apart_mm: asked.tools_apart_mm,
+            line_distance_mm: asked.line_distance_mm,
+            max_angle_rad: asked.max_angle_deg.to_radians(),
+        }
+    }
+
+    /// The angle of the second head over the first: the machine's where it has two.
+    fn between_heads(&self, asked: &PinchSettings) -> Result<f64> {
+        let own = self.machine.between_heads(self.pinch_cones().map(|c| c.lean_rad))?;
+        let Some(typed) = asked.between_deg.map(f64::to_radians) else { return Ok(own.unwrap_or(PI)) };
+        match own.filter(|own| within_half_turn(typed - own).abs() > SAME_RAD) {
+            None => Ok(typed),
+            Some(own) => {
+                let message = format!(
+                    "pinch.between_deg is {}, but the second head of {} stands {:.3}° on from the first",
+                    typed.to_degrees(),
+                    self.machine.name,
+                    own.to_degrees()
+                );
+                Err(Error::usage(Stage::Machine, message).advise("leave pinch.between_deg out"))
+            }
+        }
+    }
+
+    /// What is free for a tool at all places of rows, by its own angle.
+    fn free_angles(
+        &self,
+        tool: &Tool,
+        rows: &PairedRows,
+        (side, cone): (usize, Cone),
+        observer: &dyn Observer,
+    ) -> Result<Vec<FreeAngles>> {
+        let path = rows.toolpath(side, Cones::Same(cone));
+        let usual = self.channel_options();
+        // The second head's angle is not the table's.
+        let theta_limits_rad = usual.theta_limits_rad.filter(|_| side == 0);
+        let options = ChannelOptions { sweep: Sweep::Swing, travel: Vec::new(), theta_limits_rad, ..usual };
+        let found = channel::intervals(&self.surroundings()?, tool, &path, &options, observer)?;
+        Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
+    }
+}
+
+/// No row has two places.
+fn no_rows(rows: &PairedRows) -> Error {
+    let message = format!("no row for two tools has two places: {}", rows.ends_in_words());
+    Error::infeasible(Stage::Path, message, Infeasible::NoPairs).advise("one tool can machine the blade")
+}
+
+/// No angle is free for both at a place.
+fn closed(rows: &PairedRows, own: &[Vec<FreeAngles>; 2], both: &Both, place: usize) -> Error {
+    let row = rows.rows.partition_point(|r| r.end <= place);
+    let height_mm = rows.places[place].contacts[0].centre.x;
+    let degrees = |free: &FreeAngles| free.arcs().iter().map(|a| a.map(f64::to_degrees)).collect::<Vec<_>>();
+    let free_deg = [degrees(&own[0][place]), degrees(&own[1][place])];
+    let said = |arcs: &[[f64; 2]]| match arcs {
+        [] => "at none".to_owned(),
+        _ => arcs.iter().map(|[a, b]| format!("{a:.1}° to {b:.1}°")).collect::<Vec<_>>().join(", "),
+    };
+    // How far apart the tools can be there at angles that are free for both.
+    let here = [&rows.places[place]; 2];
+    let common = own[0][place].and(&own[1][place]);
+    let angles = (0..360).map(|k| f64::from(k).to_radians()).filter(|theta| common.has(*theta));
+    let apart_mm = angles.map(|theta| both.apart(here, theta).least_mm).fold(f64::NEG_INFINITY, f64::max);
+    let tools = if apart_mm.is_finite() {
+        format!("; at what is free for both the tools are at most {apart_mm:.3} mm apart")
+    } else {
+        String::new()
+    };
+    let message = format!(
+        "no angle of the table is free for both tools in row {} at height {height_mm:.3} mm, or from there to the place beside it: tool 1 is \
+         clear at {}, tool 2 at {}{tools}",
+        row + 1,
+        said(&free_deg[0]),
+        said(&free_deg[1])
+    );
+    Error::infeasible(Stage::Channel, message, Infeasible::NoCommonAngle { row, height_mm, free_deg })
+        .advise("try other leans (machine.b_deg, pinch.b_2_deg), a longer or slimmer tool, or other pinch.heights_mm")
+}

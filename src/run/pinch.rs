@@ -1,0 +1,259 @@
+//! Files of rows for two tools: tables, figures, a plot.
+
+use std::fmt::Write;
+
+use crate::artifact::PairedRows;
+use crate::artifact::paired::PinchMotion;
+use crate::artifact::region::Area;
+use crate::artifact::report::Check;
+use crate::plan::Setup;
+use crate::plan::pinch::{Pinch, PinchProgrammed};
+use crate::verify::PinchFigures;
+use crate::write::draw::{HeldAngles, held_svg};
+
+/// Rows for two tools in figures: `pinch.json`. Lengths in mm, angles in degrees.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PinchSummary {
+    /// Name of the blade.
+    pub name: String,
+    /// Rows.
+    pub rows: usize,
+    /// Those along which the table does not turn.
+    pub still_rows: usize,
+    /// Stretches that are cut at one angle of the table each.
+    pub stretches: usize,
+    /// Places of both tools.
+    pub places: usize,
+    /// Places cut off the ends of rows, since no angle of the table is free for both tools there.
+    pub cut_off: usize,
+    /// Heights of the first tool's ball centre between which rows run.
+    pub heights_mm: [f64; 2],
+    /// Length of all rows of each tool.
+    pub length_mm: [f64; 2],
+    /// Share of the airfoil's area that lies between the rows of each tool.
+    pub covered: [f64; 2],
+    /// Why rows end, in words.
+    pub ends: String,
+    /// Least width of what is free for both tools.
+    pub narrowest_deg: f64,
+    /// Where.
+    pub narrowest_place: usize,
+    /// Least width of what is free for each tool by itself.
+    pub narrowest_own_deg: [f64; 2],
+    /// What the table turns from stretch to stretch, in all.
+    pub turned_deg: f64,
+    /// What the checks measured.
+    pub measured: PinchFigures,
+    /// The checks.
+    pub checks: Vec<Check>,
+    /// What the program does, where the machine has two heads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub program: Option<ProgramSummary>,
+}
+
+/// The program of two tools in figures.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct ProgramSummary {
+    /// Time that both tools cut, s.
+    pub cutting_s: f64,
+    /// Time that each tool would take for its side alone, s.
+    pub alone_s: [f64; 2],
+    /// Lines of the program.
+    pub lines: usize,
+    /// The checks of motion and program.
+    pub checks: Vec<Check>,
+}
+
+/// The figures.
+pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed>) -> PinchSummary {
+    let (narrowest, narrowest_place) = pinch.narrowest().unwrap_or_default();
+    let own = |k: usize| pinch.own[k].iter().map(|f| f.widest()).fold(f64::INFINITY, f64::min);
+    let turned: f64 = pinch.held.windows(2).map(|w| (w[1].theta_rad - w[0].theta_rad).abs()).sum();
+    let area = airfoil_mm2(setup);
+    PinchSummary {
+        name: setup.blade.name.clone(),
+        rows: pinch.rows.rows.len(),
+        still_rows: pinch.still_rows(),
+        stretches: pinch.held.len(),
+        places: pinch.rows.places.len(),
+        cut_off: pinch.cut_off,
+        heights_mm: pinch.rows.heights_mm,
+        length_mm: [0, 1].map(|k| pinch.rows.length_mm(k)),
+        covered: [0, 1].map(|k| between_rows_mm2(&pinch.rows, k) / area.max(f64::MIN_POSITIVE)),
+        ends: pinch.rows.ends_in_words(),
+        narrowest_deg: narrowest.to_degrees(),
+        narrowest_place,
+        narrowest_own_deg: [own(0).to_degrees(), own(1).to_degrees()],
+        turned_deg: turned.to_degrees(),
+        measured: pinch.figures.clone(),
+        checks: pinch.checks.clone(),
+        program: programmed.map(|p| ProgramSummary {
+            cutting_s: p.motion.cutting_s,
+            alone_s: p.motion.alone_s,
+            lines: p.text.lines().count(),
+            checks: p.checks.clone(),
+        }),
+    }
+}
+
+/// `pinch_axes.csv`: all axes at the places of all stretches; the time begins anew in each. Linear
+/// axes in mm, rotary axes in degrees, and their derivatives per second.
+pub fn axes(setup: &Setup, motion: &PinchMotion) -> String {
+    let axes = setup.machine.axes();
+    let mut out = String::from("row,stretch,t_s");
+    for prefix in ["", "v", "a", "j"] {
+        for axis in axes {
+            let _ = write!(out, ",{prefix}{}", axis.name);
+        }
+    }
+    out.push('\n');
+    for s in &motion.stretches {
+        let m = &s.motion;
+        for (k, t_s) in m.t_s.iter().enumerate() {
+            let _ = write!(out, "{},{},{t_s}", s.row, s.stretch);
+            for table in [&m.position, &m.velocity, &m.acceleration, &m.jerk] {
+                for (c, axis) in axes.iter().enumerate() {
+                    let _ = write!(out, ",{}", axis.shown(table[k][c]));
+                }
+            }
+            out.push('\n');
+        }
+    }
+    out
+}
+
+/// Area of the airfoil, mm².
+fn airfoil_mm2(setup: &Setup) -> f64 {
+    let mesh = &setup.blade.part.mesh;
+    let Some(airfoil) = setup.blade.regions.first(Area::Airfoil) else { return 0.0 };
+    let own = (0..mesh.triangles.len()).filter(|t| airfoil.patch.has(mesh, *t as u32));
+    own.map(|t| mesh.triangle_area_mm2(t)).sum()
+}
+
+/// Area of the part between the contacts of neighbouring rows, mm²: to each place of a row the
+/// triangle over its step with the nearest place of the next.
+fn between_rows_mm2(rows: &PairedRows, tool: usize) -> f64 {
+    let contacts =
+        |row: usize| rows.places[rows.rows[row].clone()].iter().map(|p| p.contacts[tool].contact).collect::<Vec<_>>();
+    let mut sum = 0.0;
+    for row in 1..rows.rows.len() {
+        let (a, b) = (contacts(row - 1), contacts(row));
+        // Both run down: the strip between them, triangle by triangle, the lower end moved on.
+        let start = |from: &[crate::geometry::Point], x: f64| from.partition_point(|p| p.x > x).saturating_sub(1);
+        let top = a[0].x.min(b[0].x);
+        let bottom = a[a.len() - 1].x.max(b[b.len() - 1].x);
+        let (mut i, mut j) = (start(&a, top), start(&b, top));
+        while let (Some(p), Some(q)) = (a.get(i), b.get(j)) {
+            if p.x.min(q.x) < bottom {
+                break;
+            }
+            let (next_a, next_b) = (a.get(i + 1), b.get(j + 1));
+            let first = match (next_a, next_b) {
+                (Some(x), Some(y)) => x.x >= y.x,
+                (Some(_), None) => true,
+                (None, Some(_)) => false,
+                (None, None) => break,
+            };
+            let Some(third) = (if first { next_a } else { next_b }) else { break };
+            sum += 0.5 * (q - p).cross(&(third - p)).norm();
+            if first { i += 1 } else { j += 1 }
+        }
+    }
+    sum
+}
+
+/// `pairs.csv`, and the locations of each tool in the columns of `cutter_locations.csv`.
+pub fn tables(setup: &Setup, pinch: &Pinch) -> Vec<(&'static str, String)> {
+    vec![
+        ("pairs.csv", pairs(setup, pinch)),
+        ("cutter_locations_1.csv", locations(setup, pinch, 0)),
+        ("cutter_locations_2.csv", locations(setup, pinch, 1)),
+    ]
+}
+
+/// Both contacts of each place: model frame, mm, degrees.
+fn pairs(setup: &Setup, pinch: &Pinch) -> String {
+    let mut out =
+        String::from("# bladewright rows of two tools; model frame, mm; angles in degrees about the blade axis\n");
+    out.push_str("row,place");
+    for tool in 1..=2 {
+        let _ = write!(out, ",c{tool}x,c{tool}y,c{tool}z,p{tool}x,p{tool}y,p{tool}z,n{tool}x,n{tool}y,n{tool}z");
+    }
+    out.push_str(",mx,my,mz,radius,angle_deg,line_distance_mm,table_deg,free_1_deg,free_2_deg,common_deg,common_min_deg,common_max_deg\n");
+    let to_model = &setup.blade.model_from_blade;
+    for (k, place) in pinch.rows.places.iter().enumerate() {
+        let Some(held) = pinch.held_at(k) else { continue };
+        let _ = write!(out, "{},{k}", held.row);
+        for c in &place.contacts {
+            for v in [(to_model * c.centre).coords, (to_model * c.contact).coords, to_model * c.normal] {
+                let _ = write!(out, ",{},{},{}", v.x, v.y, v.z);
+            }
+        }
+        let m = to_model * place.held_centre;
+        let [from, to] = pinch.common[k].around(held.theta_rad);
+        let _ = writeln!(
+            out,
+            ",{},{},{},{},{},{},{},{},{},{},{},{}",
+            m.x,
+            m.y,
+            m.z,
+            place.held_radius_mm,
+            place.angle_rad.to_degrees(),
+            place.apart_mm,
+            held.theta_rad.to_degrees(),
+            pinch.own[0][k].widest().to_degrees(),
+            pinch.own[1][k].widest().to_degrees(),
+            pinch.common[k].widest().to_degrees(),
+            from.to_degrees(),
+            to.to_degrees()
+        );
+    }
+    out
+}
+
+/// The locations of a tool as `cutter_locations.csv` has them, a turn for each row.
+fn locations(setup: &Setup, pinch: &Pinch, tool: usize) -> String {
+    let cone = setup.pinch_cones()[tool];
+    let over = if tool == 0 { 0.0 } else { pinch.between_rad };
+    let path = pinch.rows.toolpath(tool, crate::artifact::Cones::Same(cone));
+    let mut out = format!(
+        "# bladewright cutter locations of tool {}; model frame, mm; angles in degrees about the blade axis\n",
+        tool + 1
+    );
+    out.push_str("# each turn is a row; the ways from row to row are not part of it\n");
+    out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");
+    let to_model = &setup.blade.model_from_blade;
+    for (k, l) in path.locations.iter().enumerate() {
+        let Some(held) = pinch.held_at(k) else { continue };
+        let theta = held.theta_rad + over;
+        let [from, to] = pinch.common[k].around(held.theta_rad).map(|v| v + over);
+        let _ = write!(out, "{},{},{}", l.turn, l.turn_s_mm, l.s_mm);
+        let axis = to_model * cone.tool_axis(theta);
+        for v in [(to_model * l.centre).coords, (to_model * l.contact).coords, to_model * l.normal, axis] {
+            let _ = write!(out, ",{},{},{}", v.x, v.y, v.z);
+        }
+        let _ = writeln!(
+            out,
+            ",{},{},{},{}",
+            theta.to_degrees(),
+            from.to_degrees(),
+            to.to_degrees(),
+            setup.job.feed.feed_mm_min
+        );
+    }
+    out
+}
+
+/// What of the table's turn is free along the rows, and where it stands: SVG.
+pub fn plot(setup: &Setup, pinch: &Pinch) -> String {
+    let rows: Vec<HeldAngles> = pinch
+        .held
+        .iter()
+        .map(|h| HeldAngles {
+            row: h.row,
+            held_deg: h.theta_rad.to_degrees(),
+            common_deg: h.free.around(h.theta_rad).map(f64::to_degrees),
+        })
+        .collect();
+    held_svg(&setup.blade.name, &rows)
+}

@@ -1,0 +1,349 @@
+//! Rows of two tools that hold a blade between them, judged apart from their planner.
+//!
+//! Each tool by itself: the swept ball in the part, ridges from row to row, the rest of the tool to
+//! the part, over the straight moves of each stretch, while the table stands still. Both together:
+//! whether their normals face each other, by the part's own normals under both ball centres, and
+//! how far the tools are apart.
+//!
+//! The least distance of two tools is taken piece by piece, ball and frusta. Each piece is convex:
+//! parry's search for the nearest points of two convex bodies gives a direction, and the pieces'
+//! own extents along it bound their distance from below, whatever the search has found. Between two
+//! places they go straight and evenly, so a direction bounds it there too.
+
+use std::ops::Range;
+
+use parry3d_f64::math::{Pose, Vector as ParryVector};
+use parry3d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
+use parry3d_f64::shape::SupportMap;
+use rayon::prelude::*;
+
+use super::apart::{Apart, apart};
+use super::clearance::{Track, kept};
+use super::gouge;
+use super::height::{Height, REACH_SLACK, percentile, sort};
+use super::options::VerifyOptions;
+use super::ridge::{Ridges, apart_mm};
+use super::sweep::Sweep;
+use crate::artifact::report::Check;
+use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
+use crate::geometry::allowance::Allowed;
+use crate::geometry::{Point, Vector};
+use crate::tool::{Segment, Tool};
+
+/// Ridges are measured on each side at about so many places.
+const RIDGES: usize = 6000;
+
+/// Two tools, and how they stand along rows.
+pub struct PinchWork<'a> {
+    /// The part.
+    pub blade: &'a Blade,
+    /// What stands about it.
+    pub obstacles: &'a [Obstacle],
+    /// Both cutters.
+    pub tools: [&'a Tool; 2],
+    /// The cones of their axes.
+    pub cones: [Cone; 2],
+    /// What the angle of tool 2 is over the table's, rad.
+    pub between_rad: f64,
+    /// The rows.
+    pub rows: &'a PairedRows,
+    /// Stretches that are cut at one angle of the table each, rad; a stretch begins at the last
+    /// place of the one before where it is of the same row.
+    pub held: &'a [(Range<usize>, f64)],
+    /// Room that the tools keep from each other, mm.
+    pub tools_apart_mm: f64,
+    /// Greatest distance of the two normal lines, mm.
+    pub line_distance_mm: f64,
+    /// What the normals may lack of being opposite, rad.
+    pub max_angle_rad: f64,
+}
+
+/// What was measured on rows of two tools. Lengths in mm.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
+pub struct PinchFigures {
+    /// Ridges of each side: 5th percentile, median, 95th and 99th percentile, greatest.
+    pub ridges_mm: [[f64; 5]; 2],
+    /// Distance of the two normal lines: median, 99th percentile, greatest.
+    pub line_distance_mm: [f64; 3],
+    /// What the normals lack of being opposite: median, 99th percentile, greatest, degrees.
+    pub angle_deg: [f64; 3],
+    /// The tools are nowhere nearer to each other.
+    pub tools_apart_mm: f64,
+}
+
+/// Judges rows of two tools.
+pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFigures) {
+    let mut checks = Vec::new();
+    let mut figures = PinchFigures::default();
+    // Every place at the angles of its stretches, stretch by stretch, for either tool.
+    let order: Vec<(usize, usize)> =
+        work.held.iter().enumerate().flat_map(|(n, (places, _))| places.clone().map(move |k| (n, k))).collect();
+    let cuts: Vec<bool> = order.windows(2).map(|w| w[0].0 == w[1].0).collect();
+    checks.push(covered(work));
+    if order.len() < 2 {
+        return (checks, figures);
+    }
+    for tool in 0..2 {
+        let contact = |k: usize| &work.rows.places[k].contacts[tool];
+        let row_of = |k: usize| work.rows.rows.partition_point(|r| r.end <= k) as u32;
+        let sweep = Sweep::of(
+            order.iter().map(|(_, k)| contact(*k).centre).collect(),
+            order.iter().map(|(_, k)| contact(*k).contact).collect(),
+            order.iter().map(|(_, k)| row_of(*k)).collect(),
+            work.tools[tool].radius_mm,
+            Some(cuts.clone()),
+        );
+        let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
+        let name = |check: Check| Check { quantity: format!("tool {}: {}", tool + 1, check.quantity), ..check };
+        checks.push(name(gouge::check(work.blade, &part, &sweep, options).0));
+        checks.extend(gouge::check_obstacles(work.blade, work.obstacles, &sweep, options).map(name));
+        let heights = ridges(&part, &sweep, options.scallop_mm);
+        figures.ridges_mm[tool] = [0.05, 0.5, 0.95, 0.99, 1.0].map(|q| percentile(&heights, q));
+        if let Some(last) = heights.last() {
+            figures.ridges_mm[tool][4] = last.height_mm;
+        }
+        checks.push(name(ridge_check(&heights, work, options)));
+        let stands: Vec<Stand> = order
+            .iter()
+            .map(|(n, k)| {
+                let over = if tool == 0 { 0.0 } else { work.between_rad };
+                Stand { centre: contact(*k).centre, cone: work.cones[tool], theta: work.held[*n].1 + over }
+            })
+            .collect();
+        let track = Track { stands: &stands, wanted: Some(&cuts) };
+        for a in apart(work.blade, work.obstacles, work.tools[tool], options) {
+            checks.push(name(clearance(&a, track, work.blade, options)));
+        }
+    }
+    let (check, opposition) = opposed(work);
+    checks.extend(check);
+    (figures.line_distance_mm, figures.angle_deg) = opposition;
+    let (check, least_mm) = tools_apart(work, &order, &cuts);
+    figures.tools_apart_mm = least_mm;
+    checks.push(check);
+    (checks, figures)
+}
+
+/// Every move of every row is cut by some stretch.
+fn covered(work: &PinchWork) -> Check {
+    let mut cut = vec![false; work.rows.places.len()];
+    for (places, _) in work.held {
+        for k in places.start..places.end.saturating_sub(1) {
+            if let Some(cut) = cut.get_mut(k) {
+                *cut = true;
+            }
+        }
+    }
+    let of_rows = work.rows.rows.iter().flat_map(|r| r.start..r.end.saturating_sub(1));
+    let left = of_rows.filter(|k| !cut[*k]).count();
+    let note = format!("{} rows in {} stretches", work.rows.rows.len(), work.held.len());
+    Check::at_most(CheckId::PairRows, "moves of rows that no stretch cuts", left as f64, 0.0, "", note)
+}
+
+/// Ridges from each row to the next, sorted.
+fn ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> Vec<Height> {
+    let every = sweep.centres.len().div_ceil(RIDGES);
+    let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
+    let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
+    let rows: Vec<usize> = (0..sweep.centres.len()).step_by(every).collect();
+    sort(rows.into_par_iter().filter_map(|row| of.at(row, sweep.turns[row] + 1)).collect())
+}
+
+fn ridge_check(heights: &[Height], work: &PinchWork, options: &VerifyOptions) -> Check {
+    let limit_mm = options.settings.scallop_ratio * options.scallop_mm;
+    let p99_mm = percentile(heights, 0.99);
+    let note = match heights.last() {
+        Some(h) => {
+            format!("{} ridges, the greatest {:.6}; asked for {}", heights.len(), h.height_mm, options.scallop_mm)
+        }
+        None => "there is one row only".into(),
+    };
+    let point = heights.last().map(|h| work.blade.model_from_blade * h.point);
+    Check {
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        ..Check::at_most(CheckId::Ridge, "99th percentile of the ridges between rows", p99_mm, limit_mm, "mm", note)
+    }
+}
+
+fn clearance(a: &Apart, track: Track, blade: &Blade, options: &VerifyOptions) -> Check {
+    let limit = options.least_clearance(a.asked_mm);
+    let kept = kept(track, a.part, &a.segments, limit, options);
+    let id = match (a.obstacle, a.is_holder) {
+        (Some(_), _) => CheckId::ObstacleClearance,
+        (None, true) => CheckId::HolderClearance,
+        (None, false) => CheckId::Clearance,
+    };
+    let who = a.segments.get(kept.near.segment).map_or_else(String::new, |s| s.part.to_string());
+    let note = format!(
+        "{who} to {}; measured {:.6}, known to {:.6}; asked for {}",
+        a.named(kept.face),
+        kept.near.found_mm,
+        kept.known_mm,
+        a.asked_mm
+    );
+    let point = kept.face.map(|_| blade.model_from_blade * kept.near.point);
+    let quantity = "least distance of the tool without its ball, between places too";
+    Check {
+        passed: kept.least_mm >= limit,
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        ..Check::at_most(id, quantity, kept.least_mm, limit, "mm", note)
+    }
+}
+
+/// Distance of the normal lines and angle between the normals, by the part itself: median, 99th
+/// percentile and greatest of each, mm and degrees.
+type Opposition = ([f64; 3], [f64; 3]);
+
+fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
+    let of = |k: &usize| -> Option<[f64; 2]> {
+        let feet = [0, 1].map(|tool| {
+            let c = &work.rows.places[*k].contacts[tool].centre;
+            let near = work.blade.part.closest(c, f64::INFINITY)?;
+            Some((near.point, (c - near.point).try_normalize(1e-9)?))
+        });
+        let [(p, n), (q, m)] = [feet[0]?, feet[1]?];
+        Some([lines_apart(&p, &n, &q, &m), (n + m).norm().clamp(0.0, 2.0) / 2.0])
+    };
+    let places: Vec<usize> = (0..work.rows.places.len()).collect();
+    let found: Vec<Option<[f64; 2]>> = places.par_iter().map(of).collect();
+    let sorted = |column: usize| {
+        let mut all: Vec<f64> = found.iter().map(|f| f.map_or(f64::INFINITY, |f| f[column])).collect();
+        all.sort_by(f64::total_cmp);
+        [0.5, 0.99, 1.0]
+            .map(|q| all.get(((all.len().saturating_sub(1)) as f64 * q).round() as usize).copied().unwrap_or(0.0))
+    };
+    let lines = sorted(0);
+    let angles = sorted(1).map(|half| (2.0 * half.asin()).to_degrees());
+    let line = Check::at_most(
+        CheckId::Opposition,
+        "99th percentile of the distance of the two normal lines",
+        lines[1],
+        work.line_distance_mm,
+        "mm",
+        format!("greatest {:.6}", lines[2]),
+    );
+    let angle = Check::at_most(
+        CheckId::Opposition,
+        "what the normals lack of being opposite",
+        angles[2],
+        work.max_angle_rad.to_degrees() + 1e-6,
+        "deg",
+        format!("half of them under {:.3}", angles[0]),
+    );
+    (vec![line, angle], (lines, angles))
+}
+
+/// Distance of two lines, each through a point along a unit direction, mm.
+fn lines_apart(p: &Point, n: &Vector, q: &Point, m: &Vector) -> f64 {
+    let (across, between) = (n.cross(m), q - p);
+    match across.norm() {
+        s if s > 1e-6 => (between.dot(&across) / s).abs(),
+        _ => between.cross(n).norm(),
+    }
+}
+
+/// How near the tools come to each other, over all stretches, mm.
+fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Check, f64) {
+    let segments = work.tools.map(Tool::segments);
+    let stand = |i: usize| {
+        let (n, k) = order[i];
+        let theta = work.held[n].1;
+        let thetas = [theta, theta + work.between_rad];
+        [0, 1].map(|j| {
+            let axis = work.cones[j].tool_axis(thetas[j]);
+            solids(&segments[j], work.tools[j].radius_mm, &work.rows.places[k].contacts[j].centre, &axis)
+        })
+    };
+    let one = |i: &usize| {
+        let here = stand(*i);
+        let next = if cuts.get(*i) == Some(&true) { stand(*i + 1) } else { stand(*i) };
+        let mut least = f64::INFINITY;
+        for (a, a_next) in here[0].iter().zip(&next[0]) {
+            for (b, b_next) in here[1].iter().zip(&next[1]) {
+                // A direction along which the pieces are apart at both ends of a move tells so much
+                // all the way, since both go straight and evenly.
+                let along = [a.towards(b), a_next.towards(b_next)].into_iter().flatten();
+                let apart = along.map(|d| a.gap_mm(b, &d).min(a_next.gap_mm(b_next, &d)));
+                least = least.min(apart.fold(f64::NEG_INFINITY, f64::max));
+            }
+        }
+        (least, order[*i].1)
+    };
+    let rows: Vec<usize> = (0..order.len()).collect();
+    let all: Vec<(f64, usize)> = rows.par_iter().map(one).collect();
+    let (least_mm, k) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
+    let point = work.blade.model_from_blade * work.rows.places[k].held_centre;
+    let quantity = "least distance of the two tools, between places too";
+    let note = format!("place {k}; asked for {}", work.tools_apart_mm);
+    let check = Check {
+        passed: least_mm >= work.tools_apart_mm,
+        row: Some(k),
+        point_mm: Some([point.x, point.y, point.z]),
+        ..Check::at_most(CheckId::ToolsApart, quantity, least_mm, work.tools_apart_mm, "mm", note)
+    };
+    (check, least_mm)
+}
+
+/// A ball, or the frustum of a cone, where it stands.
+enum Solid {
+    Ball { centre: Point, radius_mm: f64 },
+    Frustum { ends: [Point; 2], radii_mm: [f64; 2], axis: Vector },
+}
+
+fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -> Vec<Solid> {
+    let frustum = |s: &Segment| Solid::Frustum {
+        ends: [s.z0, s.z1].map(|z| centre + axis * z),
+        radii_mm: [s.r0, s.r1],
+        axis: *axis,
+    };
+    std::iter::once(Solid::Ball { centre: *centre, radius_mm }).chain(segments.iter().map(frustum)).collect()
+}
+
+impl Solid {
+    /// The point farthest along a direction.
+    fn farthest(&self, along: &Vector) -> Point {
+        match self {
+            Solid::Ball { centre, radius_mm } => centre + along.try_normalize(1e-300).unwrap_or_default() * *radius_mm,
+            Solid::Frustum { ends, radii_mm, axis } => {
+                let across = along - axis * along.dot(axis);
+                let out = across.try_normalize(1e-300).unwrap_or_default();
+                let [a, b] = [0, 1].map(|k| ends[k] + out * radii_mm[k]);
+                if a.coords.dot(along) > b.coords.dot(along) { a } else { b }
+            }
+        }
+    }
+
+    /// How far this one is from another along a unit direction, mm.
+    fn gap_mm(&self, other: &Solid, along: &Vector) -> f64 {
+        self.farthest(&-along).coords.dot(along) - other.farthest(along).coords.dot(along)
+    }
+
+    /// The direction from another to this one along which both are farthest apart; `None` where
+    /// they meet.
+    fn towards(&self, other: &Solid) -> Option<Vector> {
+        let start = (self.middle() - other.middle()).try_normalize(1e-9)?;
+        let mut simplex = VoronoiSimplex::new();
+        let still = Pose::default();
+        simplex.reset(CsoPoint::from_shapes(&still, self, other, ParryVector::new(-start.x, -start.y, -start.z)));
+        match gjk::closest_points(&still, self, other, f64::MAX, true, &mut simplex) {
+            GJKResult::ClosestPoints(p, q, _) => Vector::new(p.x - q.x, p.y - q.y, p.z - q.z).try_normalize(1e-12),
+            GJKResult::Intersection => None,
+            // The search has ended without points.
+            GJKResult::Proximity(_) | GJKResult::NoIntersection(_) => Some(start),
+        }
+    }
+
+    fn middle(&self) -> Point {
+        match self {
+            Solid::Ball { centre, .. } => *centre,
+            Solid::Frustum { ends, .. } => nalgebra::center(&ends[0], &ends[1]),
+        }
+    }
+}
+
+impl SupportMap for Solid {
+    fn local_support_point(&self, dir: ParryVector) -> ParryVector {
+        let p = self.farthest(&Vector::new(dir.x, dir.y, dir.z));
+        ParryVector::new(p.x, p.y, p.z)
+    }
+}
