@@ -225,3 +225,133 @@ impl<'de> MapAccess<'de> for Entries<'de> {
         Some(self.rest.len())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use std::collections::BTreeMap;
+
+    use serde::Deserialize;
+
+    use super::*;
+
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    enum Kind {
+        LeastTime,
+        Even,
+    }
+
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(untagged, expecting = "a number or a list is wanted")]
+    enum Law {
+        Same(f64),
+        Along(Vec<[f64; 2]>),
+    }
+
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Link {
+        length: Length,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        name: Option<String>,
+    }
+
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    struct Length(f64);
+
+    #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields, default)]
+    struct All {
+        whole: u64,
+        signed: i32,
+        small: u8,
+        number: Option<f64>,
+        yes: bool,
+        kind: Option<Kind>,
+        law: Option<Law>,
+        three: [f64; 3],
+        pair: (String, f64),
+        set: BTreeMap<String, toml::Value>,
+        kinds: BTreeMap<String, Kind>,
+        links: Vec<Link>,
+        link: Option<Link>,
+    }
+
+    /// Texts that are read, and texts that are not: as the library reads them, with its words and
+    /// lines.
+    #[test]
+    fn all_is_read_as_the_library_reads_it() {
+        let texts = [
+            "",
+            "whole = 18_446_744_073_709_551_615\nsigned = -0x10\nsmall = 0b11\nnumber = 3\nyes = true",
+            "number = -inf\nkind = \"least-time\"\nlaw = 1.5e3\nthree = [1, 2.5, 3]\npair = [\"a\", 1]",
+            "law = [[0, 1], [1.0, 2.0]]\nset.a.b = [1, { c = \"d\" }]\nset.x = 1.5\nset.'y z' = true",
+            "[kinds]\na = \"even\"\nb = \"least-time\"\n[[links]]\nlength = 1\n[[links]]\nname = \"n\\u00e9\"\nlength = 2.0",
+            "link = { length = 1, name = \"\"\"\nx\ny\"\"\" }",
+            // No TOML.
+            "whole = 1\nwhole = 2",
+            "whole 1",
+            "\nyes = tru",
+            "name = \"a",
+            // Keys and values that are not wanted.
+            "\n\nnone = 1",
+            "whole = 1\n\nlink = { length = 1, nane = 2 }",
+            "[[links]]\nlength = 1\n[[links]]\nname = \"a\"",
+            "whole = -1",
+            "small = 256",
+            "signed = 3_000_000_000",
+            "number = 1e400",
+            "number = 99999999999999999999999999999999999999999",
+            "number = \"2\"",
+            "yes = 1",
+            "kind = \"evn\"",
+            "\n[kinds]\na = \"even\"\nb = \"odd\"",
+            "law = \"x\"",
+            "law = [[0, 1], [1.0]]",
+            "three = [\n1,\n2,\n]",
+            "three = [\n1,\n\"2\",\n3]",
+            "pair = [\"a\"]",
+            "pair = { a = 1 }",
+            "set = 1",
+            "links = { length = 1 }",
+            "link = [1, \"a\"]",
+            "link = [1, 2]",
+            "link = 1",
+        ];
+        for text in texts {
+            match (from_toml::<All>(text), toml::from_str::<All>(text)) {
+                (Ok(own), Ok(want)) => assert_eq!(own, want, "{text}"),
+                (Err(own), Err(want)) => {
+                    let line = |at: usize| text[..at].matches('\n').count() + 1;
+                    assert_eq!(own.line, want.span().map(|s| line(s.start)), "{text}");
+                    assert_eq!(own.words, super::super::plain(&want.message().replace('\n', " ")), "{text}");
+                }
+                (own, want) => panic!("{text}: {own:?}, not {want:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn words_of_what_no_key_is() {
+        for (text, says) in [
+            ("kind = 3", "a text is wanted, not 3"),
+            ("kind = [1]", "a text is wanted, not a list"),
+            ("kind = { even = 1 }", "a text is wanted, not a table"),
+            ("number = 1979-05-27", "a number is wanted, not a date"),
+        ] {
+            assert_eq!(from_toml::<All>(text).unwrap_err().words, says, "{text}");
+        }
+    }
+
+    #[test]
+    fn values_and_back() {
+        let mut all =
+            from_toml::<All>("number = 0.1\nkinds.a = \"even\"\nset.b = [1.0, 2]\nlinks = [{ length = 1 }]").unwrap();
+        all.set.insert("c".into(), toml::Value::Float(1e300));
+        let mut value = to_value(&all).unwrap();
+        assert_eq!(from_value::<All>(&value).unwrap(), all);
+        value["number"] = toml::Value::Boolean(true);
+        assert_eq!(from_value::<All>(&value).unwrap_err(), "a number is wanted, not true");
+    }
+}
