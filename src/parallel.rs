@@ -5,7 +5,7 @@
 //! order.
 //!
 //! All loops meet rayon in one function, which is compiled once. A chain of its parallel iterators
-//! is compiled anew wherever it is written, some 6,000 lines of LLVM each time.
+//! is compiled anew wherever it is written, thousands of lines of LLVM each time.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -52,7 +52,9 @@ pub fn try_map<A: Send, T: Send, E: Send>(
         Some(made)
     });
     let mut out = Vec::with_capacity(all.len());
-    for made in all.into_iter().flatten() {
+    for made in all {
+        // What was left out is behind an error.
+        let Some(made) = made else { break };
         out.push(made?);
     }
     Ok(out)
@@ -61,7 +63,8 @@ pub fn try_map<A: Send, T: Send, E: Send>(
 /// As [`map`], without the items of which `one` makes nothing.
 pub fn filter_map<A: Send, T: Send>(items: impl IntoIterator<Item = A>, one: impl Fn(A) -> Option<T> + Sync) -> Vec<T> {
     let mut out = Vec::new();
-    for made in map(items, one).into_iter().flatten() {
+    for made in map(items, one) {
+        let Some(made) = made else { continue };
         out.push(made);
     }
     out
